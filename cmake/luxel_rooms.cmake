@@ -1,0 +1,52 @@
+# Outside libraries, warnings, and luxel_room(): one static library a room, so that a room links (and sees the
+# headers of) only the outside libraries whose home it is.
+
+find_package(PkgConfig REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(embree 3.13 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(OpenEXR 3 CONFIG REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Threads REQUIRED)
+pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+find_library(TINYGLTF_LIBRARY tinygltf REQUIRED)
+add_library(TinyGLTF INTERFACE)
+target_link_libraries(TinyGLTF INTERFACE ${TINYGLTF_LIBRARY} nlohmann_json::nlohmann_json)
+add_library(luxel_hdf5 INTERFACE)
+target_include_directories(luxel_hdf5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
+target_compile_definitions(luxel_hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
+target_link_libraries(luxel_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+
+# Every target of ours. -ffp-contract=off and no -march: the same source gives the same bits on every host.
+add_library(luxel_flags INTERFACE)
+target_compile_options(luxel_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                             -Werror -ffp-contract=off -fno-math-errno)
+target_include_directories(luxel_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+if(LUXEL_SANITIZE)
+  target_compile_options(luxel_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                               -fno-omit-frame-pointer)
+  target_link_options(luxel_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# fmt is text, used wherever a sentence is made; glm is the vector type of every signature: both are everywhere.
+function(luxel_room name)
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/luxel/${name}/*.cpp)
+  if(sources)
+    add_library(luxel_${name} STATIC ${sources})
+    target_link_libraries(luxel_${name} PRIVATE luxel_flags ${ROOM_LIBRARIES} PUBLIC fmt::fmt glm::glm)
+    set(visibility PUBLIC)
+  else()
+    add_library(luxel_${name} INTERFACE)
+    target_link_libraries(luxel_${name} INTERFACE fmt::fmt glm::glm)
+    set(visibility INTERFACE)
+  endif()
+  foreach(room ${ROOM_DEPENDS})
+    target_link_libraries(luxel_${name} ${visibility} luxel_${room})
+  endforeach()
+endfunction()

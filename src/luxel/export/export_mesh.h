@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+#include "luxel/surface/smooth_light.h"
+#include "luxel/tone/tone.h"
+
+namespace luxel {
+
+struct ExportOptions {
+  ToneOptions tone;
+};
+
+// A lit mesh anyone can look at: one primitive a material and side, POSITION, NORMAL and COLOR_0 (tone-mapped
+// light, linear, 16-bit normalised RGBA), KHR_materials_unlit. A back side is written, as triangles of its
+// own, only where light fell on it. glTF is Y up: a scene whose up is Z is turned by its root node. Valid by
+// the Khronos validator. The same input gives the same bytes. Whole or not at all; throws DeviceError.
+void export_glb(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
+                const SmoothLight& light, const Vec3& up, const ExportOptions& options = {});
+
+// Binary PLY with the same triangles: x y z, nx ny nz, red green blue (8-bit sRGB), and irradiance_<band> as
+// float.
+void export_ply(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
+                const SmoothLight& light, const ExportOptions& options = {});
+
+}  // namespace luxel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "luxel/report/log.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+struct LoadOptions {
+  float scale = 1.0f;                  // metres a file unit
+  float max_reflectance = 0.98f;       // reflectances above are lowered to it, with a warning
+  std::vector<std::string> one_sided;  // materials (* and ? allowed) whose back absorbs
+  std::vector<std::string> flip;       // materials (* and ? allowed) whose triangles are turned round
+};
+
+// Reads a scene by the file's ending: .obj (with its .mtl and textures).
+// Throws InputError with file and line for anything that cannot be read; says warnings (a missing MTL or
+// texture and the default taken, turned faces, capped reflectances) to log. Cost: about a second a million
+// faces.
+//
+// OBJ as Luxel reads it: metres, Y up or Z up as it comes; materials are two-sided; Ke is radiance in W/(m²
+// sr); Kd times the mean linear colour of map_Kd is the reflectance; vertex normals, where given, say which
+// side of a face is its front.
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {}, const LogSink& log = {});
+
+}  // namespace luxel

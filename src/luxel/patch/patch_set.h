@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "luxel/math/vector.h"
+#include "luxel/scene/material.h"
+
+namespace luxel {
+
+enum class PatchId : std::uint32_t {};
+
+// A material as the transport sees it: one number a band.
+struct BandMaterial {
+  std::string name;
+  bool two_sided = true;
+  std::vector<float> reflectance;  // [band], [0, 1)
+  std::vector<float> emittance;    // [band], W/m², front side
+
+  bool is_lamp() const;
+};
+
+// The surfaces cut into patches of constant radiosity. Parallel arrays: entry i of each is patch i. Patches
+// stand in the order of their input triangles. Vertices at the same place are one vertex, so neighbours share
+// indices.
+struct PatchSet {
+  std::vector<Vec3> vertices;                         // m
+  std::vector<std::array<std::uint32_t, 3>> corners;  // counter-clockwise seen from the front
+  std::vector<Vec3> normal;                           // unit, front side
+  std::vector<float> area;                            // m²
+  std::vector<MaterialId> material;
+  std::vector<std::uint32_t> triangle;  // index of the input triangle, see Scene
+
+  std::vector<std::string> bands;  // names: "red", "green", "blue"
+  std::vector<BandMaterial> materials;
+  std::uint64_t scene_fingerprint = 0;
+
+  std::size_t size() const { return corners.size(); }
+  std::size_t band_count() const { return bands.size(); }
+  const BandMaterial& material_of(std::size_t patch) const {
+    return materials[static_cast<std::size_t>(material[patch])];
+  }
+  std::array<Vec3, 3> points(std::size_t patch) const {
+    const auto& c = corners[patch];
+    return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
+  }
+};
+
+}  // namespace luxel

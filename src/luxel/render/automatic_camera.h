@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/camera.h"
+#include "luxel/solution/solution.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// Which way is up: the longer of two votes, the directions lamps shine (downwards) and the area of level
+// surfaces; Y where they do not decide. Result: (0,1,0) or (0,0,1).
+Vec3 automatic_up(const PatchSet& patches);
+
+// A view that shows much lit surface, for a scene nobody gave a camera for: candidate views from inside and
+// from outside are traced at thumbnail size and the best is kept (much lit area at a fair distance, little
+// emptiness, no surface in front of the nose, the horizon level). Deterministic. aspect: width / height.
+// Cost: a million rays.
+Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
+                        const Workers& workers, const Vec3& up, float aspect = 4.0f / 3.0f);
+
+}  // namespace luxel

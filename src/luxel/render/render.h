@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "luxel/image/image.h"
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
+#include "luxel/scene/camera.h"
+#include "luxel/surface/smooth_light.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+struct RenderOptions {
+  int width = 1280;          // pixels
+  int height = 960;          // pixels
+  int samples_per_side = 3;  // stratified: 3 means 9 rays a pixel
+  std::uint64_t seed = 1;
+};
+
+// A picture of solved light: primary rays only, the smooth light looked up where they meet a surface. Result:
+// radiance, W/(m² sr), linear RGB; nothing seen is zero. The same picture on any number of threads. Needs no
+// display. A stop from the monitor leaves the rows not yet done black.
+Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer, const Camera& camera,
+             const RenderOptions& options, const Workers& workers, const Monitor& monitor = {});
+
+}  // namespace luxel

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+namespace luxel {
+
+enum class Next { go_on, stop };
+
+// How far a long call has come.
+struct Progress {
+  std::string_view stage;  // "load", "patches", "hierarchy", "light", "picture", ...
+  double done = 0.0;       // share of this stage, 0 to 1
+  std::uint64_t rays = 0;  // traced so far in this stage
+};
+
+// Called from the calling thread, a few times a second while work goes on. Answering stop ends the call as
+// soon as it can (well under a second) with the result so far, which is still a result. May be empty.
+using Monitor = std::function<Next(const Progress&)>;
+
+inline Next tell(const Monitor& monitor, const Progress& progress) {
+  return monitor ? monitor(progress) : Next::go_on;
+}
+
+}  // namespace luxel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "luxel/math/bounds.h"
+#include "luxel/math/vector.h"
+#include "luxel/scene/camera.h"
+#include "luxel/scene/material.h"
+
+namespace luxel {
+
+// What the user described: a mesh with materials. Parallel arrays: entry i of every triangle_* array is
+// triangle i, and triangles stand in the order of the file, polygons as fans, even those without area (so
+// that an index is a promise). Everything is finite and every index is in range: load checks, and
+// check_scene() says so.
+struct Scene {
+  std::string source;  // the file, as the user named it
+
+  std::vector<Vec3> positions;                          // m
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from the front
+  std::vector<MaterialId> triangle_material;
+  std::vector<std::uint32_t> triangle_line;   // line in the source file, from 1; 0 where unknown
+  std::vector<std::uint32_t> triangle_group;  // index into groups
+
+  std::vector<std::string> groups;  // names of groups or objects; at least one ("default")
+  std::vector<Material> materials;  // at least one
+  std::vector<Camera> cameras;      // as the file gave them; often none
+};
+
+Bounds bounds(const Scene& scene);
+
+// Throws InputError naming the source where an array's length, an index or a number breaks the promise above.
+void check_scene(const Scene& scene);
+
+// 64 bits of what the light depends on: positions, triangles, materials (not names, not cameras). The same
+// scene gives the same fingerprint on every host.
+std::uint64_t fingerprint(const Scene& scene);
+
+}  // namespace luxel

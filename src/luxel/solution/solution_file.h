@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+
+namespace luxel {
+
+// What a .vtkhdf file holds: the light and the patches it lies on.
+struct Baked {
+  PatchSet patches;
+  Solution solution;
+};
+
+// HDF5 in the VTKHDF UnstructuredGrid layout, version 1.0, one triangle cell a patch, so that ParaView and
+// h5py read it. Cell arrays: radiosity_front/back, irradiance_front/back (W/m², [cell][band]), area,
+// triangle, material. What only Luxel needs (bands, materials, provenance, format version) stands in a group
+// "Luxel" beside "VTKHDF". docs/solution-file.md is the whole layout. The same input gives the same bytes.
+// Whole or not at all; throws DeviceError.
+void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution);
+
+// What write_solution wrote, to the bit. Throws InputError where there is no such file, FormatError where it
+// is damaged, is not a solution, or is of a newer format version.
+Baked read_solution(const std::filesystem::path& path);
+
+}  // namespace luxel
