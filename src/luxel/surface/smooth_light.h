@@ -11,13 +11,19 @@
 namespace luxel {
 
 struct SmoothOptions {
-  float crease_angle = 30.0f;  // degrees; neighbours that meet at a sharper angle are different surfaces
+  float crease_angle = 30.0f;  // degrees, 0 to 180; neighbours that meet at a sharper angle are different
+                               // surfaces. 0: every patch is, and keeps its own value
 };
 
 // Light that runs smoothly over each surface: patch values averaged to the vertices, area-weighted over the
 // neighbours of the same smooth surface, so that a corner between walls does not smear. Irradiance, not
 // radiosity, is averaged: surface colour and emission are put on afterwards, per patch, and stay sharp at
 // material borders. One smooth vertex for each vertex and each smooth surface that meets there.
+//
+// Sides are joined, not patches: a neighbour that is wound the other way goes on with its back, and a wall
+// that stands on a floor parts the light in front of the floor but not behind it. So where windings differ
+// two smooth vertices mirror each other, each with the front of its own patches. The back of a one-sided
+// material has no light of its own and no say in a mean.
 struct SmoothLight {
   std::vector<std::uint32_t> vertex;                     // [smooth vertex]: index into PatchSet::vertices
   std::vector<Vec3> normal;                              // [smooth vertex]: unit, front side, area-weighted
@@ -27,7 +33,8 @@ struct SmoothLight {
   std::size_t size() const { return vertex.size(); }
 };
 
-// Cost: linear in the number of patches, one pass of sorting. Deterministic.
+// Cost: linear in the number of patches but for a sort of the few that meet at each vertex. Deterministic.
+// Throws MismatchError where the solution is not of these patches, InputError for a senseless crease angle.
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options = {});
 
