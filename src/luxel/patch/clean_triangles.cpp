@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/patch/clean_triangles.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/math/triangle.h"
+
+namespace luxel {
+namespace {
+
+// Less height than half a unit in the last place of the largest coordinate: what is left is rounding, and so
+// is its normal.
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto longest = std::max({glm::distance(Vec3d(a), Vec3d(b)), glm::distance(Vec3d(b), Vec3d(c)),
+                                 glm::distance(Vec3d(c), Vec3d(a))});
+  const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
+  const auto rounding = 0x1p-24 * std::max({largest.x, largest.y, largest.z});
+  return glm::length(area_vector2(a, b, c)) > rounding * longest && longest > 0.0;
+}
+
+std::string where(const Scene& scene, std::uint32_t triangle) {
+  const auto line = scene.triangle_line[triangle];
+  return line > 0 ? fmt::format("the first at {}:{}", scene.source, line)
+                  : fmt::format("the first is triangle {}", triangle);
+}
+
+bool is_lamp(const Scene& scene, const CleanTriangle& t) {
+  return scene.materials[static_cast<std::size_t>(scene.triangle_material[t.triangle])].is_lamp();
+}
+
+std::vector<CleanTriangle> with_area(const Scene& scene, VertexWeld& weld, const LogSink& log) {
+  std::vector<CleanTriangle> kept;
+  kept.reserve(scene.triangles.size());
+  std::size_t dropped = 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+    const auto& v = scene.triangles[t];
+    if (has_area(scene.positions[v[0]], scene.positions[v[1]], scene.positions[v[2]])) {
+      kept.push_back({{weld.index_of(scene.positions[v[0]]), weld.index_of(scene.positions[v[1]]),
+                       weld.index_of(scene.positions[v[2]])},
+                      t});
+    } else if (dropped++ == 0) {
+      first = t;
+    }
+  }
+  if (dropped > 0)
+    warn(log, fmt::format("{} of {} triangles have no area and are left out ({})", dropped,
+                          scene.triangles.size(), where(scene, first)));
+  return kept;
+}
+
+// Corners rotated so that the smallest comes first: equal for equal triangles of equal winding.
+std::array<std::uint32_t, 3> rotated(std::array<std::uint32_t, 3> c) {
+  std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+  return c;
+}
+
+std::array<std::uint32_t, 3> sorted(std::array<std::uint32_t, 3> c) {
+  std::sort(c.begin(), c.end());
+  return c;
+}
+
+}  // namespace
+
+std::vector<CleanTriangle> clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log) {
+  auto triangles = with_area(scene, weld, log);
+
+  // Piles of triangles on the same three vertices, the one to keep first in each.
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const auto a = sorted(triangles[i].corners);
+    const auto b = sorted(triangles[j].corners);
+    if (a != b) return a < b;
+    const bool lamp_i = is_lamp(scene, triangles[i]);
+    const bool lamp_j = is_lamp(scene, triangles[j]);
+    return lamp_i != lamp_j ? lamp_i : i < j;
+  });
+
+  std::vector<bool> drop(triangles.size(), false);
+  std::size_t dropped = 0;
+  auto first = static_cast<std::uint32_t>(scene.triangles.size());
+  for (std::size_t i = 0, pile = 0; i < order.size(); ++i) {
+    if (sorted(triangles[order[i]].corners) != sorted(triangles[order[pile]].corners)) pile = i;
+    if (i == pile) continue;
+    auto& kept = triangles[order[pile]];
+    const auto& other = triangles[order[i]];
+    if (rotated(kept.corners) != rotated(other.corners)) kept.opposite_twin = true;
+    drop[order[i]] = true;
+    ++dropped;
+    first = std::min(first, other.triangle);
+  }
+  if (dropped == 0) return triangles;
+  warn(log, fmt::format(
+                "{} triangles lie exactly on another one and are left out ({}); the one that stays is lit on "
+                "both sides where they faced opposite ways",
+                dropped, where(scene, first)));
+  std::vector<CleanTriangle> kept;
+  kept.reserve(triangles.size() - dropped);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (!drop[i]) kept.push_back(triangles[i]);
+  return kept;
+}
+
+}  // namespace luxel
