@@ -1,0 +1,2 @@
+luxel_test(unit/output_file ROOMS file)
+luxel_test(unit/read_file ROOMS file)
