@@ -158,9 +158,10 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
 }
 
 void radiance_of(const BandMaterial& material, bool back, const float* irradiance, float* out) {
+  const auto black = back && !material.two_sided;
   for (std::size_t b = 0; b < material.reflectance.size(); ++b) {
     const auto emittance = back ? 0.0f : material.emittance[b];
-    out[b] = (emittance + material.reflectance[b] * irradiance[b]) / pi;
+    out[b] = black ? 0.0f : (emittance + material.reflectance[b] * irradiance[b]) / pi;
   }
 }
 

@@ -39,6 +39,7 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options = {});
 
 // Radiance (W/(m² sr)) that leaves a side of a patch where its irradiance is the given one: (E + rho H) / pi.
+// A back does not emit, and the back of a one-sided material is black.
 // irradiance: [band]; result: [band], into out.
 void radiance_of(const BandMaterial& material, bool back, const float* irradiance, float* out);
 

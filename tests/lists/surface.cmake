@@ -1,0 +1,3 @@
+luxel_test(unit/smooth_light ROOMS surface)
+luxel_test(unit/smooth_surfaces ROOMS surface)
+luxel_test(unit/radiance_of ROOMS surface)
