@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "luxel/math/vector.h"
@@ -22,8 +23,15 @@ struct Image {
   const Vec3& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-// The sRGB transfer function of IEC 61966-2-1, for one channel in [0, 1], and its inverse.
+// The sRGB transfer function of IEC 61966-2-1, for one channel in [0, 1], and its inverse. Outside of that
+// range they are clamped; NaN gives 0.
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
+
+// 255 srgb_encode(linear), rounded: the code of an 8-bit file. The same on every host, and many times faster.
+std::uint8_t srgb_code(float linear);
+
+// The mean of all pixels (double sums), linear; black where there are none.
+Vec3 mean_color(const Image& image);
 
 }  // namespace luxel

@@ -7,19 +7,21 @@
 
 namespace luxel {
 
-// Each writer makes the file whole or not at all (OutputFile) and throws DeviceError where it cannot.
+// Each writer makes the file whole or not at all (OutputFile) and throws DeviceError where it cannot, or
+// where there is no pixel to write. NaN is written as 0. The same pixels give the same bytes. The file is
+// made in memory first.
 
 // 8-bit sRGB PNG of a display-referred image: clamped to [0, 1], sRGB encoded, rounded, with an sRGB chunk.
 void write_png(const std::filesystem::path& path, const Image& display);
-// Scene-referred linear values as they are: OpenEXR (half floats, ZIP) and Radiance RGBE.
+// Scene-referred linear values as they are: OpenEXR (half floats, ZIP; within ±65504) and Radiance RGBE (0 to
+// 1e38).
 void write_exr(const std::filesystem::path& path, const Image& linear);
 void write_hdr(const std::filesystem::path& path, const Image& linear);
 
-// PNG, JPEG, TGA, BMP or HDR as linear RGB (8-bit files are taken as sRGB); alpha is dropped. Throws
-// InputError naming the file where it is missing, damaged, or larger than 16384 pixels a side.
+// PNG, JPEG, BMP, Radiance HDR, OpenEXR (told by their first bytes) or TGA (told by its ending) as linear
+// RGB; 8-bit files are taken as sRGB, deeper PNG files are reduced to 8 bits, grey becomes RGB, alpha is
+// dropped. In the files of linear values NaN becomes 0 and infinity 65504. Throws InputError naming the file
+// where it is missing, damaged, of another format, larger than 512 MiB or than 16384 pixels a side.
 Image read_image(const std::filesystem::path& path);
-
-// The mean of all pixels (double sums), linear.
-Vec3 mean_color(const Image& image);
 
 }  // namespace luxel

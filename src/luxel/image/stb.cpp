@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include "luxel/image/codec.h"
+
+namespace luxel {
+namespace {
+
+struct Free {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+[[noreturn]] void refuse() {
+  const auto* reason = stbi_failure_reason();
+  throw CodecError(fmt::format("the picture is damaged: {}", reason ? reason : "no reason is known"));
+}
+
+Image decode_radiance(const stbi_uc* data, int size) {
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<float, Free> rgb(stbi_loadf_from_memory(data, size, &width, &height, &channels, 3));
+  if (!rgb) refuse();
+  Image image(width, height);
+  const float* from = rgb.get();
+  for (auto& pixel : image.pixels) {
+    pixel = Vec3(from[0], from[1], from[2]);
+    from += 3;
+  }
+  return image;
+}
+
+}  // namespace
+
+std::string encode_hdr(const Image& linear) {
+  // Below 2^127, where the shared exponent of a pixel ends.
+  constexpr float largest = 1e38f;
+  std::vector<float> rgb;
+  rgb.reserve(3 * linear.pixels.size());
+  for (const auto& pixel : linear.pixels)
+    for (int c = 0; c < 3; ++c) rgb.push_back(pixel[c] > 0.0f ? std::min(pixel[c], largest) : 0.0f);
+
+  std::string bytes;
+  const auto append = [](void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+  };
+  if (!stbi_write_hdr_to_func(append, &bytes, linear.width, linear.height, 3, rgb.data()))
+    throw CodecError("the picture cannot be written as Radiance HDR");
+  return bytes;
+}
+
+Image decode_stb(std::string_view bytes) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const auto size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) refuse();
+  check_size(width, height);
+  if (stbi_is_hdr_from_memory(data, size)) return decode_radiance(data, size);
+  const std::unique_ptr<stbi_uc, Free> rgb(stbi_load_from_memory(data, size, &width, &height, &channels, 3));
+  if (!rgb) refuse();
+  return image_from_codes(width, height, rgb.get());
+}
+
+}  // namespace luxel
