@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace luxel {
+
+// Power as 64-bit integers. Integer sums have no order, so any number of threads gets the same bits, and what
+// is shot is received, escaped or absorbed to the last unit.
+struct FixedPoint {
+  double unit = 1.0;  // W, a power of two: conversions only move the exponent
+
+  // The finest unit in which `largest_sum` watts, spread over every counter or heaped on one, cannot
+  // overflow: at most 2^61 units.
+  static FixedPoint for_sum(double largest_sum) {
+    return {largest_sum > 0.0 ? std::exp2(std::ilogb(largest_sum) - 60) : 1.0};
+  }
+  std::int64_t units(double watts) const { return std::llround(watts / unit); }
+  double watts(std::int64_t units) const { return static_cast<double>(units) * unit; }
+};
+
+}  // namespace luxel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/random/warp.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// The two sides of patch p are sides 2p (front) and 2p + 1 (back).
+constexpr std::size_t side_of(std::size_t patch, bool back) { return 2 * patch + (back ? 1 : 0); }
+
+// Rays that leave one side of a patch: a uniform point, a cosine direction. Together the density of diffuse
+// power, so that a ray carries the same power wherever it starts and goes. Points keep twice the origin's
+// lift away from the patch's edges, so that a lifted origin stays inside a corner between walls.
+class PatchEmitter {
+ public:
+  PatchEmitter(const PatchSet& patches, std::size_t side);
+
+  // u: four numbers uniform in [0, 1).
+  Ray ray(const std::array<float, 4>& u) const {
+    const auto b = uniform_triangle(u[0], u[1]);
+    const auto direction = frame_.to_world(cosine_hemisphere(u[2], u[3]));
+    return {base_ + b.x * edge_b_ + b.y * edge_c_, direction};
+  }
+
+ private:
+  Vec3 base_, edge_b_, edge_c_;  // corners drawn in and lifted
+  Frame frame_;
+};
+
+}  // namespace luxel

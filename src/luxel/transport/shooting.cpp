@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/transport/shooting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "luxel/random/address.h"
+#include "luxel/transport/deposits.h"
+#include "luxel/transport/patch_emitter.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t offset_element = 0xffffffffu;  // the address of the one random offset; no side has it
+constexpr std::size_t block = 64;                      // rays made, then traced, then delivered
+constexpr std::size_t grain = 4096;                    // rays a chunk
+
+// Who shoots how much: rays are numbered 0 to rays - 1; side s shoots [first_ray[s], first_ray[s + 1]).
+struct Plan {
+  std::vector<std::uint64_t> first_ray;  // [side + 1]
+  std::vector<std::int64_t> quantum;     // [side][band]: what one ray of the side carries, in units of scale
+  FixedPoint scale;
+  std::uint64_t rays = 0;
+};
+
+Plan make_plan(std::span<const double> leaving, std::size_t bands, const ShootingOptions& options) {
+  const auto sides = leaving.size() / bands;
+  Plan plan;
+  const auto power = [&](std::size_t side) {
+    return std::accumulate(&leaving[side * bands], &leaving[side * bands] + bands, 0.0);
+  };
+  double total = 0.0;
+  for (std::size_t s = 0; s < sides; ++s) total += power(s);
+  plan.rays = total > 0.0 ? options.rays : 0;
+  plan.scale = FixedPoint::for_sum(total);
+  plan.first_ray.assign(sides + 1, plan.rays);
+  plan.quantum.assign(leaving.size(), 0);
+  if (plan.rays == 0) return plan;
+
+  // Systematic sampling: ray k belongs to the side whose stretch of the running sum holds (k + offset) /
+  // rays.
+  const auto n = static_cast<double>(plan.rays);
+  const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
+  double sum = 0.0;
+  plan.first_ray[0] = 0;
+  for (std::size_t s = 0; s < sides; ++s) {
+    const auto own = power(s);
+    sum += own;
+    const auto end = std::clamp(std::ceil(n * (sum / total) - offset), 0.0, n);
+    plan.first_ray[s + 1] = std::max(plan.first_ray[s], static_cast<std::uint64_t>(end));
+    for (std::size_t b = 0; b < bands && own > 0.0; ++b)
+      plan.quantum[s * bands + b] = plan.scale.units(total / n * (leaving[s * bands + b] / own));
+  }
+  // Rounding of the running sum may leave the last ray without an owner: it goes to the last side that
+  // shines.
+  for (auto s = sides; s > 0 && plan.first_ray[s] < plan.rays; --s) plan.first_ray[s] = plan.rays;
+  return plan;
+}
+
+// Where one batch's rays put their power.
+struct Ledger {
+  Ledger(const PatchSet& patches, const Workers& workers)
+      : bands(patches.band_count()),
+        sides(2 * patches.size()),
+        arrived(sides * bands, workers.threads()),
+        absorbed(patches.materials.size() * bands, workers.threads()),
+        escaped(bands, workers.threads()),
+        shot(bands, workers.threads()) {}
+
+  std::size_t bands;
+  std::size_t sides;
+  Deposits arrived, absorbed, escaped, shot;
+};
+
+// Sends rays first, first + stride, ... of the plan, count of them, numbered [begin, end) within that row.
+class ChunkShooter {
+ public:
+  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const Plan& plan,
+               const ShootingOptions& options, Ledger& ledger, int worker)
+      : patches_(patches),
+        tracer_(tracer),
+        plan_(plan),
+        options_(options),
+        ledger_(ledger),
+        worker_(worker) {}
+
+  void run(std::uint64_t first, std::uint64_t stride, std::size_t begin, std::size_t end) {
+    auto ray = first + stride * begin;
+    enter(std::upper_bound(plan_.first_ray.begin(), plan_.first_ray.end(), ray) - plan_.first_ray.begin() -
+          1);
+    for (auto i = begin; i < end; ++i, ray += stride) {
+      if (ray >= plan_.first_ray[side_ + 1]) {
+        flush();
+        auto next = side_ + 1;
+        while (ray >= plan_.first_ray[next + 1]) ++next;
+        enter(static_cast<std::ptrdiff_t>(next));
+      }
+      rays_[waiting_++] = emitter_.ray(uniform4(key_, ray - plan_.first_ray[side_]));
+      if (waiting_ == block) flush();
+    }
+    flush();
+  }
+
+ private:
+  void enter(std::ptrdiff_t side) {
+    side_ = static_cast<std::size_t>(side);
+    emitter_ = PatchEmitter(patches_, side_);
+    key_ = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side_));
+  }
+
+  void flush() {
+    tracer_.nearest(std::span(rays_.data(), waiting_), std::span(hits_.data(), waiting_));
+    const auto quantum = std::span(plan_.quantum).subspan(side_ * ledger_.bands, ledger_.bands);
+    for (std::size_t i = 0; i < waiting_; ++i) deliver(hits_[i], quantum);
+    ledger_.shot.add(worker_, 0, quantum, static_cast<std::int64_t>(waiting_));
+    waiting_ = 0;
+  }
+
+  void deliver(const Hit& hit, std::span<const std::int64_t> quantum) {
+    if (!hit) return ledger_.escaped.add(worker_, 0, quantum);
+    if (hit.back && !patches_.material_of(hit.patch).two_sided)
+      return ledger_.absorbed.add(
+          worker_, static_cast<std::size_t>(patches_.material[hit.patch]) * ledger_.bands, quantum);
+    ledger_.arrived.add(worker_, side_of(hit.patch, hit.back) * ledger_.bands, quantum);
+  }
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  const Plan& plan_;
+  const ShootingOptions& options_;
+  Ledger& ledger_;
+  int worker_;
+  std::size_t side_ = 0;
+  std::uint64_t key_ = 0;
+  PatchEmitter emitter_{patches_, 0};
+  std::size_t waiting_ = 0;
+  std::array<Ray, block> rays_;
+  std::array<Hit, block> hits_;
+};
+
+}  // namespace
+
+Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
+              const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
+  const auto plan = make_plan(leaving, patches.band_count(), options);
+  Ledger ledger(patches, workers);
+
+  // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
+  // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
+  // answer.
+  const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
+  std::uint64_t done = 0;
+  std::uint64_t traced = 0;
+  for (std::uint64_t j = 0; j < batches && plan.rays > 0; ++j) {
+    const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
+    workers.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
+      ChunkShooter(patches, tracer, plan, options, ledger, worker).run(j, batches, begin, end);
+    });
+    traced += count;
+    ++done;
+    const auto share = static_cast<double>(done) / static_cast<double>(batches);
+    if (tell(monitor, {"light", share, traced}) == Next::stop) break;
+  }
+  const auto share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
+  return {plan.scale,
+          ledger.arrived.total(),
+          ledger.shot.total(),
+          ledger.escaped.total(),
+          ledger.absorbed.total(),
+          traced,
+          share};
+}
+
+}  // namespace luxel

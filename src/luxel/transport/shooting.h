@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
+#include "luxel/trace/tracer.h"
+#include "luxel/transport/fixed_point.h"
+
+namespace luxel {
+
+// What became of the power of one shot. Arrays are [..][band], in units of `scale`. Band by band, shot is the
+// sum of arrived, escaped and absorbed, exactly.
+struct Arrival {
+  FixedPoint scale;
+  std::vector<std::int64_t> arrived;   // [side][band]
+  std::vector<std::int64_t> shot;      // [band]
+  std::vector<std::int64_t> escaped;   // [band]: met nothing
+  std::vector<std::int64_t> absorbed;  // [material][band]: met the back of a one-sided material
+  std::uint64_t rays = 0;
+  double share =
+      1.0;  // of the rays asked for; below 1 only when the monitor said stop. Divide by it for the whole.
+};
+
+struct ShootingOptions {
+  std::uint64_t rays = 1'000'000;
+  std::uint64_t seed = 1;
+  std::uint32_t step = 0;         // different steps use different random numbers
+  std::uint64_t batch = 1 << 20;  // rays between two looks at the monitor
+};
+
+// The transport operator as one Monte Carlo estimate: power that leaves each side -> power that arrives at
+// each side. Rays in proportion to power, so that every ray carries the same quantum (the sum over bands),
+// stratified over sides by one random offset; each starts at a uniform point in a cosine direction and gives
+// its power, all bands at once, to the nearest side it meets. Unbiased. Variance of a side's arrival: quantum
+// times arrival (a Poisson count), at most.
+//
+// leaving: W, [side][band], none negative; side 2p is the front of patch p, 2p + 1 its back.
+// The result does not depend on the number of threads. Cost: one nearest hit a ray, and bands counters added
+// to. Memory: 8 bytes a side and band, and a private copy a thread where that is small. Method: listing 2 of
+// the founding course paper; Neumann 1995; Bekaert 1999, chapter 6.
+Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
+              const ShootingOptions& options, const Workers& workers, const Monitor& monitor = {});
+
+}  // namespace luxel
