@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""check_layers.py against small trees: a clean one passes, each planted violation is found on its line."""
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tools"))
+import check_layers  # noqa: E402
+
+LICENCE = "// SPDX-License-Identifier: Apache-2.0\n"
+ROOMS = "luxel_room(math LIBRARIES glm::glm)\nluxel_room(report)\nluxel_room(scene DEPENDS math)\n"
+
+
+class CheckLayers(unittest.TestCase):
+    def found(self, files, rooms=ROOMS):
+        """The violations of a tree with these files beside one clean header."""
+        clean = LICENCE + "#pragma once\n#include <vector>\n#include <glm/glm.hpp>\n"
+        files = {"CMakeLists.txt": rooms, "src/luxel/math/vector.h": clean, **files}
+        with tempfile.TemporaryDirectory() as root:
+            for name, content in files.items():
+                os.makedirs(os.path.dirname(os.path.join(root, name)), exist_ok=True)
+                with open(os.path.join(root, name), "wb") as file:
+                    file.write(content if isinstance(content, bytes) else content.encode())
+            return list(check_layers.violations(root))
+
+    def check(self, files, name, line, words, rooms=ROOMS):
+        found = self.found(files, rooms)
+        self.assertEqual(len(found), 1, found)
+        self.assertEqual(found[0][:2], (name, line))
+        self.assertIn(words, found[0][2])
+
+    def check_line(self, room, line, words):
+        """A source file of this room whose second line is this one."""
+        name = f"src/luxel/{room}/a.cpp"
+        self.check({name: LICENCE + line + "\n"}, name, 2, words)
+
+    def test_a_clean_tree_has_no_violation(self):
+        uses = LICENCE + '#include "luxel/math/vector.h"\n#include <fmt/format.h>\n#include <unistd.h>\n'
+        self.assertEqual(self.found({"src/luxel/scene/a.cpp": uses, "src/luxel/apps/a.cpp": uses}), [])
+
+    def test_a_room_includes_only_what_it_depends_on(self):
+        self.check_line("report", '#include "luxel/math/vector.h"', "report may not include math")
+
+    def test_an_include_that_is_not_there_is_found(self):
+        self.check_line("scene", '#include "luxel/math/nothing.h"', "does not exist")
+
+    def test_an_outside_library_stays_at_home(self):
+        self.check_line("scene", "#include <glm/glm.hpp>", "whose only home is math")
+        self.check_line("scene", "#include <CLI/CLI.hpp>", "whose only home is apps")
+
+    def test_an_unknown_library_is_refused(self):
+        self.check_line("scene", "#include <boost/any.hpp>", "neither of the C++ standard library")
+
+    def test_an_include_relative_to_the_file_is_refused(self):
+        self.check_line("math", '#include "vector.h"', "from the root of the sources")
+
+    def test_a_machine_path_is_found(self):
+        self.check_line("math", 'auto p = "/' + 'tmp/x.png";', "a place on one machine")
+        self.check({"docs/a.md": "see /" + "home/someone/luxel\n"}, "docs/a.md", 1, "a place on one machine")
+
+    def test_a_folder_that_is_no_room_is_found(self):
+        self.check_line("cellar", '#include "luxel/math/vector.h"', "no luxel_room(...)")
+
+    def test_rooms_stand_on_rooms_above_them(self):
+        self.check({}, "CMakeLists.txt", 1, "no room above it",
+                   "luxel_room(report DEPENDS math)\nluxel_room(math LIBRARIES glm::glm)\n")
+
+    def test_a_library_has_one_home(self):
+        self.check({}, "CMakeLists.txt", 4, "at home in math already", ROOMS + "luxel_room(load LIBRARIES glm::glm)\n")
+
+    def test_a_library_nobody_knows_is_found(self):
+        self.check({}, "CMakeLists.txt", 4, "unknown", ROOMS + "luxel_room(load LIBRARIES Boost::boost)\n")
+
+    def test_the_first_lines_name_the_licence_and_headers_open_once(self):
+        self.check({"src/luxel/math/a.h": "#pragma once\n"}, "src/luxel/math/a.h", 1, "SPDX")
+        self.check({"src/luxel/math/a.h": LICENCE}, "src/luxel/math/a.h", 1, "#pragma once")
+
+    def test_a_long_file_is_found(self):
+        self.check({"src/luxel/math/a.cpp": LICENCE + "int a;\n" * 400}, "src/luxel/math/a.cpp", 401, "two ideas")
+
+    def test_a_folder_that_says_nothing_is_found(self):
+        self.check({"tests/utils/a.cpp": LICENCE}, "tests/utils/a.cpp", 1, "says nothing")
+
+    def test_large_binary_files_stay_in_the_images_of_the_documents(self):
+        data = b"\0" * (201 * 1024)
+        self.check({"docs/images/a.png": data, "scenes/a.bin": data}, "scenes/a.bin", 1, "binary data")
+
+
+if __name__ == "__main__":
+    unittest.main()

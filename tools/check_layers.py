@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Holds the sources to the plan of the house: check_layers.py [ROOT].
+
+The truth is the luxel_room(...) lines of CMakeLists.txt: which rooms there are, in which order, which rooms each may
+include, and which outside library has its home where. Each violation is printed as file:line: sentence; the exit
+status is 1 if there was one.
+"""
+import os
+import re
+import subprocess
+import sys
+
+# Target in a LIBRARIES list, without its namespace -> the includes it brings, welcome in its home room only.
+LIBRARIES = {
+    "glm": r"glm/",
+    "tbb": r"(tbb|oneapi)/",
+    "PNG": r"png(conf)?\.h$",
+    "OpenEXR": r"(OpenEXR/|Imath/|Imf|Imath|half\.h$)",
+    "stb": r"(stb/|stb_)",
+    "tinyobjloader": r"tiny_obj_loader\.h$",
+    "embree": r"embree[34]/",
+    "luxel_hdf5": r"(H5\w*|hdf5(_hl)?)\.h$",
+    "TinyGLTF": r"tiny_gltf\.h$",
+}
+# The programs are no room; they link these in src/luxel/apps/CMakeLists.txt.
+HOMES_OUTSIDE_ROOMS = {"CLI11": (r"CLI/", "apps"), "nlohmann_json": (r"nlohmann/", "apps")}
+EVERYWHERE = r"fmt/"
+# Intrinsics: embree asks each of its threads to set two bits of the SSE control register.
+SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "unistd.h", "termios.h", "sys/file.h", "sys/ioctl.h",
+          "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
+STANDARD = set("""algorithm any array atomic barrier bit bitset cassert ccomplex cctype cerrno cfenv cfloat charconv chrono
+cinttypes climits clocale cmath compare complex concepts condition_variable coroutine csetjmp csignal cstdarg cstddef
+cstdint cstdio cstdlib cstring ctime cuchar cwchar cwctype deque exception execution filesystem format forward_list
+fstream functional future initializer_list iomanip ios iosfwd iostream istream iterator latch limits list locale map
+memory memory_resource mutex new numbers numeric optional ostream queue random ranges ratio regex scoped_allocator
+semaphore set shared_mutex source_location span sstream stack stdexcept stop_token streambuf string string_view
+syncstream system_error thread tuple type_traits typeindex typeinfo unordered_map unordered_set utility valarray variant
+vector version""".split())
+
+SOURCE = (".h", ".cpp", ".py", ".sh", ".mjs", ".cmake")
+LICENSED = (".h", ".cpp", ".py", ".sh", ".mjs")
+MACHINE_PATH = re.compile(r"(?<![\w.}>~])/(?:work|root|home|tmp)/")
+FACELESS = {"util", "utils", "common", "misc"}
+MAX_LINES = 400
+MAX_BINARY = 200 * 1024
+
+
+class Room:
+    def __init__(self, name, line, arguments):
+        self.name, self.line, self.lists = name, line, {"DEPENDS": [], "LIBRARIES": []}
+        into = None
+        for word in arguments.split():
+            if word in self.lists:
+                into = self.lists[word]
+            elif into is not None:
+                into.append(word.split("::")[-1])
+        self.depends, self.libraries = self.lists["DEPENDS"], self.lists["LIBRARIES"]
+
+
+def read_rooms(text):
+    """The luxel_room(...) lines in their order, each with its line number."""
+    text = re.sub(r"#[^\n]*", "", text)
+    found = re.finditer(r"^\s*luxel_room\(\s*(\w+)([^)]*)\)", text, re.MULTILINE)
+    return [Room(m[1], text.count("\n", 0, m.start(1)) + 1, m[2]) for m in found]
+
+
+def files_of(root):
+    """Everything git tracks or would track; without git, everything outside of the folders a build makes."""
+    command = ["git", "-c", f"safe.directory={root}", "-C", root, "ls-files", "-z", "-co", "--exclude-standard"]
+    try:
+        names = subprocess.run(command, capture_output=True, check=True).stdout.decode().split("\0")
+    except (OSError, subprocess.CalledProcessError):
+        names = []
+        for folder, folders, files in os.walk(root):
+            folders[:] = [f for f in folders if f not in (".git", "build", "out", "node_modules")]
+            names += [os.path.relpath(os.path.join(folder, f), root) for f in files]
+    return sorted(n for n in names if n and os.path.isfile(os.path.join(root, n)))
+
+
+def check_rooms(rooms):
+    """Each room stands on rooms above it, each library has one home that this script knows."""
+    above, home = set(), {}
+    for room in rooms:
+        for depend in room.depends:
+            if depend not in above:
+                yield "CMakeLists.txt", room.line, f"{room.name} depends on {depend}, which is no room above it"
+        for library in room.libraries:
+            if library not in LIBRARIES:
+                yield ("CMakeLists.txt", room.line,
+                       f"which includes {library} brings is unknown: add it to LIBRARIES in tools/check_layers.py")
+            if library in home:
+                yield "CMakeLists.txt", room.line, f"{library} is at home in {home[library]} already, not in {room.name}"
+            home.setdefault(library, room.name)
+        above.add(room.name)
+
+
+class Includes:
+    """Who may include what, from the rooms."""
+
+    def __init__(self, root, rooms):
+        self.root = root
+        self.rooms = {room.name: room for room in rooms}
+        homes = {library: room.name for room in reversed(rooms) for library in room.libraries}
+        self.homes = [(pattern, library, homes.get(library, "no room")) for library, pattern in LIBRARIES.items()]
+        self.homes += [(pattern, library, home) for library, (pattern, home) in HOMES_OUTSIDE_ROOMS.items()]
+
+    def complaint(self, room, include, quoted):
+        """What is wrong with this include line of this room, or None."""
+        if include.startswith("luxel/"):
+            return self.complaint_about_ours(room, include)
+        if re.match(EVERYWHERE, include) or include in STANDARD or include in SYSTEM:
+            return None
+        for pattern, library, home in self.homes:
+            if re.match(pattern, include):
+                return None if home == room else f"<{include}> is of {library}, whose only home is {home}, not {room}"
+        if quoted:
+            return f'"{include}" should be written from the root of the sources: "luxel/{room}/..."'
+        return f"<{include}> is neither of the C++ standard library nor of a library with a home room"
+
+    def complaint_about_ours(self, room, include):
+        if not os.path.isfile(os.path.join(self.root, "src", include)):
+            return f'"{include}" does not exist'
+        other = include.split("/")[1]
+        if other == room or room == "apps":
+            return None
+        if room not in self.rooms:
+            return f"src/luxel/{room} is no luxel_room(...) of CMakeLists.txt"
+        if other in self.rooms[room].depends:
+            return None
+        return f"{room} may not include {other}: its DEPENDS are {' '.join(self.rooms[room].depends) or 'empty'}"
+
+
+def check_includes(name, lines, includes):
+    match = re.match(r"src/luxel/(\w+)/", name)
+    if not match:
+        return
+    for number, line in enumerate(lines, 1):
+        include = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+        complaint = include and includes.complaint(match[1], include[2], include[1] == '"')
+        if complaint:
+            yield name, number, complaint
+
+
+def check_text(name, lines):
+    """What holds for every text file, whatever its room."""
+    if name.endswith(SOURCE) and len(lines) > MAX_LINES:
+        yield name, len(lines), f"the file has {len(lines)} lines, the longest may have {MAX_LINES}: it holds two ideas"
+    if name.endswith(LICENSED) and not any("SPDX-License-Identifier: Apache-2.0" in line for line in lines[:3]):
+        yield name, 1, "the first lines lack SPDX-License-Identifier: Apache-2.0"
+    if name.endswith(".h") and "#pragma once" not in lines:
+        yield name, 1, "the header lacks #pragma once"
+    if name != "LICENSE" and not name.endswith(".json"):
+        for number, line in enumerate(lines, 1):
+            path = MACHINE_PATH.search(line)
+            if path:
+                yield name, number, f"{path[0]} is a place on one machine: name it from the root of the project"
+
+
+def check_file(root, name, includes):
+    faceless = FACELESS.intersection(name.split("/")[:-1])
+    if faceless:
+        yield name, 1, f"a folder named {faceless.pop()} says nothing about what is in it"
+    with open(os.path.join(root, name), "rb") as file:
+        content = file.read()
+    if b"\0" in content[:8000]:
+        if len(content) > MAX_BINARY and not name.startswith("docs/images/"):
+            yield name, 1, f"{len(content) // 1024} KB of binary data: only docs/images holds more than {MAX_BINARY // 1024}"
+        return
+    lines = content.decode(errors="replace").splitlines()
+    yield from check_text(name, lines)
+    if name.endswith((".h", ".cpp")):
+        yield from check_includes(name, lines, includes)
+
+
+def violations(root):
+    with open(os.path.join(root, "CMakeLists.txt"), encoding="utf-8") as file:
+        rooms = read_rooms(file.read())
+    if not rooms:
+        yield "CMakeLists.txt", 1, "there is no luxel_room(...) line"
+    yield from check_rooms(rooms)
+    includes = Includes(root, rooms)
+    for name in files_of(root):
+        yield from check_file(root, name, includes)
+
+
+def main():
+    root = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(__file__), ".."))
+    found = list(violations(root))
+    for name, line, sentence in found:
+        print(f"{name}:{line}: {sentence}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
