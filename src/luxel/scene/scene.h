@@ -14,9 +14,9 @@
 namespace luxel {
 
 // What the user described: a mesh with materials. Parallel arrays: entry i of every triangle_* array is
-// triangle i, and triangles stand in the order of the file, polygons as fans, even those without area (so
-// that an index is a promise). Everything is finite and every index is in range: load checks, and
-// check_scene() says so.
+// triangle i, and triangles stand in the order of the file, even those without area (so that an index is a
+// promise); a polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite and
+// every index is in range: load checks, and check_scene() says so.
 struct Scene {
   std::string source;  // the file, as the user named it
 
@@ -31,13 +31,15 @@ struct Scene {
   std::vector<Camera> cameras;      // as the file gave them; often none
 };
 
+// The box of all triangles; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
 
-// Throws InputError naming the source where an array's length, an index or a number breaks the promise above.
+// Throws InputError naming the source where an array's length, an index or a number breaks the promise above;
+// reflectances must lie in [0, 1), and a scene has at least one triangle.
 void check_scene(const Scene& scene);
 
-// 64 bits of what the light depends on: positions, triangles, materials (not names, not cameras). The same
-// scene gives the same fingerprint on every host.
+// 64 bits of what the light depends on: positions, triangles, materials (not names, groups, lines, cameras),
+// in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
 std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace luxel

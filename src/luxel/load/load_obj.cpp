@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/load/load_obj.h"
+
+#include <fmt/format.h>
+
+#include "luxel/load/make_materials.h"
+#include "luxel/load/make_triangles.h"
+#include "luxel/load/material_library.h"
+#include "luxel/load/name_list.h"
+#include "luxel/load/read_obj.h"
+#include "luxel/load/text.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+void expect_faces(const ObjMesh& mesh, std::string_view text, const std::string& source) {
+  if (text.empty()) throw InputError(source, "no faces found; the file is empty");
+  if (mesh.faces.empty())
+    throw InputError(source,
+                     fmt::format("no faces found; expected lines such as 'f 1 2 3', found {}{}",
+                                 counted(mesh.positions.size(), "vertex position"),
+                                 mesh.short_faces.count > 0 ? " and faces of fewer than three corners" : ""));
+}
+
+void say_tally(const Tally& tally, const char* noun, const char* sentence, const std::string& source,
+               const LogSink& log) {
+  if (tally.count == 0) return;
+  warn(log, fmt::format("{}:{}: {} {} (first: this line)", source, tally.first_line,
+                        counted(tally.count, noun), sentence));
+}
+
+}  // namespace
+
+Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log) {
+  const auto source = path.string();
+  const auto text = read_text(path, source);
+  auto mesh = read_obj(text, source, options.scale);
+  expect_faces(mesh, text, source);
+
+  Scene scene;
+  scene.source = source;
+  scene.positions = std::move(mesh.positions);
+  scene.groups = std::move(mesh.groups);
+  const auto turned = make_triangles(mesh, scene);
+  const auto library = read_libraries(mesh.libraries, path, log);
+  scene.materials = make_materials(mesh.materials, library, source, options, log);
+
+  say_tally(mesh.short_faces, "face", "of fewer than three corners dropped", source, log);
+  say_tally(mesh.faces_without_material, "face", "before any usemtl: the material 'default' is taken", source,
+            log);
+  say_tally(mesh.unreadable_normals, "vertex normal", "not of three finite numbers passed over", source, log);
+  say_tally(turned, "triangle", "wound against the vertex normals turned round", source, log);
+  return scene;
+}
+
+}  // namespace luxel

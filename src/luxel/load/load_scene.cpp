@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/load/load_scene.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/load/load_obj.h"
+#include "luxel/load/name_list.h"
+#include "luxel/load/name_pattern.h"
+#include "luxel/load/text.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+struct Reader {
+  std::string_view ending;
+  Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&);
+};
+constexpr auto readers = std::to_array<Reader>({{".obj", load_obj}});
+
+void check_options(const LoadOptions& options) {
+  if (!(options.scale > 0.0f && std::isfinite(options.scale)))
+    throw InputError(fmt::format("expected a scale above 0 metres a unit, found {}", options.scale));
+  if (!(options.max_reflectance >= 0.0f && options.max_reflectance < 1.0f))
+    throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
+}
+
+void check_is_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(path.string(), "no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError(path.string(), "it is a folder; name the .obj file inside it");
+}
+
+const Reader& reader_of(const std::filesystem::path& path) {
+  const auto ending = lower_case(path.extension().string());
+  for (const auto& reader : readers)
+    if (reader.ending == ending) return reader;
+  throw InputError(
+      path.string(),
+      fmt::format("expected a file that ends in .obj, found {}; convert the scene to OBJ with MTL",
+                  ending.empty() ? "no ending" : "'" + ending + "'"));
+}
+
+// For each material, whether any of the patterns names it. A pattern that names none is most likely a typing
+// error, so it is refused.
+std::vector<bool> select(const std::vector<std::string>& patterns, const Scene& scene, const char* option) {
+  std::vector<bool> selected(scene.materials.size(), false);
+  for (const auto& pattern : patterns) {
+    bool any = false;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      if (!matches(pattern, scene.materials[i].name)) continue;
+      selected[i] = any = true;
+    }
+    if (any) continue;
+    std::vector<std::string> names;
+    for (const auto& material : scene.materials) names.push_back(material.name);
+    throw InputError(scene.source, fmt::format("{}: no material matches '{}'; there are {}", option, pattern,
+                                               name_list(names)));
+  }
+  return selected;
+}
+
+void apply_one_sided(const std::vector<std::string>& patterns, Scene& scene) {
+  const auto selected = select(patterns, scene, "one_sided");
+  for (std::size_t i = 0; i < selected.size(); ++i)
+    if (selected[i]) scene.materials[i].two_sided = false;
+}
+
+void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
+  const auto selected = select(patterns, scene, "flip");
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+    if (selected[static_cast<std::size_t>(scene.triangle_material[i])])
+      std::swap(scene.triangles[i][1], scene.triangles[i][2]);
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log) {
+  check_options(options);
+  check_is_file(path);
+  auto scene = reader_of(path).load(path, options, log);
+  apply_one_sided(options.one_sided, scene);
+  apply_flip(options.flip, scene);
+  return scene;
+}
+
+}  // namespace luxel

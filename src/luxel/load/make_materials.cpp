@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/load/make_materials.h"
+
+#include <fmt/format.h>
+
+#include "luxel/load/name_list.h"
+#include "luxel/load/texture_means.h"
+
+namespace luxel {
+namespace {
+
+class MaterialMaker {
+ public:
+  MaterialMaker(const MaterialLibrary& library, const LoadOptions& options)
+      : library_(library), options_(options) {}
+
+  Material make(const NamedLine& use);
+  void say_warnings(const std::string& source, const LogSink& log) const;
+
+ private:
+  Vec3 reflectance(const MaterialLibrary::Entry& entry);
+  Vec3 radiance(const MaterialLibrary::Entry& entry);
+
+  const MaterialLibrary& library_;
+  const LoadOptions& options_;
+  TextureMeans reflecting_, emitting_;
+
+  // Names of materials, for the warnings.
+  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, emitting_twice_;
+  std::size_t first_unknown_line_ = 0;
+};
+
+Material MaterialMaker::make(const NamedLine& use) {
+  Material material;
+  material.name = use.name;
+  material.reflectance = Vec3(default_reflectance);
+  const auto found = library_.entries.find(use.name);
+  if (found != library_.entries.end()) {
+    material.reflectance = reflectance(found->second);
+    material.emittance = pi * radiance(found->second);
+    if (found->second.material.opacity.value_or(1.0f) < 0.5f) transparent_.push_back(use.name);
+  } else if (use.line > 0) {
+    if (unknown_.empty()) first_unknown_line_ = use.line;
+    unknown_.push_back(use.name);
+  }
+  const auto capped = glm::min(material.reflectance, Vec3(options_.max_reflectance));
+  if (capped != material.reflectance) too_bright_.push_back(use.name);
+  material.reflectance = capped;
+  return material;
+}
+
+Vec3 MaterialMaker::reflectance(const MaterialLibrary::Entry& entry) {
+  const auto& mtl = entry.material;
+  if (mtl.map_Kd.empty()) {
+    if (!mtl.Kd) colorless_.push_back(mtl.name);
+    return mtl.Kd.value_or(Vec3(default_reflectance));
+  }
+  const auto mean = reflecting_.mean(entry.folder, mtl.map_Kd, mtl.name);
+  return mtl.Kd.value_or(Vec3(1.0f)) * mean.value_or(Vec3(default_reflectance));
+}
+
+// Ke alone where both are given: exporters write it beside map_Ke in two meanings, as a factor and as 0.
+Vec3 MaterialMaker::radiance(const MaterialLibrary::Entry& entry) {
+  const auto& mtl = entry.material;
+  if (mtl.map_Ke.empty()) return mtl.Ke.value_or(Vec3(0.0f));
+  if (mtl.Ke) {
+    emitting_twice_.push_back(mtl.name);
+    return *mtl.Ke;
+  }
+  return emitting_.mean(entry.folder, mtl.map_Ke, mtl.name).value_or(Vec3(0.0f));
+}
+
+void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) const {
+  const auto say = [&](const std::vector<std::string>& names, const char* sentence) {
+    if (!names.empty()) warn(log, source + ": " + fmt::format(fmt::runtime(sentence), name_list(names)));
+  };
+  if (!unknown_.empty())
+    warn(log, fmt::format("{}:{}: {} {}; a grey of {} is taken", source, first_unknown_line_,
+                          library_.files.empty() ? "no MTL file was read that describes"
+                                                 : name_list(library_.files) + " does not describe",
+                          name_list(unknown_), default_reflectance));
+  say(colorless_, "neither Kd nor map_Kd is given for {}; a grey of 0.5 is taken");
+  say(too_bright_, fmt::format("the reflectance of {{}} was lowered to {}, as no surface reflects all light",
+                               options_.max_reflectance)
+                       .c_str());
+  say(transparent_, "transparency is not modelled; {} let no light through");
+  say(emitting_twice_, "map_Ke is passed over where Ke is given, as for {}");
+  reflecting_.say_warnings(source, fmt::format("their mean is taken as {}", default_reflectance), log);
+  emitting_.say_warnings(source, "their materials emit nothing", log);
+}
+
+}  // namespace
+
+std::vector<Material> make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
+                                     const std::string& source, const LoadOptions& options,
+                                     const LogSink& log) {
+  MaterialMaker maker(library, options);
+  std::vector<Material> materials;
+  for (const auto& use : used) materials.push_back(maker.make(use));
+  maker.say_warnings(source, log);
+  return materials;
+}
+
+}  // namespace luxel

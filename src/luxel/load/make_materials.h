@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "luxel/load/load_scene.h"
+#include "luxel/load/material_library.h"
+
+namespace luxel {
+
+// The reflectance of what no file describes: a middle grey.
+inline constexpr float default_reflectance = 0.5f;
+
+// One Material for each name that faces use, in their order, from the library and its textures. What is
+// missing or cannot be taken as it is becomes a warning, one a kind.
+std::vector<Material> make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
+                                     const std::string& source, const LoadOptions& options,
+                                     const LogSink& log);
+
+}  // namespace luxel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/load/make_triangles.h"
+
+#include <span>
+
+#include "luxel/load/polygon.h"
+#include "luxel/math/triangle.h"
+
+namespace luxel {
+namespace {
+
+bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 3>& corners,
+                         const Scene& scene) {
+  Vec3d normals(0.0);
+  for (const auto& corner : corners) {
+    if (corner.normal == ObjMesh::no_normal) return false;
+    normals += Vec3d(mesh.normals[corner.normal]);
+  }
+  const auto front = area_vector2(scene.positions[corners[0].position], scene.positions[corners[1].position],
+                                  scene.positions[corners[2].position]);
+  return glm::dot(front, normals) < 0.0;
+}
+
+}  // namespace
+
+Tally make_triangles(const ObjMesh& mesh, Scene& scene) {
+  Tally turned;
+  std::vector<Vec3> polygon;
+  std::vector<std::array<std::uint32_t, 3>> parts;
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const auto& face = mesh.faces[i];
+    const auto end = i + 1 < mesh.faces.size() ? mesh.faces[i + 1].first_corner : mesh.corners.size();
+    const auto corners = std::span(mesh.corners).subspan(face.first_corner, end - face.first_corner);
+    polygon.clear();
+    parts.clear();
+    for (const auto& corner : corners) polygon.push_back(scene.positions[corner.position]);
+    triangulate_polygon(polygon, parts);
+    for (const auto& [a, b, c] : parts) {
+      std::array triangle = {corners[a], corners[b], corners[c]};
+      if (opposes_its_normals(mesh, triangle, scene)) {
+        std::swap(triangle[1], triangle[2]);
+        turned.add(face.line);
+      }
+      scene.triangles.push_back({triangle[0].position, triangle[1].position, triangle[2].position});
+      scene.triangle_material.push_back(MaterialId{face.material});
+      scene.triangle_line.push_back(face.line);
+      scene.triangle_group.push_back(face.group);
+    }
+  }
+  return turned;
+}
+
+}  // namespace luxel

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/load/read_mtl.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "luxel/load/numbers.h"
+#include "luxel/load/text.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+// A statement being read: what an error says of it.
+struct Statement {
+  const std::string& source;
+  std::size_t line;
+  std::string_view keyword;
+  std::string_view operands;
+
+  [[noreturn]] void refuse(const std::string& expected) const {
+    throw InputError(source, line,
+                     fmt::format("expected {} after {}, found '{}'", expected, keyword, operands));
+  }
+};
+
+Vec3 read_color(const Statement& statement) {
+  auto words = statement.operands.substr(0, statement.operands.find('#'));
+  auto color = read_three_numbers(words);
+  if (!color) {  // one number alone stands for all three
+    const auto grey = read_number(take_word(words));
+    if (grey && words.empty()) color = Vec3(*grey);
+  }
+  if (!color) statement.refuse("three finite numbers");
+  if (color->r < 0.0f || color->g < 0.0f || color->b < 0.0f) statement.refuse("numbers of 0 or more");
+  return *color;
+}
+
+// As an emittance, pi times as large, it must still fit a float.
+Vec3 read_radiance(const Statement& statement) {
+  const auto radiance = read_color(statement);
+  if (!is_finite(pi * radiance)) statement.refuse("numbers below 1e38");
+  return radiance;
+}
+
+float read_opacity(const Statement& statement) {
+  auto words = statement.operands;
+  auto word = take_word(words);
+  if (word == "-halo") word = take_word(words);
+  const auto number = read_number(word);
+  if (!number) statement.refuse("a finite number");
+  return *number;
+}
+
+// Steps over options such as "-s 1 1 1 -clamp on" to the name behind them, which may hold blanks.
+std::string read_texture_name(std::string_view operands) {
+  struct Option {
+    std::string_view name;
+    int least, most;  // arguments; those beyond the least are taken while they are numbers
+  };
+  static constexpr auto options = std::to_array<Option>({{"-blendu", 1, 1},
+                                                         {"-blendv", 1, 1},
+                                                         {"-bm", 1, 1},
+                                                         {"-boost", 1, 1},
+                                                         {"-cc", 1, 1},
+                                                         {"-clamp", 1, 1},
+                                                         {"-colorspace", 1, 1},
+                                                         {"-imfchan", 1, 1},
+                                                         {"-mm", 2, 2},
+                                                         {"-o", 1, 3},
+                                                         {"-s", 1, 3},
+                                                         {"-t", 1, 3},
+                                                         {"-texres", 1, 1},
+                                                         {"-type", 1, 1}});
+  auto rest = operands;
+  for (;;) {
+    auto behind = rest;
+    const auto word = take_word(behind);
+    const auto option =
+        std::find_if(options.begin(), options.end(), [&](const Option& known) { return known.name == word; });
+    if (option == options.end()) break;
+    for (int i = 0; i < option->most; ++i) {
+      auto after = behind;
+      if (const auto argument = take_word(after); i >= option->least && !read_number(argument)) break;
+      behind = after;
+    }
+    rest = behind;
+  }
+  if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"') rest = rest.substr(1, rest.size() - 2);
+  return std::string(rest);
+}
+
+}  // namespace
+
+std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& source) {
+  std::vector<MtlMaterial> materials;
+  bool has_d = false;  // of the last material; d outweighs Tr, whose meaning exporters disagree about
+  for (Statements statements(text); statements.next();) {
+    auto operands = trim(statements.text());
+    const auto keyword = take_word(operands);
+    const auto key = lower_case(keyword);
+    const Statement statement{source, statements.line(), keyword, operands};
+    if (key == "newmtl") {
+      materials.emplace_back().name = operands;
+      has_d = false;
+    }
+    if (materials.empty()) continue;
+    auto& material = materials.back();
+    if (key == "kd") material.Kd = read_color(statement);
+    if (key == "ke") material.Ke = read_radiance(statement);
+    if (key == "map_kd") material.map_Kd = read_texture_name(operands);
+    if (key == "map_ke") material.map_Ke = read_texture_name(operands);
+    if (key == "d") material.opacity = read_opacity(statement);
+    if (key == "tr" && !has_d) material.opacity = 1.0f - read_opacity(statement);
+    has_d = has_d || key == "d";
+  }
+  return materials;
+}
+
+}  // namespace luxel

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "luxel/math/vector.h"
+
+namespace luxel {
+
+// What an MTL file says of one material, as far as diffuse light cares.
+struct MtlMaterial {
+  std::string name;
+  std::optional<Vec3> Kd;  // reflectance, 0 or more
+  std::optional<Vec3> Ke;  // radiance, W/(m² sr), 0 or more
+  std::string map_Kd;      // file name without options, as written; empty where there is none
+  std::string map_Ke;
+  std::optional<float> opacity;  // d, or 1 - Tr where there is no d
+};
+
+// Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ke, d or Tr that is not
+// the number it should be or a colour that is negative; all other statements are passed over.
+std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& source);
+
+}  // namespace luxel

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/load/read_obj.h"
+
+#include <istream>
+#include <map>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include "luxel/load/numbers.h"
+#include "luxel/load/statement_stream.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+// Enough for a person to recognise a line by.
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t most = 60;
+  text = trim(text);
+  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
+}
+
+// One of 3, 3/1, 3/1/2, 3//2. At most nine digits: the C library wraps longer ones round.
+bool is_corner(std::string_view word) {
+  int slashes = 0;
+  std::size_t digits = 0;
+  bool has_sign = false;
+  for (const char c : word) {
+    if (c == '/') {
+      if (++slashes > 2 || (slashes == 1 && digits == 0)) return false;
+      digits = 0;
+      has_sign = false;
+    } else if (c == '-') {
+      if (has_sign || digits > 0) return false;
+      has_sign = true;
+    } else if (c < '0' || c > '9' || ++digits > 9) {
+      return false;
+    }
+  }
+  return slashes > 0 || digits > 0;
+}
+
+// Names in the order they first count, with their numbers.
+class Numbering {
+ public:
+  // The number of a name, and whether it is new.
+  std::pair<std::uint32_t, bool> number(const std::string& name) {
+    const auto [place, is_new] = numbers_.try_emplace(name, static_cast<std::uint32_t>(numbers_.size()));
+    return {place->second, is_new};
+  }
+
+ private:
+  std::map<std::string, std::uint32_t> numbers_;
+};
+
+// tinyobjloader takes the statements apart and calls back here. It does not look at what it reads ("abc" is 0
+// to it, so is nan) nor at ranges, hence all numbers are looked at again in the text of the statement.
+class ObjReader : private tinyobj::MaterialReader {
+ public:
+  ObjReader(std::string_view text, const std::string& source, float scale)
+      : statements_(text), source_(source), scale_(scale) {}
+
+  ObjMesh read();
+
+ private:
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw InputError(source_, statements_.line(), message);
+  }
+  std::string_view operands() const { return after_first_word(statements_.text()); }
+  static ObjReader& reader(void* me) { return *static_cast<ObjReader*>(me); }
+
+  void add_position();
+  void add_normal();
+  void add_face(std::span<const tinyobj::index_t> corners);
+  void check_corner_text() const;
+  std::uint32_t resolve(int index, std::size_t count, const char* what) const;
+  void use_material();
+  void use_group();
+  std::uint32_t current_material();
+  std::uint32_t current_group();
+  void check_ranges() const;
+
+  // Called by tinyobjloader at each mtllib. Its own reading of MTL files knows no lines and casts what it
+  // finds unseen, so the operands are only noted here; to say yes ends its search for files.
+  bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
+                  std::string*, std::string*) override {
+    mesh_.libraries.push_back({std::string(operands()), statements_.line()});
+    return true;
+  }
+
+  StatementStream statements_;
+  const std::string& source_;
+  float scale_;
+  ObjMesh mesh_;
+  Numbering material_numbers_, group_numbers_;
+  NamedLine material_{default_name, 0};  // of the last usemtl
+  std::string group_ = default_name;     // of the last g or o
+};
+
+void ObjReader::add_position() {
+  const auto p = read_three_numbers(operands());
+  if (!p) refuse(fmt::format("expected three finite numbers after v, found '{}'", excerpt(operands())));
+  const Vec3 scaled = *p * scale_;
+  if (!is_finite(scaled))
+    refuse(fmt::format("'{}' is out of range once scaled by {}", excerpt(operands()), scale_));
+  mesh_.positions.push_back(scaled);
+}
+
+// Exporters do write nan for the normal of a face without area; it only fails to say which side is the front.
+void ObjReader::add_normal() {
+  const auto n = read_three_numbers(operands());
+  if (!n) mesh_.unreadable_normals.add(statements_.line());
+  mesh_.normals.push_back(n.value_or(Vec3(0.0f)));
+}
+
+void ObjReader::add_face(std::span<const tinyobj::index_t> corners) {
+  check_corner_text();
+  if (corners.size() < 3) return mesh_.short_faces.add(statements_.line());
+  const auto first_corner = mesh_.corners.size();
+  for (const auto& corner : corners) {
+    const auto position = resolve(corner.vertex_index, mesh_.positions.size(), "vertex");
+    const auto normal = corner.normal_index == 0
+                            ? ObjMesh::no_normal
+                            : resolve(corner.normal_index, mesh_.normals.size(), "normal");
+    mesh_.corners.push_back({position, normal});
+  }
+  mesh_.faces.push_back(
+      {first_corner, static_cast<std::uint32_t>(statements_.line()), current_material(), current_group()});
+}
+
+void ObjReader::check_corner_text() const {
+  auto words = operands();
+  words = words.substr(0, words.find('#'));
+  for (auto word = take_word(words); !word.empty(); word = take_word(words))
+    if (!is_corner(word))
+      refuse(fmt::format("expected corners such as 3, 3/1 or 3/1/2 after f, found '{}'", excerpt(word)));
+}
+
+// From OBJ's counting (from 1, or backwards from -1) to ours. Positive indices may name what the file gives
+// later, so check_ranges() looks at them when all is read.
+std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what) const {
+  if (index > 0) return static_cast<std::uint32_t>(index - 1);
+  if (index == 0) refuse(fmt::format("a corner names {} 0, expected indices that count from 1", what));
+  if (static_cast<std::size_t>(-index) > count)
+    refuse(fmt::format("a corner names {} {}, but only {} were given before this line", what, index, count));
+  return static_cast<std::uint32_t>(count - static_cast<std::size_t>(-index));
+}
+
+void ObjReader::use_material() {
+  material_ = operands().empty() ? NamedLine{default_name, 0}
+                                 : NamedLine{std::string(operands()), statements_.line()};
+}
+
+void ObjReader::use_group() { group_ = operands().empty() ? default_name : std::string(operands()); }
+
+std::uint32_t ObjReader::current_material() {
+  if (material_.line == 0) mesh_.faces_without_material.add(statements_.line());
+  const auto [number, is_new] = material_numbers_.number(material_.name);
+  if (is_new) mesh_.materials.push_back(material_);
+  return number;
+}
+
+std::uint32_t ObjReader::current_group() {
+  const auto [number, is_new] = group_numbers_.number(group_);
+  if (is_new) mesh_.groups.push_back(group_);
+  return number;
+}
+
+void ObjReader::check_ranges() const {
+  std::size_t face = 0;
+  for (std::size_t i = 0; i < mesh_.corners.size(); ++i) {
+    while (face + 1 < mesh_.faces.size() && mesh_.faces[face + 1].first_corner <= i) ++face;
+    const auto& corner = mesh_.corners[i];
+    const auto check = [&](std::uint32_t index, std::size_t count, const char* what) {
+      if (index >= count)
+        throw InputError(source_, mesh_.faces[face].line,
+                         fmt::format("a corner names {} {}, but the file gives only {}", what,
+                                     std::size_t{index} + 1, count));
+    };
+    check(corner.position, mesh_.positions.size(), "vertex");
+    if (corner.normal != ObjMesh::no_normal) check(corner.normal, mesh_.normals.size(), "normal");
+  }
+}
+
+ObjMesh ObjReader::read() {
+  using tinyobj::real_t;
+  tinyobj::callback_t on;
+  on.vertex_cb = [](void* me, real_t, real_t, real_t, real_t) { reader(me).add_position(); };
+  on.normal_cb = [](void* me, real_t, real_t, real_t) { reader(me).add_normal(); };
+  on.index_cb = [](void* me, tinyobj::index_t* corners, int count) {
+    reader(me).add_face({corners, static_cast<std::size_t>(count)});
+  };
+  on.usemtl_cb = [](void* me, const char*, int) { reader(me).use_material(); };
+  on.group_cb = [](void* me, const char**, int) { reader(me).use_group(); };
+  on.object_cb = [](void* me, const char*) { reader(me).use_group(); };
+
+  std::istream stream(&statements_);
+  stream.exceptions(std::ios::badbit);  // or it would swallow what the buffer throws
+  tinyobj::LoadObjWithCallback(stream, on, this, this);
+  check_ranges();
+  return std::move(mesh_);
+}
+
+}  // namespace
+
+ObjMesh read_obj(std::string_view text, const std::string& source, float scale) {
+  return ObjReader(text, source, scale).read();
+}
+
+}  // namespace luxel

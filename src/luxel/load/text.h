@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace luxel {
+
+// The text of a file, without a UTF-8 byte order mark. Throws InputError naming `source` where the file
+// cannot be read, is UTF-16 or UTF-32, or is binary (holds a zero byte).
+std::string read_text(const std::filesystem::path& path, const std::string& source);
+
+// Walks a text statement by statement. Lines end with \n, \r\n or a lone \r and count from 1; a backslash at
+// the end of a line joins the next one to it (not in comments: "# made in C:\" must not swallow a line).
+class Statements {
+ public:
+  explicit Statements(std::string_view text) : rest_(text) {}
+
+  // Goes to the next one, false at the end. Empty lines and comments come too.
+  bool next();
+  const std::string& text() const { return text_; }  // without its line end
+  std::size_t line() const { return line_; }         // where it begins
+
+ private:
+  std::string_view take_line();
+
+  std::string_view rest_;
+  std::string text_;
+  std::size_t line_ = 0;
+  std::size_t lines_taken_ = 0;
+};
+
+std::string_view trim(std::string_view text);
+// What stands behind the first word, trimmed: the operands of a statement.
+std::string_view after_first_word(std::string_view text);
+// Removes the first word (blanks around it too) from text and returns it; empty where there is none.
+std::string_view take_word(std::string_view& text);
+std::string lower_case(std::string_view text);
+
+}  // namespace luxel

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+namespace {
+
+void check_lengths(const Scene& scene) {
+  const auto expect = [&](std::size_t found, const char* array) {
+    if (found == scene.triangles.size()) return;
+    throw InputError(scene.source, fmt::format("expected one {} for each of the {} triangles, found {}",
+                                               array, scene.triangles.size(), found));
+  };
+  if (scene.triangles.empty()) throw InputError(scene.source, "expected at least one triangle, found none");
+  if (scene.materials.empty()) throw InputError(scene.source, "expected at least one material, found none");
+  if (scene.groups.empty()) throw InputError(scene.source, "expected at least one group, found none");
+  expect(scene.triangle_material.size(), "triangle_material");
+  expect(scene.triangle_line.size(), "triangle_line");
+  expect(scene.triangle_group.size(), "triangle_group");
+}
+
+void check_index(const Scene& scene, std::size_t triangle, std::size_t index, std::size_t count,
+                 const char* what) {
+  if (index < count) return;
+  throw InputError(scene.source, scene.triangle_line[triangle],
+                   fmt::format("triangle {} names {} {}, but there are only {} (numbered from 0)", triangle,
+                               what, index, count));
+}
+
+void check_triangles(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+    for (const auto corner : scene.triangles[i])
+      check_index(scene, i, corner, scene.positions.size(), "vertex");
+    check_index(scene, i, static_cast<std::size_t>(scene.triangle_material[i]), scene.materials.size(),
+                "material");
+    check_index(scene, i, scene.triangle_group[i], scene.groups.size(), "group");
+  }
+}
+
+void check_positions(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.positions.size(); ++i)
+    if (!is_finite(scene.positions[i]))
+      throw InputError(scene.source, fmt::format("vertex {} is not finite", i));
+}
+
+// Written so that NaN fails too.
+void check_material(const Scene& scene, const Material& material) {
+  for (int band = 0; band < 3; ++band) {
+    const float rho = material.reflectance[band];
+    if (!(rho >= 0.0f && rho < 1.0f))
+      throw InputError(
+          scene.source,
+          fmt::format("expected the reflectance of material '{}' in [0, 1), found {}", material.name, rho));
+    const float emitted = material.emittance[band];
+    if (!(emitted >= 0.0f && std::isfinite(emitted)))
+      throw InputError(scene.source,
+                       fmt::format("expected the emittance of material '{}' to be 0 or more, found {}",
+                                   material.name, emitted));
+  }
+}
+
+void check_camera(const Scene& scene, const Camera& camera) {
+  const auto view = camera.target - camera.eye;
+  const bool finite = is_finite(camera.eye) && is_finite(camera.target) && is_finite(camera.up);
+  if (!finite || glm::cross(Vec3d(view), Vec3d(camera.up)) == Vec3d(0.0))
+    throw InputError(scene.source,
+                     "expected a camera that looks somewhere, with an up that is not along the view");
+  if (!(camera.vertical_fov > 0.0f && camera.vertical_fov < 180.0f))
+    throw InputError(scene.source,
+                     fmt::format("expected a vertical field of view between 0 and 180 degrees, found {}",
+                                 camera.vertical_fov));
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene) {
+  check_lengths(scene);
+  check_positions(scene);
+  check_triangles(scene);
+  for (const auto& material : scene.materials) check_material(scene, material);
+  for (const auto& camera : scene.cameras) check_camera(scene, camera);
+}
+
+}  // namespace luxel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <bit>
+
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+namespace {
+
+// Takes 32-bit words one after the other; each step is the output function of SplitMix64 (Steele, Lea, Flood,
+// "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014), a bijection of the state, so that two
+// scenes that differ in one word never meet again by that word alone. Only integer arithmetic: the same on
+// every host.
+class WordHash {
+ public:
+  void add(std::uint32_t word) {
+    auto z = (state_ ^ word) + 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    state_ = z ^ (z >> 31);
+  }
+  // -0 and +0 light alike, so they count alike.
+  void add(float value) { add(value == 0.0f ? 0u : std::bit_cast<std::uint32_t>(value)); }
+  void add(const Vec3& v) {
+    add(v.x);
+    add(v.y);
+    add(v.z);
+  }
+  // The length goes before the array: words cannot wander from one array to the next.
+  void add_length(std::size_t length) {
+    add(static_cast<std::uint32_t>(length));
+    add(static_cast<std::uint32_t>(std::uint64_t{length} >> 32));
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+}  // namespace
+
+std::uint64_t fingerprint(const Scene& scene) {
+  WordHash hash;
+  hash.add_length(scene.positions.size());
+  for (const auto& position : scene.positions) hash.add(position);
+  hash.add_length(scene.triangles.size());
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+    for (const auto corner : scene.triangles[i]) hash.add(corner);
+    hash.add(static_cast<std::uint32_t>(scene.triangle_material[i]));
+  }
+  hash.add_length(scene.materials.size());
+  for (const auto& material : scene.materials) {
+    hash.add(material.reflectance);
+    hash.add(material.emittance);
+    hash.add(std::uint32_t{material.two_sided});
+  }
+  return hash.value();
+}
+
+}  // namespace luxel
