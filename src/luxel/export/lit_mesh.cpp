@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/lit_mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light) {
+  check_rgb(solution.bands);
+  const auto values = patches.size() * solution.bands.size();
+  if (solution.bands != patches.bands || solution.radiosity_front.size() != values ||
+      solution.radiosity_back.size() != values || solution.irradiance_back.size() != values)
+    throw MismatchError(
+        fmt::format("the solution has {} radiosities but the patches need {}: it was not "
+                    "made from this scene; solve it again",
+                    solution.radiosity_front.size(), values));
+  if (light.corners.size() != patches.size())
+    throw MismatchError(
+        fmt::format("the smooth light has {} patches but the scene has {}: smooth the light "
+                    "of this scene",
+                    light.corners.size(), patches.size()));
+}
+
+Vec3 rgb(const std::vector<float>& values, std::size_t i) {
+  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
+
+bool back_is_lit(const Solution& solution, std::size_t patch) {
+  const auto h = rgb(solution.irradiance_back, patch);
+  return h.r > 0.0f || h.g > 0.0f || h.b > 0.0f;
+}
+
+// One curve for the whole mesh, from every side that sends light out.
+ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const ToneOptions& tone) {
+  std::vector<Vec3> radiance;
+  std::vector<float> areas;
+  const auto add = [&](const Vec3& radiosity, float area) {
+    radiance.push_back(radiosity / pi);
+    areas.push_back(area);
+  };
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    add(rgb(solution.radiosity_front, p), patches.area[p]);
+    if (back_is_lit(solution, p)) add(rgb(solution.radiosity_back, p), patches.area[p]);
+  }
+  return fit_curve(radiance, areas, tone);
+}
+
+// The patches of each material and side, in order: entry 2 * material is its fronts, the next its backs.
+std::vector<std::vector<std::uint32_t>> patches_by_side(const PatchSet& patches, const Solution& solution) {
+  std::vector<std::vector<std::uint32_t>> sides(2 * patches.materials.size());
+  for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    const auto material = static_cast<std::size_t>(patches.material[p]);
+    sides[2 * material].push_back(p);
+    if (back_is_lit(solution, p)) sides[2 * material + 1].push_back(p);
+  }
+  return sides;
+}
+
+// number: [smooth vertex]; its vertex in the part at hand, or unnumbered; left as it was found.
+constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
+
+LitPart part_of(const std::vector<std::uint32_t>& patches, const SmoothLight& light, std::size_t material,
+                bool back, std::vector<std::uint32_t>& number) {
+  LitPart part{material, back, {}, {}};
+  part.triangles.reserve(patches.size());
+  for (const auto p : patches) {
+    auto corners = light.corners[p];
+    for (auto& corner : corners) {
+      auto& n = number[corner];
+      if (n == unnumbered) {
+        n = static_cast<std::uint32_t>(part.smooth.size());
+        part.smooth.push_back(corner);
+      }
+      corner = n;
+    }
+    if (back) std::swap(corners[1], corners[2]);
+    part.triangles.push_back(corners);
+  }
+  for (const auto s : part.smooth) number[s] = unnumbered;
+  return part;
+}
+
+}  // namespace
+
+LitMesh::LitMesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+                 const ToneOptions& tone)
+    : patches_(patches), light_(light) {
+  check(patches, solution, light);
+  curve_ = curve_for(patches, solution, tone);
+  std::vector<std::uint32_t> number(light.size(), unnumbered);
+  const auto sides = patches_by_side(patches, solution);
+  for (std::size_t side = 0; side < sides.size(); ++side)
+    if (!sides[side].empty()) parts_.push_back(part_of(sides[side], light, side / 2, side % 2 == 1, number));
+}
+
+LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
+  const auto s = part.smooth[i];
+  const auto& irradiance = part.back ? light_.irradiance_back : light_.irradiance_front;
+  LitVertex v{};
+  v.position = patches_.vertices[light_.vertex[s]];
+  v.normal = part.back ? -light_.normal[s] : light_.normal[s];
+  v.irradiance = irradiance.data() + 3 * std::size_t{s};
+  Vec3 radiance(0.0f);
+  radiance_of(patches_.materials[part.material], part.back, v.irradiance, &radiance.x);
+  v.colour = curve_(radiance);
+  return v;
+}
+
+}  // namespace luxel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+#include "luxel/surface/smooth_light.h"
+#include "luxel/tone/tone.h"
+
+namespace luxel {
+
+// The triangles of one side of one material, with vertices of their own: what both file formats write.
+struct LitPart {
+  std::size_t material = 0;                             // index into PatchSet::materials
+  bool back = false;                                    // triangles are wound, normals turned, to face there
+  std::vector<std::uint32_t> smooth;                    // [vertex]: index into SmoothLight
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into smooth
+};
+
+// What a vertex of a part shows.
+struct LitVertex {
+  Vec3 position;            // m
+  Vec3 normal;              // unit
+  Vec3 colour;              // linear, display-referred, [0, 1]
+  const float* irradiance;  // [band], W/m², of the side shown
+};
+
+// All that is to be drawn of the light, and the curve that makes it visible.
+class LitMesh {
+ public:
+  // Throws MismatchError where the three are not of one scene or are not plain colour.
+  LitMesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+          const ToneOptions& tone);
+
+  // By material, front before back; none without triangles. Every front is in one; a back only where light
+  // fell on it.
+  const std::vector<LitPart>& parts() const { return parts_; }
+  LitVertex vertex(const LitPart& part, std::size_t i) const;
+
+ private:
+  const PatchSet& patches_;
+  const SmoothLight& light_;
+  ToneCurve curve_;
+  std::vector<LitPart> parts_;
+};
+
+}  // namespace luxel
