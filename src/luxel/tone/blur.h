@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+namespace luxel {
+
+// One number a pixel, row by row: width * height of them.
+struct Plane {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+};
+
+// The mean around each pixel with Gaussian weights of standard deviation sigma (pixels), cut at 3 sigma. Near
+// an edge the weights inside the picture are brought back to a sum of 1, so a constant stays what it is. Two
+// passes of 6 sigma + 1 taps a pixel. Up to rounding, the result lies between the smallest and the largest
+// value.
+Plane gaussian_blur(const Plane& plane, float sigma);
+
+}  // namespace luxel
