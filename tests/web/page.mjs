@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES]
+// Shows the file on a web page (three.js in Debian's Chromium, headless) and photographs it. Eye and target
+// are in glTF's axes, Y up. Fails if the page has an error, or the picture is black or of one colour.
+import { readFile, stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { dirname, extname, join, normalize } from 'node:path';
+import { env, exit } from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { chromium } from 'playwright-core';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.glb': 'model/gltf-binary' };
+
+// Serves the page, the model and three.js to this machine alone; nothing else can be asked for.
+function serve(glb) {
+  const server = createServer(async (request, response) => {
+    const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
+    const file =
+      path === '/' ? join(here, 'viewer.html')
+      : path === '/model.glb' ? glb
+      : path.startsWith('/three/') ? join(here, 'node_modules', path)
+      : null;
+    const bytes = file && (await readFile(file).catch(() => null));
+    response.writeHead(bytes ? 200 : 404, { 'content-type': types[extname(file ?? '')] ?? 'text/plain' });
+    response.end(bytes ?? '');
+  });
+  return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
+}
+
+// Swiftshader draws in software: the same picture on every machine, with no need for a graphics card.
+function launch() {
+  return chromium.launch({
+    executablePath: env.CHROMIUM ?? '/usr/bin/chromium',
+    headless: true,
+    args: [
+      '--no-sandbox',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--no-first-run',
+    ],
+  });
+}
+
+// Mean and spread of the brightness in the drawn picture, 0 to 255, as the page itself sees it.
+function statistics(page) {
+  return page.evaluate(() => {
+    const source = document.querySelector('canvas');
+    const copy = new OffscreenCanvas(source.width, source.height).getContext('2d');
+    copy.drawImage(source, 0, 0);
+    const { data } = copy.getImageData(0, 0, source.width, source.height);
+    let sum = 0, squares = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const grey = (data[i] + data[i + 1] + data[i + 2]) / 3;
+      sum += grey;
+      squares += grey * grey;
+    }
+    const count = data.length / 4;
+    const mean = sum / count;
+    return { mean, spread: Math.sqrt(Math.max(0, squares / count - mean * mean)) };
+  });
+}
+
+async function photograph(url, out) {
+  const browser = await launch();
+  try {
+    const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
+    const complaints = [];
+    page.on('pageerror', (error) => complaints.push(String(error)));
+    page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
+    await page.goto(url);
+    await page.waitForFunction('window.result', null, { timeout: 60_000 });
+    const result = await page.evaluate('window.result');
+    await page.screenshot({ path: out });
+    return { ...result, ...(await statistics(page)), complaints };
+  } finally {
+    await browser.close();
+  }
+}
+
+function verdict({ error, unlit, triangles, mean, spread, complaints }) {
+  if (error) return `the page failed: ${error}`;
+  if (complaints.length > 0) return `the page complained: ${complaints.join('; ')}`;
+  if (!unlit) return 'a material is not unlit';
+  if (triangles === 0) return 'no triangle was drawn';
+  if (mean < 1) return 'the picture is black';
+  if (spread < 1) return 'the picture is of one colour';
+  return null;
+}
+
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: { eye: { type: 'string' }, target: { type: 'string' }, fov: { type: 'string' } },
+});
+const [glb, out] = positionals;
+if (positionals.length !== 2 || !(await stat(glb).catch(() => null))) {
+  console.error('usage: node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES]');
+  exit(2);
+}
+const server = await serve(glb);
+const seen = await photograph(`http://127.0.0.1:${server.address().port}/?${new URLSearchParams(values)}`, out);
+server.close();
+const wrong = verdict(seen);
+console.log(
+  `${glb}: ${seen.triangles ?? 0} triangles drawn, brightness ${seen.mean.toFixed(1)} +- ${seen.spread.toFixed(1)}` +
+    `${wrong ? `: ${wrong}` : ''}`,
+);
+exit(wrong ? 1 : 0);
