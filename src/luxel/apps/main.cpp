@@ -1,2 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 2; }
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "luxel/apps/commands.h"
+#include "luxel/apps/console.h"
+#include "luxel/apps/version.h"
+
+namespace {
+
+std::string joined(int argc, char** argv) {
+  std::string text = "luxel";
+  for (int i = 1; i < argc; ++i) text += std::string(" ") + argv[i];
+  return text;
+}
+
+int run(int argc, char** argv) {
+  luxel::CommandLine line(luxel::program_version);
+  const std::unique_ptr<luxel::Command> commands[] = {luxel::make_bake(line), luxel::make_render(line),
+                                                      luxel::make_export(line), luxel::make_info(line)};
+  const auto parsed = line.parse(argc, argv);
+  if (!parsed.command) {
+    fmt::print("{}", parsed.text);
+    return luxel::exit_fine;
+  }
+  luxel::catch_interrupts();
+  for (const auto& command : commands)
+    if (&command->options() == parsed.command) return command->run(joined(argc, argv));
+  return luxel::exit_misused;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const luxel::UsageError& error) {
+    fmt::print(stderr, "luxel: {}\n", error.what());
+    return luxel::exit_misused;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "luxel: out of memory; fewer patches (--max-edge) or a smaller picture need less\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "luxel: {}\n", error.what());
+  }
+  return luxel::exit_failed;
+}

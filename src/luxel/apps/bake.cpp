@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/apps/commands.h"
+#include "luxel/apps/console.h"
+#include "luxel/apps/finish.h"
+#include "luxel/apps/outputs.h"
+#include "luxel/apps/run_report.h"
+#include "luxel/apps/settings.h"
+#include "luxel/apps/version.h"
+#include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/transport/lamp_check.h"
+
+namespace luxel {
+namespace {
+
+class Bake final : public Command {
+ public:
+  explicit Bake(OptionSet& options) : Command(options) {
+    scene_.declare(options);
+    light_.declare(options);
+    look_.declare(options);
+    picture_.declare(options);
+    run_.declare(options, all_kinds);
+  }
+
+  int run(const std::string& command_line) override {
+    if (run_.print_config) {
+      fmt::print("{}", options().as_file());
+      return exit_fine;
+    }
+    check_outputs(run_.outputs, all_kinds);
+    Console console(run_.quiet);
+    const Workers workers(run_.threads);
+    RunRecord record;
+
+    // 1. The mesh, and what it is cut into.
+    const auto scene =
+        record.stage("load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.log()); });
+    Baked baked;
+    baked.patches =
+        record.stage("patches", [&](auto&) { return make_patches(scene, scene_.patches, console.log()); });
+    console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),
+                            baked.patches.size(), scene.materials.size()));
+    if (interrupted()) return stopped_before_light(console);
+
+    // 2. Who sees whom, and what the lamps see.
+    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
+    report_lamps(baked.patches, tracer, console);
+    if (interrupted()) return stopped_before_light(console);
+
+    // 3. The light.
+    const auto solved = record.stage("light", [&](auto& stage) {
+      auto result = solve_stochastic_jacobi(baked.patches, tracer, baked.solution, light_.jacobi, workers,
+                                            console.monitor());
+      stage.rays = result.rays;
+      return result;
+    });
+    auto& provenance = baked.solution.provenance;
+    provenance.program_version = program_version;
+    provenance.command_line = command_line;
+    provenance.options = options().values();
+    report_light(baked, solved, console);
+
+    // 4. What was asked for.
+    RunReport report;
+    report.camera = write_outputs(baked, &tracer, run_, look_, picture_, workers, console, record);
+    report.command = "bake";
+    report.baked = &baked;
+    report.solve = &solved;
+    report.outputs = run_.outputs;
+    report.options = &options();
+    report.record = &record;
+    finish(report, run_, console);
+    return solved.stop == StopReason::stopped_by_user ? exit_stopped_early : exit_fine;
+  }
+
+ private:
+  static int stopped_before_light(Console& console) {
+    console.log()({Severity::warning, "stopped before there was any light to write: no file was written"});
+    return exit_stopped_early;
+  }
+
+  // Lumens of each lamp material, so that a wrong unit shows at once, and lamps that light nothing.
+  static void report_lamps(const PatchSet& patches, const Tracer& tracer, Console& console) {
+    const auto views = view_from_lamps(patches, tracer);
+    for (const auto& view : views) {
+      console.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
+                              lumens(view.power[0], view.power[1], view.power[2])));
+      const auto fault = lamp_fault(patches, view);
+      if (!fault.empty()) warn(console.log(), fault);
+    }
+  }
+
+  static void report_light(const Baked& baked, const SolveReport& solved, Console& console) {
+    console.say(describe(solved));
+    console.say(fmt::format(
+        "standard error {:.2g} % (area-weighted relative RMS over patches), bias below {:.2g} % unshot",
+        100.0 * solved.predicted_error, 100.0 * solved.unshot_share));
+    const auto emitted = std::accumulate(solved.energy.emitted.begin(), solved.energy.emitted.end(), 0.0);
+    for (std::size_t m = 0; m < solved.back_loss.size(); ++m)
+      if (solved.back_loss[m] > 0.001 * emitted)
+        warn(console.log(),
+             fmt::format("{:.1f} % of the emitted power is lost at the backs of one-sided material '{}'",
+                         100.0 * solved.back_loss[m] / emitted, baked.patches.materials[m].name));
+    if (solved.stop == StopReason::stopped_by_user)
+      warn(console.log(),
+           fmt::format("stopped: {:.1f} % of the emitted power is still unshot; writing the light there is",
+                       100.0 * solved.unshot_share));
+  }
+
+  SceneSettings scene_;
+  LightSettings light_;
+  LookSettings look_;
+  PictureSettings picture_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_bake(CommandLine& line) {
+  return std::make_unique<Bake>(
+      line.command("bake", "solve a scene's light and write it: mesh, picture or solution"));
+}
+
+}  // namespace luxel

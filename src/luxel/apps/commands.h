@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "luxel/apps/command_line.h"
+
+namespace luxel {
+
+inline constexpr int exit_fine = 0;
+inline constexpr int exit_failed = 1;
+inline constexpr int exit_misused = 2;
+inline constexpr int exit_stopped_early = 3;
+
+// One thing the program does. Made before the command line is read, so that it can declare its options; run
+// after.
+class Command {
+ public:
+  virtual ~Command() = default;
+  // Returns the exit code; throws the library's errors.
+  virtual int run(const std::string& command_line) = 0;
+  const OptionSet& options() const { return options_; }
+
+ protected:
+  explicit Command(OptionSet& options) : options_(options) {}
+
+ private:
+  const OptionSet& options_;
+};
+
+std::unique_ptr<Command> make_bake(CommandLine& line);
+std::unique_ptr<Command> make_render(CommandLine& line);
+std::unique_ptr<Command> make_export(CommandLine& line);
+std::unique_ptr<Command> make_info(CommandLine& line);
+
+}  // namespace luxel

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/apps/console.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace luxel {
+namespace {
+
+// A signal handler can reach nothing but a global: the one there is.
+volatile std::sig_atomic_t interrupt_requested = 0;
+
+void on_interrupt(int signal) {
+  interrupt_requested = 1;
+  std::signal(signal, SIG_DFL);  // the next one ends the program
+}
+
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000.0)
+    return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+constexpr int bar_width = 28;
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+bool interrupted() { return interrupt_requested != 0; }
+
+Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+Console::~Console() { clear_bar(); }
+
+void Console::say(const std::string& line) {
+  if (quiet_) return;
+  clear_bar();
+  fmt::print(stderr, "{}\n", line);
+}
+
+LogSink Console::log() {
+  return [this](const Message& message) {
+    clear_bar();
+    if (message.severity == Severity::warning)
+      fmt::print(stderr, "warning: {}\n", message.text);
+    else if (!quiet_)
+      fmt::print(stderr, "{}\n", message.text);
+  };
+}
+
+Monitor Console::monitor(bool heeds_interrupt) {
+  return [this, heeds_interrupt](const Progress& progress) {
+    if (!quiet_) show(progress);
+    return heeds_interrupt && interrupted() ? Next::stop : Next::go_on;
+  };
+}
+
+void Console::clear_bar() {
+  if (!bar_shown_) return;
+  fmt::print(stderr, "\r\033[K");
+  bar_shown_ = false;
+}
+
+void Console::show(const Progress& progress) {
+  const auto now = Clock::now();
+  if (stage_ != progress.stage) {
+    stage_ = progress.stage;
+    stage_begin_ = now;
+    last_shown_ = now;
+    if (!terminal_) return;
+  }
+  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
+  if (now - last_shown_ < pause) return;
+  last_shown_ = now;
+
+  const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
+  const auto left = progress.done > 0.0 ? seconds / progress.done * (1.0 - progress.done) : 0.0;
+  auto numbers = fmt::format("{:3.0f} %", 100.0 * progress.done);
+  if (progress.rays > 0 && seconds > 0.0)
+    numbers += fmt::format("  {:.1f} Mray/s", 1e-6 * static_cast<double>(progress.rays) / seconds);
+  if (progress.done > 0.01) numbers += fmt::format("  {} left", duration(left));
+  if (!terminal_) {
+    fmt::print(stderr, "{}: {}\n", progress.stage, numbers);
+    return;
+  }
+  const auto filled = static_cast<int>(std::clamp(progress.done, 0.0, 1.0) * bar_width);
+  fmt::print(stderr, "\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "", bar_width - filled,
+             numbers);
+  std::fflush(stderr);
+  bar_shown_ = true;
+}
+
+}  // namespace luxel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "luxel/report/log.h"
+#include "luxel/report/progress.h"
+
+namespace luxel {
+
+// What the program says while it works, on the standard error stream: sentences, and a progress bar on a
+// terminal or a line now and then where there is none. Results go to the standard output and never through
+// here.
+class Console {
+ public:
+  explicit Console(bool quiet);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  void say(const std::string& line);
+  LogSink log();
+  // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
+  // there is), give heeds_interrupt = false.
+  Monitor monitor(bool heeds_interrupt = true);
+  // Takes the bar off the screen.
+  void clear_bar();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show(const Progress& progress);
+
+  bool quiet_;
+  bool terminal_;
+  bool bar_shown_ = false;
+  std::string stage_;
+  Clock::time_point stage_begin_;
+  Clock::time_point last_shown_;
+};
+
+// Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() answers; a second one ends the program at
+// once.
+void catch_interrupts();
+bool interrupted();
+
+}  // namespace luxel

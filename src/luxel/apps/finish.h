@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/apps/console.h"
+#include "luxel/apps/run_report.h"
+#include "luxel/apps/settings.h"
+
+namespace luxel {
+
+// The end of a command that wrote files: the table of stages for a person; the report as JSON or, without it,
+// the written files, one a line, on the standard output.
+void finish(const RunReport& report, const RunSettings& run, Console& console);
+
+}  // namespace luxel

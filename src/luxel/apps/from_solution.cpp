@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "luxel/apps/commands.h"
+#include "luxel/apps/console.h"
+#include "luxel/apps/finish.h"
+#include "luxel/apps/outputs.h"
+#include "luxel/apps/settings.h"
+
+namespace luxel {
+namespace {
+
+// `render` and `export`: a solution becomes files. They differ in the endings they take and the options they
+// show.
+class FromSolution final : public Command {
+ public:
+  FromSolution(OptionSet& options, std::string kinds, bool pictures)
+      : Command(options), kinds_(std::move(kinds)) {
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
+    look_.declare(options);
+    if (pictures) picture_.declare(options);
+    run_.declare(options, kinds_);
+  }
+
+  int run(const std::string&) override {
+    if (run_.print_config) {
+      fmt::print("{}", options().as_file());
+      return exit_fine;
+    }
+    check_outputs(run_.outputs, kinds_);
+    Console console(run_.quiet);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
+    take_up_from(baked.solution.provenance);
+    RunReport report;
+    report.camera = write_outputs(baked, nullptr, run_, look_, picture_, workers, console, record);
+    report.command = options().name();
+    report.baked = &baked;
+    report.outputs = run_.outputs;
+    report.options = &options();
+    report.record = &record;
+    finish(report, run_, console);
+    return exit_fine;
+  }
+
+ private:
+  // Which way is up was said when the solution was made; it need not be said again.
+  void take_up_from(const Provenance& provenance) {
+    if (look_.up != "auto") return;
+    for (const auto& [key, value] : provenance.options)
+      if (key == "up" && (value == "y" || value == "z")) look_.up = value;
+  }
+
+  std::string kinds_;
+  std::string file_;
+  LookSettings look_;
+  PictureSettings picture_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_render(CommandLine& line) {
+  return std::make_unique<FromSolution>(line.command("render", "make a picture of a solution"), picture_kinds,
+                                        true);
+}
+
+std::unique_ptr<Command> make_export(CommandLine& line) {
+  return std::make_unique<FromSolution>(line.command("export", "make a lit mesh, or a copy, of a solution"),
+                                        mesh_kinds, false);
+}
+
+}  // namespace luxel

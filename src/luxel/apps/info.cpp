@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "luxel/apps/commands.h"
+#include "luxel/apps/console.h"
+#include "luxel/apps/run_report.h"
+#include "luxel/apps/settings.h"
+#include "luxel/file/output_file.h"
+#include "luxel/photometry/luminous_efficacy.h"
+
+namespace luxel {
+namespace {
+
+class Info final : public Command {
+ public:
+  explicit Info(OptionSet& options) : Command(options) {
+    options.set_positional("FILE", file_, "a solution (.vtkhdf) or a scene (.obj)");
+    options.add_flag("json", json_, "print JSON");
+  }
+
+  int run(const std::string&) override {
+    const auto text = std::filesystem::path(file_).extension() == ".vtkhdf" ? of_solution() : of_scene();
+    fmt::print("{}", text);
+    return exit_fine;
+  }
+
+ private:
+  std::string of_solution() const {
+    const auto baked = read_solution(file_);
+    if (!json_) return fmt::format("{}: a solution\n{}", file_, describe(baked));
+    RunReport report;
+    report.command = "info";
+    report.baked = &baked;
+    return report.as_json();
+  }
+
+  std::string of_scene() const {
+    Console console(false);
+    const auto scene = load_scene(file_, {}, console.log());
+    const auto box = bounds(scene);
+    std::vector<std::size_t> triangles(scene.materials.size(), 0);
+    for (const auto m : scene.triangle_material) ++triangles[static_cast<std::size_t>(m)];
+    if (json_) return scene_as_json(scene, box, triangles);
+    auto text =
+        fmt::format("{}: a scene\n{} triangles, {} vertices, {} groups, fingerprint {:016x}\n", file_,
+                    scene.triangles.size(), scene.positions.size(), scene.groups.size(), fingerprint(scene));
+    text += fmt::format("from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m\n", box.low.x, box.low.y,
+                        box.low.z, box.high.x, box.high.y, box.high.z);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      const auto& m = scene.materials[i];
+      text += fmt::format("  {:<24} {:>8} triangles  reflectance {:.3f} {:.3f} {:.3f}", m.name, triangles[i],
+                          m.reflectance.r, m.reflectance.g, m.reflectance.b);
+      if (m.is_lamp())
+        text += fmt::format("  emits {:.4g} lm/m²", lumens(m.emittance.r, m.emittance.g, m.emittance.b));
+      text += m.two_sided ? "\n" : "  one-sided\n";
+    }
+    return text;
+  }
+
+  std::string scene_as_json(const Scene& scene, const Bounds& box,
+                            const std::vector<std::size_t>& triangles) const {
+    using Json = nlohmann::ordered_json;
+    const auto triple = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
+    Json materials = Json::array();
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      const auto& m = scene.materials[i];
+      materials.push_back({{"name", m.name},
+                           {"triangles", triangles[i]},
+                           {"reflectance", triple(m.reflectance)},
+                           {"emittance_W_per_m2", triple(m.emittance)},
+                           {"two_sided", m.two_sided}});
+    }
+    const Json json = {{"command", "info"},
+                       {"triangles", scene.triangles.size()},
+                       {"vertices", scene.positions.size()},
+                       {"low_m", triple(box.low)},
+                       {"high_m", triple(box.high)},
+                       {"fingerprint", fmt::format("{:016x}", fingerprint(scene))},
+                       {"materials", materials}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  }
+
+  std::string file_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_info(CommandLine& line) {
+  return std::make_unique<Info>(line.command("info", "say what is in a solution or a scene"));
+}
+
+}  // namespace luxel

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "luxel/math/vector.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+
+// A wrong command line: exit code 2.
+struct UsageError : Error {
+  using Error::Error;
+};
+
+// One option: declared once, and that declaration parses it, documents it, reads it from a file and prints it
+// back.
+struct Declaration {
+  std::string name;  // "max-edge": the flag --max-edge and the key max-edge in a file
+  std::string unit;  // "m", "count", ... ; stands in the help
+  std::string help;
+  std::function<void(const std::string&)> parse;  // throws UsageError saying what was expected
+  std::function<std::string()> print;             // as parse would read it
+  char letter = 0;                                // short form, -o
+  bool is_flag = false;                           // present or not
+  bool many = false;                              // may be given several times; parse is called for each
+  bool configurable = true;                       // may stand in a file
+};
+
+enum class Origin { by_default, from_file, from_command_line };
+
+// The options of one command. The home of CLI11, together with command_line.cpp.
+class OptionSet {
+ public:
+  OptionSet(std::string name, std::string summary);
+
+  // Options added after this stand under this heading in the help.
+  void heading(std::string title) { heading_ = std::move(title); }
+  void add(Declaration declaration);
+
+  // The common kinds. min <= value <= max is checked and said in the error.
+  void add_number(const char* name, const char* unit, float& value, float min, float max, const char* help);
+  void add_number(const char* name, const char* unit, double& value, double min, double max,
+                  const char* help);
+  void add_number(const char* name, const char* unit, int& value, int min, int max, const char* help);
+  void add_count(const char* name, std::uint64_t& value, const char* help);  // 50M, 2e6, 1000
+  void add_text(const char* name, const char* unit, std::string& value, const char* help);
+  void add_texts(const char* name, const char* unit, std::vector<std::string>& values, const char* help);
+  void add_point(const char* name, const char* unit, std::optional<Vec3>& value, const char* help);  // x,y,z
+  void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);
+  void add_flag(const char* name, bool& value, const char* help, bool configurable = true);
+  void set_positional(const char* name, std::string& value, const char* help);
+
+  const std::string& name() const { return name_; }
+  const std::string& summary() const { return summary_; }
+
+  // Every option with its value as text, in the order of declaration.
+  std::vector<std::pair<std::string, std::string>> values() const;
+  // As a text file that --config reads, with where each value came from.
+  std::string as_file() const;
+
+ private:
+  friend class CommandLine;
+  struct Entry {
+    Declaration declaration;
+    std::string heading;
+    Origin origin = Origin::by_default;
+  };
+  struct Positional {
+    std::string name;
+    std::string* value;
+    std::string help;
+  };
+
+  std::string name_;
+  std::string summary_;
+  std::string heading_;
+  std::vector<Entry> entries_;
+  std::optional<Positional> positional_;
+};
+
+// "50M", "1.5e6", "2000": a whole number with an optional k, M or G. Throws UsageError.
+std::uint64_t parse_count(const std::string& text);
+// The shortest decimal that reads back as the same number.
+std::string print_number(double value);
+std::string print_number(float value);
+
+}  // namespace luxel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/apps/console.h"
+#include "luxel/apps/run_record.h"
+#include "luxel/apps/settings.h"
+#include "luxel/parallel/workers.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// The files a solution can become.
+inline constexpr const char* picture_kinds = ".png .exr .hdr";
+inline constexpr const char* mesh_kinds = ".glb .ply .vtkhdf";
+inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
+
+// Throws UsageError where there is no output, one's ending is not among `kinds`, or one is named twice;
+// DeviceError where its folder does not exist. To be asked before hours are spent.
+void check_outputs(const std::vector<std::string>& outputs, const std::string& kinds);
+
+// Writes each output. Builds what it needs once: the smooth light, and a tracer when there is a picture and
+// none is given. Returns the camera of the pictures, if any was taken.
+std::optional<Camera> write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
+                                    const LookSettings& look, const PictureSettings& picture,
+                                    const Workers& workers, Console& console, RunRecord& record);
+
+}  // namespace luxel

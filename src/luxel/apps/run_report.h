@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "luxel/apps/option_set.h"
+#include "luxel/apps/run_record.h"
+#include "luxel/apps/settings.h"
+#include "luxel/scene/camera.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solve/stochastic_jacobi.h"
+
+namespace luxel {
+
+std::string_view stop_name(StopReason reason);
+
+// A run as JSON, for machines: what --json prints and --report writes. docs/report.md lists its keys. Parts
+// that a command does not have are left out.
+struct RunReport {
+  std::string command;
+  const Baked* baked = nullptr;
+  const SolveReport* solve = nullptr;
+  std::optional<Camera> camera;
+  std::vector<std::string> outputs;
+  const OptionSet* options = nullptr;
+  const RunRecord* record = nullptr;
+
+  std::string as_json() const;
+};
+
+// The solution and its patches as lines for a person.
+std::string describe(const Baked& baked);
+// Where the power went, as lines for a person.
+std::string describe(const SolveReport& report);
+
+}  // namespace luxel

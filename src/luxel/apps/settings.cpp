@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/apps/settings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace luxel {
+namespace {
+
+constexpr float far = 1e9f;  // m; more than any scene
+
+// "auto" or a number: `word` is what auto means in the library's own options.
+template <typename Value, typename Parse>
+void add_or_auto(OptionSet& set, const char* name, const char* unit, Value& value, Value word, Parse parse,
+                 const char* help) {
+  set.add({name, unit, help,
+           [=, &value](const std::string& text) { value = text == "auto" ? word : parse(text); },
+           [=, &value] { return value == word ? std::string("auto") : fmt::format("{}", value); }});
+}
+
+float parse_edge(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const auto value = std::stof(text, &used);
+    if (used == text.size() && value >= 0.0f && value < far) return value;
+  } catch (const std::exception&) {
+  }
+  throw UsageError(fmt::format("--max-edge: expected auto, 0 (no splitting) or metres, not '{}'", text));
+}
+
+}  // namespace
+
+void SceneSettings::declare(OptionSet& set) {
+  set.set_positional("SCENE", file, "the mesh: an OBJ file with its MTL");
+  set.heading("Scene");
+  set.add_number("scale", "m", load.scale, 1e-9f, far, "metres a unit of the file");
+  set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,
+                 "higher reflectances are lowered to this");
+  set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose back absorbs light");
+  set.add_texts("flip", "NAME", load.flip, "materials (with * and ?) whose faces are turned round");
+  set.heading("Patches");
+  add_or_auto(set, "max-edge", "m", patches.max_edge, automatic_edge, parse_edge,
+              "longest edge of a patch; 0 keeps the triangles as they come");
+}
+
+void LightSettings::declare(OptionSet& set) {
+  set.heading("Light");
+  add_or_auto(set, "rays", "count", jacobi.rays, std::uint64_t{0}, parse_count,
+              "rays that carry the lamps' power once (50M); reflected light adds its own in proportion");
+  set.add_number("rays-per-patch", "count", jacobi.rays_per_patch, 1.0, 1e9, "what '--rays auto' aims at");
+  set.add_number("tolerance", "share", jacobi.tolerance, 1e-12, 0.9,
+                 "share of the emitted power that may stay unshot: the bias");
+  set.add_count("seed", jacobi.seed, "another seed gives another, independent answer");
+}
+
+void PictureSettings::declare(OptionSet& set) {
+  set.heading("Picture");
+  set.add_point("eye", "x,y,z m", eye, "where the camera stands");
+  set.add_point("target", "x,y,z m", target, "what the middle of the picture shows");
+  set.add({"fov", "degrees", "vertical field of view",
+           [this](const std::string& text) {
+             vertical_fov = 0.0f;
+             try {
+               vertical_fov = std::stof(text);
+             } catch (const std::exception&) {
+             }
+             if (!(vertical_fov >= 1.0f && vertical_fov <= 170.0f))
+               throw UsageError(fmt::format("--fov: expected degrees from 1 to 170, not '{}'", text));
+             fov_given = true;
+           },
+           [this] { return print_number(vertical_fov); }});
+  set.add_number("width", "pixels", render.width, 1, 32768, "width of the picture");
+  set.add_number("height", "pixels", render.height, 1, 32768, "height of the picture");
+  set.add_number("samples", "count", render.samples_per_side, 1, 64, "this many by this many rays a pixel");
+}
+
+void LookSettings::declare(OptionSet& set) {
+  set.heading("Look");
+  set.add_choice("up", {"auto", "y", "z"}, up, "which way is up");
+  set.add_number("crease-angle", "degrees", smooth.crease_angle, 0.0f, 180.0f,
+                 "neighbours that meet at a sharper angle are shaded apart");
+  set.add({"tone", "OPERATOR", "tone mapping: maximum, clamp, reinhard or reinhard-local",
+           [this](const std::string& text) {
+             const auto op = tone_operator(text);
+             if (!op)
+               throw UsageError(fmt::format(
+                   "--tone: expected one of maximum, clamp, reinhard, reinhard-local, not '{}'", text));
+             tone.op = *op;
+           },
+           [this] { return std::string(name(tone.op)); }});
+  set.add_number("exposure", "stops", tone.exposure, -30.0f, 30.0f, "brighter by this many stops");
+  set.add_number("key", "0..1", tone.key, 0.001f, 1.0f,
+                 "what the average luminance is shown as (Reinhard's key)");
+  set.add_number("white", "keyed", tone.white, 0.0f, 1e6f,
+                 "smallest keyed luminance shown as white; 0: none");
+}
+
+void RunSettings::declare(OptionSet& set, const std::string& kinds) {
+  set.heading("Run");
+  if (!kinds.empty()) {
+    Declaration output{"output", "FILE", "what to write, by its ending: " + kinds,
+                       [this](const std::string& text) { outputs.push_back(text); },
+                       [this] { return fmt::format("{}", fmt::join(outputs, " ")); }};
+    output.letter = 'o';
+    output.many = true;
+    set.add(std::move(output));
+  }
+  set.add_number("threads", "count", threads, 0, 4096,
+                 "0 takes every core; the answer does not depend on it");
+  set.add_text("report", "FILE", report, "write what --json prints to a file as well");
+  set.add_flag("json", json, "print the result as JSON");
+  set.add_flag("quiet", quiet, "say warnings only");
+  set.add_flag("print-config", print_config,
+               "print every option with its value and where it came from, and stop", false);
+}
+
+}  // namespace luxel

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/apps/option_set.h"
+#include "luxel/load/load_scene.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/render/render.h"
+#include "luxel/scene/camera.h"
+#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/surface/smooth_light.h"
+#include "luxel/tone/tone.h"
+
+namespace luxel {
+
+// The options of the commands, by theme. Each struct fills the library's own options; declare() adds its
+// flags to a command. There is no second list of defaults.
+
+struct SceneSettings {
+  std::string file;
+  LoadOptions load;
+  PatchOptions patches;
+  void declare(OptionSet& set);
+};
+
+struct LightSettings {
+  StochasticJacobiOptions jacobi;
+  void declare(OptionSet& set);
+};
+
+struct PictureSettings {
+  std::optional<Vec3> eye, target;
+  float vertical_fov = Camera{}.vertical_fov;
+  bool fov_given = false;
+  RenderOptions render;
+  void declare(OptionSet& set);
+};
+
+struct LookSettings {
+  std::string up = "auto";
+  SmoothOptions smooth;
+  ToneOptions tone;
+  void declare(OptionSet& set);
+};
+
+struct RunSettings {
+  std::vector<std::string> outputs;
+  int threads = 0;
+  bool json = false;
+  bool quiet = false;
+  bool print_config = false;
+  std::string report;
+  // kinds: the endings -o takes, for the help.
+  void declare(OptionSet& set, const std::string& kinds);
+};
+
+}  // namespace luxel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// What the rays of one lamp material meet, from its shining front and, for comparison, from its back.
+struct LampView {
+  struct Side {
+    double escaped = 0.0;          // share of rays that leave the scene
+    double median_distance = 0.0;  // m, of those that do not
+  };
+  std::size_t material = 0;   // index into PatchSet::materials
+  std::vector<double> power;  // W, [band]
+  std::size_t patches = 0;
+  Side front, back;
+};
+
+// One entry for each material that emits and has patches, in the order of materials. A thousand rays a lamp;
+// the same answer each time.
+std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer);
+
+// What is wrong with a lamp, as a sentence, or nothing: it shines out of the scene, or against a surface
+// right before it, while its back has room.
+std::string lamp_fault(const PatchSet& patches, const LampView& view);
+
+}  // namespace luxel
