@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/render.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "luxel/random/address.h"
+#include "luxel/render/pinhole.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+constexpr int max_samples_per_side = 64;
+constexpr std::size_t rays_between_calls = 1u
+                                           << 18;  // of the monitor: about a tenth of a second on two cores
+constexpr std::size_t pixels_a_chunk = 64;
+
+void check(const PatchSet& patches, const SmoothLight& light, const RenderOptions& options) {
+  check_rgb(patches.bands);
+  if (light.corners.size() != patches.size())
+    throw MismatchError(
+        fmt::format("the smooth light is of {} patches but the scene has {}: make it from "
+                    "this scene's solution",
+                    light.corners.size(), patches.size()));
+  if (options.samples_per_side < 1 || options.samples_per_side > max_samples_per_side)
+    throw InputError(fmt::format("samples_per_side must be from 1 to {}, but it is {}", max_samples_per_side,
+                                 options.samples_per_side));
+}
+
+// What stands still while a picture is made.
+struct Shot {
+  const PatchSet& patches;
+  const SmoothLight& light;
+  const Tracer& tracer;
+  const Pinhole& pinhole;
+  const RenderOptions& options;
+};
+
+Vec3 radiance_at(const Shot& shot, const Hit& hit) {
+  if (!hit) return Vec3(0.0f);
+  const auto& irradiance = hit.back ? shot.light.irradiance_back : shot.light.irradiance_front;
+  const auto& corners = shot.light.corners[hit.patch];
+  const std::array<float, 3> weight = {1.0f - hit.u - hit.v, hit.u, hit.v};
+  std::array<float, 3> here = {0.0f, 0.0f, 0.0f};
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t band = 0; band < 3; ++band)
+      here[band] += weight[corner] * irradiance[std::size_t{3} * corners[corner] + band];
+  Vec3 radiance;
+  radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), &radiance.x);
+  return radiance;
+}
+
+// The mean over the pixel's square (a box filter), one jittered sample in each cell of a grid.
+Vec3 pixel_radiance(const Shot& shot, int x, int y) {
+  const auto side = shot.options.samples_per_side;
+  const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(shot.options.width) +
+                     static_cast<std::uint32_t>(x);
+  const auto key = stream_key(shot.options.seed, 0, pixel);
+  Vec3 sum(0.0f);
+  for (int cell = 0; cell < side * side; ++cell) {
+    const auto jitter = uniform4(key, static_cast<std::uint64_t>(cell));
+    const auto dx = (cell % side + static_cast<double>(jitter[0])) / side;
+    const auto dy = (cell / side + static_cast<double>(jitter[1])) / side;
+    sum += radiance_at(shot, shot.tracer.nearest(shot.pinhole.ray(x + dx, y + dy)));
+  }
+  return sum / static_cast<float>(side * side);
+}
+
+}  // namespace
+
+Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer, const Camera& camera,
+             const RenderOptions& options, const Workers& workers, const Monitor& monitor) {
+  check(patches, light, options);
+  const Pinhole pinhole(camera, options.width, options.height);
+  const Shot shot{patches, light, tracer, pinhole, options};
+  Image picture(options.width, options.height);
+
+  const auto width = static_cast<std::size_t>(options.width);
+  const auto height = static_cast<std::size_t>(options.height);
+  const auto rays_a_row =
+      width * static_cast<std::size_t>(options.samples_per_side * options.samples_per_side);
+  const auto band_rows = std::max<std::size_t>(1, rays_between_calls / rays_a_row);
+  for (std::size_t row = 0; row < height; row += band_rows) {
+    const Progress progress{"picture", static_cast<double>(row) / static_cast<double>(height),
+                            row * rays_a_row};
+    if (tell(monitor, progress) == Next::stop) return picture;
+    const auto first = row * width;
+    const auto count = std::min(band_rows, height - row) * width;
+    workers.for_chunks(count, pixels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = first + begin; i < first + end; ++i)
+        picture.pixels[i] = pixel_radiance(shot, static_cast<int>(i % width), static_cast<int>(i / width));
+    });
+  }
+  tell(monitor, {"picture", 1.0, height * rays_a_row});
+  return picture;
+}
+
+}  // namespace luxel
