@@ -18,6 +18,9 @@ struct ExportOptions {
 // light, linear, 16-bit normalised RGBA), KHR_materials_unlit. A back side is written, as triangles of its
 // own, only where light fell on it. glTF is Y up: a scene whose up is Z is turned by its root node. Valid by
 // the Khronos validator. The same input gives the same bytes. Whole or not at all; throws DeviceError.
+// Throws MismatchError where the light is not of these patches or not plain colour, InputError where up has
+// no length or the mesh is beyond the 4 GiB of a GLB. A front without light is written black, so that nothing
+// disappears. The asset's extras say how the light was made. Cost: linear; the file is made in memory.
 void export_glb(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                 const SmoothLight& light, const Vec3& up, const ExportOptions& options = {});
 
