@@ -1,1 +1,8 @@
 luxel_test(truth/enclosures ROOMS solve LIBRARIES luxel_truth_scenes)
+luxel_test(truth/energy ROOMS solve LIBRARIES luxel_truth_scenes)
+luxel_test(statistics/sampling ROOMS transport LIBRARIES luxel_truth_scenes)
+luxel_test(statistics/stochastic_jacobi ROOMS solve LIBRARIES luxel_truth_scenes)
+luxel_test(repeat/threads ROOMS solve LIBRARIES luxel_truth_scenes)
+luxel_test(unit/patches ROOMS patch LIBRARIES luxel_truth_scenes)
+luxel_test(unit/tracer ROOMS transport LIBRARIES luxel_truth_scenes)
+luxel_test(unit/lamp_check ROOMS transport LIBRARIES luxel_truth_scenes)

@@ -11,15 +11,7 @@
 namespace luxel {
 namespace {
 
-// Less height than half a unit in the last place of the largest coordinate: what is left is rounding, and so
-// is its normal.
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto longest = std::max({glm::distance(Vec3d(a), Vec3d(b)), glm::distance(Vec3d(b), Vec3d(c)),
-                                 glm::distance(Vec3d(c), Vec3d(a))});
-  const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
-  const auto rounding = 0x1p-24 * std::max({largest.x, largest.y, largest.z});
-  return glm::length(area_vector2(a, b, c)) > rounding * longest && longest > 0.0;
-}
+constexpr double smallest_area2 = 1e-34;  // m²; a float still holds it, and a power over it
 
 std::string where(const Scene& scene, std::uint32_t triangle) {
   const auto line = scene.triangle_line[triangle];
@@ -64,6 +56,15 @@ std::array<std::uint32_t, 3> sorted(std::array<std::uint32_t, 3> c) {
 }
 
 }  // namespace
+
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto longest = std::max({glm::distance(Vec3d(a), Vec3d(b)), glm::distance(Vec3d(b), Vec3d(c)),
+                                 glm::distance(Vec3d(c), Vec3d(a))});
+  const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
+  const auto rounding = 0x1p-24 * std::max({largest.x, largest.y, largest.z});
+  const auto area2 = glm::length(area_vector2(a, b, c));
+  return area2 > rounding * longest && area2 > smallest_area2;
+}
 
 std::vector<CleanTriangle> clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log) {
   auto triangles = with_area(scene, weld, log);

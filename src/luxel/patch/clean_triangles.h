@@ -11,6 +11,10 @@
 
 namespace luxel {
 
+// Whether a triangle has a plane that floats can tell: more height than half a unit in the last place of its
+// largest coordinate. With less, what is left is rounding, and so is its normal.
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c);
+
 // An input triangle that carries light.
 struct CleanTriangle {
   std::array<std::uint32_t, 3> corners;  // into the weld

@@ -89,8 +89,11 @@ class Splitter {
     const auto apex = c[(k + 2) % 3];
     if (max_edge2_ <= 0.0 || edge2[k] <= max_edge2_) return append(c);
     // a + b is the same number as b + a: both neighbours of the edge find the same place.
-    const auto middle = weld_.index_of(0.5f * (weld_.positions()[i] + weld_.positions()[j]));
-    if (middle == i || middle == j) return append(c);  // the edge is as short as floats can tell
+    const auto& p = weld_.positions();
+    const auto place = 0.5f * (p[i] + p[j]);
+    if (!has_area(p[i], place, p[apex]) || !has_area(place, p[j], p[apex]))
+      return append(c);  // as small as floats can tell
+    const auto middle = weld_.index_of(place);
     split({i, middle, apex});
     split({middle, j, apex});
   }

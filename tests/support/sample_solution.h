@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "luxel/math/triangle.h"
+#include "luxel/solution/solution_file.h"
+
+namespace luxel::sample {
+
+// Numbers that differ everywhere, some of them awkward: not round, tiny, minus zero.
+inline std::vector<float> numbers(std::size_t count, float first) {
+  std::vector<float> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = first + static_cast<float>(i) / 3.0f;
+  if (count > 2) values[1] = -0.0f;
+  if (count > 2) values[2] = 1e-42f;
+  return values;
+}
+
+// A strip of triangles along x, each of its own input triangle, in turn of two materials.
+inline PatchSet patches(std::size_t count, std::size_t bands) {
+  PatchSet set;
+  for (std::size_t i = 0; i < count + 2; ++i)
+    set.vertices.emplace_back(static_cast<float>(i) / 7.0f, i % 2 == 0 ? 0.0f : 1.0f, 0.1f);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    set.corners.push_back(i % 2 == 0 ? std::array{i, i + 2, i + 1} : std::array{i, i + 1, i + 2});
+    const auto [a, b, c] = set.points(i);
+    set.normal.push_back(triangle_normal(a, b, c));
+    set.area.push_back(static_cast<float>(triangle_area(a, b, c)));
+    set.material.push_back(MaterialId{i % 2});
+    set.triangle.push_back(3 * i);
+  }
+  for (std::size_t i = 0; i < bands; ++i) set.bands.push_back("band " + std::to_string(i));
+  set.materials = {{"wall", true, std::vector(bands, 0.7f), std::vector(bands, 0.0f)},
+                   {"lamp, \"größer\"", false, std::vector(bands, 0.1f), numbers(bands, 15.0f)}};
+  set.scene_fingerprint = 0xfedcba9876543210;
+  return set;
+}
+
+inline Solution solution(const PatchSet& patches) {
+  const auto count = patches.size() * patches.band_count();
+  Solution solution;
+  solution.bands = patches.bands;
+  solution.irradiance_front = numbers(count, 1.0f);
+  solution.irradiance_back = numbers(count, 1000.0f);
+  solution.radiosity_front = numbers(count, 2000.0f);
+  solution.radiosity_back = numbers(count, 3000.0f);
+  solution.unshot_share = 1.0 / 3.0;
+  solution.predicted_error = 0.01;
+  solution.stop = StopReason::converged;
+  solution.provenance = {"0.1.0",
+                         "luxel solve room.obj --error 1%",
+                         "stochastic-jacobi",
+                         {{"error", "0.01"}, {"time", ""}, {"seed", "7"}},
+                         7,
+                         12'345'678'901,
+                         patches.scene_fingerprint};
+  return solution;
+}
+
+inline Baked baked(std::size_t count, std::size_t bands) {
+  auto set = patches(count, bands);
+  auto light = solution(set);
+  return {std::move(set), std::move(light)};
+}
+
+}  // namespace luxel::sample

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/report/error.h"
+#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/transport/patch_emitter.h"
+#include "luxel/transport/shooting.h"
+
+#include "support/truth_scenes.h"
+
+namespace luxel {
+namespace {
+
+// Two opposed plates, open all round; the upper is one-sided and turned away, so that all three fates of a
+// ray occur.
+PatchSet leaky_scene() {
+  truth::SceneBuilder b;
+  b.material("lamp", Vec3(0.5f), {1.0f, 0.1f, 3.0f}).quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  b.material("turned_away", 0.5f, 0.0f, false).quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
+  b.material("beside", 0.7f, 0.0f).quad({1, 0, 0}, {1, 0, 2}, {1, 1, 2}, {1, 1, 0});
+  return make_patches(b.scene(), {.max_edge = 0.3f});
+}
+
+std::vector<double> lamp_power(const PatchSet& patches) {
+  std::vector<double> leaving(2 * patches.size() * 3, 0.0);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t b = 0; b < 3; ++b)
+      leaving[side_of(p, false) * 3 + b] =
+          static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
+  return leaving;
+}
+
+void expect_balanced(const Arrival& a) {
+  for (std::size_t b = 0; b < 3; ++b) {
+    std::int64_t total = a.escaped[b];
+    for (std::size_t i = b; i < a.arrived.size(); i += 3) total += a.arrived[i];
+    for (std::size_t i = b; i < a.absorbed.size(); i += 3) total += a.absorbed[i];
+    EXPECT_EQ(total, a.shot[b]) << "band " << b;
+    EXPECT_GT(a.escaped[b], 0);
+  }
+}
+
+TEST(Energy, is_conserved_to_the_last_unit_of_fixed_point) {
+  const auto patches = leaky_scene();
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  const auto arrival = shoot(patches, tracer, lamp_power(patches), {.rays = 300'001}, workers);
+  EXPECT_EQ(arrival.rays, 300'001u);
+  expect_balanced(arrival);
+  EXPECT_GT(std::accumulate(arrival.absorbed.begin(), arrival.absorbed.end(), std::int64_t{0}), 0);
+}
+
+TEST(Energy, shot_is_what_was_asked_to_be_shot) {
+  const auto patches = leaky_scene();
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  const auto arrival = shoot(patches, tracer, lamp_power(patches), {.rays = 1'000'000}, workers);
+  const double asked[3] = {1.0, 0.1f, 3.0};  // W: one square metre
+  for (std::size_t b = 0; b < 3; ++b)
+    EXPECT_NEAR(arrival.scale.watts(arrival.shot[b]), asked[b], 3e-7 * asked[b]);  // patch areas are floats
+}
+
+TEST(Energy, is_conserved_by_a_shot_that_was_stopped_and_its_share_is_said) {
+  const auto patches = leaky_scene();
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  int calls = 0;
+  const auto arrival =
+      shoot(patches, tracer, lamp_power(patches), {.rays = 100'000, .batch = 10'000}, workers,
+            [&](const Progress&) { return ++calls == 3 ? Next::stop : Next::go_on; });
+  EXPECT_DOUBLE_EQ(arrival.share, 0.3);
+  EXPECT_EQ(arrival.rays, 30'000u);
+  expect_balanced(arrival);
+  EXPECT_NEAR(arrival.scale.watts(arrival.shot[0]) / arrival.share, 1.0, 1e-3);
+}
+
+TEST(Energy, batches_are_parts_of_one_plan_and_change_nothing) {
+  const auto patches = leaky_scene();
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  const auto whole = shoot(patches, tracer, lamp_power(patches), {.rays = 123'457}, workers);
+  const auto parts = shoot(patches, tracer, lamp_power(patches), {.rays = 123'457, .batch = 1000}, workers);
+  EXPECT_EQ(whole.arrived, parts.arrived);
+  EXPECT_EQ(whole.escaped, parts.escaped);
+}
+
+TEST(Energy, emitted_equals_absorbed_escaped_lost_and_unshot) {
+  const auto patches = leaky_scene();
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  Solution solution;
+  const auto report =
+      solve_stochastic_jacobi(patches, tracer, solution, {.rays = 200'000, .tolerance = 1e-3}, workers);
+  EXPECT_EQ(report.stop, StopReason::converged);
+  for (std::size_t b = 0; b < 3; ++b) {
+    const auto& e = report.energy;
+    EXPECT_NEAR(e.absorbed[b] + e.escaped[b] + e.lost_at_backs[b] + e.unshot[b], e.emitted[b],
+                1e-9 * e.emitted[b]);
+    EXPECT_GT(e.lost_at_backs[b], 0.0);
+  }
+  EXPECT_LE(report.unshot_share, 1e-3);
+  EXPECT_GT(report.back_loss[1], 0.0);
+  EXPECT_EQ(report.back_loss[0] + report.back_loss[2], 0.0);
+}
+
+TEST(Energy, a_step_carries_the_same_quantum_as_the_first) {
+  const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  Solution solution;
+  const auto report =
+      solve_stochastic_jacobi(patches, tracer, solution, {.rays = 100'000, .tolerance = 0.01}, workers);
+  ASSERT_GT(report.steps.size(), 3u);
+  EXPECT_EQ(report.steps[0].rays, 100'000u);
+  for (std::size_t k = 1; k < report.steps.size(); ++k)
+    EXPECT_EQ(static_cast<double>(report.steps[k].rays), std::round(1e5 * report.steps[k - 1].unshot_share));
+}
+
+TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
+  const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  Solution solution;
+  const auto report = solve_stochastic_jacobi(
+      patches, tracer, solution, {.rays = 8'000'000}, workers,
+      [&](const Progress& p) { return p.rays > 3'000'000 ? Next::stop : Next::go_on; });
+  EXPECT_EQ(report.stop, StopReason::stopped_by_user);
+  EXPECT_EQ(solution.stop, StopReason::stopped_by_user);
+  EXPECT_EQ(report.steps.size(), 1u);
+  // One bounce in a closed cube: half of what the ceiling emitted is reflected and waits.
+  EXPECT_NEAR(report.unshot_share, 0.5, 0.002);
+  double received = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    received += static_cast<double>(patches.area[p]) * solution.irradiance_front[3 * p];
+  EXPECT_NEAR(received, 1.0, 0.002);
+}
+
+TEST(Energy, a_scene_without_a_lamp_is_refused_with_advice) {
+  auto scene = truth::cube_a();
+  for (auto& m : scene.materials) m.emittance = Vec3(0.0f);
+  const auto patches = make_patches(scene, {.max_edge = no_max_edge});
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  Solution solution;
+  try {
+    solve_stochastic_jacobi(patches, tracer, solution, {.rays = 1000}, workers);
+    FAIL() << "expected an InputError";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("Ke"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace luxel
