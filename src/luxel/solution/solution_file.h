@@ -18,11 +18,14 @@ struct Baked {
 // h5py read it. Cell arrays: radiosity_front/back, irradiance_front/back (W/m², [cell][band]), area,
 // triangle, material. What only Luxel needs (bands, materials, provenance, format version) stands in a group
 // "Luxel" beside "VTKHDF". docs/solution-file.md is the whole layout. The same input gives the same bytes.
-// Whole or not at all; throws DeviceError.
+// Made in memory, so it costs the file's size there. Whole or not at all; throws DeviceError
+// where the disk fails, MismatchError where patches and solution do not fit together or a number is not
+// finite.
 void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution);
 
-// What write_solution wrote, to the bit. Throws InputError where there is no such file, FormatError where it
-// is damaged, is not a solution, or is of a newer format version.
+// What write_solution wrote, to the bit. Everything is checked: arrays are of one length, indices in range,
+// numbers finite, normals unit, areas above zero. Throws InputError where there is no such file, FormatError
+// where it is damaged, is not a solution, or is of a newer format version.
 Baked read_solution(const std::filesystem::path& path);
 
 }  // namespace luxel

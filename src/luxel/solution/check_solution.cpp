@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solution/check_solution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "luxel/solution/solution_layout.h"
+
+namespace luxel {
+namespace {
+
+constexpr float unit_tolerance = 1e-3f;  // of a normal's squared length
+
+std::string fault_in_lengths(const PatchSet& patches) {
+  const auto n = patches.size();
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+  if (n > most || patches.vertices.size() > most)
+    return fmt::format("{} patches on {} vertices are more than an index can name", n,
+                       patches.vertices.size());
+  const auto fits = [n](std::size_t length) { return length == n; };
+  if (!fits(patches.normal.size()) || !fits(patches.area.size()) || !fits(patches.material.size()) ||
+      !fits(patches.triangle.size()))
+    return fmt::format("the arrays of {} patches are not all that long", n);
+  if (patches.bands.empty()) return "there is no band";
+  return {};
+}
+
+std::string fault_in_material(const BandMaterial& material, std::size_t bands) {
+  if (material.reflectance.size() != bands || material.emittance.size() != bands)
+    return fmt::format("material '{}' does not have one number for each of the {} bands", material.name,
+                       bands);
+  for (const auto r : material.reflectance)
+    if (!(r >= 0.0f && r < 1.0f))
+      return fmt::format("material '{}' has the reflectance {}, expected 0 to below 1", material.name, r);
+  for (const auto e : material.emittance)
+    if (!(e >= 0.0f && std::isfinite(e)))
+      return fmt::format("material '{}' has the emittance {} W/m²", material.name, e);
+  return {};
+}
+
+std::string fault_in_patch(const PatchSet& patches, std::size_t i) {
+  for (const auto corner : patches.corners[i])
+    if (corner >= patches.vertices.size())
+      return fmt::format("patch {} names vertex {} of {}", i, corner, patches.vertices.size());
+  const auto& normal = patches.normal[i];
+  if (!(std::abs(glm::dot(normal, normal) - 1.0f) <= unit_tolerance))
+    return fmt::format("patch {} has a normal that is not of length 1", i);
+  const auto area = patches.area[i];
+  if (!(area > 0.0f && std::isfinite(area))) return fmt::format("patch {} has the area {} m²", i, area);
+  const auto material = static_cast<std::size_t>(patches.material[i]);
+  if (material >= patches.materials.size())
+    return fmt::format("patch {} names material {} of {}", i, material, patches.materials.size());
+  if (i > 0 && patches.triangle[i] < patches.triangle[i - 1])
+    return fmt::format("patch {} is not in the order of its input triangles", i);
+  return {};
+}
+
+std::string fault_in_light(const Solution& solution, std::size_t length) {
+  for (const auto& [name, values] : light_arrays(solution)) {
+    if (values->size() != length)
+      return fmt::format("'{}' holds {} numbers, expected {}", name, values->size(), length);
+    if (!std::all_of(values->begin(), values->end(), [](float x) { return std::isfinite(x); }))
+      return fmt::format("'{}' holds a number that is not finite", name);
+  }
+  if (!std::isfinite(solution.unshot_share) || !std::isfinite(solution.predicted_error))
+    return "unshot_share or predicted_error is not finite";
+  return {};
+}
+
+}  // namespace
+
+std::string fault_in(const PatchSet& patches, const Solution& solution) {
+  if (auto fault = fault_in_lengths(patches); !fault.empty()) return fault;
+  for (const auto& material : patches.materials)
+    if (auto fault = fault_in_material(material, patches.band_count()); !fault.empty()) return fault;
+  for (std::size_t i = 0; i < patches.vertices.size(); ++i)
+    if (!is_finite(patches.vertices[i])) return fmt::format("vertex {} is not finite", i);
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    if (auto fault = fault_in_patch(patches, i); !fault.empty()) return fault;
+  if (solution.bands != patches.bands)
+    return fmt::format("the light is of the bands {}, the patches of {}", fmt::join(solution.bands, " "),
+                       fmt::join(patches.bands, " "));
+  if (solution.provenance.scene_fingerprint != patches.scene_fingerprint)
+    return fmt::format("the light is of the scene {:016x}, the patches of {:016x}",
+                       solution.provenance.scene_fingerprint, patches.scene_fingerprint);
+  return fault_in_light(solution, patches.size() * patches.band_count());
+}
+
+}  // namespace luxel

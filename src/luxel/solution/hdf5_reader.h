@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "luxel/solution/hdf5_element.h"
+#include "luxel/solution/hdf5_handle.h"
+
+namespace luxel {
+
+// Reads an HDF5 file of which nothing is taken for granted: types, shapes and the room that a claimed shape
+// takes in the file are checked before memory is asked for. Names are paths from the root. What is not as
+// asked is a FormatError naming the file and the object; what the file holds beyond that is not looked at.
+class Hdf5Reader {
+ public:
+  // Throws InputError where there is no such file, FormatError where it is not HDF5 or is cut short.
+  explicit Hdf5Reader(std::filesystem::path path);
+
+  bool has_group(const std::string& name) const;
+
+  // A scalar attribute of a group.
+  template <typename T>
+  T number(const std::string& group, const std::string& name) const {
+    T value = {};
+    read_number(group, name, hdf5_element<T>(), &value);
+    return value;
+  }
+  std::string word(const std::string& group, const std::string& name) const;
+
+  // The length of the dataset's first dimension.
+  std::size_t rows(const std::string& name) const;
+  // The dataset, which must have exactly this shape; columns as in Hdf5Array.
+  template <typename T>
+  std::vector<T> array(const std::string& name, std::size_t rows, std::size_t columns = 0) const {
+    const auto dataset = open_array(name, hdf5_element<T>(), rows, columns);
+    std::vector<T> values(rows * (columns > 0 ? columns : 1));
+    read_array(dataset, name, hdf5_element<T>(), values.data());
+    return values;
+  }
+  std::vector<Vec3> vectors(const std::string& name, std::size_t rows) const;
+  std::vector<std::string> strings(const std::string& name, std::size_t rows) const;
+
+  [[noreturn]] void refuse(const std::string& sentence) const;
+  [[noreturn]] void refuse_as_damaged(const std::string& sentence) const;
+
+ private:
+  void check_links(const std::string& name) const;
+  Hdf5Handle open_attribute(const std::string& group, const std::string& name) const;
+  void read_number(const std::string& group, const std::string& name, Hdf5Element element, void* value) const;
+  Hdf5Handle open_dataset(const std::string& name) const;
+  std::vector<std::size_t> shape(const Hdf5Handle& dataset, const std::string& name) const;
+  void check_shape(const Hdf5Handle& dataset, const std::string& name, std::size_t rows,
+                   std::size_t columns) const;
+  void check_storage(const Hdf5Handle& dataset, const std::string& name, std::size_t rows,
+                     std::size_t row_size) const;
+  Hdf5Handle open_array(const std::string& name, Hdf5Element element, std::size_t rows,
+                        std::size_t columns) const;
+  void read_array(const Hdf5Handle& dataset, const std::string& name, Hdf5Element element,
+                  void* values) const;
+
+  Hdf5Silence silence_;
+  std::string path_;
+  std::size_t file_size_ = 0;  // bytes
+  Hdf5Handle file_;
+};
+
+}  // namespace luxel

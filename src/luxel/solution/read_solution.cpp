@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "luxel/solution/check_solution.h"
+#include "luxel/solution/hdf5_reader.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solution/solution_layout.h"
+
+namespace luxel {
+namespace {
+
+void check_version(const Hdf5Reader& file) {
+  if (!file.has_group("Luxel")) file.refuse("not a Luxel solution (no Luxel group)");
+  const auto version = file.number<std::uint32_t>("Luxel", "format_version");
+  if (version > solution_format_version)
+    file.refuse(fmt::format("written by format version {}; this program reads up to {}: use a newer Luxel",
+                            version, solution_format_version));
+  if (version == 0) file.refuse_as_damaged("it claims format version 0");
+}
+
+void check_count(const Hdf5Reader& file, const std::string& name, std::size_t expected) {
+  const auto count = file.array<std::int64_t>(name, 1)[0];
+  if (count != static_cast<std::int64_t>(expected))
+    file.refuse_as_damaged(fmt::format("'{}' is {}, but the arrays hold {}", name, count, expected));
+}
+
+std::vector<std::array<std::uint32_t, 3>> read_corners(const Hdf5Reader& file, std::size_t n) {
+  const auto connectivity = file.array<std::int64_t>("VTKHDF/Connectivity", 3 * n);
+  std::vector<std::array<std::uint32_t, 3>> corners(n);
+  for (std::size_t i = 0; i < connectivity.size(); ++i) {
+    const auto index = connectivity[i];
+    // Whether the vertex exists is asked later; here the number must survive being made smaller.
+    if (index < 0 || index > std::numeric_limits<std::uint32_t>::max())
+      file.refuse_as_damaged(fmt::format("patch {} names vertex {}", i / 3, index));
+    corners[i / 3][i % 3] = static_cast<std::uint32_t>(index);
+  }
+  return corners;
+}
+
+// Offsets and types say that every cell is a triangle; they must not say otherwise.
+void check_cells(const Hdf5Reader& file, std::size_t n) {
+  const auto types = file.array<std::uint8_t>("VTKHDF/Types", n);
+  if (!std::all_of(types.begin(), types.end(), [](auto type) { return type == vtk_triangle; }))
+    file.refuse_as_damaged("'VTKHDF/Types' names a cell that is not a triangle");
+  const auto offsets = file.array<std::int64_t>("VTKHDF/Offsets", n + 1);
+  for (std::size_t i = 0; i <= n; ++i)
+    if (offsets[i] != static_cast<std::int64_t>(3 * i))
+      file.refuse_as_damaged(fmt::format("'VTKHDF/Offsets' is {} at {}, expected {}", offsets[i], i, 3 * i));
+}
+
+void read_mesh(const Hdf5Reader& file, PatchSet& patches) {
+  const auto n = file.rows("VTKHDF/Types");
+  check_cells(file, n);
+  patches.vertices = file.vectors("VTKHDF/Points", file.rows("VTKHDF/Points"));
+  patches.corners = read_corners(file, n);
+  check_count(file, "VTKHDF/NumberOfPoints", patches.vertices.size());
+  check_count(file, "VTKHDF/NumberOfCells", n);
+  check_count(file, "VTKHDF/NumberOfConnectivityIds", 3 * n);
+  patches.normal = file.vectors("Luxel/normals", n);
+  patches.area = file.array<float>("VTKHDF/CellData/area", n);
+  patches.material = file.array<MaterialId>("VTKHDF/CellData/material", n);
+  patches.triangle = file.array<std::uint32_t>("VTKHDF/CellData/triangle", n);
+}
+
+std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t bands) {
+  const auto n = file.rows("Luxel/materials/name");
+  const auto names = file.strings("Luxel/materials/name", n);
+  const auto two_sided = file.array<std::uint8_t>("Luxel/materials/two_sided", n);
+  const auto reflectance = file.array<float>("Luxel/materials/reflectance", n, bands);
+  const auto emittance = file.array<float>("Luxel/materials/emittance", n, bands);
+  std::vector<BandMaterial> materials;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto begin = static_cast<std::ptrdiff_t>(i * bands);
+    const auto end = begin + static_cast<std::ptrdiff_t>(bands);
+    materials.push_back({names[i], two_sided[i] != 0,
+                         std::vector(reflectance.begin() + begin, reflectance.begin() + end),
+                         std::vector(emittance.begin() + begin, emittance.begin() + end)});
+  }
+  return materials;
+}
+
+StopReason read_stop_reason(const Hdf5Reader& file) {
+  const auto found = file.word("Luxel", "stop_reason");
+  for (const auto& [reason, word] : stop_reason_words())
+    if (word == found) return reason;
+  file.refuse_as_damaged(fmt::format("the stop reason '{}' is not known", found));
+}
+
+Provenance read_provenance(const Hdf5Reader& file) {
+  const std::string group = "Luxel/provenance";
+  const auto string = [&](const std::string& name) { return file.strings(group + "/" + name, 1)[0]; };
+  Provenance provenance;
+  provenance.program_version = string("program_version");
+  provenance.command_line = string("command_line");
+  provenance.method = string("method");
+  const auto n = file.rows(group + "/option_name");
+  const auto names = file.strings(group + "/option_name", n);
+  const auto values = file.strings(group + "/option_value", n);
+  for (std::size_t i = 0; i < n; ++i) provenance.options.emplace_back(names[i], values[i]);
+  provenance.seed = file.number<std::uint64_t>(group, "seed");
+  provenance.rays = file.number<std::uint64_t>(group, "rays");
+  provenance.scene_fingerprint = file.number<std::uint64_t>(group, "scene_fingerprint");
+  return provenance;
+}
+
+Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& bands, std::size_t n) {
+  Solution solution;
+  solution.bands = bands;
+  for (const auto& [name, values] : light_arrays(solution))
+    *values = file.array<float>(name, n, light_columns(bands.size()));
+  solution.unshot_share = file.number<double>("Luxel", "unshot_share");
+  solution.predicted_error = file.number<double>("Luxel", "predicted_error");
+  solution.stop = read_stop_reason(file);
+  solution.provenance = read_provenance(file);
+  return solution;
+}
+
+}  // namespace
+
+Baked read_solution(const std::filesystem::path& path) {
+  const Hdf5Reader file(path);
+  check_version(file);
+  Baked baked;
+  auto& [patches, solution] = baked;
+  patches.bands = file.strings("Luxel/bands", file.rows("Luxel/bands"));
+  if (patches.bands.empty()) file.refuse_as_damaged("it names no band");
+  read_mesh(file, patches);
+  patches.materials = read_materials(file, patches.band_count());
+  solution = read_light(file, patches.bands, patches.size());
+  patches.scene_fingerprint = solution.provenance.scene_fingerprint;
+  if (const auto fault = fault_in(patches, solution); !fault.empty()) file.refuse_as_damaged(fault);
+  return baked;
+}
+
+}  // namespace luxel

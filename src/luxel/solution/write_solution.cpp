@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "luxel/file/output_file.h"
+#include "luxel/report/error.h"
+#include "luxel/solution/check_solution.h"
+#include "luxel/solution/hdf5_writer.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solution/solution_layout.h"
+
+namespace luxel {
+namespace {
+
+template <typename T>
+Hdf5Array flat(const std::vector<T>& values) {
+  return flat_array(std::span<const T>(values));
+}
+
+void add_count(Hdf5Writer& file, const std::string& name, std::size_t count) {
+  file.add_array(name, flat(std::vector{static_cast<std::int64_t>(count)}));
+}
+
+// One piece, one triangle cell a patch. VTK reads indices as its own 64-bit type.
+void add_mesh(Hdf5Writer& file, const PatchSet& patches) {
+  const auto n = patches.size();
+  file.add_group("VTKHDF");
+  file.add_attribute("VTKHDF", "Version", flat(std::vector<std::int64_t>{1, 0}));
+  file.add_word("VTKHDF", "Type", "UnstructuredGrid");
+  add_count(file, "VTKHDF/NumberOfPoints", patches.vertices.size());
+  add_count(file, "VTKHDF/NumberOfCells", n);
+  add_count(file, "VTKHDF/NumberOfConnectivityIds", 3 * n);
+  file.add_array("VTKHDF/Points", vectors(patches.vertices), "m");
+  std::vector<std::int64_t> connectivity;
+  connectivity.reserve(3 * n);
+  for (const auto& corners : patches.corners)
+    connectivity.insert(connectivity.end(), corners.begin(), corners.end());
+  file.add_array("VTKHDF/Connectivity", flat(connectivity));
+  std::vector<std::int64_t> offsets(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) offsets[i] = static_cast<std::int64_t>(3 * i);
+  file.add_array("VTKHDF/Offsets", flat(offsets));
+  file.add_array("VTKHDF/Types", flat(std::vector(n, vtk_triangle)));
+}
+
+void add_cells(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
+  file.add_group("VTKHDF/CellData");
+  const auto columns = light_columns(patches.band_count());
+  for (const auto& [name, values] : light_arrays(solution))
+    file.add_array(name, table(std::span(*values), patches.size(), columns), "W/m^2");
+  file.add_array("VTKHDF/CellData/area", flat(patches.area), "m^2");
+  file.add_array("VTKHDF/CellData/triangle", flat(patches.triangle));
+  file.add_array("VTKHDF/CellData/material", flat(patches.material));
+}
+
+void add_materials(Hdf5Writer& file, const PatchSet& patches) {
+  std::vector<std::string> names;
+  std::vector<std::uint8_t> two_sided;
+  std::vector<float> reflectance, emittance;
+  for (const auto& material : patches.materials) {
+    names.push_back(material.name);
+    two_sided.push_back(material.two_sided ? 1 : 0);
+    reflectance.insert(reflectance.end(), material.reflectance.begin(), material.reflectance.end());
+    emittance.insert(emittance.end(), material.emittance.begin(), material.emittance.end());
+  }
+  const auto by_band = [&](const std::vector<float>& values) {
+    return table(std::span(values), patches.materials.size(), patches.band_count());
+  };
+  file.add_group("Luxel/materials");
+  file.add_strings("Luxel/materials/name", names);
+  file.add_array("Luxel/materials/two_sided", flat(two_sided));
+  file.add_array("Luxel/materials/reflectance", by_band(reflectance), "1");
+  file.add_array("Luxel/materials/emittance", by_band(emittance), "W/m^2");
+}
+
+void add_provenance(Hdf5Writer& file, const Provenance& provenance) {
+  const std::string group = "Luxel/provenance";
+  const auto add_string = [&](const std::string& name, const std::string& value) {
+    file.add_strings(group + "/" + name, std::array{value});
+  };
+  file.add_group(group);
+  file.add_number(group, "seed", provenance.seed);
+  file.add_number(group, "rays", provenance.rays);
+  file.add_number(group, "scene_fingerprint", provenance.scene_fingerprint);
+  add_string("program_version", provenance.program_version);
+  add_string("command_line", provenance.command_line);
+  add_string("method", provenance.method);
+  std::vector<std::string> names, values;
+  for (const auto& [name, value] : provenance.options) {
+    names.push_back(name);
+    values.push_back(value);
+  }
+  file.add_strings(group + "/option_name", names);
+  file.add_strings(group + "/option_value", values);
+}
+
+void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
+  file.add_group("Luxel");
+  file.add_number("Luxel", "format_version", solution_format_version);
+  for (const auto& [reason, word] : stop_reason_words())
+    if (reason == solution.stop) file.add_word("Luxel", "stop_reason", word);
+  file.add_number("Luxel", "unshot_share", solution.unshot_share);
+  file.add_number("Luxel", "predicted_error", solution.predicted_error);
+  file.add_strings("Luxel/bands", solution.bands);
+  // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
+  file.add_array("Luxel/normals", vectors(patches.normal), "1");
+  add_materials(file, patches);
+  add_provenance(file, solution.provenance);
+}
+
+}  // namespace
+
+void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution) {
+  if (const auto fault = fault_in(patches, solution); !fault.empty())
+    throw MismatchError(fmt::format("cannot write {}: {}", path.string(), fault));
+  Hdf5Writer file;
+  std::string_view bytes;
+  try {
+    add_mesh(file, patches);
+    add_cells(file, patches, solution);
+    add_luxel(file, patches, solution);
+    bytes = file.finish();
+  } catch (const DeviceError& error) {
+    throw DeviceError(fmt::format("cannot write {}: {}", path.string(), error.what()));
+  }
+  write_file(path, bytes);
+}
+
+}  // namespace luxel

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solution/solution_file.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "luxel/file/output_file.h"
+#include "luxel/report/error.h"
+
+#include "support/sample_solution.h"
+
+namespace luxel {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path in_temp(const std::string& name) { return fs::path(testing::TempDir()) / name; }
+
+// To the bit: == would call 0 and -0 the same.
+template <typename T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+void expect_same_patches(const PatchSet& a, const PatchSet& b) {
+  EXPECT_TRUE(same_bits(a.vertices, b.vertices));
+  EXPECT_EQ(a.corners, b.corners);
+  EXPECT_TRUE(same_bits(a.normal, b.normal));
+  EXPECT_TRUE(same_bits(a.area, b.area));
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.triangle, b.triangle);
+  EXPECT_EQ(a.bands, b.bands);
+  EXPECT_EQ(a.scene_fingerprint, b.scene_fingerprint);
+  ASSERT_EQ(a.materials.size(), b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i) {
+    EXPECT_EQ(a.materials[i].name, b.materials[i].name);
+    EXPECT_EQ(a.materials[i].two_sided, b.materials[i].two_sided);
+    EXPECT_TRUE(same_bits(a.materials[i].reflectance, b.materials[i].reflectance));
+    EXPECT_TRUE(same_bits(a.materials[i].emittance, b.materials[i].emittance));
+  }
+}
+
+void expect_same_solution(const Solution& a, const Solution& b) {
+  EXPECT_EQ(a.bands, b.bands);
+  EXPECT_TRUE(same_bits(a.irradiance_front, b.irradiance_front));
+  EXPECT_TRUE(same_bits(a.irradiance_back, b.irradiance_back));
+  EXPECT_TRUE(same_bits(a.radiosity_front, b.radiosity_front));
+  EXPECT_TRUE(same_bits(a.radiosity_back, b.radiosity_back));
+  EXPECT_EQ(a.unshot_share, b.unshot_share);
+  EXPECT_EQ(a.predicted_error, b.predicted_error);
+  EXPECT_EQ(a.stop, b.stop);
+  EXPECT_EQ(a.provenance.program_version, b.provenance.program_version);
+  EXPECT_EQ(a.provenance.command_line, b.provenance.command_line);
+  EXPECT_EQ(a.provenance.method, b.provenance.method);
+  EXPECT_EQ(a.provenance.options, b.provenance.options);
+  EXPECT_EQ(a.provenance.seed, b.provenance.seed);
+  EXPECT_EQ(a.provenance.rays, b.provenance.rays);
+  EXPECT_EQ(a.provenance.scene_fingerprint, b.provenance.scene_fingerprint);
+}
+
+void expect_same(const Baked& a, const Baked& b) {
+  expect_same_patches(a.patches, b.patches);
+  expect_same_solution(a.solution, b.solution);
+}
+
+fs::path write(const std::string& name, const Baked& baked) {
+  const auto path = in_temp(name);
+  write_solution(path, baked.patches, baked.solution);
+  return path;
+}
+
+// The message of what the call throws, which must be an Expected.
+template <typename Expected, typename Call>
+std::string complaint(Call call) {
+  try {
+    call();
+  } catch (const Expected& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+std::string refusal_to_write(const Baked& baked) {
+  const auto path = in_temp("refused.vtkhdf");
+  fs::remove(path);
+  auto message = complaint<MismatchError>([&] { write_solution(path, baked.patches, baked.solution); });
+  EXPECT_FALSE(fs::exists(path));
+  return message;
+}
+
+TEST(SolutionFile, what_was_written_is_read_to_the_bit) {
+  for (const std::size_t bands : {1, 3, 7}) {
+    SCOPED_TRACE(bands);
+    const auto sample = sample::baked(4, bands);
+    expect_same(read_solution(write("small.vtkhdf", sample)), sample);
+  }
+}
+
+TEST(SolutionFile, arrays_of_several_compressed_chunks_are_read_to_the_bit) {
+  for (const std::size_t bands : {1, 3}) {
+    SCOPED_TRACE(bands);
+    const auto sample = sample::baked(150'000, bands);
+    expect_same(read_solution(write("large.vtkhdf", sample)), sample);
+  }
+}
+
+TEST(SolutionFile, every_stop_reason_is_kept) {
+  auto sample = sample::baked(2, 3);
+  for (const auto stop : {StopReason::converged, StopReason::stopped_by_user, StopReason::nothing_to_do}) {
+    sample.solution.stop = stop;
+    EXPECT_EQ(read_solution(write("stop.vtkhdf", sample)).solution.stop, stop);
+  }
+}
+
+TEST(SolutionFile, no_patches_no_options_and_empty_words_are_a_solution_too) {
+  auto sample = sample::baked(0, 3);
+  sample.patches.vertices.clear();
+  sample.patches.materials.clear();
+  sample.solution.provenance = {};
+  sample.solution.provenance.scene_fingerprint = sample.patches.scene_fingerprint;
+  expect_same(read_solution(write("empty.vtkhdf", sample)), sample);
+}
+
+TEST(SolutionFile, a_command_line_of_a_megabyte_is_kept) {
+  auto sample = sample::baked(2, 3);
+  for (int i = 0; i < 100'000; ++i) sample.solution.provenance.command_line += " word" + std::to_string(i);
+  expect_same(read_solution(write("long.vtkhdf", sample)), sample);
+}
+
+TEST(SolutionFile, thousands_of_materials_are_kept) {
+  auto sample = sample::baked(2, 3);
+  for (int i = 0; i < 5000; ++i) {
+    sample.patches.materials.push_back(sample.patches.materials[0]);
+    sample.patches.materials.back().name = std::string(static_cast<std::size_t>(i % 90), 'm');
+  }
+  expect_same(read_solution(write("materials.vtkhdf", sample)), sample);
+}
+
+TEST(SolutionFile, a_zero_byte_in_a_name_becomes_a_question_mark) {
+  auto sample = sample::baked(2, 3);
+  sample.patches.materials[0].name = std::string("a\0b", 3);
+  EXPECT_EQ(read_solution(write("zero.vtkhdf", sample)).patches.materials[0].name, "a?b");
+}
+
+TEST(SolutionFile, the_same_solution_gives_the_same_bytes) {
+  for (const std::size_t count : {4, 20'000}) {
+    const auto sample = sample::baked(count, 3);
+    const auto first = read_file(write("first.vtkhdf", sample));
+    EXPECT_TRUE(first == read_file(write("second.vtkhdf", sample)));
+    EXPECT_TRUE(first == read_file(write("third.vtkhdf", read_solution(in_temp("first.vtkhdf")))));
+  }
+}
+
+TEST(SolutionFile, a_file_of_version_1_still_loads) {
+  expect_same(read_solution(LUXEL_SOURCE_DIR "/tests/golden/solution-v1.vtkhdf"), sample::baked(4, 3));
+}
+
+TEST(SolutionFile, a_full_disk_is_said) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
+  const auto sample = sample::baked(4, 3);
+  const auto message =
+      complaint<DeviceError>([&] { write_solution("/dev/full", sample.patches, sample.solution); });
+  EXPECT_NE(message.find("No space left on device"), std::string::npos) << message;
+}
+
+TEST(SolutionFile, a_folder_that_does_not_exist_is_named) {
+  const auto sample = sample::baked(4, 3);
+  const auto message = complaint<DeviceError>(
+      [&] { write_solution(in_temp("no-such-folder/a.vtkhdf"), sample.patches, sample.solution); });
+  EXPECT_NE(message.find("no-such-folder"), std::string::npos) << message;
+}
+
+TEST(SolutionFile, a_refused_write_leaves_the_old_file) {
+  auto sample = sample::baked(4, 3);
+  const auto path = write("old.vtkhdf", sample);
+  const auto before = read_file(path);
+  sample.solution.radiosity_front[0] = std::nanf("");
+  EXPECT_THROW(write_solution(path, sample.patches, sample.solution), MismatchError);
+  EXPECT_TRUE(read_file(path) == before);
+}
+
+TEST(SolutionFile, a_missing_file_is_an_input_error) {
+  const auto message = complaint<InputError>([] { read_solution("no-such-file.vtkhdf"); });
+  EXPECT_EQ(message, "no-such-file.vtkhdf: there is no such file");
+  EXPECT_THROW(read_solution(testing::TempDir()), InputError);
+}
+
+TEST(SolutionFile, light_of_other_bands_or_another_scene_is_not_written) {
+  auto sample = sample::baked(4, 3);
+  sample.solution.bands[1] = "infrared";
+  EXPECT_NE(refusal_to_write(sample).find("infrared"), std::string::npos);
+  sample = sample::baked(4, 3);
+  sample.solution.provenance.scene_fingerprint = 1;
+  EXPECT_NE(refusal_to_write(sample).find("fedcba9876543210"), std::string::npos);
+}
+
+TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
+  const auto with = [](auto change) {
+    auto sample = sample::baked(4, 3);
+    change(sample.patches, sample.solution);
+    return refusal_to_write(sample);
+  };
+  const auto infinity = std::numeric_limits<float>::infinity();
+  EXPECT_NE(with([](auto& p, auto&) { p.corners[2][1] = 6; }).find("patch 2 names vertex 6 of 6"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.material[3] = MaterialId{2}; }).find("patch 3 names material 2 of 2"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.area[1] = 0.0f; }).find("patch 1 has the area 0"), std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.normal[1] *= 2.0f; }).find("patch 1 has a normal"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.triangle[3] = 0; }).find("patch 3 is not in the order"),
+            std::string::npos);
+  EXPECT_NE(with([&](auto& p, auto&) { p.vertices[5].z = infinity; }).find("vertex 5 is not finite"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.area.pop_back(); }).find("arrays of 4 patches"), std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.materials[0].reflectance[0] = 1.0f; }).find("reflectance 1"),
+            std::string::npos);
+  EXPECT_NE(with([](auto&, auto& s) { s.irradiance_back.pop_back(); }).find("holds 11 numbers, expected 12"),
+            std::string::npos);
+  EXPECT_NE(with([&](auto&, auto& s) { s.irradiance_front[3] = -infinity; }).find("not finite"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace luxel

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""solution_readers.py WRITE_SAMPLE_SOLUTION: VTK's own reader and h5py see in our files what was written.
+
+The numbers are those of tests/support/sample_solution.h. Exit code 77: VTK or h5py is not installed here.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import numpy
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+except ImportError as error:
+    print(f"skipped: {error} (Debian: python3-vtk9 and python3-h5py)")
+    sys.exit(77)
+
+LIGHT = ["radiosity_front", "radiosity_back", "irradiance_front", "irradiance_back"]
+
+
+def value(first, index):
+    return numpy.float32(numpy.float32(first) + numpy.float32(index) / numpy.float32(3))
+
+
+def check(found, expected, what):
+    assert found == expected, f"{what}: found {found}, expected {expected}"
+
+
+def check_with_vtk(path, patches, bands):
+    reader = vtkHDFReader()
+    check(reader.CanReadFile(path), 1, "VTK's opinion of the file")
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    check(grid.GetNumberOfPoints(), patches + 2, "points")
+    check(grid.GetNumberOfCells(), patches, "cells")
+    check({grid.GetCellType(i) for i in range(patches)}, {5}, "types of cells")
+    corners = grid.GetCell(1).GetPointIds()
+    check([corners.GetId(i) for i in range(3)], [1, 2, 3], "corners of patch 1")
+    check(grid.GetPoint(3), tuple(float(numpy.float32(x)) for x in (3 / 7, 1, 0.1)), "vertex 3")
+    cells = grid.GetCellData()
+    names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
+    check(names, {*LIGHT, "area", "triangle", "material"}, "names of cell arrays")
+    for name, first in zip(LIGHT, (2000, 3000, 1, 1000)):
+        array = cells.GetArray(name)
+        check(array.GetNumberOfTuples(), patches, name)
+        check(array.GetNumberOfComponents(), bands, f"components of {name}")
+        last = value(first, patches * bands - 1)
+        check(array.GetComponent(patches - 1, bands - 1), last, f"last value of {name}")
+    check(cells.GetArray("triangle").GetComponent(patches - 1, 0), 3 * (patches - 1), "last triangle")
+    check(cells.GetArray("material").GetComponent(1, 0), 1, "material of patch 1")
+
+
+def check_with_h5py(path, patches, bands):
+    with h5py.File(path, "r") as file:
+        check(file["Luxel"].attrs["format_version"], 1, "format version")
+        check(file["Luxel"].attrs["stop_reason"], b"converged", "stop reason")
+        check(list(file["Luxel/bands"].asstr()), [f"band {i}" for i in range(bands)], "bands")
+        check(list(file["Luxel/materials/name"].asstr()), ["wall", 'lamp, "größer"'], "materials")
+        check(file["Luxel/materials/reflectance"].shape, (2, bands), "shape of reflectance")
+        check(file["Luxel/provenance/command_line"].asstr()[0], "luxel solve room.obj --error 1%", "command")
+        check(int(file["Luxel/provenance"].attrs["rays"]), 12345678901, "rays")
+        check(int(file["Luxel/provenance"].attrs["scene_fingerprint"]), 0xFEDCBA9876543210, "fingerprint")
+        front = file["VTKHDF/CellData/radiosity_front"]
+        check(front.shape, (patches,) if bands == 1 else (patches, bands), "shape of radiosity_front")
+        check(front.attrs["unit"], b"W/m^2", "unit of radiosity_front")
+        check(front[...].flat[-1], value(2000, patches * bands - 1), "last value of radiosity_front")
+        check(file["VTKHDF/CellData/area"].attrs["unit"], b"m^2", "unit of area")
+        check(file["VTKHDF/Points"].attrs["unit"], b"m", "unit of points")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "sample.vtkhdf")
+        for patches in (4, 60000):
+            for bands in (1, 3, 7):
+                subprocess.run([sys.argv[1], path, str(patches), str(bands)], check=True)
+                check_with_vtk(path, patches, bands)
+                check_with_h5py(path, patches, bands)
+                print(f"{patches} patches of {bands} bands: VTK and h5py agree")
+
+
+if __name__ == "__main__":
+    main()
