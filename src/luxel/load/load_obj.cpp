@@ -23,11 +23,11 @@ void expect_faces(const ObjMesh& mesh, std::string_view text, const std::string&
                                  mesh.short_faces.count > 0 ? " and faces of fewer than three corners" : ""));
 }
 
-void say_tally(const Tally& tally, const char* noun, const char* sentence, const std::string& source,
-               const LogSink& log) {
+void say(const Tally& tally, const char* noun, const char* what, const char* consequence,
+         const std::string& source, const LogSink& log) {
   if (tally.count == 0) return;
-  warn(log, fmt::format("{}:{}: {} {} (first: this line)", source, tally.first_line,
-                        counted(tally.count, noun), sentence));
+  warn(log, fmt::format("{}: {} {} (first: line {}); {}", source, counted(tally.count, noun), what,
+                        tally.first_line, consequence));
 }
 
 }  // namespace
@@ -46,11 +46,11 @@ Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, co
   const auto library = read_libraries(mesh.libraries, path, log);
   scene.materials = make_materials(mesh.materials, library, source, options, log);
 
-  say_tally(mesh.short_faces, "face", "of fewer than three corners dropped", source, log);
-  say_tally(mesh.faces_without_material, "face", "before any usemtl: the material 'default' is taken", source,
-            log);
-  say_tally(mesh.unreadable_normals, "vertex normal", "not of three finite numbers passed over", source, log);
-  say_tally(turned, "triangle", "wound against the vertex normals turned round", source, log);
+  say(mesh.short_faces, "face", "of fewer than three corners", "dropped", source, log);
+  say(mesh.faces_without_material, "face", "before any usemtl", "the material 'default' is taken", source,
+      log);
+  say(mesh.unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source, log);
+  say(turned, "triangle", "wound against their vertex normals", "turned round", source, log);
   return scene;
 }
 

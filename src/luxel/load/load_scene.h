@@ -11,10 +11,10 @@
 namespace luxel {
 
 struct LoadOptions {
-  float scale = 1.0f;                  // metres a file unit
-  float max_reflectance = 0.98f;       // reflectances above are lowered to it, with a warning
-  std::vector<std::string> one_sided;  // materials (* and ? allowed) whose back absorbs
-  std::vector<std::string> flip;       // materials (* and ? allowed) whose triangles are turned round
+  float scale = 1.0f;                       // metres a file unit
+  float max_reflectance = 0.98f;            // reflectances above are lowered to it, with a warning
+  std::vector<std::string> one_sided = {};  // materials (* and ? allowed) whose back absorbs
+  std::vector<std::string> flip = {};       // materials (* and ? allowed) whose triangles are turned round
 };
 
 // Reads a scene by the file's ending: .obj (with its .mtl and textures).

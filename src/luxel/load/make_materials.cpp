@@ -71,22 +71,23 @@ Vec3 MaterialMaker::radiance(const MaterialLibrary::Entry& entry) {
 }
 
 void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) const {
-  const auto say = [&](const std::vector<std::string>& names, const char* sentence) {
-    if (!names.empty()) warn(log, source + ": " + fmt::format(fmt::runtime(sentence), name_list(names)));
+  const auto say = [&](const std::string& before, const std::vector<std::string>& names,
+                       const std::string& behind) {
+    if (!names.empty()) warn(log, fmt::format("{}: {} {}{}", source, before, name_list(names), behind));
   };
   if (!unknown_.empty())
     warn(log, fmt::format("{}:{}: {} {}; a grey of {} is taken", source, first_unknown_line_,
-                          library_.files.empty() ? "no MTL file was read that describes"
+                          library_.files.empty() ? "no MTL file describes"
                                                  : name_list(library_.files) + " does not describe",
                           name_list(unknown_), default_reflectance));
-  say(colorless_, "neither Kd nor map_Kd is given for {}; a grey of 0.5 is taken");
-  say(too_bright_, fmt::format("the reflectance of {{}} was lowered to {}, as no surface reflects all light",
-                               options_.max_reflectance)
-                       .c_str());
-  say(transparent_, "transparency is not modelled; {} let no light through");
-  say(emitting_twice_, "map_Ke is passed over where Ke is given, as for {}");
-  reflecting_.say_warnings(source, fmt::format("their mean is taken as {}", default_reflectance), log);
-  emitting_.say_warnings(source, "their materials emit nothing", log);
+  say("neither Kd nor map_Kd is given for", colorless_,
+      fmt::format("; a grey of {} is taken", default_reflectance));
+  say("the reflectance of", too_bright_,
+      fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
+  say("transparency is not modelled: no light passes through", transparent_, "");
+  say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
+  reflecting_.say_warnings(source, fmt::format("{} is taken for the mean", default_reflectance), log);
+  emitting_.say_warnings(source, "0 is taken for the mean, so that nothing is emitted", log);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/load/read_obj.h"
 
+#include <array>
+#include <charconv>
 #include <istream>
 #include <map>
-#include <span>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,24 +25,26 @@ std::string excerpt(std::string_view text) {
   return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
 }
 
-// One of 3, 3/1, 3/1/2, 3//2. At most nine digits: the C library wraps longer ones round.
-bool is_corner(std::string_view word) {
-  int slashes = 0;
-  std::size_t digits = 0;
-  bool has_sign = false;
-  for (const char c : word) {
-    if (c == '/') {
-      if (++slashes > 2 || (slashes == 1 && digits == 0)) return false;
-      digits = 0;
-      has_sign = false;
-    } else if (c == '-') {
-      if (has_sign || digits > 0) return false;
-      has_sign = true;
-    } else if (c < '0' || c > '9' || ++digits > 9) {
-      return false;
+// The indices of a corner as the file counts them; 0 where there is none.
+struct CornerIndices {
+  int position = 0;
+  int normal = 0;
+};
+
+// One of 3, 3/1, 3/1/2, 3//2; exporters also write 3/ and 3//. Anything else is nothing.
+std::optional<CornerIndices> read_corner(std::string_view word) {
+  std::array<int, 3> indices = {0, 0, 0};
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const auto field = word.substr(0, word.find('/'));
+    const auto end = field.data() + field.size();
+    if (i == 0 || !field.empty()) {
+      const auto [stop, error] = std::from_chars(field.data(), end, indices[i]);
+      if (error != std::errc() || stop != end) return std::nullopt;
     }
+    if (field.size() == word.size()) return CornerIndices{indices[0], indices[2]};
+    word.remove_prefix(field.size() + 1);
   }
-  return slashes > 0 || digits > 0;
+  return std::nullopt;
 }
 
 // Names in the order they first count, with their numbers.
@@ -56,8 +60,9 @@ class Numbering {
   std::map<std::string, std::uint32_t> numbers_;
 };
 
-// tinyobjloader takes the statements apart and calls back here. It does not look at what it reads ("abc" is 0
-// to it, so is nan) nor at ranges, hence all numbers are looked at again in the text of the statement.
+// tinyobjloader tells the statements apart and calls back here. The numbers it brings along are not used but
+// read again from the statement's text: to it "abc" and nan are 0, an index too long for an int is -1, and
+// the normal of the first corner in "1// 2// 3//" is 2.
 class ObjReader : private tinyobj::MaterialReader {
  public:
   ObjReader(std::string_view text, const std::string& source, float scale)
@@ -69,13 +74,14 @@ class ObjReader : private tinyobj::MaterialReader {
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError(source_, statements_.line(), message);
   }
+  // What stands behind the keyword; a number may be followed by a comment, while a name may hold a #.
   std::string_view operands() const { return after_first_word(statements_.text()); }
+  std::string_view numbers() const { return operands().substr(0, operands().find('#')); }
   static ObjReader& reader(void* me) { return *static_cast<ObjReader*>(me); }
 
   void add_position();
   void add_normal();
-  void add_face(std::span<const tinyobj::index_t> corners);
-  void check_corner_text() const;
+  void add_face();
   std::uint32_t resolve(int index, std::size_t count, const char* what) const;
   void use_material();
   void use_group();
@@ -101,7 +107,7 @@ class ObjReader : private tinyobj::MaterialReader {
 };
 
 void ObjReader::add_position() {
-  const auto p = read_three_numbers(operands());
+  const auto p = read_three_numbers(numbers());
   if (!p) refuse(fmt::format("expected three finite numbers after v, found '{}'", excerpt(operands())));
   const Vec3 scaled = *p * scale_;
   if (!is_finite(scaled))
@@ -111,32 +117,29 @@ void ObjReader::add_position() {
 
 // Exporters do write nan for the normal of a face without area; it only fails to say which side is the front.
 void ObjReader::add_normal() {
-  const auto n = read_three_numbers(operands());
+  const auto n = read_three_numbers(numbers());
   if (!n) mesh_.unreadable_normals.add(statements_.line());
   mesh_.normals.push_back(n.value_or(Vec3(0.0f)));
 }
 
-void ObjReader::add_face(std::span<const tinyobj::index_t> corners) {
-  check_corner_text();
-  if (corners.size() < 3) return mesh_.short_faces.add(statements_.line());
+void ObjReader::add_face() {
   const auto first_corner = mesh_.corners.size();
-  for (const auto& corner : corners) {
-    const auto position = resolve(corner.vertex_index, mesh_.positions.size(), "vertex");
-    const auto normal = corner.normal_index == 0
-                            ? ObjMesh::no_normal
-                            : resolve(corner.normal_index, mesh_.normals.size(), "normal");
+  auto words = numbers();
+  for (auto word = take_word(words); !word.empty(); word = take_word(words)) {
+    const auto corner = read_corner(word);
+    if (!corner)
+      refuse(fmt::format("expected corners such as 3, 3/1 or 3/1/2 after f, found '{}'", excerpt(word)));
+    const auto position = resolve(corner->position, mesh_.positions.size(), "vertex");
+    const auto normal =
+        corner->normal == 0 ? ObjMesh::no_normal : resolve(corner->normal, mesh_.normals.size(), "normal");
     mesh_.corners.push_back({position, normal});
+  }
+  if (mesh_.corners.size() < first_corner + 3) {
+    mesh_.corners.resize(first_corner);
+    return mesh_.short_faces.add(statements_.line());
   }
   mesh_.faces.push_back(
       {first_corner, static_cast<std::uint32_t>(statements_.line()), current_material(), current_group()});
-}
-
-void ObjReader::check_corner_text() const {
-  auto words = operands();
-  words = words.substr(0, words.find('#'));
-  for (auto word = take_word(words); !word.empty(); word = take_word(words))
-    if (!is_corner(word))
-      refuse(fmt::format("expected corners such as 3, 3/1 or 3/1/2 after f, found '{}'", excerpt(word)));
 }
 
 // From OBJ's counting (from 1, or backwards from -1) to ours. Positive indices may name what the file gives
@@ -144,9 +147,10 @@ void ObjReader::check_corner_text() const {
 std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what) const {
   if (index > 0) return static_cast<std::uint32_t>(index - 1);
   if (index == 0) refuse(fmt::format("a corner names {} 0, expected indices that count from 1", what));
-  if (static_cast<std::size_t>(-index) > count)
+  const auto back = static_cast<std::size_t>(-std::int64_t{index});
+  if (back > count)
     refuse(fmt::format("a corner names {} {}, but only {} were given before this line", what, index, count));
-  return static_cast<std::uint32_t>(count - static_cast<std::size_t>(-index));
+  return static_cast<std::uint32_t>(count - back);
 }
 
 void ObjReader::use_material() {
@@ -190,9 +194,7 @@ ObjMesh ObjReader::read() {
   tinyobj::callback_t on;
   on.vertex_cb = [](void* me, real_t, real_t, real_t, real_t) { reader(me).add_position(); };
   on.normal_cb = [](void* me, real_t, real_t, real_t) { reader(me).add_normal(); };
-  on.index_cb = [](void* me, tinyobj::index_t* corners, int count) {
-    reader(me).add_face({corners, static_cast<std::size_t>(count)});
-  };
+  on.index_cb = [](void* me, tinyobj::index_t*, int) { reader(me).add_face(); };
   on.usemtl_cb = [](void* me, const char*, int) { reader(me).use_material(); };
   on.group_cb = [](void* me, const char**, int) { reader(me).use_group(); };
   on.object_cb = [](void* me, const char*) { reader(me).use_group(); };

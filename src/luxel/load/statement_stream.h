@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -25,8 +24,6 @@ class StatementStream : public std::streambuf {
     if (gptr() < egptr()) return traits_type::to_int_type(*gptr());
     if (!statements_.next()) return traits_type::eof();
     buffer_ = statements_.text();
-    // Corners may be followed by a comment, names may hold a #.
-    if (trim(buffer_).starts_with("f")) buffer_.resize(std::min(buffer_.find('#'), buffer_.size()));
     // The blank makes a bare "v" a statement like any other; tinyobjloader would step over it.
     buffer_ += " \n";
     setg(buffer_.data(), buffer_.data(), buffer_.data() + buffer_.size());

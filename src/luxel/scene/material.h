@@ -12,7 +12,7 @@ enum class MaterialId : std::uint32_t {};
 
 // A diffuse surface, linear sRGB.
 struct Material {
-  std::string name;
+  std::string name = {};
   Vec3 reflectance = Vec3(0.5f);  // [0, 1); load caps it, see LoadOptions::max_reflectance
   Vec3 emittance = Vec3(0.0f);    // W/m² a band, of the front side only; pi times the radiance (OBJ's Ke)
   bool two_sided = true;          // false: the back absorbs what meets it and is counted

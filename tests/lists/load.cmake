@@ -1,0 +1,7 @@
+luxel_test(unit/load_options ROOMS load)
+luxel_test(unit/load_obj ROOMS load)
+luxel_test(unit/load_mtl ROOMS load)
+luxel_test(unit/load_damaged ROOMS load)
+luxel_test(unit/load_corner_cases ROOMS load)
+luxel_test(unit/load_words ROOMS load)
+luxel_test(unit/polygon ROOMS load)
