@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 
 #include "luxel/random/address.h"
 #include "luxel/transport/deposits.h"
 #include "luxel/transport/patch_emitter.h"
+#include "luxel/transport/ray_plan.h"
 
 namespace luxel {
 namespace {
@@ -16,48 +15,6 @@ namespace {
 constexpr std::uint32_t offset_element = 0xffffffffu;  // the address of the one random offset; no side has it
 constexpr std::size_t block = 64;                      // rays made, then traced, then delivered
 constexpr std::size_t grain = 4096;                    // rays a chunk
-
-// Who shoots how much: rays are numbered 0 to rays - 1; side s shoots [first_ray[s], first_ray[s + 1]).
-struct Plan {
-  std::vector<std::uint64_t> first_ray;  // [side + 1]
-  std::vector<std::int64_t> quantum;     // [side][band]: what one ray of the side carries, in units of scale
-  FixedPoint scale;
-  std::uint64_t rays = 0;
-};
-
-Plan make_plan(std::span<const double> leaving, std::size_t bands, const ShootingOptions& options) {
-  const auto sides = leaving.size() / bands;
-  Plan plan;
-  const auto power = [&](std::size_t side) {
-    return std::accumulate(&leaving[side * bands], &leaving[side * bands] + bands, 0.0);
-  };
-  double total = 0.0;
-  for (std::size_t s = 0; s < sides; ++s) total += power(s);
-  plan.rays = total > 0.0 ? options.rays : 0;
-  plan.scale = FixedPoint::for_sum(total);
-  plan.first_ray.assign(sides + 1, plan.rays);
-  plan.quantum.assign(leaving.size(), 0);
-  if (plan.rays == 0) return plan;
-
-  // Systematic sampling: ray k belongs to the side whose stretch of the running sum holds (k + offset) /
-  // rays.
-  const auto n = static_cast<double>(plan.rays);
-  const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
-  double sum = 0.0;
-  plan.first_ray[0] = 0;
-  for (std::size_t s = 0; s < sides; ++s) {
-    const auto own = power(s);
-    sum += own;
-    const auto end = std::clamp(std::ceil(n * (sum / total) - offset), 0.0, n);
-    plan.first_ray[s + 1] = std::max(plan.first_ray[s], static_cast<std::uint64_t>(end));
-    for (std::size_t b = 0; b < bands && own > 0.0; ++b)
-      plan.quantum[s * bands + b] = plan.scale.units(total / n * (leaving[s * bands + b] / own));
-  }
-  // Rounding of the running sum may leave the last ray without an owner: it goes to the last side that
-  // shines.
-  for (auto s = sides; s > 0 && plan.first_ray[s] < plan.rays; --s) plan.first_ray[s] = plan.rays;
-  return plan;
-}
 
 // Where one batch's rays put their power.
 struct Ledger {
@@ -77,7 +34,7 @@ struct Ledger {
 // Sends rays first, first + stride, ... of the plan, count of them, numbered [begin, end) within that row.
 class ChunkShooter {
  public:
-  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const Plan& plan,
+  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const RayPlan& plan,
                const ShootingOptions& options, Ledger& ledger, int worker)
       : patches_(patches),
         tracer_(tracer),
@@ -88,14 +45,13 @@ class ChunkShooter {
 
   void run(std::uint64_t first, std::uint64_t stride, std::size_t begin, std::size_t end) {
     auto ray = first + stride * begin;
-    enter(std::upper_bound(plan_.first_ray.begin(), plan_.first_ray.end(), ray) - plan_.first_ray.begin() -
-          1);
+    enter(plan_.side_of_ray(ray));
     for (auto i = begin; i < end; ++i, ray += stride) {
       if (ray >= plan_.first_ray[side_ + 1]) {
         flush();
         auto next = side_ + 1;
         while (ray >= plan_.first_ray[next + 1]) ++next;
-        enter(static_cast<std::ptrdiff_t>(next));
+        enter(next);
       }
       rays_[waiting_++] = emitter_.ray(uniform4(key_, ray - plan_.first_ray[side_]));
       if (waiting_ == block) flush();
@@ -104,8 +60,8 @@ class ChunkShooter {
   }
 
  private:
-  void enter(std::ptrdiff_t side) {
-    side_ = static_cast<std::size_t>(side);
+  void enter(std::size_t side) {
+    side_ = side;
     emitter_ = PatchEmitter(patches_, side_);
     key_ = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side_));
   }
@@ -128,7 +84,7 @@ class ChunkShooter {
 
   const PatchSet& patches_;
   const Tracer& tracer_;
-  const Plan& plan_;
+  const RayPlan& plan_;
   const ShootingOptions& options_;
   Ledger& ledger_;
   int worker_;
@@ -144,7 +100,8 @@ class ChunkShooter {
 
 Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
               const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
-  const auto plan = make_plan(leaving, patches.band_count(), options);
+  const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
+  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset);
   Ledger ledger(patches, workers);
 
   // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all

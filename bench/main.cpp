@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// luxel-bench [OUT.json]: how fast, as ratios measured in one run. ./dev bench runs it.
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "luxel/patch/make_patches.h"
+
+#include "bench/rooms.h"
+#include "bench/same_rays.h"
+#include "bench/timing.h"
+
+namespace luxel::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+SolveReport solve(const PatchSet& patches, const Tracer& tracer, std::uint64_t rays, const Workers& workers) {
+  Solution solution;
+  return solve_stochastic_jacobi(patches, tracer, solution, {.rays = rays, .tolerance = 1e-3}, workers);
+}
+
+// (a) The limit of the solver is Embree on the very same rays; the ratio says how near it comes.
+Json against_embree() {
+  fmt::print(
+      "\n(a) whole solve against Embree alone on the very same rays (1 is the limit; at least 0.7 is "
+      "asked)\n");
+  fmt::print("{:>10} {:>8} {:>14} {:>14} {:>8} {:>17}\n", "patches", "threads", "solve Mray/s",
+             "Embree Mray/s", "ratio", "(low to high)");
+  Json rows = Json::array();
+  for (const float edge : {1.0f, 0.1f, 0.025f})
+    for (const int threads : {1, static_cast<int>(std::thread::hardware_concurrency())}) {
+      const Workers workers(threads);
+      const auto patches = make_patches(furnished_room(100), {.max_edge = edge});
+      const Tracer tracer(patches, workers);
+      const StochasticJacobiOptions options{.rays = 1'500'000, .tolerance = 1e-3};
+      const auto rays = rays_of_solve(patches, tracer, options, workers);
+      const BareEmbree embree(patches);
+      std::uint64_t hits = 0;
+      std::uint64_t solved_rays = 0;
+      double embree_time = 0.0;
+      const auto ratio = paired(
+          5, [&] { embree_time = seconds([&] { hits = embree.trace(rays, workers); }); },
+          [&] { solved_rays = solve(patches, tracer, options.rays, workers).rays; });
+      if (solved_rays != rays.size() || hits == 0)
+        throw std::runtime_error("the two sides do not trace the same rays");
+      const auto embree_speed = 1e-6 * static_cast<double>(rays.size()) / embree_time;
+      fmt::print("{:>10} {:>8} {:>14.2f} {:>14.2f} {:>8.2f} {:>8.2f} to {:.2f}\n", patches.size(), threads,
+                 embree_speed * ratio.median, embree_speed, ratio.median, ratio.low, ratio.high);
+      rows.push_back({{"patches", patches.size()},
+                      {"threads", threads},
+                      {"rays", rays.size()},
+                      {"embree_mray_per_s", embree_speed},
+                      {"ratio", ratio.median},
+                      {"ratio_low", ratio.low},
+                      {"ratio_high", ratio.high}});
+    }
+  return rows;
+}
+
+// (b) The document's chart: at a fixed number of rays the time grows like the logarithm of the number of
+// polygons.
+Json against_polygons() {
+  fmt::print("\n(b) time against polygons at a fixed number of rays (grows like the logarithm)\n");
+  fmt::print("{:>10} {:>12} {:>12} {:>16}\n", "polygons", "ns a ray", "to first", "to log(polygons)");
+  const Workers workers;
+  Json rows = Json::array();
+  double first = 0.0;
+  double first_log = 0.0;
+  for (const int boxes : {10, 100, 1'000, 10'000, 100'000}) {
+    const auto patches = make_patches(furnished_room(boxes), {.max_edge = no_max_edge});
+    const Tracer tracer(patches, workers);
+    std::uint64_t rays = 0;
+    const auto time = median({seconds([&] { rays = solve(patches, tracer, 1'000'000, workers).rays; }),
+                              seconds([&] { solve(patches, tracer, 1'000'000, workers); }),
+                              seconds([&] { solve(patches, tracer, 1'000'000, workers); })});
+    const auto cost = 1e9 * time / static_cast<double>(rays);
+    const auto logarithm = std::log(static_cast<double>(patches.size()));
+    if (first == 0.0) {
+      first = cost;
+      first_log = logarithm;
+    }
+    fmt::print("{:>10} {:>12.0f} {:>12.2f} {:>16.2f}\n", patches.size(), cost, cost / first,
+               cost / first / (logarithm / first_log));
+    rows.push_back(
+        {{"polygons", patches.size()}, {"nanoseconds_a_ray", cost}, {"ratio_to_first", cost / first}});
+  }
+  return rows;
+}
+
+// (c) The document's other chart: the number of lamps does not matter, for rays go by power.
+Json against_lamps() {
+  fmt::print(
+      "\n(c) a lamp of 128 triangles against a lamp of 2 of the same power (1 is asked, within noise)\n");
+  const Workers workers;
+  const auto two = make_patches(furnished_room(200, 2), {.max_edge = no_max_edge});
+  const auto many = make_patches(furnished_room(200, 128), {.max_edge = no_max_edge});
+  const Tracer tracer_two(two, workers);
+  const Tracer tracer_many(many, workers);
+  const auto ratio = paired(
+      7, [&] { solve(many, tracer_many, 1'000'000, workers); },
+      [&] { solve(two, tracer_two, 1'000'000, workers); });
+  fmt::print("ratio {:.3f} ({:.3f} to {:.3f})\n", ratio.median, ratio.low, ratio.high);
+  return {{"ratio", ratio.median}, {"ratio_low", ratio.low}, {"ratio_high", ratio.high}};
+}
+
+// (d) Threads.
+Json against_threads() {
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  fmt::print("\n(d) speed-up over one thread, {} cores\n", cores);
+  const auto patches = make_patches(furnished_room(200), {.max_edge = 0.05f});
+  Json rows = Json::array();
+  const Workers one(1);
+  const Tracer tracer(patches, one);
+  for (int threads = 1; threads <= 2 * cores; threads *= 2) {
+    const Workers workers(threads);
+    const auto ratio = paired(
+        3, [&] { solve(patches, tracer, 1'000'000, one); },
+        [&] { solve(patches, tracer, 1'000'000, workers); });
+    fmt::print("{:>3} threads: {:.2f} ({:.2f} to {:.2f})\n", threads, ratio.median, ratio.low, ratio.high);
+    rows.push_back({{"threads", threads}, {"speed_up", ratio.median}});
+  }
+  return rows;
+}
+
+}  // namespace
+}  // namespace luxel::bench
+
+int main(int argc, char** argv) {
+  using namespace luxel::bench;
+  try {
+    nlohmann::ordered_json result;
+    result["cores"] = std::thread::hardware_concurrency();
+    result["a_solve_over_embree"] = against_embree();
+    result["b_time_against_polygons"] = against_polygons();
+    result["c_lamp_of_128_over_lamp_of_2"] = against_lamps();
+    result["d_thread_scaling"] = against_threads();
+    if (argc > 1) {
+      std::ofstream file(argv[1]);
+      file << result.dump(2) << "\n";
+      if (!file.flush()) throw std::runtime_error(std::string("cannot write ") + argv[1]);
+      fmt::print("\nkept in {}\n", argv[1]);
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "luxel-bench: {}\n", error.what());
+    return 1;
+  }
+}

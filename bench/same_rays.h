@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel::bench {
+
+// Every ray of a whole stochastic Jacobi solve, in the order in which one thread traces them.
+std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
+                               const StochasticJacobiOptions& options, const Workers& workers);
+
+// Embree with the tracer's settings and nothing around it: one rtcIntersect1 a ray, over ready-made rays.
+class BareEmbree {
+ public:
+  explicit BareEmbree(const PatchSet& patches);
+  ~BareEmbree();
+  BareEmbree(const BareEmbree&) = delete;
+  BareEmbree& operator=(const BareEmbree&) = delete;
+  // The number of rays that hit, so that no compiler drops the work.
+  std::uint64_t trace(const std::vector<Ray>& rays, const Workers& workers) const;
+
+ private:
+  void* device_;
+  void* scene_;
+};
+
+}  // namespace luxel::bench

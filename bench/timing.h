@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace luxel::bench {
+
+template <typename Body>
+double seconds(Body body) {
+  const auto begin = std::chrono::steady_clock::now();
+  body();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+inline double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Ratios of two bodies' times, measured in turn (A B A B ...), so that a noisy machine disturbs both alike:
+// median, least and greatest of time(A) / time(B).
+struct Ratio {
+  double median = 0.0, low = 0.0, high = 0.0;
+};
+template <typename A, typename B>
+Ratio paired(int pairs, A a, B b) {
+  std::vector<double> ratios;
+  for (int i = 0; i < pairs; ++i) {
+    const auto time_a = seconds(a);
+    ratios.push_back(time_a / seconds(b));
+  }
+  const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
+  return {median(ratios), *low, *high};
+}
+
+}  // namespace luxel::bench
