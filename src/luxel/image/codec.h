@@ -32,6 +32,7 @@ std::string encode_hdr(const Image& linear);
 
 Image decode_png(std::string_view bytes);
 Image decode_exr(std::string_view bytes);
-Image decode_stb(std::string_view bytes);  // JPEG, BMP, TGA, HDR
+Image decode_hdr(std::string_view bytes);
+Image decode_stb(std::string_view bytes);  // JPEG, BMP, TGA
 
 }  // namespace luxel

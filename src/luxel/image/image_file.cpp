@@ -45,8 +45,8 @@ Image decode(const fs::path& path, std::string_view bytes) {
   const auto begins = [&](std::string_view magic) { return bytes.substr(0, magic.size()) == magic; };
   if (begins("\x89PNG\r\n\x1a\n")) return decode_png(bytes);
   if (begins("\x76\x2f\x31\x01")) return decode_exr(bytes);
-  if (begins("\xff\xd8") || begins("BM") || begins("#?RADIANCE") || begins("#?RGBE") || ends_in_tga(path))
-    return decode_stb(bytes);
+  if (begins("#?RADIANCE") || begins("#?RGBE")) return decode_hdr(bytes);
+  if (begins("\xff\xd8") || begins("BM") || ends_in_tga(path)) return decode_stb(bytes);
   throw CodecError("it is no picture that can be read; expected PNG, JPEG, TGA, BMP, HDR or EXR");
 }
 

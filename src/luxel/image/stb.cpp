@@ -21,19 +21,6 @@ struct Free {
   throw CodecError(fmt::format("the picture is damaged: {}", reason ? reason : "no reason is known"));
 }
 
-Image decode_radiance(const stbi_uc* data, int size) {
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<float, Free> rgb(stbi_loadf_from_memory(data, size, &width, &height, &channels, 3));
-  if (!rgb) refuse();
-  Image image(width, height);
-  const float* from = rgb.get();
-  for (auto& pixel : image.pixels) {
-    pixel = Vec3(from[0], from[1], from[2]);
-    from += 3;
-  }
-  return image;
-}
-
 }  // namespace
 
 std::string encode_hdr(const Image& linear) {
@@ -59,7 +46,6 @@ Image decode_stb(std::string_view bytes) {
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) refuse();
   check_size(width, height);
-  if (stbi_is_hdr_from_memory(data, size)) return decode_radiance(data, size);
   const std::unique_ptr<stbi_uc, Free> rgb(stbi_load_from_memory(data, size, &width, &height, &channels, 3));
   if (!rgb) refuse();
   return image_from_codes(width, height, rgb.get());

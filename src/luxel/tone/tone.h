@@ -51,7 +51,7 @@ ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weigh
 
 // A scene-referred picture (radiance) made displayable: linear RGB in [0, 1]. Every pixel weighs the same.
 // reinhard_local darkens a pixel by the light around it, so that detail stays in bright and in dark parts;
-// about half a second for 1280 x 960. Throws as fit_curve() does.
+// about a tenth of a second for 1280 x 960. Throws as fit_curve() does.
 Image tone_map(const Image& radiance, const ToneOptions& options = {});
 
 }  // namespace luxel
