@@ -36,6 +36,8 @@ endif()
 # fmt is text, used wherever a sentence is made; glm is the vector type of every signature: both are everywhere.
 function(luxel_room name)
   cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY LUXEL_ROOMS ${name})
+  set_property(GLOBAL PROPERTY LUXEL_LIBRARIES_OF_${name} ${ROOM_LIBRARIES})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/luxel/${name}/*.cpp)
   if(sources)
     add_library(luxel_${name} STATIC ${sources})

@@ -6,17 +6,31 @@ foreach(check check_layers check_docs_commands count_tests)
            COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/${check}_test.py)
 endforeach()
 
-# One source file a header, with nothing before it, and no include path but those of fmt and glm: a header that leans on
-# what others include, or lets a heavy library through, fails. A sanitizer build would only say it again.
+# One source file a header with nothing before it, compiled with the outside libraries of its own room: a header that
+# leans on what others include, or lets another room's library through, fails. The programs may include everything.
+function(luxel_headers_alone room)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/luxel/${room}/*.h)
+  if(headers)
+    foreach(header ${headers})
+      file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers/${header}.cpp CONTENT "#include \"${header}\"\n")
+    endforeach()
+    list(TRANSFORM headers REPLACE "(.+)" "${PROJECT_BINARY_DIR}/headers/\\1.cpp")
+    add_library(luxel_${room}_headers OBJECT EXCLUDE_FROM_ALL ${headers})
+    target_link_libraries(luxel_${room}_headers PRIVATE luxel_flags fmt::fmt glm::glm ${ARGN})
+    add_dependencies(luxel_headers luxel_${room}_headers)
+  endif()
+endfunction()
+
+# A sanitizer build would only say again what the plain one says.
 if(NOT LUXEL_SANITIZE)
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/luxel/*/*.h)
-  set(alone)
-  foreach(header ${headers})
-    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers/${header}.cpp CONTENT "#include \"${header}\"\n")
-    list(APPEND alone ${PROJECT_BINARY_DIR}/headers/${header}.cpp)
+  add_custom_target(luxel_headers)
+  get_property(rooms GLOBAL PROPERTY LUXEL_ROOMS)
+  foreach(room ${rooms})
+    get_property(libraries GLOBAL PROPERTY LUXEL_LIBRARIES_OF_${room})
+    luxel_headers_alone(${room} ${libraries})
   endforeach()
-  add_library(luxel_headers OBJECT EXCLUDE_FROM_ALL ${alone})
-  target_link_libraries(luxel_headers PRIVATE luxel_flags fmt::fmt glm::glm)
+  luxel_headers_alone(apps CLI11::CLI11 nlohmann_json::nlohmann_json)
+  target_compile_definitions(luxel_apps_headers PRIVATE $<TARGET_PROPERTY:luxel,COMPILE_DEFINITIONS>)
   add_test(NAME "house: every header compiles alone"
            COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target luxel_headers)
 
