@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "luxel/math/vector.h"
+
+namespace luxel::showpiece {
+
+// What the things in the room are made of. Names that begin with lamp_ or window_ shine; what belongs to one
+// light group shares its first two words (lamp_floor_bulb, lamp_floor_shade).
+enum class Paint {
+  cream_wall,
+  terracotta_wall,
+  sage_wall,
+  ceiling_white,
+  corridor_yellow,
+  corridor_floor,
+  painted_wood,
+  floor_oak_1,
+  floor_oak_2,
+  floor_oak_3,
+  floor_oak_4,
+  walnut,
+  oak,
+  black_steel,
+  brass,
+  teal_cloth,
+  ochre_cloth,
+  coral_cloth,
+  plum_cloth,
+  linen_cloth,
+  rug_cream,
+  rug_indigo,
+  rug_rust,
+  curtain_rose,
+  paper,
+  paper_dark,
+  book_red,
+  book_blue,
+  book_green,
+  book_yellow,
+  book_black,
+  book_white,
+  book_orange,
+  porcelain,
+  glaze_turquoise,
+  glaze_cobalt,
+  clay,
+  soil,
+  leaf_dark,
+  leaf_light,
+  orange_peel,
+  night_city,
+  night_city_far,
+  lamp_floor_bulb,
+  lamp_floor_shade,
+  lamp_table_bulb,
+  lamp_table_shade,
+  lamp_pendant,
+  lamp_corridor,
+  window_city_lights,
+  window_sky_1,  // the horizon
+  window_sky_2,
+  window_sky_3,
+  window_sky_4,
+  window_sky_5,
+  window_sky_6,
+  window_sky_7,
+  window_sky_8,  // the zenith
+  count_         // how many there are
+};
+
+struct Pigment {
+  Paint paint;
+  const char* name;
+  Vec3d reflectance;  // linear sRGB, 0 to 1
+  Vec3d radiance;     // W/(m² sr) a band, of the front side
+};
+
+// One pigment for each paint, in the order of the enumeration.
+std::span<const Pigment> palette();
+
+inline bool shines(const Pigment& pigment) { return pigment.radiance.g > 0.0; }
+
+}  // namespace luxel::showpiece
