@@ -34,6 +34,7 @@ class SceneFiles {
 
   void write(const std::string& name, const std::string& bytes) const {
     std::filesystem::create_directories(path(name).parent_path());
+    std::filesystem::remove(path(name));  // to write over a file makes some file systems wait for the disk
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
 

@@ -111,19 +111,20 @@ TEST(Polygon, corners_along_an_edge_all_appear) {
 
 TEST(Polygon, a_spiral_is_covered_exactly) {
   std::vector<Vec3> corners;
-  for (int i = 0; i < 2000; ++i)
+  for (int i = 0; i < 20'000; ++i)
     corners.emplace_back((1.0 + 0.001 * i) * std::cos(0.02 * i), (1.0 + 0.001 * i) * std::sin(0.02 * i), 0.0);
-  for (int i = 1999; i >= 0; --i)
+  for (int i = 19'999; i >= 0; --i)
     corners.emplace_back((0.9 + 0.001 * i) * std::cos(0.02 * i), (0.9 + 0.001 * i) * std::sin(0.02 * i), 0.0);
   expect_exact_cover(corners);
 }
 
-TEST(Polygon, a_hundred_thousand_corners_are_no_trouble) {
-  expect_exact_cover(ring(100'000, 2.0f, 2.5f));
+TEST(Polygon, a_hundred_thousand_corners_are_no_trouble) { expect_exact_cover(ring(100'000, 2.0f, 2.5f)); }
+
+TEST(Polygon, long_teeth_of_a_comb_are_cut_one_by_one) {
   std::vector<Vec3> comb = {Vec3(0, -1, 0)};
-  for (int i = 0; i < 99'998; ++i)
-    comb.emplace_back(99'997 - i, i % 2 == 0 ? 0.0f : 1.0f + 0.001f * float(i), 0);
-  comb.front().x = 99'998;
+  for (int i = 0; i < 19'998; ++i)
+    comb.emplace_back(19'997 - i, i % 2 == 0 ? 0.0f : 1.0f + 0.001f * float(i), 0);
+  comb.front().x = 19'998;
   comb.emplace_back(-1, -1, 0);
   std::reverse(comb.begin(), comb.end());
   expect_exact_cover(comb);
@@ -149,7 +150,7 @@ TEST(Polygon, noise_is_answered_in_bounded_time) {
   std::vector<Vec3> corners;
   std::uint32_t state = 1;
   const auto next = [&] { return float((state = state * 1664525u + 1013904223u) >> 8); };
-  for (int i = 0; i < 20'000; ++i) corners.emplace_back(next(), next(), next());
+  for (int i = 0; i < 5'000; ++i) corners.emplace_back(next(), next(), next());
   EXPECT_EQ(cut(corners).size(), corners.size() - 2);
 }
 

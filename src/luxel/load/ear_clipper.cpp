@@ -5,19 +5,14 @@
 #include <cmath>
 
 namespace luxel {
-namespace {
-
-// About a second. Reached only by polygons made to be slow; what is left of them becomes a fan.
-constexpr std::size_t most_work = 200'000'000;
-
-}  // namespace
 
 EarClipper::EarClipper(std::span<const glm::dvec2> points)
     : points_(points),
       next_(points.size()),
       previous_(points.size()),
       may_block_(points.size()),
-      left_(points.size()) {
+      left_(points.size()),
+      most_work_(20'000'000 + 2'000 * points.size()) {
   const auto n = static_cast<std::uint32_t>(points.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     next_[i] = (i + 1) % n;
@@ -27,27 +22,29 @@ EarClipper::EarClipper(std::span<const glm::dvec2> points)
   build_grid();
 }
 
-// About one corner a cell, as a counting sort; small polygons have one cell.
+// About one corner of the ring a cell, as a counting sort; a small ring has one cell.
 void EarClipper::build_grid() {
-  low_ = points_[0];
-  auto high = points_[0];
-  for (const auto& p : points_) {
-    low_ = glm::min(low_, p);
-    high = glm::max(high, p);
+  std::vector<std::uint32_t> ring(left_);
+  for (auto& corner : ring) corner = here_ = next_[here_];
+  low_ = points_[here_];
+  auto high = low_;
+  for (const auto corner : ring) {
+    low_ = glm::min(low_, points_[corner]);
+    high = glm::max(high, points_[corner]);
   }
-  side_ = points_.size() < 64 ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(points_.size())));
+  side_ = left_ < 64 ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(left_)));
   for (int axis = 0; axis < 2; ++axis) {
     const auto size = high[axis] - low_[axis];
     cells_per_unit_[axis] = size > 0.0 ? static_cast<double>(side_) / size : 0.0;
   }
 
-  const auto cell_of = [&](const glm::dvec2& p) { return row(p.y) * side_ + column(p.x); };
+  const auto cell_of = [&](std::uint32_t c) { return row(points_[c].y) * side_ + column(points_[c].x); };
   cell_begin_.assign(side_ * side_ + 1, 0);
-  for (const auto& p : points_) ++cell_begin_[cell_of(p) + 1];
+  for (const auto corner : ring) ++cell_begin_[cell_of(corner) + 1];
   for (std::size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
   auto place = cell_begin_;
-  cell_corner_.resize(points_.size());
-  for (std::uint32_t i = 0; i < points_.size(); ++i) cell_corner_[place[cell_of(points_[i])]++] = i;
+  cell_corner_.resize(left_);
+  for (const auto corner : ring) cell_corner_[place[cell_of(corner)]++] = corner;
 }
 
 std::size_t EarClipper::column(double x) const {
@@ -60,24 +57,34 @@ std::size_t EarClipper::row(double y) const {
 
 void EarClipper::clip(Triangles& triangles) {
   auto demand = Demand::ear;
-  while (left_ > 3 && work_ < most_work) {
+  while (left_ > 3 && work_ < most_work_) {
     const bool has_cut = go_round(demand, triangles) > 0;
     demand = has_cut ? Demand::ear : static_cast<Demand>(static_cast<int>(demand) + 1);
+    if (2 * left_ < cell_corner_.size()) build_grid();
   }
   while (left_ >= 3) cut(next_[here_], triangles);
 }
 
-// Looks at each corner once, or at every second where it cuts: fewer slivers. Returns the number of cuts.
-// Cuts that break the shape are made one at a time, for there may be true ears again behind them.
+// Looks at each corner once and returns the number of cuts. Where ears are many it leaves every second one
+// for the next round: fewer slivers. Where they are few (along a winding corridor only its two ends are ears)
+// it looks at both neighbours of a cut at once. Cuts that break the shape are made one a round, for there may
+// be true ears again behind them.
 std::size_t EarClipper::go_round(Demand demand, Triangles& triangles) {
   std::size_t cuts = 0;
-  for (auto visits = left_; visits > 0 && left_ > 3 && work_ < most_work; --visits, here_ = next_[here_]) {
+  auto visits = left_;
+  for (; visits > 0 && left_ > 3 && work_ < most_work_; --visits, here_ = next_[here_]) {
     if (!meets(here_, demand)) continue;
     cut(here_, triangles);
-    here_ = next_[here_];
     ++cuts;
     if (demand >= Demand::convex) break;
+    if (are_ears_few_) {
+      here_ = previous_[previous_[here_]];
+      visits += 2;
+    } else {
+      here_ = next_[here_];
+    }
   }
+  are_ears_few_ = 8 * cuts < left_;
   return cuts;
 }
 

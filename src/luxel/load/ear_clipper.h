@@ -46,8 +46,12 @@ class EarClipper {
   std::vector<std::uint32_t> next_, previous_;  // the ring of corners not yet cut off
   std::vector<char> may_block_;                 // corners in the ring that are not strictly convex
   std::size_t left_;                            // corners in the ring
+  bool are_ears_few_ = false;                   // in the last round
   std::uint32_t here_ = 0;                      // the corner looked at
   std::size_t work_ = 0;                        // corners and cells looked at so far
+  // About a second for a hundred thousand corners. Reached only by polygons made to be slow; what is left of
+  // them becomes a fan.
+  std::size_t most_work_;
 
   glm::dvec2 low_, cells_per_unit_;
   std::size_t side_ = 1;                   // cells along a side of the grid
