@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/automatic_camera.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "luxel/render/lit_sides.h"
+#include "luxel/render/view_candidates.h"
+#include "luxel/render/view_score.h"
+
+namespace luxel {
+namespace {
+
+constexpr int coarse_rows = 9;  // 108 rays a view
+constexpr int fine_rows = 24;   // 768 rays a view
+constexpr std::size_t finalists = 16;
+constexpr double clearly = 1e-3;  // a better score by less than this is a tie, and the first stays: rounding
+                                  // (another unit of length) shall not choose the view
+
+struct Ranked {
+  View view;
+  double score = -1e30;
+  float depth = 0.0f;
+};
+
+Ranked rank(const Subject& subject, const View& view, int rows) {
+  const auto facts = look(subject, camera_of(view, subject.up, subject.diagonal), rows);
+  return {view, score(facts), facts.depth};
+}
+
+void keep_better(Ranked& best, const Ranked& other) {
+  if (other.score > best.score + clearly) best = other;
+}
+
+Ranked best_of(const Subject& subject, const std::vector<View>& views, int rows) {
+  Ranked best;
+  for (const auto& view : views) keep_better(best, rank(subject, view, rows));
+  return best;
+}
+
+// The view after a step to the side, up or ahead (shares of the depth), a turn and a nod; steps through
+// walls are not made.
+View moved(const Subject& subject, const Ranked& from, const Vec3& step, float turn, float nod) {
+  View view = from.view;
+  const auto camera = camera_of({view.eye, view.turn, 0.0f, view.vertical_fov}, subject.up, 1.0f);
+  const auto ahead = glm::normalize(camera.target - camera.eye);
+  const auto side = glm::cross(ahead, subject.up);
+  const auto way = from.depth * (step.x * side + step.y * subject.up + step.z * ahead);
+  const auto length = glm::length(way);
+  if (length > 0.0f && !subject.tracer.occluded({view.eye, way / length}, 1.2f * length)) view.eye += way;
+  view.turn += turn;
+  view.pitch = std::clamp(view.pitch + nod, -0.15f, 0.15f);
+  return view;
+}
+
+// Small moves, halved where none helps.
+Ranked refined(const Subject& subject, const View& start) {
+  auto best = rank(subject, start, fine_rows);
+  float size = 1.0f;
+  for (int round = 0; round < 4; ++round) {
+    const auto before = best.score;
+    for (const auto sign : {-size, size}) {
+      keep_better(best, rank(subject, moved(subject, best, Vec3(0.0f), 0.05f * sign, 0.0f), fine_rows));
+      keep_better(best,
+                  rank(subject, moved(subject, best, {0.0f, 0.0f, 0.25f * sign}, 0.0f, 0.0f), fine_rows));
+      keep_better(best,
+                  rank(subject, moved(subject, best, {0.2f * sign, 0.0f, 0.0f}, 0.0f, 0.0f), fine_rows));
+      keep_better(best, rank(subject, moved(subject, best, Vec3(0.0f), 0.0f, 0.02f * sign), fine_rows));
+    }
+    if (best.score == before) size *= 0.5f;
+  }
+  return best;
+}
+
+Bounds bounds_of(const PatchSet& patches) {
+  Bounds box;
+  for (const auto& corners : patches.corners)
+    for (const auto c : corners) box.add(patches.vertices[c]);
+  return box;
+}
+
+}  // namespace
+
+Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
+                        const Workers& workers, const Vec3& up, float aspect) {
+  const auto sides = make_lit_sides(patches, solution);
+  const auto box = bounds_of(patches);
+  const Subject subject{patches, sides, tracer, box, glm::length(box.size()), up, aspect};
+
+  // 1. The best view of each place, roughly.
+  auto groups = views_from_inside(subject);
+  for (const auto& view : views_from_outside(subject)) groups.push_back({view});
+  std::vector<Ranked> ranked(groups.size());
+  workers.for_chunks(groups.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) ranked[i] = best_of(subject, groups[i], coarse_rows);
+  });
+
+  // 2. The best of these, each looked at closely and moved a little.
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+  ranked.resize(std::min(ranked.size(), finalists));
+  workers.for_chunks(ranked.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) ranked[i] = refined(subject, ranked[i].view);
+  });
+
+  Ranked best;
+  for (const auto& one : ranked) keep_better(best, one);
+  const auto distance = best.depth > 0.0f ? best.depth : 0.5f * subject.diagonal;
+  return camera_of(best.view, up, distance);
+}
+
+}  // namespace luxel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/lit_sides.h"
+
+#include <cmath>
+#include <span>
+
+namespace luxel {
+namespace {
+
+constexpr double dark = 1e-4;  // of the mean irradiance: less is not lit but noise
+
+double mean(std::span<const float> bands) {
+  double sum = 0.0;
+  for (const auto b : bands) sum += static_cast<double>(b);
+  return bands.empty() ? 0.0 : sum / static_cast<double>(bands.size());
+}
+
+// Mean irradiance over bands of every side; ones where there is no light at all.
+std::vector<double> side_irradiance(const PatchSet& patches, const Solution& solution) {
+  const auto bands = patches.band_count();
+  const auto solved = solution.irradiance_front.size() == patches.size() * bands &&
+                      solution.irradiance_back.size() == patches.size() * bands;
+  std::vector<double> irradiance(2 * patches.size(), 0.0);
+  double total = 0.0;
+  for (std::size_t i = 0; solved && i < patches.size(); ++i) {
+    irradiance[2 * i] = mean(std::span(solution.irradiance_front).subspan(i * bands, bands));
+    irradiance[2 * i + 1] = mean(std::span(solution.irradiance_back).subspan(i * bands, bands));
+    total += irradiance[2 * i] + irradiance[2 * i + 1];
+  }
+  if (!(total > 0.0)) irradiance.assign(2 * patches.size(), 1.0);
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    if (!patches.material_of(i).two_sided) irradiance[2 * i + 1] = 0.0;
+  return irradiance;
+}
+
+}  // namespace
+
+LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
+  const auto irradiance = side_irradiance(patches, solution);
+  double area = 0.0;
+  double power = 0.0;
+  for (std::size_t side = 0; side < irradiance.size(); ++side) {
+    const auto a = static_cast<double>(patches.area[side / 2]);
+    area += a;
+    power += a * irradiance[side];
+  }
+  const auto least = area > 0.0 ? dark * power / area : 0.0;
+
+  LitSides sides;
+  double log_sum = 0.0;
+  for (std::size_t side = 0; side < irradiance.size(); ++side) {
+    if (!(irradiance[side] > least)) continue;
+    const auto a = static_cast<double>(patches.area[side / 2]);
+    sides.lit_area += a;
+    log_sum += a * std::log(irradiance[side]);
+  }
+  const auto typical = sides.lit_area > 0.0 ? std::exp(log_sum / sides.lit_area) : 1.0;
+
+  sides.brightness.assign(irradiance.size(), 0.0f);
+  for (std::size_t side = 0; side < irradiance.size(); ++side)
+    if (irradiance[side] > least)
+      sides.brightness[side] = static_cast<float>(irradiance[side] / (irradiance[side] + typical));
+  return sides;
+}
+
+}  // namespace luxel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "luxel/math/bounds.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/render/lit_sides.h"
+#include "luxel/scene/camera.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// What thumbnails are traced in.
+struct Subject {
+  const PatchSet& patches;
+  const LitSides& sides;
+  const Tracer& tracer;
+  Bounds box;             // of all patches
+  float diagonal = 0.0f;  // of the box, m
+  Vec3 up;
+  float aspect;  // width / height
+};
+
+// Numbers of a thumbnail; shares are of its pixels.
+struct ViewFacts {
+  double bright = 0.0;    // mean brightness (LitSides), nothing seen counts as 0
+  double lit = 0.0;       // share that shows lit surface
+  double empty = 0.0;     // share that shows nothing
+  double lamp = 0.0;      // share that shows lamps from their front
+  double near = 0.0;      // share too near for the picture's depth
+  double coverage = 0.0;  // share of the scene's lit area that is in view, roughly
+  double variety = 0.0;   // of directions, depths and materials, 0 to 1
+  float depth = 0.0f;     // geometric mean distance of what is seen, m; 0: nothing
+};
+
+// rows: height of the thumbnail in pixels. Cost: rows * rows * aspect rays.
+ViewFacts look(const Subject& subject, const Camera& camera, int rows);
+
+// Higher is better; only the order means anything.
+double score(const ViewFacts& facts);
+
+}  // namespace luxel
