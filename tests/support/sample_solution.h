@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "luxel/math/triangle.h"
@@ -65,6 +69,54 @@ inline Baked baked(std::size_t count, std::size_t bands) {
   auto set = patches(count, bands);
   auto light = solution(set);
   return {std::move(set), std::move(light)};
+}
+
+// To the bit: == would call 0 and -0 the same.
+template <typename T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+inline bool same_material(const BandMaterial& a, const BandMaterial& b) {
+  return a.name == b.name && a.two_sided == b.two_sided && same_bits(a.reflectance, b.reflectance) &&
+         same_bits(a.emittance, b.emittance);
+}
+
+// The first member that differs, or nothing.
+inline std::string difference(const PatchSet& a, const PatchSet& b) {
+  if (!same_bits(a.vertices, b.vertices)) return "vertices";
+  if (a.corners != b.corners) return "corners";
+  if (!same_bits(a.normal, b.normal)) return "normal";
+  if (!same_bits(a.area, b.area)) return "area";
+  if (a.material != b.material) return "material";
+  if (a.triangle != b.triangle) return "triangle";
+  if (a.bands != b.bands) return "bands";
+  if (!std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
+                  same_material))
+    return "materials";
+  return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
+}
+
+inline std::string difference(const Provenance& a, const Provenance& b) {
+  if (a.program_version != b.program_version) return "program_version";
+  if (a.command_line != b.command_line) return "command_line";
+  if (a.method != b.method) return "method";
+  if (a.options != b.options) return "options";
+  if (a.seed != b.seed) return "seed";
+  if (a.rays != b.rays) return "rays";
+  return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
+}
+
+inline std::string difference(const Solution& a, const Solution& b) {
+  if (a.bands != b.bands) return "bands";
+  if (!same_bits(a.irradiance_front, b.irradiance_front)) return "irradiance_front";
+  if (!same_bits(a.irradiance_back, b.irradiance_back)) return "irradiance_back";
+  if (!same_bits(a.radiosity_front, b.radiosity_front)) return "radiosity_front";
+  if (!same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
+  if (a.unshot_share != b.unshot_share) return "unshot_share";
+  if (a.predicted_error != b.predicted_error) return "predicted_error";
+  if (a.stop != b.stop) return "stop";
+  return difference(a.provenance, b.provenance);
 }
 
 }  // namespace luxel::sample

@@ -2,7 +2,6 @@
 #include "luxel/solution/solution_file.h"
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -21,51 +20,9 @@ namespace fs = std::filesystem;
 
 fs::path in_temp(const std::string& name) { return fs::path(testing::TempDir()) / name; }
 
-// To the bit: == would call 0 and -0 the same.
-template <typename T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-void expect_same_patches(const PatchSet& a, const PatchSet& b) {
-  EXPECT_TRUE(same_bits(a.vertices, b.vertices));
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_TRUE(same_bits(a.normal, b.normal));
-  EXPECT_TRUE(same_bits(a.area, b.area));
-  EXPECT_EQ(a.material, b.material);
-  EXPECT_EQ(a.triangle, b.triangle);
-  EXPECT_EQ(a.bands, b.bands);
-  EXPECT_EQ(a.scene_fingerprint, b.scene_fingerprint);
-  ASSERT_EQ(a.materials.size(), b.materials.size());
-  for (std::size_t i = 0; i < a.materials.size(); ++i) {
-    EXPECT_EQ(a.materials[i].name, b.materials[i].name);
-    EXPECT_EQ(a.materials[i].two_sided, b.materials[i].two_sided);
-    EXPECT_TRUE(same_bits(a.materials[i].reflectance, b.materials[i].reflectance));
-    EXPECT_TRUE(same_bits(a.materials[i].emittance, b.materials[i].emittance));
-  }
-}
-
-void expect_same_solution(const Solution& a, const Solution& b) {
-  EXPECT_EQ(a.bands, b.bands);
-  EXPECT_TRUE(same_bits(a.irradiance_front, b.irradiance_front));
-  EXPECT_TRUE(same_bits(a.irradiance_back, b.irradiance_back));
-  EXPECT_TRUE(same_bits(a.radiosity_front, b.radiosity_front));
-  EXPECT_TRUE(same_bits(a.radiosity_back, b.radiosity_back));
-  EXPECT_EQ(a.unshot_share, b.unshot_share);
-  EXPECT_EQ(a.predicted_error, b.predicted_error);
-  EXPECT_EQ(a.stop, b.stop);
-  EXPECT_EQ(a.provenance.program_version, b.provenance.program_version);
-  EXPECT_EQ(a.provenance.command_line, b.provenance.command_line);
-  EXPECT_EQ(a.provenance.method, b.provenance.method);
-  EXPECT_EQ(a.provenance.options, b.provenance.options);
-  EXPECT_EQ(a.provenance.seed, b.provenance.seed);
-  EXPECT_EQ(a.provenance.rays, b.provenance.rays);
-  EXPECT_EQ(a.provenance.scene_fingerprint, b.provenance.scene_fingerprint);
-}
-
 void expect_same(const Baked& a, const Baked& b) {
-  expect_same_patches(a.patches, b.patches);
-  expect_same_solution(a.solution, b.solution);
+  EXPECT_EQ(sample::difference(a.patches, b.patches), "");
+  EXPECT_EQ(sample::difference(a.solution, b.solution), "");
 }
 
 fs::path write(const std::string& name, const Baked& baked) {

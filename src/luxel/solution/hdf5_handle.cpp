@@ -19,6 +19,10 @@ herr_t keep_first(unsigned position, const H5E_error2_t* entry, void* result) {
 }  // namespace
 
 Hdf5Silence::Hdf5Silence() {
+  // HDF5 1.10.8 loses some memory over a damaged header, and at the program's end prints that it "loops"
+  // because of it. We close what we open, so nothing is left to do then. Refused, rightly, where another part
+  // of the program has started the library before.
+  H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &print_, &print_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

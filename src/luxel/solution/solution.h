@@ -15,7 +15,7 @@ enum class StopReason { converged, stopped_by_user, nothing_to_do };
 // Where a solution came from: enough to make it again.
 struct Provenance {
   std::string program_version;
-  std::string command_line;  // as typed; empty from a library call
+  std::string command_line;  // that makes it again; empty from a library call
   std::string method;        // "stochastic-jacobi"
   std::vector<std::pair<std::string, std::string>>
       options;  // every option with its value, in declaration order
