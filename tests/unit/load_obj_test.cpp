@@ -185,7 +185,7 @@ TEST(LoadObj, vertex_normals_say_which_side_is_the_front) {
       files.load_text(square + "usemtl a\nvn 0 0 -1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1//2 2//2 3//2\n");
   EXPECT_EQ(scene.triangles, (std::vector<Triangle>{{0, 2, 1}, {0, 1, 2}}));
   EXPECT_NE(files.all_warnings().find(
-                "room.obj: 1 triangle wound against their vertex normals (first: line 8); turned round\n"),
+                "room.obj: 1 triangle wound against the vertex normals (first: line 8); turned round\n"),
             std::string::npos)
       << files.all_warnings();
 }

@@ -50,7 +50,7 @@ Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, co
   say(mesh.faces_without_material, "face", "before any usemtl", "the material 'default' is taken", source,
       log);
   say(mesh.unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source, log);
-  say(turned, "triangle", "wound against their vertex normals", "turned round", source, log);
+  say(turned, "triangle", "wound against the vertex normals", "turned round", source, log);
   return scene;
 }
 

@@ -22,7 +22,7 @@ struct Statement {
 
   [[noreturn]] void refuse(const std::string& expected) const {
     throw InputError(source, line,
-                     fmt::format("expected {} after {}, found '{}'", expected, keyword, operands));
+                     fmt::format("expected {} after {}, found '{}'", expected, keyword, excerpt(operands)));
   }
 };
 

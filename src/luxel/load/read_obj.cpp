@@ -18,13 +18,6 @@
 namespace luxel {
 namespace {
 
-// Enough for a person to recognise a line by.
-std::string excerpt(std::string_view text) {
-  constexpr std::size_t most = 60;
-  text = trim(text);
-  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
-}
-
 // The indices of a corner as the file counts them; 0 where there is none.
 struct CornerIndices {
   int position = 0;

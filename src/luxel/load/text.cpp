@@ -79,6 +79,12 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t most = 60;
+  text = trim(text);
+  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
+}
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   for (auto& c : lower)

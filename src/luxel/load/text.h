@@ -37,6 +37,8 @@ std::string_view trim(std::string_view text);
 std::string_view after_first_word(std::string_view text);
 // Removes the first word (blanks around it too) from text and returns it; empty where there is none.
 std::string_view take_word(std::string_view& text);
+// As much of a text as a person needs to recognise a line by.
+std::string excerpt(std::string_view text);
 std::string lower_case(std::string_view text);
 
 }  // namespace luxel
