@@ -14,7 +14,8 @@ namespace {
 
 constexpr int coarse_rows = 9;  // 108 rays a view
 constexpr int fine_rows = 24;   // 768 rays a view
-constexpr std::size_t finalists = 16;
+constexpr std::size_t finalists_inside = 16;
+constexpr std::size_t finalists_outside = 8;
 constexpr double clearly = 1e-3;  // a better score by less than this is a tie, and the first stays: rounding
                                   // (another unit of length) shall not choose the view
 
@@ -26,7 +27,7 @@ struct Ranked {
 
 Ranked rank(const Subject& subject, const View& view, int rows) {
   const auto facts = look(subject, camera_of(view, subject.up, subject.diagonal), rows);
-  return {view, score(facts), facts.depth};
+  return {view, score(facts, subject.openness), facts.depth};
 }
 
 void keep_better(Ranked& best, const Ranked& other) {
@@ -73,6 +74,19 @@ Ranked refined(const Subject& subject, const View& start) {
   return best;
 }
 
+// The best view of each group, of these the best `count`, best first.
+std::vector<Ranked> best_groups(const Subject& subject, const std::vector<std::vector<View>>& groups,
+                                std::size_t count, const Workers& workers) {
+  std::vector<Ranked> ranked(groups.size());
+  workers.for_chunks(groups.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) ranked[i] = best_of(subject, groups[i], coarse_rows);
+  });
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+  ranked.resize(std::min(ranked.size(), count));
+  return ranked;
+}
+
 Bounds bounds_of(const PatchSet& patches) {
   Bounds box;
   for (const auto& corners : patches.corners)
@@ -86,26 +100,22 @@ Camera automatic_camera(const PatchSet& patches, const Solution& solution, const
                         const Workers& workers, const Vec3& up, float aspect) {
   const auto sides = make_lit_sides(patches, solution);
   const auto box = bounds_of(patches);
-  const Subject subject{patches, sides, tracer, box, glm::length(box.size()), up, aspect};
+  Subject subject{patches, sides, tracer, box, glm::length(box.size()), up, aspect};
+  subject.openness = openness(subject);
 
-  // 1. The best view of each place, roughly.
-  auto groups = views_from_inside(subject);
-  for (const auto& view : views_from_outside(subject)) groups.push_back({view});
-  std::vector<Ranked> ranked(groups.size());
-  workers.for_chunks(groups.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = begin; i < end; ++i) ranked[i] = best_of(subject, groups[i], coarse_rows);
-  });
+  // 1. The best view of each place, roughly; of these the best, those from outside apart: they would not
+  // survive beside the many from inside.
+  auto finals = best_groups(subject, views_from_inside(subject), finalists_inside, workers);
+  for (const auto& one : best_groups(subject, views_from_outside(subject), finalists_outside, workers))
+    finals.push_back(one);
 
-  // 2. The best of these, each looked at closely and moved a little.
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
-  ranked.resize(std::min(ranked.size(), finalists));
-  workers.for_chunks(ranked.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = begin; i < end; ++i) ranked[i] = refined(subject, ranked[i].view);
+  // 2. Each looked at closely and moved a little.
+  workers.for_chunks(finals.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) finals[i] = refined(subject, finals[i].view);
   });
 
   Ranked best;
-  for (const auto& one : ranked) keep_better(best, one);
+  for (const auto& one : finals) keep_better(best, one);
   const auto distance = best.depth > 0.0f ? best.depth : 0.5f * subject.diagonal;
   return camera_of(best.view, up, distance);
 }

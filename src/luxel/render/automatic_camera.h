@@ -9,8 +9,8 @@
 
 namespace luxel {
 
-// Which way is up: the longer of two votes, the directions lamps shine (downwards) and the area of level
-// surfaces; Y where they do not decide. Result: (0,1,0) or (0,0,1).
+// Which way is up: the axis more surfaces are level about; where they do not decide, the one lamps shine down
+// along; else Y. Result: (0,1,0) or (0,0,1). Windows that are lamps shine sideways, so surfaces come first.
 Vec3 automatic_up(const PatchSet& patches);
 
 // A view that shows much lit surface, for a scene nobody gave a camera for: candidate views from inside and

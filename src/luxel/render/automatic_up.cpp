@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 
 #include "luxel/render/automatic_camera.h"
@@ -9,6 +8,8 @@ namespace {
 
 // Within 6 degrees of an axis: level, or shining straight down.
 constexpr double close_to_axis = 0.995;
+// Level surfaces must lead by this share to decide: below it, furniture may as well lie on its side.
+constexpr double clear_lead = 0.1;
 
 struct Vote {
   double y = 0.0;
@@ -22,24 +23,38 @@ struct Vote {
   double lead() const { return y + z > 0.0 ? (y - z) / (y + z) : 0.0; }
 };
 
-double power_of(const BandMaterial& material, double area) {
-  double sum = 0.0;
-  for (const auto emittance : material.emittance) sum += static_cast<double>(emittance);
-  return sum * area;
+// Each input triangle weighs by its length, not its area: treads, boards and table tops are many and mostly
+// level, and would drown beside two long walls.
+Vote level_surfaces(const PatchSet& patches) {
+  Vote vote;
+  for (std::size_t i = 0; i < patches.size();) {
+    const auto triangle = patches.triangle[i];
+    const Vec3d n(patches.normal[i]);
+    double area = 0.0;
+    for (; i < patches.size() && patches.triangle[i] == triangle; ++i)
+      area += static_cast<double>(patches.area[i]);
+    vote.add(std::abs(n.y), std::abs(n.z), std::sqrt(area));
+  }
+  return vote;
+}
+
+// By power.
+Vote lamps_downwards(const PatchSet& patches) {
+  Vote vote;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    double emittance = 0.0;
+    for (const auto e : patches.material_of(i).emittance) emittance += static_cast<double>(e);
+    const Vec3d n(patches.normal[i]);
+    vote.add(-n.y, -n.z, emittance * static_cast<double>(patches.area[i]));
+  }
+  return vote;
 }
 
 }  // namespace
 
 Vec3 automatic_up(const PatchSet& patches) {
-  Vote lamps;
-  Vote level;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    const auto area = static_cast<double>(patches.area[i]);
-    const Vec3d n(patches.normal[i]);
-    level.add(std::abs(n.y), std::abs(n.z), area);
-    lamps.add(-n.y, -n.z, power_of(patches.material_of(i), area));
-  }
-  const auto lead = std::abs(lamps.lead()) > std::abs(level.lead()) ? lamps.lead() : level.lead();
+  auto lead = level_surfaces(patches).lead();
+  if (std::abs(lead) < clear_lead) lead = lamps_downwards(patches).lead();
   return lead < 0.0 ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(0.0f, 1.0f, 0.0f);
 }
 

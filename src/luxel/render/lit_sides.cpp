@@ -8,6 +8,7 @@ namespace luxel {
 namespace {
 
 constexpr double dark = 1e-4;  // of the mean irradiance: less is not lit but noise
+constexpr double glare = 3.0;  // of the typical irradiance
 
 double mean(std::span<const float> bands) {
   double sum = 0.0;
@@ -46,20 +47,28 @@ LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
   }
   const auto least = area > 0.0 ? dark * power / area : 0.0;
 
-  LitSides sides;
+  // Log-average, weighted by power: what falls on a wide ground around a house has little to say in it.
   double log_sum = 0.0;
+  double weight = 0.0;
   for (std::size_t side = 0; side < irradiance.size(); ++side) {
     if (!(irradiance[side] > least)) continue;
-    const auto a = static_cast<double>(patches.area[side / 2]);
-    sides.lit_area += a;
-    log_sum += a * std::log(irradiance[side]);
+    const auto arriving = static_cast<double>(patches.area[side / 2]) * irradiance[side];
+    log_sum += arriving * std::log(irradiance[side]);
+    weight += arriving;
   }
-  const auto typical = sides.lit_area > 0.0 ? std::exp(log_sum / sides.lit_area) : 1.0;
+  const auto typical = weight > 0.0 ? std::exp(log_sum / weight) : 1.0;
 
+  LitSides sides;
   sides.brightness.assign(irradiance.size(), 0.0f);
-  for (std::size_t side = 0; side < irradiance.size(); ++side)
-    if (irradiance[side] > least)
-      sides.brightness[side] = static_cast<float>(irradiance[side] / (irradiance[side] + typical));
+  for (std::size_t side = 0; side < irradiance.size(); ++side) {
+    if (!(irradiance[side] > least)) continue;
+    const auto brightness = irradiance[side] / (irradiance[side] + typical);
+    sides.brightness[side] = static_cast<float>(brightness);
+    sides.lit_area += static_cast<double>(patches.area[side / 2]) * brightness;
+  }
+  sides.glaring.assign(irradiance.size(), false);
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    sides.glaring[2 * i] = mean(patches.material_of(i).emittance) > glare * typical;
   return sides;
 }
 

@@ -12,9 +12,9 @@ namespace luxel {
 // What a view is judged by: how bright each side of each patch shows. Side 2 * patch is the front,
 // 2 * patch + 1 the back.
 struct LitSides {
-  std::vector<float> brightness;  // [side], [0, 1): 0 unlit, 0.5 the scene's log-average; lamps count by what
-                                  // they reflect
-  double lit_area = 0.0;          // m², of all lit sides
+  std::vector<float> brightness;  // [side], [0, 1): 0 unlit, 0.5 the irradiance typical of the scene
+  std::vector<bool> glaring;      // [side]: emits far more than lit surfaces send back
+  double lit_area = 0.0;          // m², each lit side's area times its brightness
 
   bool lit(std::size_t side) const { return brightness[side] > 0.0f; }
 };

@@ -14,6 +14,7 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t places = 288;
+constexpr std::size_t openness_rays = 4096;
 constexpr int turns_inside = 12;
 constexpr int turns_outside = 16;
 constexpr float pitch_inside = -0.02f;      // 7 degrees downwards
@@ -47,14 +48,23 @@ std::vector<std::size_t> draw_sides(const Subject& subject, std::size_t count, b
   return drawn;
 }
 
+Vec3 normal_of(const Subject& subject, std::size_t side) {
+  return side % 2 == 0 ? subject.patches.normal[side / 2] : -subject.patches.normal[side / 2];
+}
+
+// A uniform point of the side, lifted off it.
+Vec3 point_before(const Subject& subject, std::size_t side, float u1, float u2) {
+  const auto points = subject.patches.points(side / 2);
+  const auto where = uniform_triangle(u1, u2);
+  return (1.0f - where.x - where.y) * points[0] + where.x * points[1] + where.y * points[2] +
+         2.0f * origin_lift(points) * normal_of(subject, side);
+}
+
 // Somewhere between the side and what it faces, then raised or lowered to eye level.
 Vec3 place_before(const Subject& subject, std::size_t side, std::uint64_t sample) {
   const auto random = uniform4({.seed = 0, .step = 0, .element = 0, .sample = sample});
-  const auto points = subject.patches.points(side / 2);
-  const auto where = uniform_triangle(random[0], random[1]);
-  const auto normal = side % 2 == 0 ? subject.patches.normal[side / 2] : -subject.patches.normal[side / 2];
-  const auto point = (1.0f - where.x - where.y) * points[0] + where.x * points[1] + where.y * points[2] +
-                     2.0f * origin_lift(points) * normal;
+  const auto point = point_before(subject, side, random[0], random[1]);
+  const auto normal = normal_of(subject, side);
   const auto free = std::min(subject.tracer.nearest({point, normal}).distance, 0.5f * subject.diagonal);
   const auto eye = point + (0.08f + 0.84f * random[2]) * free * normal;
 
@@ -92,6 +102,19 @@ Camera camera_of(const View& view, const Vec3& up, float distance) {
   return {view.eye, view.eye + distance * forward, up, view.vertical_fov};
 }
 
+double openness(const Subject& subject) {
+  const auto sides = draw_sides(subject, openness_rays, true);
+  std::size_t free = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const auto random = uniform4({.seed = 0, .step = 1, .element = 0, .sample = i});
+    const auto start = point_before(subject, sides[i], random[0], random[1]);
+    const auto direction =
+        Frame(normal_of(subject, sides[i])).to_world(cosine_hemisphere(random[2], random[3]));
+    if (!subject.tracer.nearest({start, direction})) ++free;
+  }
+  return sides.empty() ? 1.0 : static_cast<double>(free) / static_cast<double>(sides.size());
+}
+
 std::vector<std::vector<View>> views_from_inside(const Subject& subject) {
   // Half of the places by area, half by count: the finely modelled corner of a large hall is worth a look.
   auto sides = draw_sides(subject, places / 2, true);
@@ -109,10 +132,11 @@ std::vector<std::vector<View>> views_from_inside(const Subject& subject) {
   return all;
 }
 
-std::vector<View> views_from_outside(const Subject& subject) {
+std::vector<std::vector<View>> views_from_outside(const Subject& subject) {
   const auto fov = degrees_of(half_height(half_height_outside, subject.aspect));
-  std::vector<View> views;
+  std::vector<std::vector<View>> all;
   for (int k = 0; k < turns_outside; ++k) {
+    auto& views = all.emplace_back();
     for (const auto pitch : {0.0f, -0.04f, -0.08f}) {
       for (const auto crop : {1.0f, 0.85f}) {
         View view{subject.box.center(), static_cast<float>(k) / turns_outside, pitch, fov};
@@ -123,7 +147,7 @@ std::vector<View> views_from_outside(const Subject& subject) {
       }
     }
   }
-  return views;
+  return all;
 }
 
 }  // namespace luxel

@@ -63,6 +63,49 @@ float geometric_mean_distance(const std::vector<Hit>& hits) {
   return hits.empty() ? 0.0f : static_cast<float>(std::exp(sum / static_cast<double>(hits.size())));
 }
 
+bool differ(const Subject& subject, const Hit& a, const Hit& b) {
+  if (!a || !b) return a || b;
+  return subject.patches.material[a.patch] != subject.patches.material[b.patch] ||
+         glm::dot(subject.patches.normal[a.patch], subject.patches.normal[b.patch]) < 0.8f ||
+         std::max(a.distance, b.distance) > 1.5f * std::min(a.distance, b.distance);
+}
+
+// pixels: row by row.
+double detail_of(const Subject& subject, std::span<const Hit> pixels, std::size_t columns) {
+  std::size_t edges = 0;
+  for (std::size_t i = columns; i < pixels.size(); ++i) {
+    if (differ(subject, pixels[i], pixels[i - columns])) ++edges;
+    if (i % columns > 0 && differ(subject, pixels[i], pixels[i - 1])) ++edges;
+  }
+  return static_cast<double>(edges) / (2.0 * static_cast<double>(pixels.size()));
+}
+
+// What one pixel adds to the shares, times the number of pixels. solid_angle: of the pixel, sr.
+void add_hit(const Subject& subject, const Ray& ray, const Hit& hit, double solid_angle, double pixels,
+             ViewFacts& facts) {
+  const auto side = std::size_t{2} * hit.patch + (hit.back ? 1 : 0);
+  if (subject.sides.glaring[side]) facts.glare += 1.0;
+  if (!subject.sides.lit(side)) return;
+  const auto brightness = static_cast<double>(subject.sides.brightness[side]);
+  facts.lit += 1.0;
+  facts.bright += brightness;
+  // One pixel may not stand for much of the scene, or a far floor seen at a grazing angle would outweigh the
+  // picture.
+  const auto cosine = std::abs(glm::dot(ray.direction, subject.patches.normal[hit.patch]));
+  const auto distance = static_cast<double>(hit.distance);
+  const auto area = distance * distance * solid_angle / std::max(0.1, static_cast<double>(cosine));
+  facts.coverage += std::min(pixels * area * brightness / subject.sides.lit_area, 4.0);
+}
+
+// Steep surfaces only: the floor may begin at one's feet.
+double near_count(const Subject& subject, std::span<const Hit> hits, float depth) {
+  const auto close = std::max(0.35f * depth, 0.004f * subject.diagonal);
+  return static_cast<double>(std::count_if(hits.begin(), hits.end(), [&](const Hit& hit) {
+    const auto level = std::abs(glm::dot(subject.patches.normal[hit.patch], subject.up)) > 0.7f;
+    return hit.distance < (level ? 0.4f * close : close);
+  }));
+}
+
 }  // namespace
 
 ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
@@ -74,44 +117,42 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
   const auto forward = glm::normalize(camera.target - camera.eye);
 
   ViewFacts facts;
+  std::vector<Hit> picture;
   std::vector<Hit> hits;
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
       const auto ray = pinhole.ray(x + 0.5, y + 0.5);
-      const auto hit = subject.tracer.nearest(ray);
+      const auto& hit = picture.emplace_back(subject.tracer.nearest(ray));
       if (!hit) continue;
       hits.push_back(hit);
-      const auto side = std::size_t{2} * hit.patch + (hit.back ? 1 : 0);
-      if (!hit.back && subject.patches.material_of(hit.patch).is_lamp()) facts.lamp += 1.0 / pixels;
-      if (!subject.sides.lit(side)) continue;
-      facts.lit += 1.0 / pixels;
-      facts.bright += static_cast<double>(subject.sides.brightness[side]) / pixels;
-      // The surface a pixel shows: distance² solid angle / cosine. One pixel may not stand for much of the
-      // scene, or a far floor seen at a grazing angle would outweigh the picture.
-      const auto along = static_cast<double>(glm::dot(ray.direction, forward));
-      const auto cosine = std::max(
-          0.1, static_cast<double>(std::abs(glm::dot(ray.direction, subject.patches.normal[hit.patch]))));
-      const auto side_length = pixel_side * static_cast<double>(hit.distance);
-      const auto area = side_length * side_length * along * along * along / cosine;
-      facts.coverage += std::min(area / subject.sides.lit_area, 4.0 / pixels);
+      if (x == 0 || y == 0 || x == columns - 1 || y == rows - 1) facts.border += 1.0;
+      const auto cosine = static_cast<double>(glm::dot(ray.direction, forward));
+      add_hit(subject, ray, hit, pixel_side * pixel_side * cosine * cosine * cosine, pixels, facts);
     }
   }
-  facts.empty = 1.0 - static_cast<double>(hits.size()) / pixels;
-  if (hits.empty()) return facts;
+  facts.detail = detail_of(subject, picture, static_cast<std::size_t>(columns));
   facts.depth = geometric_mean_distance(hits);
-  const auto close = std::max(0.22f * facts.depth, 0.004f * subject.diagonal);
-  for (const auto& hit : hits) facts.near += hit.distance < close ? 1.0 / pixels : 0.0;
+  facts.near = near_count(subject, hits, facts.depth) / pixels;
+  facts.border /= 2.0 * (rows + columns) - 4.0;
+  facts.rise = static_cast<double>(glm::dot(forward, subject.up));
+  facts.empty = 1.0 - static_cast<double>(hits.size()) / pixels;
+  for (auto* share : {&facts.bright, &facts.lit, &facts.glare, &facts.coverage}) *share /= pixels;
   facts.variety = (directions_variety(subject, hits) + materials_variety(subject, hits) +
                    depth_variety(hits, facts.depth)) /
                   3.0;
   return facts;
 }
 
-double score(const ViewFacts& f) {
+double score(const ViewFacts& f, double openness) {
   const auto beyond = [](double share, double allowed) { return std::max(0.0, share - allowed); };
-  return std::log(f.bright + 0.02) + 0.35 * std::log(f.coverage + 0.005) + 0.8 * f.variety -
-         2.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.lamp, 0.10) - 1.0 * beyond(f.empty, 0.05) -
-         1.5 * beyond(f.empty, 0.25);
+  const auto allowed = std::min(0.6, openness);
+  const auto filled = 1.0 - std::min(f.empty, allowed);
+  // A thing alone is shown whole; in a room the picture has no other place to end than on a wall.
+  const auto cut_off = beyond(openness, 0.5) * f.border;
+  return std::log(f.bright / filled + 0.02) + 0.5 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
+         1.5 * std::min(f.detail, 0.4) - 2.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
+         2.0 * beyond(f.empty, allowed) - 1.5 * cut_off - 1.5 * beyond(f.rise, 0.02) -
+         1.0 * beyond(-f.rise, 0.13);
 }
 
 }  // namespace luxel
