@@ -168,7 +168,7 @@ TEST(LoadMtl, a_missing_emissive_texture_emits_nothing) {
 
 TEST(ReadMtl, steps_over_texture_options) {
   const auto name = [](const std::string& operands) {
-    return read_mtl("newmtl m\nmap_Kd " + operands, "x.mtl").at(0).map_Kd;
+    return read_mtl("newmtl m\nmap_Kd " + operands, "x.mtl").at(0).map_kd;
   };
   EXPECT_EQ(name("wood.png"), "wood.png");
   EXPECT_EQ(name("  my wood.png  "), "my wood.png");
@@ -182,8 +182,8 @@ TEST(ReadMtl, steps_over_texture_options) {
 
 TEST(ReadMtl, keywords_may_be_written_in_any_case) {
   const auto material = read_mtl("newmtl m\nkd 0.5 0.5 0.5\nMAP_KD a.png\n", "x.mtl").at(0);
-  EXPECT_EQ(material.Kd, Vec3(0.5f));
-  EXPECT_EQ(material.map_Kd, "a.png");
+  EXPECT_EQ(material.kd, Vec3(0.5f));
+  EXPECT_EQ(material.map_kd, "a.png");
 }
 
 TEST(ReadMtl, what_stands_before_the_first_newmtl_belongs_to_nobody) {

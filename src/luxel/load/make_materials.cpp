@@ -51,23 +51,23 @@ Material MaterialMaker::make(const NamedLine& use) {
 
 Vec3 MaterialMaker::reflectance(const MaterialLibrary::Entry& entry) {
   const auto& mtl = entry.material;
-  if (mtl.map_Kd.empty()) {
-    if (!mtl.Kd) colorless_.push_back(mtl.name);
-    return mtl.Kd.value_or(Vec3(default_reflectance));
+  if (mtl.map_kd.empty()) {
+    if (!mtl.kd) colorless_.push_back(mtl.name);
+    return mtl.kd.value_or(Vec3(default_reflectance));
   }
-  const auto mean = reflecting_.mean(entry.folder, mtl.map_Kd, mtl.name);
-  return mtl.Kd.value_or(Vec3(1.0f)) * mean.value_or(Vec3(default_reflectance));
+  const auto mean = reflecting_.mean(entry.folder, mtl.map_kd, mtl.name);
+  return mtl.kd.value_or(Vec3(1.0f)) * mean.value_or(Vec3(default_reflectance));
 }
 
 // Ke alone where both are given: exporters write it beside map_Ke in two meanings, as a factor and as 0.
 Vec3 MaterialMaker::radiance(const MaterialLibrary::Entry& entry) {
   const auto& mtl = entry.material;
-  if (mtl.map_Ke.empty()) return mtl.Ke.value_or(Vec3(0.0f));
-  if (mtl.Ke) {
+  if (mtl.map_ke.empty()) return mtl.ke.value_or(Vec3(0.0f));
+  if (mtl.ke) {
     emitting_twice_.push_back(mtl.name);
-    return *mtl.Ke;
+    return *mtl.ke;
   }
-  return emitting_.mean(entry.folder, mtl.map_Ke, mtl.name).value_or(Vec3(0.0f));
+  return emitting_.mean(entry.folder, mtl.map_ke, mtl.name).value_or(Vec3(0.0f));
 }
 
 void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) const {

@@ -108,10 +108,10 @@ std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& sour
     }
     if (materials.empty()) continue;
     auto& material = materials.back();
-    if (key == "kd") material.Kd = read_color(statement);
-    if (key == "ke") material.Ke = read_radiance(statement);
-    if (key == "map_kd") material.map_Kd = read_texture_name(operands);
-    if (key == "map_ke") material.map_Ke = read_texture_name(operands);
+    if (key == "kd") material.kd = read_color(statement);
+    if (key == "ke") material.ke = read_radiance(statement);
+    if (key == "map_kd") material.map_kd = read_texture_name(operands);
+    if (key == "map_ke") material.map_ke = read_texture_name(operands);
     if (key == "d") material.opacity = read_opacity(statement);
     if (key == "tr" && !has_d) material.opacity = 1.0f - read_opacity(statement);
     has_d = has_d || key == "d";

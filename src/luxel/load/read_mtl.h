@@ -13,10 +13,10 @@ namespace luxel {
 // What an MTL file says of one material, as far as diffuse light cares.
 struct MtlMaterial {
   std::string name;
-  std::optional<Vec3> Kd;  // reflectance, 0 or more
-  std::optional<Vec3> Ke;  // radiance, W/(m² sr), 0 or more
-  std::string map_Kd;      // file name without options, as written; empty where there is none
-  std::string map_Ke;
+  std::optional<Vec3> kd;  // reflectance, 0 or more
+  std::optional<Vec3> ke;  // radiance, W/(m² sr), 0 or more
+  std::string map_kd;      // file name without options, as written; empty where there is none
+  std::string map_ke;
   std::optional<float> opacity;  // d, or 1 - Tr where there is no d
 };
 
