@@ -26,7 +26,7 @@ class Bake final : public Command {
     run_.declare(options, all_kinds);
   }
 
-  int run(const std::string& command_line) override {
+  int run() override {
     if (run_.print_config) {
       fmt::print("{}", options().as_file());
       return exit_fine;
@@ -60,8 +60,8 @@ class Bake final : public Command {
     });
     auto& provenance = baked.solution.provenance;
     provenance.program_version = program_version;
-    provenance.command_line = command_line;
-    provenance.options = options().values();
+    provenance.command_line = options().as_command(RunSettings::heading);
+    provenance.options = options().values(RunSettings::heading);
     report_light(baked, solved, console);
 
     // 4. What was asked for.

@@ -33,13 +33,13 @@ void declare(CLI::App& app, Declaration& d, const std::string& heading, Given& g
       given.options.push_back({&d, texts});
     };
     option = app.add_option_function<std::vector<std::string>>(flags, take, d.help);
-    option->type_name(d.unit)->type_size(1)->expected(1);
+    const auto value = d.print();
+    option->option_text(fmt::format("<{}>{}", d.unit, value.empty() ? "" : fmt::format(" [{}]", value)));
+    option->type_size(1)->expected(1);
     if (d.many)
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
           ->expected(1, 1 << 20)
           ->allow_extra_args(false);
-    const auto value = d.print();
-    if (!value.empty()) option->default_str(value);
   }
   if (!heading.empty()) option->group(heading);
 }
@@ -71,7 +71,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   CLI::App app("Luxel: global illumination of diffuse scenes by the radiosity method.", "luxel");
   app.set_version_flag("--version", "luxel " + version_);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  app.get_formatter()->column_width(38);
   app.footer(
       "'luxel COMMAND --help' explains a command. Exit codes: 0 fine, 1 failed, 2 misused, 3 stopped early.");
 
@@ -81,10 +81,12 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
     auto* sub = app.add_subcommand(set->name_, set->summary_);
     subcommands.push_back(sub);
     if (set->positional_)
-      sub->add_option(set->positional_->name, *set->positional_->value, set->positional_->help)->required();
+      sub->add_option(set->positional_->name, *set->positional_->value, set->positional_->help)
+          ->required()
+          ->option_text("(needed)");
     for (auto& e : set->entries_) declare(*sub, e.declaration, e.heading, given);
     sub->add_option("--config", given.config, "read options from a text file of 'name = value' lines")
-        ->type_name("FILE");
+        ->option_text("<FILE>");
   }
   try {
     app.parse(argc, argv);
@@ -92,7 +94,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
     return {nullptr, std::string(version.what()) + "\n"};
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
-    return {nullptr, chosen.empty() ? app.help() : chosen.front()->help()};
+    return {nullptr, chosen.empty() ? app.help() : chosen.front()->help("luxel")};
   } catch (const CLI::ParseError& error) {
     throw UsageError(
         fmt::format("{}; 'luxel --help' lists commands, 'luxel COMMAND --help' their options", error.what()));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "luxel/apps/command_line.h"
 
@@ -19,7 +18,7 @@ class Command {
  public:
   virtual ~Command() = default;
   // Returns the exit code; throws the library's errors.
-  virtual int run(const std::string& command_line) = 0;
+  virtual int run() = 0;
   const OptionSet& options() const { return options_; }
 
  protected:

@@ -22,7 +22,7 @@ class FromSolution final : public Command {
     run_.declare(options, kinds_);
   }
 
-  int run(const std::string&) override {
+  int run() override {
     if (run_.print_config) {
       fmt::print("{}", options().as_file());
       return exit_fine;

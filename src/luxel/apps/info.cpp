@@ -21,7 +21,7 @@ class Info final : public Command {
     options.add_flag("json", json_, "print JSON");
   }
 
-  int run(const std::string&) override {
+  int run() override {
     const auto text = std::filesystem::path(file_).extension() == ".vtkhdf" ? of_solution() : of_scene();
     fmt::print("{}", text);
     return exit_fine;

@@ -10,12 +10,6 @@
 
 namespace {
 
-std::string joined(int argc, char** argv) {
-  std::string text = "luxel";
-  for (int i = 1; i < argc; ++i) text += std::string(" ") + argv[i];
-  return text;
-}
-
 int run(int argc, char** argv) {
   luxel::CommandLine line(luxel::program_version);
   const std::unique_ptr<luxel::Command> commands[] = {luxel::make_bake(line), luxel::make_render(line),
@@ -27,7 +21,7 @@ int run(int argc, char** argv) {
   }
   luxel::catch_interrupts();
   for (const auto& command : commands)
-    if (&command->options() == parsed.command) return command->run(joined(argc, argv));
+    if (&command->options() == parsed.command) return command->run();
   return luxel::exit_misused;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,6 +48,13 @@ Vec3 parse_point(const char* name, const std::string& text) {
   return point;
 }
 
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
 const char* word(Origin origin) {
   switch (origin) {
     case Origin::by_default:
@@ -64,7 +72,7 @@ const char* word(Origin origin) {
 std::string print_number(double value) { return fmt::format("{}", value); }
 std::string print_number(float value) { return fmt::format("{}", value); }
 
-std::uint64_t parse_count(const std::string& text) {
+std::uint64_t parse_count(const std::string& name, const std::string& text) {
   auto digits = text;
   double factor = 1.0;
   if (!digits.empty()) {
@@ -76,14 +84,17 @@ std::uint64_t parse_count(const std::string& text) {
   }
   const auto number = whole_number<double>(digits);
   if (!number || !(*number >= 0.0) || *number * factor > 1e15)
-    throw UsageError(fmt::format("expected a count such as 2000000, 2M or 1.5G, not '{}'", text));
+    throw UsageError(fmt::format("--{}: expected a count such as 50M, 1.5G or 2000, not '{}'", name, text));
   return static_cast<std::uint64_t>(std::llround(*number * factor));
 }
 
 OptionSet::OptionSet(std::string name, std::string summary)
     : name_(std::move(name)), summary_(std::move(summary)) {}
 
-void OptionSet::add(Declaration declaration) { entries_.push_back({std::move(declaration), heading_}); }
+void OptionSet::add(Declaration declaration) {
+  auto default_value = declaration.print();
+  entries_.push_back({std::move(declaration), heading_, std::move(default_value)});
+}
 
 void OptionSet::add_number(const char* name, const char* unit, float& value, float min, float max,
                            const char* help) {
@@ -99,13 +110,7 @@ void OptionSet::add_number(const char* name, const char* unit, int& value, int m
 }
 
 void OptionSet::add_count(const char* name, std::uint64_t& value, const char* help) {
-  const auto parse = [=, &value](const std::string& text) {
-    try {
-      value = parse_count(text);
-    } catch (const UsageError& error) {
-      throw UsageError(fmt::format("--{}: {}", name, error.what()));
-    }
-  };
+  const auto parse = [=, &value](const std::string& text) { value = parse_count(name, text); };
   add({name, "count", help, parse, [&value] { return fmt::format("{}", value); }});
 }
 
@@ -116,7 +121,7 @@ void OptionSet::add_text(const char* name, const char* unit, std::string& value,
 void OptionSet::add_texts(const char* name, const char* unit, std::vector<std::string>& values,
                           const char* help) {
   Declaration declaration{name, unit, help, [&values](const std::string& text) { values.push_back(text); },
-                          [&values] { return fmt::format("{}", fmt::join(values, " ")); }};
+                          [&values] { return fmt::format("{}", fmt::join(values, "\n")); }};
   declaration.many = true;
   add(std::move(declaration));
 }
@@ -159,11 +164,23 @@ void OptionSet::set_positional(const char* name, std::string& value, const char*
   positional_ = {name, &value, help};
 }
 
-std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
+std::vector<std::pair<std::string, std::string>> OptionSet::values(const std::string& without) const {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& e : entries_)
-    if (e.declaration.configurable) result.emplace_back(e.declaration.name, e.declaration.print());
+    if (e.declaration.configurable && (without.empty() || e.heading != without))
+      result.emplace_back(e.declaration.name, e.declaration.print());
   return result;
+}
+
+std::string OptionSet::as_command(const std::string& without) const {
+  auto text = fmt::format("luxel {}", name_);
+  if (positional_) text += " " + *positional_->value;
+  for (const auto& e : entries_) {
+    if (e.declaration.print() == e.default_value || e.heading == without) continue;
+    for (const auto& value : lines(e.declaration.print()))
+      text += fmt::format(" --{} {}", e.declaration.name, value);
+  }
+  return text;
 }
 
 std::string OptionSet::as_file() const {
@@ -173,12 +190,12 @@ std::string OptionSet::as_file() const {
   for (const auto& e : entries_) {
     if (!e.declaration.configurable) continue;
     if (e.heading != heading) text += fmt::format("\n# {}\n", heading = e.heading);
-    const auto value = e.declaration.print();
-    if (e.declaration.many && value.empty())
-      text += fmt::format("# {} =   # {}\n", e.declaration.name, word(e.origin));
-    else
-      text += fmt::format("{} = \"{}\"  # {}{}\n", e.declaration.name, value,
-                          e.declaration.unit.empty() ? "" : e.declaration.unit + "; ", word(e.origin));
+    auto value = fmt::format("\"{}\"", e.declaration.print());
+    if (e.declaration.many)
+      value = fmt::format("[\"{}\"]", fmt::join(lines(e.declaration.print()), "\", \""));
+    const bool is_empty = e.declaration.many && e.declaration.print().empty();
+    text += fmt::format("{}{} = {}  # {}{}\n", is_empty ? "# " : "", e.declaration.name, value,
+                        e.declaration.unit.empty() ? "" : e.declaration.unit + "; ", word(e.origin));
   }
   return text;
 }

@@ -26,7 +26,7 @@ struct Declaration {
   std::string unit;  // "m", "count", ... ; stands in the help
   std::string help;
   std::function<void(const std::string&)> parse;  // throws UsageError saying what was expected
-  std::function<std::string()> print;             // as parse would read it
+  std::function<std::string()> print;             // as parse would read it; of many, one a line
   char letter = 0;                                // short form, -o
   bool is_flag = false;                           // present or not
   bool many = false;                              // may be given several times; parse is called for each
@@ -60,8 +60,11 @@ class OptionSet {
   const std::string& name() const { return name_; }
   const std::string& summary() const { return summary_; }
 
-  // Every option with its value as text, in the order of declaration.
-  std::vector<std::pair<std::string, std::string>> values() const;
+  // Every option with its value as text, in the order of declaration, but those under the heading `without`.
+  std::vector<std::pair<std::string, std::string>> values(const std::string& without = "") const;
+  // What to type to get the same result: the positional, and the options that are not at their defaults, but
+  // those under the heading `without`.
+  std::string as_command(const std::string& without) const;
   // As a text file that --config reads, with where each value came from.
   std::string as_file() const;
 
@@ -70,6 +73,7 @@ class OptionSet {
   struct Entry {
     Declaration declaration;
     std::string heading;
+    std::string default_value;
     Origin origin = Origin::by_default;
   };
   struct Positional {
@@ -85,8 +89,9 @@ class OptionSet {
   std::optional<Positional> positional_;
 };
 
-// "50M", "1.5e6", "2000": a whole number with an optional k, M or G. Throws UsageError.
-std::uint64_t parse_count(const std::string& text);
+// "50M", "1.5e6", "2000": a whole number with an optional k, M or G, for the option --name. Throws
+// UsageError.
+std::uint64_t parse_count(const std::string& name, const std::string& text);
 // The shortest decimal that reads back as the same number.
 std::string print_number(double value);
 std::string print_number(float value);

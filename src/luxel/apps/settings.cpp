@@ -14,18 +14,18 @@ template <typename Value, typename Parse>
 void add_or_auto(OptionSet& set, const char* name, const char* unit, Value& value, Value word, Parse parse,
                  const char* help) {
   set.add({name, unit, help,
-           [=, &value](const std::string& text) { value = text == "auto" ? word : parse(text); },
+           [=, &value](const std::string& text) { value = text == "auto" ? word : parse(name, text); },
            [=, &value] { return value == word ? std::string("auto") : fmt::format("{}", value); }});
 }
 
-float parse_edge(const std::string& text) {
+float parse_edge(const std::string& name, const std::string& text) {
   try {
     std::size_t used = 0;
     const auto value = std::stof(text, &used);
     if (used == text.size() && value >= 0.0f && value < far) return value;
   } catch (const std::exception&) {
   }
-  throw UsageError(fmt::format("--max-edge: expected auto, 0 (no splitting) or metres, not '{}'", text));
+  throw UsageError(fmt::format("--{}: expected auto, 0 (no splitting) or metres, not '{}'", name, text));
 }
 
 }  // namespace
@@ -96,11 +96,11 @@ void LookSettings::declare(OptionSet& set) {
 }
 
 void RunSettings::declare(OptionSet& set, const std::string& kinds) {
-  set.heading("Run");
+  set.heading(heading);
   if (!kinds.empty()) {
     Declaration output{"output", "FILE", "what to write, by its ending: " + kinds,
                        [this](const std::string& text) { outputs.push_back(text); },
-                       [this] { return fmt::format("{}", fmt::join(outputs, " ")); }};
+                       [this] { return fmt::format("{}", fmt::join(outputs, "\n")); }};
     output.letter = 'o';
     output.many = true;
     set.add(std::move(output));

@@ -46,7 +46,10 @@ struct LookSettings {
   void declare(OptionSet& set);
 };
 
+// How a run is run and what becomes of it: nothing here changes the light, so nothing of it is kept in a
+// solution.
 struct RunSettings {
+  static constexpr const char* heading = "Run";
   std::vector<std::string> outputs;
   int threads = 0;
   bool json = false;

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a person uses it.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/run_program.h"
+
+namespace luxel::cli {
+namespace {
+
+using Json = nlohmann::json;
+const std::string quick =
+    "$LUXEL bake cornell-box.obj --rays 100k --max-edge 0.1 --width 64 --height 48 --samples 1 ";
+
+TEST(Program, bakes_every_kind_of_output_at_once_and_names_them_on_stdout) {
+  const auto folder = fresh_folder("kinds");
+  const auto run = cli::run(folder, quick + "-o a.glb -o a.ply -o a.png -o a.exr -o a.hdr -o a.vtkhdf");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, "a.glb\na.ply\na.png\na.exr\na.hdr\na.vtkhdf\n");
+  EXPECT_NE(run.err.find("peak memory"), std::string::npos) << run.err;
+  for (const char* name : {"a.glb", "a.ply", "a.png", "a.exr", "a.hdr", "a.vtkhdf"})
+    EXPECT_GT(std::filesystem::file_size(folder / name), 500u) << name;
+}
+
+TEST(Program, gives_the_same_bytes_from_the_solve_and_from_its_file) {
+  const auto folder = fresh_folder("same");
+  const auto run =
+      cli::run(folder, quick +
+                           "-o a.glb -o a.ply -o a.png -o a.vtkhdf --quiet &&"
+                           " $LUXEL export a.vtkhdf -o b.glb -o b.ply -o b.vtkhdf --quiet &&"
+                           " $LUXEL render a.vtkhdf -o b.png --width 64 --height 48 --samples 1 --quiet &&"
+                           " cmp a.glb b.glb && cmp a.ply b.ply && cmp a.vtkhdf b.vtkhdf && cmp a.png b.png");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+}
+
+TEST(Program, writes_the_same_bytes_on_one_two_and_seven_threads) {
+  const auto folder = fresh_folder("threads");
+  for (const char* n : {"1", "2", "7"}) {
+    const std::string t(n);
+    const auto run = cli::run(
+        folder, quick + "--quiet --threads " + t + " -o " + t + ".glb -o " + t + ".png -o " + t + ".vtkhdf");
+    ASSERT_EQ(run.code, 0) << run.err;
+    for (const char* ending : {".glb", ".png", ".vtkhdf"})
+      EXPECT_EQ(read_file(folder / (t + ending)), read_file(folder / (std::string("1") + ending)))
+          << t << ending;
+  }
+}
+
+TEST(Program, reports_stages_power_and_options_as_json) {
+  const auto folder = fresh_folder("json");
+  const auto run = cli::run(folder, quick + "-o a.png --json --report r.json --seed 7");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto json = Json::parse(run.out);
+  EXPECT_EQ(json["command"], "bake");
+  EXPECT_EQ(json["solution"]["seed"], 7);
+  EXPECT_EQ(json["solution"]["stop"], "converged");
+  EXPECT_LE(json["solution"]["unshot_share"].get<double>(), 1e-4);
+  EXPECT_EQ(json["options"]["max-edge"], "0.1");
+  EXPECT_EQ(json["outputs"], Json::array({"a.png"}));
+  const auto& power = json["solve"]["power_W"];
+  const auto sum = [&](const char* part) {
+    return power[part][0].get<double>() + power[part][1].get<double>() + power[part][2].get<double>();
+  };
+  EXPECT_NEAR(sum("absorbed") + sum("escaped") + sum("lost_at_backs") + sum("unshot"), sum("emitted"), 1e-9);
+  bool light_is_a_stage = false;
+  for (const auto& stage : json["stages"])
+    light_is_a_stage |= stage["name"] == "light" && stage["rays"] > 100'000;
+  EXPECT_TRUE(light_is_a_stage);
+  EXPECT_EQ(Json::parse(read_file(folder / "r.json"))["solution"], json["solution"]);
+}
+
+TEST(Program, reads_a_text_file_of_options_and_says_where_each_value_came_from) {
+  const auto folder = fresh_folder("config");
+  write_file(folder / "luxel.toml",
+             "seed = 5\nmax-edge = \"0.25\"\noutput = [\"a.glb\", \"a.ply\"]\n[render]\nwidth = 99\n");
+  const auto run =
+      cli::run(folder, "$LUXEL bake cornell-box.obj --config luxel.toml --seed 6 --print-config");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("seed = \"6\"  # count; command line"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("max-edge = \"0.25\"  # m; file"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("width = \"1280\"  # pixels; default"), std::string::npos) << run.out;
+  // What it prints is such a file.
+  write_file(folder / "printed.toml", run.out);
+  const auto again = cli::run(folder, "$LUXEL bake cornell-box.obj --config printed.toml --print-config");
+  EXPECT_NE(again.out.find("seed = \"6\"  # count; file"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("output = [\"a.glb\", \"a.ply\"]"), std::string::npos) << again.out;
+}
+
+TEST(Program, knows_its_version_and_explains_itself) {
+  const auto folder = fresh_folder("help");
+  EXPECT_EQ(cli::run(folder, "$LUXEL --version").out.rfind("luxel ", 0), 0u);
+  for (const char* command : {"bake", "render", "export", "info"}) {
+    const auto help = cli::run(folder, std::string("$LUXEL ") + command + " --help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find(std::string("luxel ") + command), std::string::npos) << help.out;
+  }
+  EXPECT_NE(cli::run(folder, "$LUXEL bake --help").out.find("--max-edge <m> [auto]"), std::string::npos);
+}
+
+TEST(Program, describes_a_solution_and_a_scene) {
+  const auto folder = fresh_folder("info");
+  ASSERT_EQ(cli::run(folder, quick + "-o a.vtkhdf --quiet").code, 0);
+  const auto solution = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(solution.out.find("luxel bake cornell-box.obj --max-edge 0.1 --rays 100000"), std::string::npos)
+      << solution.out;
+  EXPECT_NE(solution.out.find("standard error"), std::string::npos);
+  EXPECT_EQ(Json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out)["solution"]["method"],
+            "stochastic-jacobi");
+  const auto scene = Json::parse(cli::run(folder, "$LUXEL info cornell-box.obj --json").out);
+  EXPECT_EQ(scene["triangles"], 32);
+}
+
+struct Misuse {
+  const char* line;
+  int code;
+  const char* said;
+};
+
+class Refusal : public testing::TestWithParam<Misuse> {};
+
+TEST_P(Refusal, is_one_sentence_and_an_exit_code) {
+  const auto folder = fresh_folder("refusal");
+  write_file(folder / "bad.toml", "\nrayz = 3\n");
+  write_file(folder / "bad-value.toml", "rays = many\n");
+  write_file(folder / "no-lamp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write_file(folder / "bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  write_file(folder / "junk.vtkhdf", "this is no HDF5 file");
+  const auto run = cli::run(folder, GetParam().line);
+  EXPECT_EQ(run.code, GetParam().code) << run.err;
+  EXPECT_NE(run.err.find(GetParam().said), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "");
+  const auto last = run.err.substr(run.err.rfind("luxel: "));
+  EXPECT_EQ(std::count(last.begin(), last.end(), '\n'), 1) << "more than one line: " << last;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, Refusal,
+    testing::Values(Misuse{"$LUXEL", 2, "--help"}, Misuse{"$LUXEL fly", 2, "--help"},
+                    Misuse{"$LUXEL bake", 2, "SCENE"}, Misuse{"$LUXEL bake cornell-box.obj", 2, "-o"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .png"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb -o a.glb", 2, "twice"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --rays 5X", 2, "50M"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --tolerance 2", 2, "--tolerance"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge -1", 2, "--max-edge"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2", 2, "three numbers"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.png --fov 200", 2, "--fov"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.png --tone sepia", 2, "reinhard"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config none.toml", 1, "none.toml"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad.toml", 1, "bad.toml:2"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad-value.toml", 1,
+                           "bad-value.toml:1"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o nowhere/a.glb", 1, "nowhere"},
+                    Misuse{"$LUXEL bake missing.obj -o a.glb", 1, "missing.obj"},
+                    Misuse{"$LUXEL bake bad.obj -o a.glb", 1, "bad.obj:4"},
+                    Misuse{"$LUXEL bake no-lamp.obj -o a.glb", 1, "Ke"},
+                    Misuse{"$LUXEL bake . -o a.glb", 1, "."},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --flip nothing", 1, "nothing"},
+                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge 0.000001", 1, "would fit"},
+                    Misuse{"$LUXEL render junk.vtkhdf -o a.png", 1, "junk.vtkhdf"},
+                    Misuse{"$LUXEL render cornell-box.obj -o a.png", 1, "cornell-box.obj"},
+                    Misuse{"$LUXEL export none.vtkhdf -o a.glb", 1, "none.vtkhdf"}));
+
+TEST(Program, that_meets_a_full_disk_says_so_and_leaves_the_old_file) {
+  const auto folder = fresh_folder("full");
+  std::filesystem::create_symlink("/dev/full", folder / "full.glb");
+  const auto run = cli::run(folder, quick + "-o full.glb -o a.png --quiet");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("No space left"), std::string::npos) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.png"))
+      << "one file that cannot be written must not cost the others";
+}
+
+// The interrupt is sent once the light is on its way: the first progress line says so.
+TEST(Program, that_is_interrupted_writes_what_it_has_and_says_so) {
+  const auto folder = fresh_folder("interrupt");
+  const auto run =
+      cli::run(folder,
+               "$LUXEL bake cornell-box.obj --rays 50G --max-edge 0.1 -o a.glb -o a.vtkhdf & pid=$!; "
+               "while ! grep -q lamp stderr.txt; do sleep 0.05; done; sleep 1; kill -INT $pid; wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.glb\na.vtkhdf\n");
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
+}
+
+TEST(Program, turned_round_lamps_are_reported_with_the_flag_that_mends_them) {
+  const auto folder = fresh_folder("flip");
+  const auto wrong = cli::run(folder, quick + "-o a.glb --flip lamp");
+  EXPECT_EQ(wrong.code, 0);
+  EXPECT_NE(wrong.err.find("--flip lamp"), std::string::npos) << wrong.err;
+  const auto right = cli::run(folder, quick + "-o a.glb");
+  EXPECT_EQ(right.err.find("warning"), std::string::npos) << right.err;
+}
+
+}  // namespace
+}  // namespace luxel::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <sys/wait.h>
+
+#include "luxel/file/output_file.h"
+
+namespace luxel::cli {
+
+struct Outcome {
+  int code = -1;  // exit code; 128 + signal where one ended it
+  std::string out, err;
+};
+
+// Runs a shell line in which $LUXEL is the program; the working folder is `folder`.
+inline Outcome run(const std::filesystem::path& folder, const std::string& line) {
+  const auto err = folder / "stderr.txt";
+  const auto command =
+      "cd '" + folder.string() + "' && LUXEL='" LUXEL_PROGRAM "' && (" + line + ") 2> '" + err.string() + "'";
+  Outcome outcome;
+  auto* pipe = popen(command.c_str(), "r");
+  if (!pipe) return outcome;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    outcome.out.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.err = read_file(err);
+  return outcome;
+}
+
+// A fresh folder of this test with our Cornell box in it.
+inline std::filesystem::path fresh_folder(const std::string& name) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("luxel_cli_" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  for (const char* file : {"cornell-box.obj", "cornell-box.mtl"})
+    std::filesystem::copy_file(std::filesystem::path(LUXEL_SOURCE_DIR "/scenes") / file, folder / file);
+  return folder;
+}
+
+}  // namespace luxel::cli
