@@ -2,12 +2,15 @@
 #include "luxel/render/automatic_camera.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "luxel/math/bounds.h"
 #include "luxel/render/lit_sides.h"
 #include "luxel/render/view_candidates.h"
 #include "luxel/render/view_score.h"
+#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {
@@ -87,6 +90,16 @@ std::vector<Ranked> best_groups(const Subject& subject, const std::vector<std::v
   return ranked;
 }
 
+void check(const PatchSet& patches, const Vec3& up, float aspect) {
+  if (patches.size() == 0)
+    throw InputError("there is nothing to look at: the scene has no surface with area");
+  if (!is_finite(up) || up == Vec3(0.0f))
+    throw InputError("the up direction must be finite and not zero; (0, 1, 0) and (0, 0, 1) are usual");
+  if (!(aspect >= 0.01f && aspect <= 100.0f))
+    throw InputError(
+        fmt::format("a picture's width / height must be from 0.01 to 100, but it is {}", aspect));
+}
+
 Bounds bounds_of(const PatchSet& patches) {
   Bounds box;
   for (const auto& corners : patches.corners)
@@ -98,9 +111,10 @@ Bounds bounds_of(const PatchSet& patches) {
 
 Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
                         const Workers& workers, const Vec3& up, float aspect) {
+  check(patches, up, aspect);
   const auto sides = make_lit_sides(patches, solution);
   const auto box = bounds_of(patches);
-  Subject subject{patches, sides, tracer, box, glm::length(box.size()), up, aspect};
+  Subject subject{patches, sides, tracer, box, glm::length(box.size()), glm::normalize(up), aspect};
   subject.openness = openness(subject);
 
   // 1. The best view of each place, roughly; of these the best, those from outside apart: they would not
@@ -116,8 +130,9 @@ Camera automatic_camera(const PatchSet& patches, const Solution& solution, const
 
   Ranked best;
   for (const auto& one : finals) keep_better(best, one);
-  const auto distance = best.depth > 0.0f ? best.depth : 0.5f * subject.diagonal;
-  return camera_of(best.view, up, distance);
+  // Far enough to differ from the eye in float, whatever stands before it.
+  const auto distance = best.depth > 0.0f ? std::max(best.depth, 1e-3f * subject.diagonal) : subject.diagonal;
+  return camera_of(best.view, subject.up, distance);
 }
 
 }  // namespace luxel

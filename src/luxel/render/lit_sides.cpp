@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/render/lit_sides.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -60,15 +61,16 @@ LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
 
   LitSides sides;
   sides.brightness.assign(irradiance.size(), 0.0f);
+  sides.glaring.assign(irradiance.size(), false);
   for (std::size_t side = 0; side < irradiance.size(); ++side) {
-    if (!(irradiance[side] > least)) continue;
-    const auto brightness = irradiance[side] / (irradiance[side] + typical);
+    const auto emittance = side % 2 == 0 ? mean(patches.material_of(side / 2).emittance) : 0.0;
+    sides.glaring[side] = emittance > glare * typical;
+    const auto light = irradiance[side] + std::min(emittance, typical);
+    if (!(light > least)) continue;
+    const auto brightness = light / (light + typical);
     sides.brightness[side] = static_cast<float>(brightness);
     sides.lit_area += static_cast<double>(patches.area[side / 2]) * brightness;
   }
-  sides.glaring.assign(irradiance.size(), false);
-  for (std::size_t i = 0; i < patches.size(); ++i)
-    sides.glaring[2 * i] = mean(patches.material_of(i).emittance) > glare * typical;
   return sides;
 }
 

@@ -12,7 +12,8 @@ namespace luxel {
 // What a view is judged by: how bright each side of each patch shows. Side 2 * patch is the front,
 // 2 * patch + 1 the back.
 struct LitSides {
-  std::vector<float> brightness;  // [side], [0, 1): 0 unlit, 0.5 the irradiance typical of the scene
+  std::vector<float> brightness;  // [side], [0, 1): 0 unlit, 0.5 the irradiance typical of the scene; a
+                                  // lamp shows at least as a lit wall does
   std::vector<bool> glaring;      // [side]: emits far more than lit surfaces send back
   double lit_area = 0.0;          // m², each lit side's area times its brightness
 

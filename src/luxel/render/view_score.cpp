@@ -125,6 +125,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
       const auto& hit = picture.emplace_back(subject.tracer.nearest(ray));
       if (!hit) continue;
       hits.push_back(hit);
+      facts.lopsided += x < columns / 2 ? 1.0 : x >= columns - columns / 2 ? -1.0 : 0.0;
       if (x == 0 || y == 0 || x == columns - 1 || y == rows - 1) facts.border += 1.0;
       const auto cosine = static_cast<double>(glm::dot(ray.direction, forward));
       add_hit(subject, ray, hit, pixel_side * pixel_side * cosine * cosine * cosine, pixels, facts);
@@ -134,6 +135,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
   facts.depth = geometric_mean_distance(hits);
   facts.near = near_count(subject, hits, facts.depth) / pixels;
   facts.border /= 2.0 * (rows + columns) - 4.0;
+  facts.lopsided = std::abs(facts.lopsided) / pixels;
   facts.rise = static_cast<double>(glm::dot(forward, subject.up));
   facts.empty = 1.0 - static_cast<double>(hits.size()) / pixels;
   for (auto* share : {&facts.bright, &facts.lit, &facts.glare, &facts.coverage}) *share /= pixels;
@@ -149,9 +151,9 @@ double score(const ViewFacts& f, double openness) {
   const auto filled = 1.0 - std::min(f.empty, allowed);
   // A thing alone is shown whole; in a room the picture has no other place to end than on a wall.
   const auto cut_off = beyond(openness, 0.5) * f.border;
-  return std::log(f.bright / filled + 0.02) + 0.5 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
+  return std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
          1.5 * std::min(f.detail, 0.4) - 2.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
-         2.0 * beyond(f.empty, allowed) - 1.5 * cut_off - 1.5 * beyond(f.rise, 0.02) -
+         2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - 1.5 * beyond(f.rise, 0.02) -
          1.0 * beyond(-f.rise, 0.13);
 }
 

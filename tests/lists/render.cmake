@@ -1,0 +1,2 @@
+luxel_test(unit/render ROOMS render)
+luxel_test(unit/automatic_camera ROOMS render)
