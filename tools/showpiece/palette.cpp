@@ -12,7 +12,7 @@ constexpr auto dark = Vec3d(0.0);
 // the luminance P / (179 lm/W pi A) in W/(m² sr); the tint has luminance one (Rec. 709) and the warmth of an
 // incandescent bulb seen by an eye half used to it.
 Vec3d warm(double lumens, double area) {
-  constexpr auto tint = Vec3d(1.30, 0.95, 0.60);
+  constexpr auto tint = Vec3d(1.22, 0.97, 0.66);
   return tint * (lumens / (179.0 * 3.14159265358979 * area));
 }
 
@@ -73,16 +73,16 @@ const std::array pigments = {
     Pigment{Paint::lamp_pendant, "lamp_pendant", {0.80, 0.80, 0.80}, warm(1500.0, 0.0314)},
     Pigment{Paint::lamp_corridor, "lamp_corridor", {0.80, 0.80, 0.80}, warm(1600.0, 0.196)},
     Pigment{Paint::window_city_lights, "window_city_lights", {0.10, 0.10, 0.10}, {0.150, 0.090, 0.032}},
-    Pigment{Paint::window_sky_1, "window_sky_1", {0.05, 0.05, 0.06}, sky(10.0, {1.00, 0.62, 0.46})},
-    Pigment{Paint::window_sky_2, "window_sky_2", {0.05, 0.05, 0.06}, sky(9.5, {0.86, 0.64, 0.66})},
-    Pigment{Paint::window_sky_3, "window_sky_3", {0.05, 0.05, 0.06}, sky(9.0, {0.62, 0.62, 0.86})},
-    Pigment{Paint::window_sky_4, "window_sky_4", {0.05, 0.05, 0.06}, sky(8.2, {0.42, 0.56, 0.96})},
-    Pigment{Paint::window_sky_5, "window_sky_5", {0.05, 0.05, 0.06}, sky(7.4, {0.29, 0.48, 1.00})},
-    Pigment{Paint::window_sky_6, "window_sky_6", {0.05, 0.05, 0.06}, sky(6.6, {0.22, 0.41, 1.00})},
-    Pigment{Paint::window_sky_7, "window_sky_7", {0.05, 0.05, 0.06}, sky(5.8, {0.17, 0.35, 1.00})},
-    Pigment{Paint::window_sky_8, "window_sky_8", {0.05, 0.05, 0.06}, sky(5.0, {0.13, 0.30, 1.00})},
+    Pigment{Paint::window_sky_1, "window_sky_1", {0.05, 0.05, 0.06}, sky(14.0, {1.00, 0.60, 0.44})},
+    Pigment{Paint::window_sky_2, "window_sky_2", {0.05, 0.05, 0.06}, sky(13.0, {0.84, 0.62, 0.66})},
+    Pigment{Paint::window_sky_3, "window_sky_3", {0.05, 0.05, 0.06}, sky(12.0, {0.58, 0.58, 0.86})},
+    Pigment{Paint::window_sky_4, "window_sky_4", {0.05, 0.05, 0.06}, sky(10.8, {0.38, 0.51, 0.96})},
+    Pigment{Paint::window_sky_5, "window_sky_5", {0.05, 0.05, 0.06}, sky(9.6, {0.26, 0.43, 1.00})},
+    Pigment{Paint::window_sky_6, "window_sky_6", {0.05, 0.05, 0.06}, sky(8.4, {0.19, 0.36, 1.00})},
+    Pigment{Paint::window_sky_7, "window_sky_7", {0.05, 0.05, 0.06}, sky(7.4, {0.14, 0.30, 1.00})},
+    Pigment{Paint::window_sky_8, "window_sky_8", {0.05, 0.05, 0.06}, sky(6.5, {0.10, 0.26, 1.00})},
 };
-static_assert(pigments.size() == static_cast<std::size_t>(Paint::count_));
+static_assert(pigments.size() == static_cast<std::size_t>(Paint::count));
 
 }  // namespace
 

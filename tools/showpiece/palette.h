@@ -68,7 +68,7 @@ enum class Paint {
   window_sky_6,
   window_sky_7,
   window_sky_8,  // the zenith
-  count_         // how many there are
+  count          // how many there are
 };
 
 struct Pigment {

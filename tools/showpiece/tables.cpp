@@ -57,7 +57,9 @@ Mesh sideboard() {
   for (auto k = 0; k < 3; ++k) {
     const auto x = 0.52 * (k - 1);
     append(mesh, painted(placed(box({0.50, 0.50, 0.014}), {x, 0.21, 0.21 + 0.007 + joint}), Paint::oak));
-    append(mesh, painted(placed(sphere(0.014, 12), {x + 0.19, 0.48, 0.21 + 0.014 + 0.017}), Paint::brass));
+    append(mesh, painted(placed(turned_x(cylinder(0.012, 0.016, 12), 90.0),
+                                {x + 0.19, 0.48, 0.21 + 0.014 + 2.0 * joint}),
+                         Paint::brass));
   }
   append(mesh, four_legs(0.70, 0.14, 0.18 - joint, 0.03, Paint::black_steel));
   return mesh;

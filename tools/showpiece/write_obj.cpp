@@ -35,7 +35,7 @@ void add_object(std::string& text, const Object& object, std::size_t first_point
   auto triangles = object.mesh.triangles;
   std::stable_sort(triangles.begin(), triangles.end(),
                    [](const Triangle& a, const Triangle& b) { return a.paint < b.paint; });
-  auto last = Paint::count_;
+  auto last = Paint::count;
   for (const auto& [corners, paint] : triangles) {
     if (paint != last) fmt::format_to(out, "usemtl {}\n", pigment_of(paint).name);
     last = paint;
