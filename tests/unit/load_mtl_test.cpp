@@ -88,14 +88,29 @@ TEST(LoadMtl, without_Kd_and_map_Kd_a_grey_is_taken_and_told) {
             "room.obj: neither Kd nor map_Kd is given for 'm'; a grey of 0.5 is taken\n");
 }
 
-TEST(LoadMtl, what_lets_light_through_is_opaque_and_told) {
+TEST(LoadMtl, what_lets_most_light_through_is_left_out_and_told) {
   SceneFiles files;
-  for (const std::string glass : {"d 0.1", "Tr 0.9", "d -halo 0.2", "d 0.4\nTr 0.0"}) {
-    EXPECT_EQ(load_material(files, "newmtl m\nKd 0.2 0.2 0.2\n" + glass + "\n").reflectance, Vec3(0.2f));
-    EXPECT_EQ(files.all_warnings(), "room.obj: transparency is not modelled: no light passes through 'm'\n")
+  for (const std::string glass : {"d 0.1", "d -halo 0.2", "d 0.4\nTr 0.0"}) {
+    EXPECT_FALSE(load_material(files, "newmtl m\nKd 0.2 0.2 0.2\n" + glass + "\n").opaque);
+    EXPECT_EQ(files.all_warnings(),
+              "room.obj: light passes freely through what is more transparent than not (d below 0.5), which "
+              "is left "
+              "out: 'm'\n")
         << glass;
   }
-  load_material(files, "newmtl m\nKd 0.2 0.2 0.2\nd 1\nTr 1\n");
+  for (const std::string solid : {"d 1", "Tr 0.9", "d 0.6", "d 0.1\nKe 1 1 1"}) {
+    EXPECT_TRUE(load_material(files, "newmtl m\nKd 0.2 0.2 0.2\n" + solid + "\n").opaque) << solid;
+    EXPECT_EQ(files.all_warnings(), "");
+  }
+}
+
+TEST(LoadMtl, a_mirror_lends_its_specular_colour_and_is_told) {
+  SceneFiles files;
+  EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 0.9 0.8 0.7\n").reflectance, Vec3(0.9f, 0.8f, 0.7f));
+  EXPECT_EQ(files.all_warnings(),
+            "room.obj: mirrors are not modelled: the specular colour Ks is taken as diffuse for 'm'\n");
+  EXPECT_EQ(load_material(files, "newmtl m\nKd 0.1 0 0\nKs 1 1 1\n").reflectance, Vec3(0.1f, 0.0f, 0.0f));
+  EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 1 1 1\nKe 5 5 5\n").reflectance, Vec3(0.0f));
   EXPECT_EQ(files.all_warnings(), "");
 }
 

@@ -126,6 +126,14 @@ TEST(Patches, a_lamp_that_shares_its_place_with_a_wall_stays) {
   EXPECT_EQ(patches.triangle[0], 1u);
 }
 
+TEST(Patches, a_pane_that_lets_light_through_is_no_patch) {
+  auto scene = truth::plates();
+  scene.materials[1].opaque = false;
+  const auto patches = make_patches(scene, {.max_edge = no_max_edge});
+  ASSERT_EQ(patches.size(), 2u);
+  EXPECT_EQ(patches.material_of(0).name, "lower");
+}
+
 TEST(Patches, the_automatic_edge_makes_about_the_target_at_any_scale) {
   for (const float size : {0.001f, 1.0f, 1000.0f}) {
     const auto patches = make_patches(truth::cube({}, size), {.target_count = 20'000});

@@ -20,13 +20,14 @@ class MaterialMaker {
  private:
   Vec3 reflectance(const MaterialLibrary::Entry& entry);
   Vec3 radiance(const MaterialLibrary::Entry& entry);
+  void light_mirror(const MtlMaterial& mtl, Material& material);
 
   const MaterialLibrary& library_;
   const LoadOptions& options_;
   TextureMeans reflecting_, emitting_;
 
   // Names of materials, for the warnings.
-  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, emitting_twice_;
+  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, mirrors_, emitting_twice_;
   std::size_t first_unknown_line_ = 0;
 };
 
@@ -38,7 +39,9 @@ Material MaterialMaker::make(const NamedLine& use) {
   if (found != library_.entries.end()) {
     material.reflectance = reflectance(found->second);
     material.emittance = pi * radiance(found->second);
-    if (found->second.material.opacity.value_or(1.0f) < 0.5f) transparent_.push_back(use.name);
+    material.opaque = material.is_lamp() || found->second.material.opacity.value_or(1.0f) >= 0.5f;
+    if (!material.opaque) transparent_.push_back(use.name);
+    if (material.opaque) light_mirror(found->second.material, material);
   } else if (use.line > 0) {
     if (unknown_.empty()) first_unknown_line_ = use.line;
     unknown_.push_back(use.name);
@@ -47,6 +50,15 @@ Material MaterialMaker::make(const NamedLine& use) {
   if (capped != material.reflectance) too_bright_.push_back(use.name);
   material.reflectance = capped;
   return material;
+}
+
+// A surface of specular colour alone would be black here, though it sends on most of the light that meets it.
+// Taken as diffuse it keeps the room's energy right, if not the reflections.
+void MaterialMaker::light_mirror(const MtlMaterial& mtl, Material& material) {
+  const bool is_black = material.reflectance == Vec3(0.0f) && !material.is_lamp();
+  if (!is_black || mtl.ks.value_or(Vec3(0.0f)) == Vec3(0.0f)) return;
+  material.reflectance = *mtl.ks;
+  mirrors_.push_back(mtl.name);
 }
 
 Vec3 MaterialMaker::reflectance(const MaterialLibrary::Entry& entry) {
@@ -84,7 +96,9 @@ void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) 
       fmt::format("; a grey of {} is taken", default_reflectance));
   say("the reflectance of", too_bright_,
       fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
-  say("transparency is not modelled: no light passes through", transparent_, "");
+  say("light passes freely through what is more transparent than not (d below 0.5), which is left out:",
+      transparent_, "");
+  say("mirrors are not modelled: the specular colour Ks is taken as diffuse for", mirrors_, "");
   say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
   reflecting_.say_warnings(source, fmt::format("{} is taken for the mean", default_reflectance), log);
   emitting_.say_warnings(source, "0 is taken for the mean, so that nothing is emitted", log);

@@ -96,7 +96,6 @@ std::string read_texture_name(std::string_view operands) {
 
 std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& source) {
   std::vector<MtlMaterial> materials;
-  bool has_d = false;  // of the last material; d outweighs Tr, whose meaning exporters disagree about
   for (Statements statements(text); statements.next();) {
     auto operands = trim(statements.text());
     const auto keyword = take_word(operands);
@@ -104,17 +103,15 @@ std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& sour
     const Statement statement{source, statements.line(), keyword, operands};
     if (key == "newmtl") {
       materials.emplace_back().name = operands;
-      has_d = false;
     }
     if (materials.empty()) continue;
     auto& material = materials.back();
     if (key == "kd") material.kd = read_color(statement);
+    if (key == "ks") material.ks = read_color(statement);
     if (key == "ke") material.ke = read_radiance(statement);
     if (key == "map_kd") material.map_kd = read_texture_name(operands);
     if (key == "map_ke") material.map_ke = read_texture_name(operands);
     if (key == "d") material.opacity = read_opacity(statement);
-    if (key == "tr" && !has_d) material.opacity = 1.0f - read_opacity(statement);
-    has_d = has_d || key == "d";
   }
   return materials;
 }

@@ -14,13 +14,14 @@ namespace luxel {
 struct MtlMaterial {
   std::string name;
   std::optional<Vec3> kd;  // reflectance, 0 or more
+  std::optional<Vec3> ks;  // specular colour, 0 or more
   std::optional<Vec3> ke;  // radiance, W/(m² sr), 0 or more
   std::string map_kd;      // file name without options, as written; empty where there is none
   std::string map_ke;
-  std::optional<float> opacity;  // d, or 1 - Tr where there is no d
+  std::optional<float> opacity;  // d; Tr is passed over, since exporters disagree about its meaning
 };
 
-// Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ke, d or Tr that is not
+// Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ks, Ke or d that is not
 // the number it should be or a colour that is negative; all other statements are passed over.
 std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& source);
 

@@ -29,6 +29,7 @@ std::vector<CleanTriangle> with_area(const Scene& scene, VertexWeld& weld, const
   std::size_t dropped = 0;
   std::uint32_t first = 0;
   for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+    if (!scene.materials[static_cast<std::size_t>(scene.triangle_material[t])].opaque) continue;
     const auto& v = scene.triangles[t];
     if (has_area(scene.positions[v[0]], scene.positions[v[1]], scene.positions[v[2]])) {
       kept.push_back({{weld.index_of(scene.positions[v[0]]), weld.index_of(scene.positions[v[1]]),

@@ -22,7 +22,7 @@ struct CleanTriangle {
   bool opposite_twin = false;            // another triangle lay on it, facing the other way
 };
 
-// The scene's triangles without those that have no area (no more height than the rounding of their
+// The scene's opaque triangles without those that have no area (no more height than the rounding of their
 // coordinates) and without those that lie exactly on another one: of each such pile the lamp stays, else the
 // first. What is left out is counted in warnings. In file order.
 std::vector<CleanTriangle> clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log);

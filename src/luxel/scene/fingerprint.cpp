@@ -51,7 +51,7 @@ std::uint64_t fingerprint(const Scene& scene) {
   for (const auto& material : scene.materials) {
     hash.add(material.reflectance);
     hash.add(material.emittance);
-    hash.add(std::uint32_t{material.two_sided});
+    hash.add(std::uint32_t{material.two_sided} | std::uint32_t{!material.opaque} << 1);
   }
   return hash.value();
 }

@@ -17,6 +17,8 @@ struct Material {
   Vec3 emittance = Vec3(0.0f);    // W/m² a band, of the front side only; pi times the radiance (OBJ's Ke)
   bool two_sided = true;          // false: the back absorbs what meets it and is counted
 
+  bool opaque = true;  // false: light passes as if it were not there (a pane of glass)
+
   bool is_lamp() const { return emittance.r > 0.0f || emittance.g > 0.0f || emittance.b > 0.0f; }
 };
 
