@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "showpiece/pictures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "showpiece/sheets.h"
@@ -31,13 +32,14 @@ struct Paper {
 Mesh papers(const glm::dvec2& size, const std::vector<Paper>& upwards) {
   auto mesh = Mesh{};
   auto low = foot;
-  for (const auto& [high, paint] : upwards) {
+  for (const auto& piece : upwards) {
+    const auto& high = piece.upper_edge;
     // Cells about as high as wide: slivers carry light along themselves.
     const auto rows = 1 + static_cast<int>(4.0 * (high.above_foot - low.above_foot));
     const auto strip = sheet(12, rows, [&](double s, double t) {
       return Vec3d((s - 0.5) * size.x, size.y * ((1.0 - t) * low(s) + t * high(s)), off_wall);
     });
-    append(mesh, painted(strip, paint));
+    append(mesh, painted(strip, piece.paint));
     low = high;
   }
   return mesh;
@@ -52,7 +54,8 @@ Mesh sunset(const glm::dvec2& size) {
                                {{0.33, 0.05, 2.6}, Paint::plum_cloth},
                                {{0.46, 0.06, 0.4}, Paint::coral_cloth},
                                {top, Paint::paper}}),
-                 glued(disc(0.22 * size.x), {0.10 * size.x, 0.22 * size.y, 0.0}, Paint::book_orange)});
+                 glued(disc(0.22 * std::min(size.x, size.y)), {0.10 * size.x, 0.22 * size.y, 0.0},
+                       Paint::book_orange)});
 }
 
 Mesh rainbow(const glm::dvec2& size) {
