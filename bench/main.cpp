@@ -36,7 +36,8 @@ Json against_embree() {
       const Workers workers(threads);
       const auto patches = make_patches(furnished_room(100), {.max_edge = edge});
       const Tracer tracer(patches, workers);
-      const StochasticJacobiOptions options{.rays = 1'500'000, .tolerance = 1e-3};
+      const StochasticJacobiOptions options{.rays = std::max<std::uint64_t>(1'500'000, 40 * patches.size()),
+                                            .tolerance = 1e-3};
       const auto rays = rays_of_solve(patches, tracer, options, workers);
       const BareEmbree embree(patches);
       std::uint64_t hits = 0;

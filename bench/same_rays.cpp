@@ -19,9 +19,9 @@ namespace {
 
 // The rays of one shot, made from the same plan and the same addresses as transport makes them.
 void append_shot(std::vector<Ray>& rays, const PatchSet& patches, const std::vector<double>& leaving,
-                 const ShootingOptions& options) {
+                 const ShootingOptions& options, const Workers& workers) {
   const double offset = uniform4({options.seed, options.step, 0xffffffffu, 0})[0];
-  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset);
+  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, workers);
   const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
   for (std::uint64_t j = 0; j < batches; ++j)
     for (auto ray = j; ray < plan.rays;) {
@@ -50,7 +50,7 @@ std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
     const auto wanted = std::max(1.0, std::round(share * static_cast<double>(options.rays)));
     const ShootingOptions shot{
         .rays = static_cast<std::uint64_t>(wanted), .seed = options.seed, .step = step};
-    append_shot(rays, patches, leaving, shot);
+    append_shot(rays, patches, leaving, shot, workers);
     const auto arrival = shoot(patches, tracer, leaving, shot, workers);
     for (std::size_t i = 0; i < leaving.size(); ++i)
       leaving[i] =

@@ -14,6 +14,8 @@
 namespace luxel {
 namespace {
 
+constexpr std::size_t grain = 4096;  // patches a chunk
+
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 void check(const PatchSet& patches, const StochasticJacobiOptions& options) {
@@ -43,6 +45,8 @@ class Iteration {
     for (auto* part : {&report_.energy.absorbed, &report_.energy.escaped, &report_.energy.lost_at_backs})
       part->assign(bands_, 0.0);
     report_.back_loss.assign(patches.materials.size(), 0.0);
+    for (const auto& material : patches.materials)
+      reflectance_.insert(reflectance_.end(), material.reflectance.begin(), material.reflectance.end());
     for (std::size_t p = 0; p < patches.size(); ++p)
       for (std::size_t b = 0; b < bands_; ++b)
         unshot_[side_of(p, false) * bands_ + b] =
@@ -68,6 +72,7 @@ class Iteration {
   // One bounce. Returns the share of it that was done before the monitor said stop.
   double step(std::uint64_t rays, const Monitor& monitor) {
     // The bar of the whole run: unshot power falls geometrically, and the rays follow it.
+    const auto shot_power = unshot_power();
     const auto before = report_.unshot_share;
     const auto reflected = guess_reflected_share();
     const auto tell_whole = [&](const Progress& p) {
@@ -79,7 +84,7 @@ class Iteration {
               {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
               workers_, tell_whole);
     report_.rays += arrival.rays;
-    quanta_ += sum_shot() / static_cast<double>(rays) * static_cast<double>(arrival.rays);
+    quanta_ += shot_power / static_cast<double>(rays) * static_cast<double>(arrival.rays);
     if (arrival.share > 0.0) receive(arrival);
     report_.steps.push_back({arrival.rays, report_.unshot_share});
     return arrival.share;
@@ -89,26 +94,34 @@ class Iteration {
   void receive(const Arrival& arrival) {
     auto& energy = report_.energy;
     const auto watts = [&](std::int64_t units) { return arrival.scale.watts(units) / arrival.share; };
-    for (std::size_t p = 0; p < patches_.size(); ++p)
-      for (const bool back : {false, true})
-        for (std::size_t b = 0; b < bands_; ++b) {
-          const auto i = side_of(p, back) * bands_ + b;
+    // Sums per chunk, added in order: the same bits on any number of threads.
+    std::vector<double> absorbed((patches_.size() + grain - 1) / grain * bands_, 0.0);
+    workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+      auto* chunk_absorbed = &absorbed[begin / grain * bands_];
+      for (auto p = begin; p < end; ++p) {
+        const auto* rho = &reflectance_[static_cast<std::size_t>(patches_.material[p]) * bands_];
+        for (auto i = side_of(p, false) * bands_; i < side_of(p + 1, false) * bands_; ++i) {
+          const auto b = i % bands_;
           const auto power = watts(arrival.arrived[i]);
-          const double rho = patches_.material_of(p).reflectance[b];
           arrived_[i] += power;
-          unshot_[i] = rho * power;
-          energy.absorbed[b] += (1.0 - rho) * power;
+          unshot_[i] = rho[b] * power;
+          chunk_absorbed[b] += (1.0 - rho[b]) * power;
         }
+      }
+    });
+    for (std::size_t i = 0; i < absorbed.size(); ++i) energy.absorbed[i % bands_] += absorbed[i];
     for (std::size_t b = 0; b < bands_; ++b) energy.escaped[b] += watts(arrival.escaped[b]);
     for (std::size_t m = 0; m < patches_.materials.size(); ++m)
       for (std::size_t b = 0; b < bands_; ++b) {
         energy.lost_at_backs[b] += watts(arrival.absorbed[m * bands_ + b]);
         report_.back_loss[m] += watts(arrival.absorbed[m * bands_ + b]);
       }
-    report_.unshot_share = sum(unshot_) / emitted_;
+    report_.unshot_share = unshot_power() / emitted_;
   }
 
-  double sum_shot() const { return sum(unshot_); }
+  double unshot_power() const {
+    return ordered_sum(workers_, unshot_.size(), [this](std::size_t i) { return unshot_[i]; });
+  }
 
   double guess_reflected_share() const {
     const auto n = report_.steps.size();
@@ -147,10 +160,11 @@ class Iteration {
   const StochasticJacobiOptions& options_;
   const Workers& workers_;
   std::size_t bands_;
-  std::vector<double> arrived_;  // W, [side][band]
-  std::vector<double> unshot_;   // W, [side][band]
-  double emitted_ = 0.0;         // W, all bands
-  double quanta_ = 0.0;          // W carried by all rays so far
+  std::vector<double> reflectance_;  // [material][band]
+  std::vector<double> arrived_;      // W, [side][band]
+  std::vector<double> unshot_;       // W, [side][band]
+  double emitted_ = 0.0;             // W, all bands
+  double quanta_ = 0.0;              // W carried by all rays so far
   SolveReport report_;
 };
 

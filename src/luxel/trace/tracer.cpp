@@ -49,7 +49,6 @@ void attach_patches(RTCDevice device, RTCScene scene, const PatchSet& patches) {
 struct Tracer::State {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<Vec3> normals;
 
   State() = default;
   State(const State&) = delete;
@@ -63,7 +62,6 @@ struct Tracer::State {
 Tracer::Tracer(const PatchSet& patches, const Workers& workers) : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice(device_config);
   if (!state_->device) throw DeviceError("Embree could not start on this processor");
-  state_->normals = patches.normal;
   state_->scene = rtcNewScene(state_->device);
   rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(state_->scene, RTC_BUILD_QUALITY_HIGH);
@@ -110,7 +108,8 @@ Hit Tracer::nearest(const Ray& ray) const {
   Hit hit;
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   hit.patch = query.hit.primID;
-  hit.back = glm::dot(ray.direction, state_->normals[hit.patch]) > 0.0f;
+  // Embree's normal of a triangle with counter-clockwise corners points to the front, as ours.
+  hit.back = glm::dot(ray.direction, Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)) > 0.0f;
   hit.distance = query.ray.tfar;
   hit.u = query.hit.u;
   hit.v = query.hit.v;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/transport/deposits.h"
 
+#include <utility>
+
 namespace luxel {
 namespace {
 
@@ -15,8 +17,8 @@ Deposits::Deposits(std::size_t counters, int workers)
       stride_((counters + cache_lines - 1) / cache_lines * cache_lines),
       counters_(is_private_ ? stride_ * static_cast<std::size_t>(workers) : counters, 0) {}
 
-std::vector<std::int64_t> Deposits::total() const {
-  if (!is_private_) return counters_;
+std::vector<std::int64_t> Deposits::take_total() {
+  if (!is_private_) return std::move(counters_);
   std::vector<std::int64_t> sum(count_, 0);
   for (std::size_t copy = 0; copy < counters_.size(); copy += stride_)
     for (std::size_t i = 0; i < count_; ++i) sum[i] += counters_[copy + i];

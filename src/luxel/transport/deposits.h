@@ -16,21 +16,27 @@ class Deposits {
 
   bool is_private() const { return is_private_; }
 
-  // Adds `quantum` (one number a band), `times` over, to the counters that begin at `first`. worker: who
+  // Adds `quantum` (one number a band) to the counters that begin at `first`. worker: who
   // adds.
-  void add(int worker, std::size_t first, std::span<const std::int64_t> quantum, std::int64_t times = 1) {
+  void add(int worker, std::size_t first, std::span<const std::int64_t> quantum) {
     auto* to = counters_.data() + first;
     if (is_private_) {
       to += static_cast<std::size_t>(worker) * stride_;
-      for (std::size_t b = 0; b < quantum.size(); ++b) to[b] += times * quantum[b];
+      for (std::size_t b = 0; b < quantum.size(); ++b) to[b] += quantum[b];
     } else {
       for (std::size_t b = 0; b < quantum.size(); ++b)
-        if (quantum[b] != 0) __atomic_fetch_add(&to[b], times * quantum[b], __ATOMIC_RELAXED);
+        if (quantum[b] != 0) __atomic_fetch_add(&to[b], quantum[b], __ATOMIC_RELAXED);
     }
   }
 
-  // The sums over workers. Call when no thread adds.
-  std::vector<std::int64_t> total() const;
+  // Says that counters that begin at `first` will be added to soon.
+  void prefetch(int worker, std::size_t first) const {
+    const auto copy = is_private_ ? static_cast<std::size_t>(worker) * stride_ : 0;
+    __builtin_prefetch(counters_.data() + copy + first, 1);
+  }
+
+  // The sums over workers. Call once, when no thread adds.
+  std::vector<std::int64_t> take_total();
 
  private:
   std::size_t count_;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
 #include "luxel/transport/fixed_point.h"
 
 namespace luxel {
@@ -24,6 +25,8 @@ struct RayPlan {
 // Rays in proportion to power by systematic sampling: ray k belongs to the side whose stretch of the running
 // sum holds (k + offset) / rays. So a side gets its fair number of rays rounded down or up, and on average
 // exactly that. leaving: W, [side][band]; offset in [0, 1).
-RayPlan make_ray_plan(std::span<const double> leaving, std::size_t bands, std::uint64_t rays, double offset);
+// The same plan on any number of threads.
+RayPlan make_ray_plan(std::span<const double> leaving, std::size_t bands, std::uint64_t rays, double offset,
+                      const Workers& workers);
 
 }  // namespace luxel

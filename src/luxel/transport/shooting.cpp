@@ -31,7 +31,8 @@ struct Ledger {
   Deposits arrived, absorbed, escaped, shot;
 };
 
-// Sends rays first, first + stride, ... of the plan, count of them, numbered [begin, end) within that row.
+// Sends the rays of a chunk in blocks: first all of a block are made, then traced, then delivered. Every
+// counter of a block is asked for before the first is added to, so that their cache misses overlap.
 class ChunkShooter {
  public:
   ChunkShooter(const PatchSet& patches, const Tracer& tracer, const RayPlan& plan,
@@ -43,38 +44,38 @@ class ChunkShooter {
         ledger_(ledger),
         worker_(worker) {}
 
+  // Rays first + stride * i of the plan, for i in [begin, end).
   void run(std::uint64_t first, std::uint64_t stride, std::size_t begin, std::size_t end) {
     auto ray = first + stride * begin;
-    enter(plan_.side_of_ray(ray));
+    auto side = plan_.side_of_ray(ray);
+    PatchEmitter emitter(patches_, side);
+    auto key = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side));
     for (auto i = begin; i < end; ++i, ray += stride) {
-      if (ray >= plan_.first_ray[side_ + 1]) {
-        flush();
-        auto next = side_ + 1;
-        while (ray >= plan_.first_ray[next + 1]) ++next;
-        enter(next);
+      if (ray >= plan_.first_ray[side + 1]) {
+        do ++side;
+        while (ray >= plan_.first_ray[side + 1]);
+        emitter = PatchEmitter(patches_, side);
+        key = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side));
       }
-      rays_[waiting_++] = emitter_.ray(uniform4(key_, ray - plan_.first_ray[side_]));
+      rays_[waiting_] = emitter.ray(uniform4(key, ray - plan_.first_ray[side]));
+      sides_[waiting_++] = side;
       if (waiting_ == block) flush();
     }
     flush();
   }
 
  private:
-  void enter(std::size_t side) {
-    side_ = side;
-    emitter_ = PatchEmitter(patches_, side_);
-    key_ = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side_));
-  }
-
   void flush() {
     tracer_.nearest(std::span(rays_.data(), waiting_), std::span(hits_.data(), waiting_));
-    const auto quantum = std::span(plan_.quantum).subspan(side_ * ledger_.bands, ledger_.bands);
-    for (std::size_t i = 0; i < waiting_; ++i) deliver(hits_[i], quantum);
-    ledger_.shot.add(worker_, 0, quantum, static_cast<std::int64_t>(waiting_));
+    for (std::size_t i = 0; i < waiting_; ++i)
+      if (hits_[i]) ledger_.arrived.prefetch(worker_, side_of(hits_[i].patch, hits_[i].back) * ledger_.bands);
+    for (std::size_t i = 0; i < waiting_; ++i)
+      deliver(hits_[i], std::span(plan_.quantum).subspan(sides_[i] * ledger_.bands, ledger_.bands));
     waiting_ = 0;
   }
 
   void deliver(const Hit& hit, std::span<const std::int64_t> quantum) {
+    ledger_.shot.add(worker_, 0, quantum);
     if (!hit) return ledger_.escaped.add(worker_, 0, quantum);
     if (hit.back && !patches_.material_of(hit.patch).two_sided)
       return ledger_.absorbed.add(
@@ -88,11 +89,9 @@ class ChunkShooter {
   const ShootingOptions& options_;
   Ledger& ledger_;
   int worker_;
-  std::size_t side_ = 0;
-  std::uint64_t key_ = 0;
-  PatchEmitter emitter_{patches_, 0};
   std::size_t waiting_ = 0;
   std::array<Ray, block> rays_;
+  std::array<std::size_t, block> sides_;
   std::array<Hit, block> hits_;
 };
 
@@ -101,7 +100,7 @@ class ChunkShooter {
 Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
               const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
   const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
-  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset);
+  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, workers);
   Ledger ledger(patches, workers);
 
   // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
@@ -122,10 +121,10 @@ Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const dou
   }
   const auto share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
   return {plan.scale,
-          ledger.arrived.total(),
-          ledger.shot.total(),
-          ledger.escaped.total(),
-          ledger.absorbed.total(),
+          ledger.arrived.take_total(),
+          ledger.shot.take_total(),
+          ledger.escaped.take_total(),
+          ledger.absorbed.take_total(),
           traced,
           share};
 }
