@@ -16,7 +16,7 @@ TEST(Program, bakes_every_kind_of_output_at_once_and_names_them_on_stdout) {
   const auto folder = fresh_folder("kinds");
   const auto run = cli::run(folder, quick + "-o a.glb -o a.ply -o a.png -o a.exr -o a.hdr -o a.vtkhdf");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.out, "a.glb\na.ply\na.png\na.exr\na.hdr\na.vtkhdf\n");
+  EXPECT_EQ(run.out, "a.vtkhdf\na.glb\na.ply\na.png\na.exr\na.hdr\n");
   EXPECT_NE(run.err.find("peak memory"), std::string::npos) << run.err;
   for (const char* name : {"a.glb", "a.ply", "a.png", "a.exr", "a.hdr", "a.vtkhdf"})
     EXPECT_GT(std::filesystem::file_size(folder / name), 500u) << name;
@@ -135,30 +135,32 @@ TEST_P(Refusal, is_one_sentence_and_an_exit_code) {
 
 INSTANTIATE_TEST_SUITE_P(
     Program, Refusal,
-    testing::Values(Misuse{"$LUXEL", 2, "--help"}, Misuse{"$LUXEL fly", 2, "--help"},
-                    Misuse{"$LUXEL bake", 2, "SCENE"}, Misuse{"$LUXEL bake cornell-box.obj", 2, "-o"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .png"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb -o a.glb", 2, "twice"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --rays 5X", 2, "50M"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --tolerance 2", 2, "--tolerance"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge -1", 2, "--max-edge"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2", 2, "three numbers"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.png --fov 200", 2, "--fov"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.png --tone sepia", 2, "reinhard"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config none.toml", 1, "none.toml"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad.toml", 1, "bad.toml:2"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad-value.toml", 1,
-                           "bad-value.toml:1"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o nowhere/a.glb", 1, "nowhere"},
-                    Misuse{"$LUXEL bake missing.obj -o a.glb", 1, "missing.obj"},
-                    Misuse{"$LUXEL bake bad.obj -o a.glb", 1, "bad.obj:4"},
-                    Misuse{"$LUXEL bake no-lamp.obj -o a.glb", 1, "Ke"},
-                    Misuse{"$LUXEL bake . -o a.glb", 1, "."},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --flip nothing", 1, "nothing"},
-                    Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge 0.000001", 1, "would fit"},
-                    Misuse{"$LUXEL render junk.vtkhdf -o a.png", 1, "junk.vtkhdf"},
-                    Misuse{"$LUXEL render cornell-box.obj -o a.png", 1, "cornell-box.obj"},
-                    Misuse{"$LUXEL export none.vtkhdf -o a.glb", 1, "none.vtkhdf"}));
+    testing::Values(
+        Misuse{"$LUXEL", 2, "--help"}, Misuse{"$LUXEL fly", 2, "--help"}, Misuse{"$LUXEL bake", 2, "SCENE"},
+        Misuse{"$LUXEL bake cornell-box.obj", 2, "-o"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .png"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb -o a.glb", 2, "twice"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --rays 5X", 2, "50M"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --tolerance 2", 2, "--tolerance"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge -1", 2, "--max-edge"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2", 2, "three numbers"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --fov 200", 2, "--fov"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2,3 --target 1,2,3", 2, "same point"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png -o ./a.png", 2, "twice"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --report nowhere/r.json", 1, "--report"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --tone sepia", 2, "reinhard"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config none.toml", 1, "none.toml"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad.toml", 1, "bad.toml:2"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad-value.toml", 1, "bad-value.toml:1"},
+        Misuse{"$LUXEL bake cornell-box.obj -o nowhere/a.glb", 1, "nowhere"},
+        Misuse{"$LUXEL bake missing.obj -o a.glb", 1, "missing.obj"},
+        Misuse{"$LUXEL bake bad.obj -o a.glb", 1, "bad.obj:4"},
+        Misuse{"$LUXEL bake no-lamp.obj -o a.glb", 1, "Ke"}, Misuse{"$LUXEL bake . -o a.glb", 1, "."},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --flip nothing", 1, "nothing"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge 0.000001", 1, "would fit"},
+        Misuse{"$LUXEL render junk.vtkhdf -o a.png", 1, "junk.vtkhdf"},
+        Misuse{"$LUXEL render cornell-box.obj -o a.png", 1, "cornell-box.obj"},
+        Misuse{"$LUXEL export none.vtkhdf -o a.glb", 1, "none.vtkhdf"}));
 
 TEST(Program, that_meets_a_full_disk_says_so_and_leaves_the_old_file) {
   const auto folder = fresh_folder("full");
@@ -179,9 +181,33 @@ TEST(Program, that_is_interrupted_writes_what_it_has_and_says_so) {
                "while ! grep -q lamp stderr.txt; do sleep 0.05; done; sleep 1; kill -INT $pid; wait $pid");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
-  EXPECT_EQ(run.out, "a.glb\na.vtkhdf\n");
+  EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
   const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
   EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
+}
+
+TEST(Program, that_is_interrupted_while_it_draws_keeps_the_light_and_writes_no_half_picture) {
+  const auto folder = fresh_folder("interrupt_picture");
+  const auto run =
+      cli::run(folder,
+               "$LUXEL bake cornell-box.obj --rays 10k --max-edge 0.1 --width 8000 --height 8000 -o a.png "
+               "-o a.vtkhdf & pid=$!; while ! test -e a.vtkhdf; do sleep 0.05; done; sleep 0.5; "
+               "kill -INT $pid; wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("the picture was not finished"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.vtkhdf\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
+TEST(Program, records_a_command_that_a_shell_reads_back) {
+  const auto folder = fresh_folder("quoted");
+  std::filesystem::copy_file(folder / "cornell-box.obj", folder / "my box.obj");
+  ASSERT_EQ(
+      cli::run(folder, "$LUXEL bake 'my box.obj' --rays 10k --max-edge 0.2 --fov 50 -o a.vtkhdf --quiet")
+          .code,
+      0);
+  const auto info = Json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out);
+  EXPECT_EQ(info["solution"]["command_line"], "luxel bake 'my box.obj' --max-edge 0.2 --rays 10000 --fov 50");
 }
 
 TEST(Program, turned_round_lamps_are_reported_with_the_flag_that_mends_them) {

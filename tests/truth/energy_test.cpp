@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -136,6 +137,17 @@ TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
   for (std::size_t p = 0; p < patches.size(); ++p)
     received += static_cast<double>(patches.area[p]) * solution.irradiance_front[3 * p];
   EXPECT_NEAR(received, 1.0, 0.002);
+  // Its error is that of the rays it shot, not of those it was asked for: each carried three watts (one a
+  // band) over them.
+  const auto quantum = 3.0 / static_cast<double>(report.rays);
+  double variance = 0.0;
+  double square = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const double H = 3.0 * static_cast<double>(solution.irradiance_front[3 * p]);
+    variance += quantum * H;
+    square += static_cast<double>(patches.area[p]) * H * H;
+  }
+  EXPECT_NEAR(report.predicted_error, std::sqrt(variance / square), 1e-3 * report.predicted_error);
 }
 
 TEST(Energy, a_scene_without_a_lamp_is_refused_with_advice) {

@@ -32,6 +32,8 @@ class Bake final : public Command {
       return exit_fine;
     }
     check_outputs(run_.outputs, all_kinds);
+    check_folder("--report " + run_.report, run_.report);
+    picture_.check();
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
@@ -66,15 +68,17 @@ class Bake final : public Command {
 
     // 4. What was asked for.
     RunReport report;
-    report.camera = write_outputs(baked, &tracer, run_, look_, picture_, workers, console, record);
+    const auto written = write_outputs(baked, &tracer, run_, look_, picture_, workers, console, record);
     report.command = "bake";
     report.baked = &baked;
     report.solve = &solved;
-    report.outputs = run_.outputs;
+    report.camera = written.camera;
+    report.outputs = written.files;
     report.options = &options();
     report.record = &record;
     finish(report, run_, console);
-    return solved.stop == StopReason::stopped_by_user ? exit_stopped_early : exit_fine;
+    const bool stopped = written.stopped || solved.stop == StopReason::stopped_by_user;
+    return stopped ? exit_stopped_early : exit_fine;
   }
 
  private:

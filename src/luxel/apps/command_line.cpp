@@ -36,12 +36,25 @@ void declare(CLI::App& app, Declaration& d, const std::string& heading, Given& g
     const auto value = d.print();
     option->option_text(fmt::format("<{}>{}", d.unit, value.empty() ? "" : fmt::format(" [{}]", value)));
     option->type_size(1)->expected(1);
+    if (!d.many) option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     if (d.many)
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
           ->expected(1, 1 << 20)
           ->allow_extra_args(false);
   }
   if (!heading.empty()) option->group(heading);
+}
+
+// CLI11 takes "[bake]  # mine" for a key.
+std::string without_comments_after_headings(const std::string& text) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line); result += line + '\n') {
+    const auto begin = line.find_first_not_of(" \t");
+    const auto end = line.find(']');
+    if (begin != std::string::npos && line[begin] == '[' && end != std::string::npos) line.resize(end + 1);
+  }
+  return result;
 }
 
 // The line of a text file on which a key stands, for the error message; 0 where it is not found.
@@ -115,7 +128,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
 
 void CommandLine::read_file(OptionSet& chosen, const std::string& path) {
   const auto text = luxel::read_file(path);
-  std::istringstream stream(text);
+  std::istringstream stream(without_comments_after_headings(text));
   std::vector<CLI::ConfigItem> items;
   try {
     items = CLI::ConfigTOML().from_config(stream);
@@ -138,8 +151,8 @@ void CommandLine::read_file(OptionSet& chosen, const std::string& path) {
     if (std::none_of(commands_.begin(), commands_.end(), [&](const auto& set) {
           return known(*set) && (section.empty() || section == set->name_);
         }))
-      throw fail(fmt::format("no command has an option '{}'; 'luxel {} --print-config' lists them",
-                             item.fullname(), chosen.name_));
+      throw fail(fmt::format("no command has an option '{}'; 'luxel {} --help' lists them", item.fullname(),
+                             chosen.name_));
     if (!section.empty() && section != chosen.name_) continue;
     for (auto& e : chosen.entries_) {
       if (e.declaration.name != item.name || e.origin == Origin::from_command_line) continue;

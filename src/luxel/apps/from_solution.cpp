@@ -28,20 +28,23 @@ class FromSolution final : public Command {
       return exit_fine;
     }
     check_outputs(run_.outputs, kinds_);
+    check_folder("--report " + run_.report, run_.report);
+    picture_.check();
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
     const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
     take_up_from(baked.solution.provenance);
     RunReport report;
-    report.camera = write_outputs(baked, nullptr, run_, look_, picture_, workers, console, record);
+    const auto written = write_outputs(baked, nullptr, run_, look_, picture_, workers, console, record);
     report.command = options().name();
     report.baked = &baked;
-    report.outputs = run_.outputs;
+    report.camera = written.camera;
+    report.outputs = written.files;
     report.options = &options();
     report.record = &record;
     finish(report, run_, console);
-    return exit_fine;
+    return written.stopped ? exit_stopped_early : exit_fine;
   }
 
  private:

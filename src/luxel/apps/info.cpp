@@ -55,7 +55,9 @@ class Info final : public Command {
                           m.reflectance.r, m.reflectance.g, m.reflectance.b);
       if (m.is_lamp())
         text += fmt::format("  emits {:.4g} lm/m²", lumens(m.emittance.r, m.emittance.g, m.emittance.b));
-      text += m.two_sided ? "\n" : "  one-sided\n";
+      if (!m.two_sided) text += "  one-sided";
+      if (!m.opaque) text += "  lets light pass";
+      text += "\n";
     }
     return text;
   }
@@ -71,7 +73,8 @@ class Info final : public Command {
                            {"triangles", triangles[i]},
                            {"reflectance", triple(m.reflectance)},
                            {"emittance_W_per_m2", triple(m.emittance)},
-                           {"two_sided", m.two_sided}});
+                           {"two_sided", m.two_sided},
+                           {"opaque", m.opaque}});
     }
     const Json json = {{"command", "info"},
                        {"triangles", scene.triangles.size()},

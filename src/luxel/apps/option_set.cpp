@@ -55,6 +55,15 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
+// As a shell reads it back.
+std::string quoted(const std::string& word) {
+  constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string inside;
+  for (const char c : word) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return fmt::format("'{}'", inside);
+}
+
 const char* word(Origin origin) {
   switch (origin) {
     case Origin::by_default:
@@ -69,8 +78,7 @@ const char* word(Origin origin) {
 
 }  // namespace
 
-std::string print_number(double value) { return fmt::format("{}", value); }
-std::string print_number(float value) { return fmt::format("{}", value); }
+std::optional<float> parse_number(const std::string& text) { return whole_number<float>(text); }
 
 std::uint64_t parse_count(const std::string& name, const std::string& text) {
   auto digits = text;
@@ -174,11 +182,11 @@ std::vector<std::pair<std::string, std::string>> OptionSet::values(const std::st
 
 std::string OptionSet::as_command(const std::string& without) const {
   auto text = fmt::format("luxel {}", name_);
-  if (positional_) text += " " + *positional_->value;
+  if (positional_) text += fmt::format(" {}", quoted(*positional_->value));
   for (const auto& e : entries_) {
     if (e.declaration.print() == e.default_value || e.heading == without) continue;
     for (const auto& value : lines(e.declaration.print()))
-      text += fmt::format(" --{} {}", e.declaration.name, value);
+      text += fmt::format(" --{} {}", e.declaration.name, quoted(value));
   }
   return text;
 }

@@ -92,8 +92,7 @@ class OptionSet {
 // "50M", "1.5e6", "2000": a whole number with an optional k, M or G, for the option --name. Throws
 // UsageError.
 std::uint64_t parse_count(const std::string& name, const std::string& text);
-// The shortest decimal that reads back as the same number.
-std::string print_number(double value);
-std::string print_number(float value);
+// The whole text as a number, or nothing.
+std::optional<float> parse_number(const std::string& text);
 
 }  // namespace luxel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -51,7 +52,7 @@ Camera camera_of(const PictureSettings& picture, const Baked& baked, const Trace
     if (picture.eye) camera.eye = *picture.eye;
     if (picture.target) camera.target = *picture.target;
   }
-  if (picture.fov_given || (picture.eye && picture.target)) camera.vertical_fov = picture.vertical_fov;
+  if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
   return camera;
 }
 
@@ -74,30 +75,35 @@ void write_mesh(const std::string& output, const Baked& baked, const std::option
 void check_outputs(const std::vector<std::string>& outputs, const std::string& kinds) {
   if (outputs.empty())
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const std::filesystem::path path(outputs[i]);
-    if (!is_among(ending(path), kinds))
-      throw UsageError(fmt::format("-o {}: expected an ending among {}", outputs[i], kinds));
-    if (std::find(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(i), outputs[i]) !=
-        outputs.begin() + static_cast<std::ptrdiff_t>(i))
-      throw UsageError(fmt::format("-o {} is given twice", outputs[i]));
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored))
-      throw DeviceError(fmt::format("-o {}: the folder '{}' does not exist", outputs[i], folder.string()));
+  std::set<std::filesystem::path> places;
+  for (const auto& output : outputs) {
+    if (!is_among(ending(output), kinds))
+      throw UsageError(fmt::format("-o {}: expected an ending among {}", output, kinds));
+    if (!places.insert(std::filesystem::absolute(output).lexically_normal()).second)
+      throw UsageError(fmt::format("-o {} is given twice", output));
+    check_folder("-o " + output, output);
   }
 }
 
-std::optional<Camera> write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
-                                    const LookSettings& look, const PictureSettings& picture,
-                                    const Workers& workers, Console& console, RunRecord& record) {
-  // The solution first: it is what hours went into.
+void check_folder(const std::string& option, const std::filesystem::path& path) {
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw DeviceError(fmt::format("{}: the folder '{}' does not exist", option, folder.string()));
+}
+
+Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
+                      const LookSettings& look, const PictureSettings& picture, const Workers& workers,
+                      Console& console, RunRecord& record) {
+  // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
-  std::stable_partition(outputs.begin(), outputs.end(), [](const auto& o) { return ending(o) == ".vtkhdf"; });
+  const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : ending(o) == ".vtkhdf" ? 0 : 1; };
+  std::stable_sort(outputs.begin(), outputs.end(), [&](auto& a, auto& b) { return turn(a) < turn(b); });
 
   std::optional<SmoothLight> light;
   std::optional<Tracer> own_tracer;
-  std::optional<Camera> camera;
+  Written written;
+  const bool interrupted_before = interrupted();
   std::optional<Image> radiance;
   std::exception_ptr failure;  // one file that cannot be written does not cost the others
   for (const auto& output : outputs) {
@@ -109,29 +115,36 @@ std::optional<Camera> write_outputs(const Baked& baked, const Tracer* tracer, co
         own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
         tracer = &*own_tracer;
       }
-      camera = record.stage("camera", [&](auto&) {
+      written.camera = record.stage("camera", [&](auto&) {
         return camera_of(picture, baked, *tracer, workers, up_of(look, baked.patches));
       });
       radiance = record.stage("picture", [&](auto& stage) {
         const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
         stage.rays = side * side * static_cast<std::uint64_t>(picture.render.width) *
                      static_cast<std::uint64_t>(picture.render.height);
-        return render(baked.patches, *light, *tracer, *camera, picture.render, workers,
-                      console.monitor(false));
+        return render(baked.patches, *light, *tracer, *written.camera, picture.render, workers,
+                      console.monitor(!interrupted_before));
       });
+      written.stopped = !interrupted_before && interrupted();
     }
     console.clear_bar();
+    if (is_picture(output) && written.stopped) {
+      warn(console.log(),
+           fmt::format("stopped: the picture was not finished, and {} is not written", output));
+      continue;
+    }
     try {
       record.stage("write " + ending(output).substr(1), [&](auto&) {
         if (is_picture(output)) return write_picture(output, *radiance, look.tone);
         write_mesh(output, baked, light, look);
       });
+      written.files.push_back(output);
     } catch (const DeviceError&) {
       if (!failure) failure = std::current_exception();
     }
   }
   if (failure) std::rethrow_exception(failure);
-  return camera;
+  return written;
 }
 
 }  // namespace luxel

@@ -24,10 +24,19 @@ inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
 // DeviceError where its folder does not exist. To be asked before hours are spent.
 void check_outputs(const std::vector<std::string>& outputs, const std::string& kinds);
 
+// Throws DeviceError, beginning with the option, where the folder of a file to be written does not exist.
+void check_folder(const std::string& option, const std::filesystem::path& path);
+
+struct Written {
+  std::vector<std::string> files;
+  std::optional<Camera> camera;  // of the pictures, if any was taken
+  bool stopped = false;          // Ctrl-C came while a picture was drawn: there is none
+};
+
 // Writes each output. Builds what it needs once: the smooth light, and a tracer when there is a picture and
-// none is given. Returns the camera of the pictures, if any was taken.
-std::optional<Camera> write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
-                                    const LookSettings& look, const PictureSettings& picture,
-                                    const Workers& workers, Console& console, RunRecord& record);
+// none is given. After an interrupt that came before, what there is still gets written.
+Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
+                      const LookSettings& look, const PictureSettings& picture, const Workers& workers,
+                      Console& console, RunRecord& record);
 
 }  // namespace luxel

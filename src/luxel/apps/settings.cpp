@@ -19,13 +19,15 @@ void add_or_auto(OptionSet& set, const char* name, const char* unit, Value& valu
 }
 
 float parse_edge(const std::string& name, const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const auto value = std::stof(text, &used);
-    if (used == text.size() && value >= 0.0f && value < far) return value;
-  } catch (const std::exception&) {
-  }
+  const auto value = parse_number(text);
+  if (value && *value >= 0.0f && *value < far) return *value;
   throw UsageError(fmt::format("--{}: expected auto, 0 (no splitting) or metres, not '{}'", name, text));
+}
+
+float parse_fov(const std::string& name, const std::string& text) {
+  const auto value = parse_number(text);
+  if (value && *value >= 1.0f && *value <= 170.0f) return *value;
+  throw UsageError(fmt::format("--{}: expected auto or degrees from 1 to 170, not '{}'", name, text));
 }
 
 }  // namespace
@@ -45,8 +47,9 @@ void SceneSettings::declare(OptionSet& set) {
 
 void LightSettings::declare(OptionSet& set) {
   set.heading("Light");
-  add_or_auto(set, "rays", "count", jacobi.rays, std::uint64_t{0}, parse_count,
-              "rays that carry the lamps' power once (50M); reflected light adds its own in proportion");
+  add_or_auto(
+      set, "rays", "count", jacobi.rays, std::uint64_t{0}, parse_count,
+      "rays, such as 50M, that carry the lamps' power once; reflected light adds its own in proportion");
   set.add_number("rays-per-patch", "count", jacobi.rays_per_patch, 1.0, 1e9, "what '--rays auto' aims at");
   set.add_number("tolerance", "share", jacobi.tolerance, 1e-12, 0.9,
                  "share of the emitted power that may stay unshot: the bias");
@@ -57,21 +60,15 @@ void PictureSettings::declare(OptionSet& set) {
   set.heading("Picture");
   set.add_point("eye", "x,y,z m", eye, "where the camera stands");
   set.add_point("target", "x,y,z m", target, "what the middle of the picture shows");
-  set.add({"fov", "degrees", "vertical field of view",
-           [this](const std::string& text) {
-             vertical_fov = 0.0f;
-             try {
-               vertical_fov = std::stof(text);
-             } catch (const std::exception&) {
-             }
-             if (!(vertical_fov >= 1.0f && vertical_fov <= 170.0f))
-               throw UsageError(fmt::format("--fov: expected degrees from 1 to 170, not '{}'", text));
-             fov_given = true;
-           },
-           [this] { return print_number(vertical_fov); }});
+  add_or_auto(set, "fov", "degrees", vertical_fov, automatic_fov, parse_fov, "vertical field of view");
   set.add_number("width", "pixels", render.width, 1, 32768, "width of the picture");
   set.add_number("height", "pixels", render.height, 1, 32768, "height of the picture");
   set.add_number("samples", "count", render.samples_per_side, 1, 64, "this many by this many rays a pixel");
+}
+
+void PictureSettings::check() const {
+  if (eye && target && *eye == *target)
+    throw UsageError("--eye and --target are the same point: the camera would look nowhere");
 }
 
 void LookSettings::declare(OptionSet& set) {

@@ -32,10 +32,12 @@ struct LightSettings {
 };
 
 struct PictureSettings {
+  static constexpr float automatic_fov = 0.0f;
   std::optional<Vec3> eye, target;
-  float vertical_fov = Camera{}.vertical_fov;
-  bool fov_given = false;
+  float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
+  // Throws UsageError where the camera cannot be: to be asked before hours are spent.
+  void check() const;
   void declare(OptionSet& set);
 };
 

@@ -30,10 +30,13 @@ struct Shape {
   double longest = 0.0;
 };
 
+// Of the triangles that become patches.
 std::vector<Shape> shapes(const Scene& scene) {
   std::vector<Shape> result;
   result.reserve(scene.triangles.size());
-  for (const auto& t : scene.triangles) {
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+    if (!scene.materials[static_cast<std::size_t>(scene.triangle_material[i])].opaque) continue;
+    const auto& t = scene.triangles[i];
     const Vec3d a(scene.positions[t[0]]), b(scene.positions[t[1]]), c(scene.positions[t[2]]);
     result.push_back({0.5 * glm::length(glm::cross(b - a, c - a)),
                       std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)})});

@@ -36,7 +36,7 @@ inline Vec2 concentric_disk(float u1, float u2) {
 }
 inline float concentric_disk_density(const Vec2& p) { return glm::dot(p, p) <= 1.0f ? 1.0f / pi : 0.0f; }
 
-// Cosine-distributed direction about +z (Malley's method), z > 0 but for rounding at the rim.
+// Cosine-distributed direction about +z (Malley's method, 1988), z > 0 but for rounding at the rim.
 inline Vec3 cosine_hemisphere(float u1, float u2) {
   const auto d = concentric_disk(u1, u2);
   return {d.x, d.y, std::sqrt(std::max(0.0f, 1.0f - d.x * d.x - d.y * d.y))};

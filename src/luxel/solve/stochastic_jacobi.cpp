@@ -84,18 +84,20 @@ class Iteration {
               {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
               workers_, tell_whole);
     report_.rays += arrival.rays;
-    quanta_ += shot_power / static_cast<double>(rays) * static_cast<double>(arrival.rays);
-    if (arrival.share > 0.0) receive(arrival);
+    if (arrival.share > 0.0) receive(arrival, shot_power / static_cast<double>(arrival.rays));
     report_.steps.push_back({arrival.rays, report_.unshot_share});
     return arrival.share;
   }
 
-  // Books what arrived; what is reflected of it becomes the new unshot power.
-  void receive(const Arrival& arrival) {
+  // Books what arrived, in quanta of that many watts (all bands together); what is reflected of it becomes
+  // the new unshot power. Arrivals are a Poisson count of quanta q: the irradiance H of a side of area A has
+  // variance q H / A.
+  void receive(const Arrival& arrival, double quantum) {
     auto& energy = report_.energy;
     const auto watts = [&](std::int64_t units) { return arrival.scale.watts(units) / arrival.share; };
     // Sums per chunk, added in order: the same bits on any number of threads.
     std::vector<double> absorbed((patches_.size() + grain - 1) / grain * bands_, 0.0);
+    std::vector<double> irradiance((patches_.size() + grain - 1) / grain, 0.0);
     workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
       auto* chunk_absorbed = &absorbed[begin / grain * bands_];
       for (auto p = begin; p < end; ++p) {
@@ -106,9 +108,11 @@ class Iteration {
           arrived_[i] += power;
           unshot_[i] = rho[b] * power;
           chunk_absorbed[b] += (1.0 - rho[b]) * power;
+          irradiance[begin / grain] += power / static_cast<double>(patches_.area[p]);
         }
       }
     });
+    variance_ += quantum * sum(irradiance);
     for (std::size_t i = 0; i < absorbed.size(); ++i) energy.absorbed[i % bands_] += absorbed[i];
     for (std::size_t b = 0; b < bands_; ++b) energy.escaped[b] += watts(arrival.escaped[b]);
     for (std::size_t m = 0; m < patches_.materials.size(); ++m)
@@ -137,22 +141,15 @@ class Iteration {
     report_.predicted_error = predicted_error();
   }
 
-  // Each ray is a quantum q, and arrivals are a Poisson count of them: the irradiance H of a side of area A
-  // has variance q H / A, over all bands together. Area-weighted relative RMS: sqrt(sum of A (q H / A) / sum
-  // of A H²).
+  // Area-weighted relative RMS: sqrt(sum of A Var(H) / sum of A H²).
   double predicted_error() const {
-    if (report_.rays == 0) return 0.0;
-    const auto quantum = quanta_ / static_cast<double>(report_.rays);
-    double variance = 0.0;
     double square = 0.0;
     for (std::size_t s = 0; s < 2 * patches_.size(); ++s) {
       double power = 0.0;
       for (std::size_t b = 0; b < bands_; ++b) power += arrived_[s * bands_ + b];
-      const double area = patches_.area[s / 2];
-      variance += quantum * power / area;
-      square += power * power / area;
+      square += power * power / static_cast<double>(patches_.area[s / 2]);
     }
-    return square > 0.0 ? std::sqrt(variance / square) : 0.0;
+    return square > 0.0 ? std::sqrt(variance_ / square) : 0.0;
   }
 
   const PatchSet& patches_;
@@ -164,7 +161,7 @@ class Iteration {
   std::vector<double> arrived_;      // W, [side][band]
   std::vector<double> unshot_;       // W, [side][band]
   double emitted_ = 0.0;             // W, all bands
-  double quanta_ = 0.0;              // W carried by all rays so far
+  double variance_ = 0.0;            // sum over sides of area times the variance of the irradiance, W²/m²
   SolveReport report_;
 };
 

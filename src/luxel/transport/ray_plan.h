@@ -22,10 +22,10 @@ struct RayPlan {
   std::size_t side_of_ray(std::uint64_t ray) const;
 };
 
-// Rays in proportion to power by systematic sampling: ray k belongs to the side whose stretch of the running
-// sum holds (k + offset) / rays. So a side gets its fair number of rays rounded down or up, and on average
-// exactly that. leaving: W, [side][band]; offset in [0, 1).
-// The same plan on any number of threads.
+// Rays in proportion to power by systematic sampling (Madow and Madow 1944): ray k belongs to the side whose
+// stretch of the running sum holds (k + offset) / rays. So a side gets its fair number of rays rounded down
+// or up, and on average exactly that. leaving: W, [side][band]; offset in [0, 1). The same plan on any number
+// of threads.
 RayPlan make_ray_plan(std::span<const double> leaving, std::size_t bands, std::uint64_t rays, double offset,
                       const Workers& workers);
 
