@@ -27,13 +27,7 @@ class Bake final : public Command {
   }
 
   int run() override {
-    if (run_.print_config) {
-      fmt::print("{}", options().as_file());
-      return exit_fine;
-    }
-    check_outputs(run_.outputs, all_kinds);
-    check_folder("--report " + run_.report, run_.report);
-    picture_.check();
+    check_before_work(run_, picture_, all_kinds);
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
@@ -72,8 +66,8 @@ class Bake final : public Command {
     report.command = "bake";
     report.baked = &baked;
     report.solve = &solved;
-    report.camera = written.camera;
     report.outputs = written.files;
+    report.camera = written.camera;
     report.options = &options();
     report.record = &record;
     finish(report, run_, console);

@@ -16,6 +16,7 @@ namespace {
 struct Given {
   std::vector<std::pair<Declaration*, std::vector<std::string>>> options;
   std::string config;
+  bool print_config = false;
 };
 
 void declare(CLI::App& app, Declaration& d, const std::string& heading, Given& given) {
@@ -100,6 +101,8 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
     for (auto& e : set->entries_) declare(*sub, e.declaration, e.heading, given);
     sub->add_option("--config", given.config, "read options from a text file of 'name = value' lines")
         ->option_text("<FILE>");
+    sub->add_flag("--print-config", given.print_config,
+                  "print every option with its value and where it came from, and stop");
   }
   try {
     app.parse(argc, argv);
@@ -123,6 +126,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   if (!given.config.empty()) read_file(chosen, given.config);
   for (const auto& [declaration, texts] : given.options)
     for (const auto& text : texts) declaration->parse(text);
+  if (given.print_config) return {nullptr, chosen.as_file()};
   return {&chosen, ""};
 }
 

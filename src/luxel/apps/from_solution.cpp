@@ -23,13 +23,7 @@ class FromSolution final : public Command {
   }
 
   int run() override {
-    if (run_.print_config) {
-      fmt::print("{}", options().as_file());
-      return exit_fine;
-    }
-    check_outputs(run_.outputs, kinds_);
-    check_folder("--report " + run_.report, run_.report);
-    picture_.check();
+    check_before_work(run_, picture_, kinds_);
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
@@ -39,8 +33,8 @@ class FromSolution final : public Command {
     const auto written = write_outputs(baked, nullptr, run_, look_, picture_, workers, console, record);
     report.command = options().name();
     report.baked = &baked;
-    report.camera = written.camera;
     report.outputs = written.files;
+    report.camera = written.camera;
     report.options = &options();
     report.record = &record;
     finish(report, run_, console);

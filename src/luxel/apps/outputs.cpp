@@ -70,26 +70,29 @@ void write_mesh(const std::string& output, const Baked& baked, const std::option
   export_glb(output, baked.patches, baked.solution, *light, up_of(look, baked.patches), {.tone = look.tone});
 }
 
+// Throws DeviceError, beginning with the option, where the folder of a file to be written does not exist.
+void check_folder(const std::string& option, const std::filesystem::path& path) {
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw DeviceError(fmt::format("{}: the folder '{}' does not exist", option, folder.string()));
+}
+
 }  // namespace
 
-void check_outputs(const std::vector<std::string>& outputs, const std::string& kinds) {
-  if (outputs.empty())
+void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds) {
+  if (run.outputs.empty())
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
   std::set<std::filesystem::path> places;
-  for (const auto& output : outputs) {
+  for (const auto& output : run.outputs) {
     if (!is_among(ending(output), kinds))
       throw UsageError(fmt::format("-o {}: expected an ending among {}", output, kinds));
     if (!places.insert(std::filesystem::absolute(output).lexically_normal()).second)
       throw UsageError(fmt::format("-o {} is given twice", output));
     check_folder("-o " + output, output);
   }
-}
-
-void check_folder(const std::string& option, const std::filesystem::path& path) {
-  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    throw DeviceError(fmt::format("{}: the folder '{}' does not exist", option, folder.string()));
+  check_folder("--report " + run.report, run.report);
+  picture.check();
 }
 
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,

@@ -20,12 +20,10 @@ inline constexpr const char* picture_kinds = ".png .exr .hdr";
 inline constexpr const char* mesh_kinds = ".glb .ply .vtkhdf";
 inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
 
-// Throws UsageError where there is no output, one's ending is not among `kinds`, or one is named twice;
-// DeviceError where its folder does not exist. To be asked before hours are spent.
-void check_outputs(const std::vector<std::string>& outputs, const std::string& kinds);
-
-// Throws DeviceError, beginning with the option, where the folder of a file to be written does not exist.
-void check_folder(const std::string& option, const std::filesystem::path& path);
+// What can be refused before hours are spent. Throws UsageError where there is no output, one's ending is not
+// among `kinds`, one is named twice, or the camera cannot be; DeviceError where the folder of a file does not
+// exist.
+void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds);
 
 struct Written {
   std::vector<std::string> files;

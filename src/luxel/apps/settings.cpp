@@ -107,8 +107,6 @@ void RunSettings::declare(OptionSet& set, const std::string& kinds) {
   set.add_text("report", "FILE", report, "write what --json prints to a file as well");
   set.add_flag("json", json, "print the result as JSON");
   set.add_flag("quiet", quiet, "say warnings only");
-  set.add_flag("print-config", print_config,
-               "print every option with its value and where it came from, and stop", false);
 }
 
 }  // namespace luxel

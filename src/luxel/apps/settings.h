@@ -56,7 +56,6 @@ struct RunSettings {
   int threads = 0;
   bool json = false;
   bool quiet = false;
-  bool print_config = false;
   std::string report;
   // kinds: the endings -o takes, for the help.
   void declare(OptionSet& set, const std::string& kinds);
