@@ -18,7 +18,7 @@ struct StochasticJacobiOptions {
       0;  // that carry the lamps' power once; reflected light adds its own in proportion. 0: automatic
   double tolerance = 1e-4;      // share of the emitted power left unshot, (0, 1): the stated bias
   std::uint64_t seed = 1;       // another seed, another independent answer
-  double rays_per_patch = 500;  // what automatic aims at, over the whole run
+  double rays_per_patch = 800;  // what automatic aims at, over the whole run
 };
 
 // One bounce.
