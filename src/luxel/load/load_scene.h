@@ -22,9 +22,9 @@ struct LoadOptions {
 // texture and the default taken, turned faces, capped reflectances) to log. Cost: about a second a million
 // faces.
 //
-// OBJ as Luxel reads it: metres, Y up or Z up as it comes; materials are two-sided; Ke is radiance in W/(m² sr); Kd
-// times the mean linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes freely through what
-// has d below 0.5; vertex normals, where given, say which side of a face is its front.
+// OBJ as Luxel reads it: metres, Y up or Z up as it comes; materials are two-sided; Ke is radiance in W/(m²
+// sr); Kd times the mean linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes
+// freely through what has d below 0.5; vertex normals, where given, say which side of a face is its front.
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {}, const LogSink& log = {});
 
 }  // namespace luxel
