@@ -64,10 +64,10 @@ TEST(LoadScene, a_scale_that_makes_no_size_is_refused) {
               std::string::npos);
 }
 
-TEST(LoadScene, a_coordinate_too_large_once_scaled_names_its_line) {
+TEST(LoadScene, a_coordinate_too_far_for_floats_names_its_line) {
   SceneFiles files;
   EXPECT_EQ(files.refusal_of_text("v 1e37 0 0\n", {.scale = 1000.0f}),
-            "room.obj:1: '1e37 0 0' is out of range once scaled by 1000");
+            "room.obj:1: expected coordinates up to 1e+12 m, found '1e37 0 0' at 1000 m a unit");
 }
 
 TEST(LoadScene, a_reflectance_limit_of_one_is_refused) {

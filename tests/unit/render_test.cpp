@@ -166,6 +166,7 @@ TEST(Render, a_camera_that_sees_nothing_definite_is_refused_with_the_reason) {
   refuse({.eye = Vec3(0.0f), .target = {0.0f, -2.0f, 0.0f}}, small, "up");
   refuse({.up = Vec3(0.0f)}, small, "up");
   refuse({.eye = {NAN, 0.0f, 0.0f}}, small, "finite");
+  refuse({.eye = {1e30f, 0.0f, 0.0f}}, small, "origin");
   refuse({.vertical_fov = 0.0f}, small, "field of view");
   refuse({.vertical_fov = 180.0f}, small, "field of view");
   refuse({.vertical_fov = NAN}, small, "field of view");

@@ -88,8 +88,11 @@ TEST(CheckScene, nothing_to_light_is_refused) {
 
 TEST(CheckScene, a_vertex_at_infinity_is_refused_even_unused) {
   auto scene = square();
-  scene.positions[4].y = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(refusal(scene), "square.obj: vertex 4 is not finite");
+  for (const float y :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), -2e12f}) {
+    scene.positions[4].y = y;
+    EXPECT_EQ(refusal(scene), "square.obj: vertex 4 is not finite, or lies beyond 1e+12 m") << y;
+  }
 }
 
 TEST(CheckScene, a_surface_that_reflects_all_light_is_refused) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/load/read_obj.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <istream>
@@ -14,6 +15,7 @@
 #include "luxel/load/numbers.h"
 #include "luxel/load/statement_stream.h"
 #include "luxel/report/error.h"
+#include "luxel/scene/scene.h"
 
 namespace luxel {
 namespace {
@@ -103,8 +105,9 @@ void ObjReader::add_position() {
   const auto p = read_three_numbers(numbers());
   if (!p) refuse(fmt::format("expected three finite numbers after v, found '{}'", excerpt(operands())));
   const Vec3 scaled = *p * scale_;
-  if (!is_finite(scaled))
-    refuse(fmt::format("'{}' is out of range once scaled by {}", excerpt(operands()), scale_));
+  if (const auto distance = glm::abs(scaled); std::max({distance.x, distance.y, distance.z}) > farthest)
+    refuse(fmt::format("expected coordinates up to {:g} m, found '{}' at {} m a unit", farthest,
+                       excerpt(operands()), scale_));
   mesh_.positions.push_back(scaled);
 }
 

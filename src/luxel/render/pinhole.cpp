@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/render/pinhole.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,7 @@ namespace luxel {
 namespace {
 
 constexpr int max_side = 32768;
+constexpr float farthest_eye = 1e15f;  // m; Embree ends the program at rays from beyond 1.8e18
 
 std::string as_text(const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
@@ -22,6 +24,9 @@ void check(const Camera& camera, int width, int height) {
                                  max_side, width, height));
   if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
     throw InputError("a camera's eye, target and up must be finite numbers, but one of them is not");
+  if (const auto eye = glm::abs(camera.eye); std::max({eye.x, eye.y, eye.z}) > farthest_eye)
+    throw InputError(fmt::format("a camera's eye must lie within {:g} m of the origin, but it is at {}",
+                                 farthest_eye, as_text(camera.eye)));
   if (!(camera.vertical_fov > 0.0f && camera.vertical_fov < 180.0f))
     throw InputError(
         fmt::format("a camera's vertical field of view must lie between 0 and 180 degrees, but it is {}",
