@@ -61,7 +61,10 @@ struct Tracer::State {
 
 Tracer::Tracer(const PatchSet& patches, const Workers& workers) : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice(device_config);
-  if (!state_->device) throw DeviceError("Embree could not start on this processor");
+  if (!state_->device) {
+    throw_on_error(nullptr, "start");
+    throw DeviceError("Embree could not start on this processor");
+  }
   state_->scene = rtcNewScene(state_->device);
   rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(state_->scene, RTC_BUILD_QUALITY_HIGH);
