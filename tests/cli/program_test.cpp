@@ -124,6 +124,10 @@ TEST_P(Refusal, is_one_sentence_and_an_exit_code) {
   write_file(folder / "bad-value.toml", "rays = many\n");
   write_file(folder / "no-lamp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   write_file(folder / "bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  write_file(folder / "far.obj", "v 0 0 0\nv 1e18 0 0\nv 0 1e18 0\nf 1 2 3\n");
+  write_file(folder / "binary.toml", std::string("\0\1\2", 3));
+  write_file(folder / "nested.toml", "[bake.x]\nseed = 3\n");
+  std::filesystem::create_directory(folder / "folder.glb");
   write_file(folder / "junk.vtkhdf", "this is no HDF5 file");
   const auto run = cli::run(folder, GetParam().line);
   EXPECT_EQ(run.code, GetParam().code) << run.err;
@@ -148,6 +152,15 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2,3 --target 1,2,3", 2, "same point"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png -o ./a.png", 2, "twice"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --report nowhere/r.json", 1, "--report"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --report a.png", 2, "twice"},
+        Misuse{"$LUXEL bake missing.obj -o folder.glb", 1, "folder.glb: it is a folder"},
+        Misuse{"$LUXEL bake missing.obj -o a.png --eye 1e30,0,0", 2, "--eye"},
+        Misuse{"$LUXEL bake far.obj -o a.glb", 1, "far.obj:2"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config binary.toml", 1, "binary"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config nested.toml", 1, "bake.x.seed"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config /dev/zero", 1, "/dev/zero"},
+        Misuse{"$LUXEL info cornell-box.obj > /dev/full", 1, "No space left"},
+        Misuse{"$LUXEL --version >&-", 1, "standard output"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --tone sepia", 2, "reinhard"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config none.toml", 1, "none.toml"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --config bad.toml", 1, "bad.toml:2"},
@@ -155,7 +168,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj -o nowhere/a.glb", 1, "nowhere"},
         Misuse{"$LUXEL bake missing.obj -o a.glb", 1, "missing.obj"},
         Misuse{"$LUXEL bake bad.obj -o a.glb", 1, "bad.obj:4"},
-        Misuse{"$LUXEL bake no-lamp.obj -o a.glb", 1, "Ke"}, Misuse{"$LUXEL bake . -o a.glb", 1, "."},
+        Misuse{"$LUXEL bake no-lamp.obj -o a.glb", 1, "no-lamp.obj: the scene has no lamp"},
+        Misuse{"$LUXEL bake . -o a.glb", 1, "."},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --flip nothing", 1, "nothing"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge 0.000001", 1, "would fit"},
         Misuse{"$LUXEL render junk.vtkhdf -o a.png", 1, "junk.vtkhdf"},
@@ -170,6 +184,40 @@ TEST(Program, that_meets_a_full_disk_says_so_and_leaves_the_old_file) {
   EXPECT_NE(run.err.find("No space left"), std::string::npos) << run.err;
   EXPECT_TRUE(std::filesystem::exists(folder / "a.png"))
       << "one file that cannot be written must not cost the others";
+}
+
+TEST(Program, with_no_ear_to_speak_to_still_does_its_work) {
+  const auto folder = fresh_folder("mute");
+  EXPECT_EQ(cli::run(folder, quick + "-o heard.ply -o heard.vtkhdf").code, 0);
+  EXPECT_EQ(cli::run(folder, quick + "-o a.ply -o a.vtkhdf 2>&-").code, 0);
+  EXPECT_EQ(cli::run(folder, quick + "-o b.ply 2> /dev/full").code, 0);
+  EXPECT_EQ(cli::run(folder, quick + "-o c.ply <&- >&- 2>&-").code, 1) << "the names could not be printed";
+  for (const char* name : {"a.ply", "b.ply", "c.ply"})
+    EXPECT_EQ(read_file(folder / name), read_file(folder / "heard.ply")) << name;
+}
+
+TEST(Program, at_a_limit_on_file_sizes_says_so_and_leaves_nothing_behind) {
+  const auto folder = fresh_folder("limit");
+  const auto run = cli::run(folder, "ulimit -f 8; " + quick + "-o a.ply --quiet");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("luxel: cannot write a.ply: File too large"), std::string::npos) << run.err;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
+}
+
+TEST(Program, draws_strips_and_plans) {
+  const auto folder = fresh_folder("strip");
+  const auto strip = cli::run(folder, quick + "--width 2000 --height 1 -o strip.png --quiet");
+  EXPECT_EQ(strip.code, 0) << strip.err;
+  const auto plan = cli::run(folder, quick + "--eye 0,2,0 --target 0,0,0 --up y -o plan.png --quiet");
+  EXPECT_EQ(plan.code, 0) << plan.err;
+}
+
+TEST(Program, reads_options_that_begin_with_a_byte_order_mark) {
+  const auto folder = fresh_folder("mark");
+  write_file(folder / "mark.toml", "\xef\xbb\xbfseed = 4\r\n");
+  const auto run = cli::run(folder, "$LUXEL bake cornell-box.obj --config mark.toml --print-config");
+  EXPECT_NE(run.out.find("seed = \"4\"  # count; file"), std::string::npos) << run.out << run.err;
 }
 
 // The interrupt is sent once the light is on its way: the first progress line says so.

@@ -49,8 +49,7 @@ class Bake final : public Command {
 
     // 3. The light.
     const auto solved = record.stage("light", [&](auto& stage) {
-      auto result = solve_stochastic_jacobi(baked.patches, tracer, baked.solution, light_.jacobi, workers,
-                                            console.monitor());
+      auto result = solve(baked, tracer, workers, console);
       stage.rays = result.rays;
       return result;
     });
@@ -76,6 +75,15 @@ class Bake final : public Command {
   }
 
  private:
+  SolveReport solve(Baked& baked, const Tracer& tracer, const Workers& workers, Console& console) const {
+    try {
+      return solve_stochastic_jacobi(baked.patches, tracer, baked.solution, light_.jacobi, workers,
+                                     console.monitor());
+    } catch (const InputError& error) {
+      throw InputError(scene_.file, error.what());  // it has no lamp; the solver knows no file
+    }
+  }
+
   static int stopped_before_light(Console& console) {
     console.log()({Severity::warning, "stopped before there was any light to write: no file was written"});
     return exit_stopped_early;

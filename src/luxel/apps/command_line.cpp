@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "luxel/file/output_file.h"
 
@@ -56,6 +57,17 @@ std::string without_comments_after_headings(const std::string& text) {
     if (begin != std::string::npos && line[begin] == '[' && end != std::string::npos) line.resize(end + 1);
   }
   return result;
+}
+
+// The text without the mark that some editors begin UTF-8 with. Throws InputError where it is none.
+std::string config_text(const std::string& path) {
+  constexpr std::uint64_t most_bytes = 1 << 20;
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  auto text = luxel::read_file(path, most_bytes);
+  if (text.find('\0') != std::string::npos)
+    throw InputError(path, "expected lines of text of the form 'name = value', found binary data or UTF-16");
+  if (text.starts_with(mark)) text.erase(0, mark.size());
+  return text;
 }
 
 // The line of a text file on which a key stands, for the error message; 0 where it is not found.
@@ -131,7 +143,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
 }
 
 void CommandLine::read_file(OptionSet& chosen, const std::string& path) {
-  const auto text = luxel::read_file(path);
+  const auto text = config_text(path);
   std::istringstream stream(without_comments_after_headings(text));
   std::vector<CLI::ConfigItem> items;
   try {
@@ -151,7 +163,7 @@ void CommandLine::read_file(OptionSet& chosen, const std::string& path) {
         return e.declaration.name == item.name && e.declaration.configurable;
       });
     };
-    const auto section = item.parents.empty() ? std::string() : item.parents.front();
+    const auto section = fmt::format("{}", fmt::join(item.parents, "."));
     if (std::none_of(commands_.begin(), commands_.end(), [&](const auto& set) {
           return known(*set) && (section.empty() || section == set->name_);
         }))

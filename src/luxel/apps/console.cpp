@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "luxel/apps/streams.h"
 
 namespace luxel {
 namespace {
@@ -43,16 +44,16 @@ Console::~Console() { clear_bar(); }
 void Console::say(const std::string& line) {
   if (quiet_) return;
   clear_bar();
-  fmt::print(stderr, "{}\n", line);
+  print_note(fmt::format("{}\n", line));
 }
 
 LogSink Console::log() {
   return [this](const Message& message) {
     clear_bar();
     if (message.severity == Severity::warning)
-      fmt::print(stderr, "warning: {}\n", message.text);
+      print_note(fmt::format("warning: {}\n", message.text));
     else if (!quiet_)
-      fmt::print(stderr, "{}\n", message.text);
+      print_note(fmt::format("{}\n", message.text));
   };
 }
 
@@ -65,7 +66,7 @@ Monitor Console::monitor(bool heeds_interrupt) {
 
 void Console::clear_bar() {
   if (!bar_shown_) return;
-  fmt::print(stderr, "\r\033[K");
+  print_note("\r\033[K");
   bar_shown_ = false;
 }
 
@@ -88,13 +89,12 @@ void Console::show(const Progress& progress) {
     numbers += fmt::format("  {:.1f} Mray/s", 1e-6 * static_cast<double>(progress.rays) / seconds);
   if (progress.done > 0.01) numbers += fmt::format("  {} left", duration(left));
   if (!terminal_) {
-    fmt::print(stderr, "{}: {}\n", progress.stage, numbers);
+    print_note(fmt::format("{}: {}\n", progress.stage, numbers));
     return;
   }
   const auto filled = static_cast<int>(std::clamp(progress.done, 0.0, 1.0) * bar_width);
-  fmt::print(stderr, "\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "", bar_width - filled,
-             numbers);
-  std::fflush(stderr);
+  print_note(fmt::format("\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "",
+                         bar_width - filled, numbers));
   bar_shown_ = true;
 }
 

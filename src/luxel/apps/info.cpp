@@ -8,6 +8,7 @@
 #include "luxel/apps/console.h"
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/settings.h"
+#include "luxel/apps/streams.h"
 #include "luxel/file/output_file.h"
 #include "luxel/photometry/luminous_efficacy.h"
 
@@ -23,7 +24,7 @@ class Info final : public Command {
 
   int run() override {
     const auto text = std::filesystem::path(file_).extension() == ".vtkhdf" ? of_solution() : of_scene();
-    fmt::print("{}", text);
+    print_result(text);
     return exit_fine;
   }
 

@@ -6,6 +6,7 @@
 
 #include "luxel/apps/commands.h"
 #include "luxel/apps/console.h"
+#include "luxel/apps/streams.h"
 #include "luxel/apps/version.h"
 
 namespace {
@@ -16,7 +17,7 @@ int run(int argc, char** argv) {
                                                       luxel::make_export(line), luxel::make_info(line)};
   const auto parsed = line.parse(argc, argv);
   if (!parsed.command) {
-    fmt::print("{}", parsed.text);
+    luxel::print_result(parsed.text);
     return luxel::exit_fine;
   }
   luxel::catch_interrupts();
@@ -28,15 +29,16 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  luxel::secure_streams();
   try {
     return run(argc, argv);
   } catch (const luxel::UsageError& error) {
-    fmt::print(stderr, "luxel: {}\n", error.what());
+    luxel::print_note(fmt::format("luxel: {}\n", error.what()));
     return luxel::exit_misused;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "luxel: out of memory; fewer patches (--max-edge) or a smaller picture need less\n");
+    luxel::print_note("luxel: out of memory; fewer patches (--max-edge) or a smaller picture need less\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "luxel: {}\n", error.what());
+    luxel::print_note(fmt::format("luxel: {}\n", error.what()));
   }
   return luxel::exit_failed;
 }

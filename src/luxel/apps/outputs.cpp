@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "luxel/export/export_mesh.h"
+#include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/render/automatic_camera.h"
 #include "luxel/render/render.h"
@@ -41,7 +42,10 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
 // What the flags leave open is found: the whole view, or the other end of it.
 Camera camera_of(const PictureSettings& picture, const Baked& baked, const Tracer& tracer,
                  const Workers& workers, const Vec3& up) {
-  const auto aspect = static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height);
+  // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
+  const auto aspect =
+      std::clamp(static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height),
+                 smallest_aspect, largest_aspect);
   Camera camera;
   camera.up = up;
   if (picture.eye && picture.target) {
@@ -53,6 +57,10 @@ Camera camera_of(const PictureSettings& picture, const Baked& baked, const Trace
     if (picture.target) camera.target = *picture.target;
   }
   if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
+  // A plan is drawn with what lies to the north (-z where y is up) at its top.
+  const Vec3d view = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));
+  const Vec3d tilt = glm::cross(view, glm::normalize(Vec3d(camera.up)));
+  if (glm::length(tilt) < 1e-5) camera.up = std::abs(camera.up.y) > 0.5f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
   return camera;
 }
 
@@ -70,28 +78,37 @@ void write_mesh(const std::string& output, const Baked& baked, const std::option
   export_glb(output, baked.patches, baked.solution, *light, up_of(look, baked.patches), {.tone = look.tone});
 }
 
-// Throws DeviceError, beginning with the option, where the folder of a file to be written does not exist.
-void check_folder(const std::string& option, const std::filesystem::path& path) {
-  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    throw DeviceError(fmt::format("{}: the folder '{}' does not exist", option, folder.string()));
-}
+// The files a run will write, each at a place of its own.
+class Places {
+ public:
+  // Throws UsageError where the place is taken, DeviceError, beginning with the option, where no file can be
+  // made there: one is made and taken away again.
+  void add(const std::string& option, const std::string& path) {
+    if (!taken_.insert(std::filesystem::absolute(path).lexically_normal()).second)
+      throw UsageError(fmt::format("{} {} is given twice: each file needs a name of its own", option, path));
+    try {
+      const OutputFile trial(path);
+    } catch (const DeviceError& error) {
+      throw DeviceError(fmt::format("{}: {}", option, error.what()));
+    }
+  }
+
+ private:
+  std::set<std::filesystem::path> taken_;
+};
 
 }  // namespace
 
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds) {
   if (run.outputs.empty())
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
-  std::set<std::filesystem::path> places;
+  Places places;
   for (const auto& output : run.outputs) {
     if (!is_among(ending(output), kinds))
       throw UsageError(fmt::format("-o {}: expected an ending among {}", output, kinds));
-    if (!places.insert(std::filesystem::absolute(output).lexically_normal()).second)
-      throw UsageError(fmt::format("-o {} is given twice", output));
-    check_folder("-o " + output, output);
+    places.add("-o", output);
   }
-  check_folder("--report " + run.report, run.report);
+  if (!run.report.empty()) places.add("--report", run.report);
   picture.check();
 }
 
@@ -142,8 +159,11 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         write_mesh(output, baked, light, look);
       });
       written.files.push_back(output);
-    } catch (const DeviceError&) {
-      if (!failure) failure = std::current_exception();
+    } catch (const DeviceError& error) {
+      if (failure)
+        warn(console.log(), error.what());
+      else
+        failure = std::current_exception();
     }
   }
   if (failure) std::rethrow_exception(failure);

@@ -21,8 +21,7 @@ inline constexpr const char* mesh_kinds = ".glb .ply .vtkhdf";
 inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
 
 // What can be refused before hours are spent. Throws UsageError where there is no output, one's ending is not
-// among `kinds`, one is named twice, or the camera cannot be; DeviceError where the folder of a file does not
-// exist.
+// among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made.
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds);
 
 struct Written {

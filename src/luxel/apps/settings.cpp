@@ -67,6 +67,9 @@ void PictureSettings::declare(OptionSet& set) {
 }
 
 void PictureSettings::check() const {
+  for (const auto& point : {eye, target})
+    if (point && glm::length(Vec3d(*point)) > far)
+      throw UsageError(fmt::format("--eye and --target: expected points within {:g} m of the origin", far));
   if (eye && target && *eye == *target)
     throw UsageError("--eye and --target are the same point: the camera would look nowhere");
 }

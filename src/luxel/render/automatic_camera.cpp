@@ -95,9 +95,9 @@ void check(const PatchSet& patches, const Vec3& up, float aspect) {
     throw InputError("there is nothing to look at: the scene has no surface with area");
   if (!is_finite(up) || up == Vec3(0.0f))
     throw InputError("the up direction must be finite and not zero; (0, 1, 0) and (0, 0, 1) are usual");
-  if (!(aspect >= 0.01f && aspect <= 100.0f))
-    throw InputError(
-        fmt::format("a picture's width / height must be from 0.01 to 100, but it is {}", aspect));
+  if (!(aspect >= smallest_aspect && aspect <= largest_aspect))
+    throw InputError(fmt::format("a picture's width / height must be from {} to {}, but it is {}",
+                                 smallest_aspect, largest_aspect, aspect));
 }
 
 Bounds bounds_of(const PatchSet& patches) {
