@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // luxel-bench [OUT.json]: how fast, as ratios measured in one run. ./dev bench runs it.
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <thread>
 
@@ -36,7 +37,7 @@ Json against_embree() {
       const Workers workers(threads);
       const auto patches = make_patches(furnished_room(100), {.max_edge = edge});
       const Tracer tracer(patches, workers);
-      const StochasticJacobiOptions options{.rays = std::max<std::uint64_t>(1'500'000, 40 * patches.size()),
+      const StochasticJacobiOptions options{.rays = std::max<std::uint64_t>(1'500'000, 20 * patches.size()),
                                             .tolerance = 1e-3};
       const auto rays = rays_of_solve(patches, tracer, options, workers);
       const BareEmbree embree(patches);
@@ -44,7 +45,7 @@ Json against_embree() {
       std::uint64_t solved_rays = 0;
       double embree_time = 0.0;
       const auto ratio = paired(
-          5, [&] { embree_time = seconds([&] { hits = embree.trace(rays, workers); }); },
+          3, [&] { embree_time = seconds([&] { hits = embree.trace(rays, workers); }); },
           [&] { solved_rays = solve(patches, tracer, options.rays, workers).rays; });
       if (solved_rays != rays.size() || hits == 0)
         throw std::runtime_error("the two sides do not trace the same rays");
@@ -132,6 +133,7 @@ Json against_threads() {
 
 int main(int argc, char** argv) {
   using namespace luxel::bench;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // rows appear as they are measured, in a pipe too
   try {
     nlohmann::ordered_json result;
     result["cores"] = std::thread::hardware_concurrency();

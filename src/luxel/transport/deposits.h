@@ -5,14 +5,19 @@
 #include <span>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
+
 namespace luxel {
 
-// Counters that many threads add to. Few counters: each worker has its own copy, so that a bright patch is no
-// hot spot; many: one shared copy with atomic adds, where two threads seldom meet. The sums are the same
-// either way.
+// Counters that many threads add to. As a rule each worker has its own copy: adds need no lock, and no line
+// of memory wanders between processors. Where the copies would cost more than they save (few adds, or more
+// memory than private_bytes) there is one shared copy with atomic adds. The sums are the same either way.
 class Deposits {
  public:
-  Deposits(std::size_t counters, int workers);
+  static constexpr std::size_t private_bytes = std::size_t{1} << 29;  // of all copies together
+
+  // expected_adds: about how often add() will be called.
+  Deposits(std::size_t counters, std::uint64_t expected_adds, const Workers& workers);
 
   bool is_private() const { return is_private_; }
 
@@ -36,7 +41,7 @@ class Deposits {
   }
 
   // The sums over workers. Call once, when no thread adds.
-  std::vector<std::int64_t> take_total();
+  std::vector<std::int64_t> take_total(const Workers& workers);
 
  private:
   std::size_t count_;

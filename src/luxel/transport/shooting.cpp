@@ -18,13 +18,13 @@ constexpr std::size_t grain = 4096;                    // rays a chunk
 
 // Where one batch's rays put their power.
 struct Ledger {
-  Ledger(const PatchSet& patches, const Workers& workers)
+  Ledger(const PatchSet& patches, std::uint64_t rays, const Workers& workers)
       : bands(patches.band_count()),
         sides(2 * patches.size()),
-        arrived(sides * bands, workers.threads()),
-        absorbed(patches.materials.size() * bands, workers.threads()),
-        escaped(bands, workers.threads()),
-        shot(bands, workers.threads()) {}
+        arrived(sides * bands, rays, workers),
+        absorbed(patches.materials.size() * bands, rays, workers),
+        escaped(bands, rays, workers),
+        shot(bands, rays, workers) {}
 
   std::size_t bands;
   std::size_t sides;
@@ -101,7 +101,7 @@ Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const dou
               const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
   const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
   const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, workers);
-  Ledger ledger(patches, workers);
+  Ledger ledger(patches, plan.rays, workers);
 
   // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
   // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
@@ -121,10 +121,10 @@ Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const dou
   }
   const auto share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
   return {plan.scale,
-          ledger.arrived.take_total(),
-          ledger.shot.take_total(),
-          ledger.escaped.take_total(),
-          ledger.absorbed.take_total(),
+          ledger.arrived.take_total(workers),
+          ledger.shot.take_total(workers),
+          ledger.escaped.take_total(workers),
+          ledger.absorbed.take_total(workers),
           traced,
           share};
 }

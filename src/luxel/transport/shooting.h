@@ -41,8 +41,8 @@ struct ShootingOptions {
 //
 // leaving: W, [side][band], none negative; side 2p is the front of patch p, 2p + 1 its back.
 // The result does not depend on the number of threads. Cost: one nearest hit a ray, and bands counters added
-// to. Memory: 8 bytes a side and band, and a private copy a thread where that is small. Method: listing 2 of
-// the founding course paper; Neumann 1995; Bekaert 1999, chapter 6.
+// to. Memory: 8 bytes a side and band, and a private copy a thread where that pays (Deposits). Method:
+// listing 2 of the founding course paper; Neumann 1995; Bekaert 1999, chapter 6.
 Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
               const ShootingOptions& options, const Workers& workers, const Monitor& monitor = {});
 
