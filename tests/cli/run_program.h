@@ -17,11 +17,15 @@ struct Outcome {
   std::string out, err;
 };
 
-// Runs a shell line in which $LUXEL is the program; the working folder is `folder`.
-inline Outcome run(const std::filesystem::path& folder, const std::string& line) {
+// Runs a shell line in which $LUXEL is the program, wherever it lies; the working folder is `folder`.
+inline Outcome run(const std::filesystem::path& folder, std::string line) {
+  // Spelled out, quoted: the path may hold blanks.
+  const std::string word = "$LUXEL";
+  const std::string program = "'" LUXEL_PROGRAM "'";
+  for (auto at = line.find(word); at != std::string::npos; at = line.find(word, at + program.size()))
+    line.replace(at, word.size(), program);
   const auto err = folder / "stderr.txt";
-  const auto command =
-      "cd '" + folder.string() + "' && LUXEL='" LUXEL_PROGRAM "' && (" + line + ") 2> '" + err.string() + "'";
+  const auto command = "cd '" + folder.string() + "' && (" + line + ") 2> '" + err.string() + "'";
   Outcome outcome;
   auto* pipe = popen(command.c_str(), "r");
   if (!pipe) return outcome;

@@ -2,6 +2,7 @@
 #include "luxel/parallel/workers.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include <tbb/blocked_range.h>
@@ -13,12 +14,14 @@
 namespace luxel {
 
 struct Workers::State {
-  explicit State(int threads)
-      // More threads than cores are allowed (a test asks for seven on two): TBB needs to be told so.
-      : control(tbb::global_control::max_allowed_parallelism,
-                static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()))),
-        arena(threads) {}
-  tbb::global_control control;
+  explicit State(int threads) : arena(threads) {
+    // More threads than cores are allowed (a test asks for seven on two), but TBB needs to be told so. Of
+    // several controls alive the lowest holds, so there is none where none is needed.
+    if (threads > tbb::info::default_concurrency())
+      control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(threads));
+  }
+  std::unique_ptr<tbb::global_control> control;
   mutable tbb::task_arena arena;
 };
 
