@@ -39,47 +39,47 @@ class DamagedSolution : public testing::Test {
   // What reading says; nothing where it reads the file as it was.
   std::string complaint() const {
     try {
-      const auto found = read_solution(path);
-      EXPECT_EQ(sample::difference(found.patches, written.patches), "");
-      EXPECT_EQ(sample::difference(found.solution, written.solution), "");
+      const auto found = read_solution(path_);
+      EXPECT_EQ(sample::difference(found.patches, written_.patches), "");
+      EXPECT_EQ(sample::difference(found.solution, written_.solution), "");
     } catch (const FormatError& error) {
       const std::string message = error.what();
-      EXPECT_EQ(message.find(path.string() + ": "), 0u) << message;
+      EXPECT_EQ(message.find(path_.string() + ": "), 0u) << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-      return message.substr(std::min(message.size(), path.string().size() + 2));
+      return message.substr(std::min(message.size(), path_.string().size() + 2));
     }
     return {};
   }
 
   void damage_at(std::size_t position, unsigned char bits) {
-    auto bytes = whole;
+    auto bytes = whole_;
     bytes[position] = static_cast<char>(bytes[position] ^ bits);
-    put(path, bytes);
+    put(path_, bytes);
     SCOPED_TRACE(position);
-    complaints += complaint().empty() ? 0 : 1;
-    ++attempts;
+    complaints_ += complaint().empty() ? 0 : 1;
+    ++attempts_;
   }
 
   // Damage everywhere: single bits, in turn, and whole bytes.
   void damage_every(std::size_t stride) {
-    for (std::size_t i = 0; i < whole.size(); i += stride)
+    for (std::size_t i = 0; i < whole_.size(); i += stride)
       damage_at(i, static_cast<unsigned char>(i % 3 == 0 ? 0xffu : 1u << (i % 8)));
   }
 
   void cut_at_every(std::size_t stride) {
-    for (std::size_t length = 0; length < whole.size(); length += stride) {
-      put(path, std::string_view(whole).substr(0, length));
+    for (std::size_t length = 0; length < whole_.size(); length += stride) {
+      put(path_, std::string_view(whole_).substr(0, length));
       SCOPED_TRACE(length);
       EXPECT_NE(complaint(), "");
     }
-    put(path, std::string_view(whole).substr(0, whole.size() - 1));
+    put(path_, std::string_view(whole_).substr(0, whole_.size() - 1));
     EXPECT_NE(complaint(), "");
   }
 
   // A file to change with HDF5 itself, which is closed before it is read.
   std::string complaint_after(const std::function<void(hid_t)>& change) {
-    put(path, whole);
-    const auto file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    put(path_, whole_);
+    const auto file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     EXPECT_GE(file, 0);
     change(file);
     EXPECT_GE(H5Fclose(file), 0);
@@ -87,16 +87,16 @@ class DamagedSolution : public testing::Test {
   }
 
   void make(std::size_t patches) {
-    written = sample::baked(patches, 3);
-    write_solution(path, written.patches, written.solution);
-    whole = read_file(path);
+    written_ = sample::baked(patches, 3);
+    write_solution(path_, written_.patches, written_.solution);
+    whole_ = read_file(path_);
   }
 
-  fs::path path = fs::path(testing::TempDir()) / "damaged.vtkhdf";
-  Baked written;
-  std::string whole;
-  int attempts = 0;
-  int complaints = 0;
+  fs::path path_ = fs::path(testing::TempDir()) / "damaged.vtkhdf";
+  Baked written_;
+  std::string whole_;
+  int attempts_ = 0;
+  int complaints_ = 0;
 };
 
 void replace_dataset(hid_t file, const char* name, hid_t type, const std::vector<hsize_t>& shape,
@@ -113,23 +113,23 @@ void replace_dataset(hid_t file, const char* name, hid_t type, const std::vector
 TEST_F(DamagedSolution, a_small_file_with_any_byte_changed_is_refused_or_read_as_it_was) {
   make(4);
   damage_every(13);
-  EXPECT_GT(attempts, 500);
-  EXPECT_GT(complaints, attempts / 2);
+  EXPECT_GT(attempts_, 500);
+  EXPECT_GT(complaints_, attempts_ / 2);
 }
 
 TEST_F(DamagedSolution, a_compressed_file_with_any_byte_changed_is_refused_or_read_as_it_was) {
   make(700);
   damage_every(97);
-  EXPECT_GT(attempts, 200);
-  EXPECT_GT(complaints, attempts / 2);
+  EXPECT_GT(attempts_, 200);
+  EXPECT_GT(complaints_, attempts_ / 2);
 }
 
 TEST_F(DamagedSolution, a_file_of_many_chunks_with_any_byte_changed_is_refused_or_read_as_it_was) {
   make(30'000);
-  damage_every(whole.size() / 25);
+  damage_every(whole_.size() / 25);
   // HDF5 marks the blocks of a chunk index with these letters.
   for (const auto* mark : {"FAHD", "FADB"}) {
-    const auto begin = whole.find(mark);
+    const auto begin = whole_.find(mark);
     ASSERT_NE(begin, std::string::npos);
     for (std::size_t i = 0; i < 28; i += 3) damage_at(begin + i, 0x10);
   }
@@ -144,19 +144,19 @@ TEST_F(DamagedSolution, a_file_cut_short_anywhere_is_refused) {
 
 TEST_F(DamagedSolution, a_file_that_grew_is_read_as_it_was) {
   make(4);
-  put(path, whole + "some more");
+  put(path_, whole_ + "some more");
   EXPECT_EQ(complaint(), "");
 }
 
 TEST_F(DamagedSolution, an_empty_or_a_text_file_is_not_a_solution) {
   for (const std::string text : {"", "v 0 0 0\n"}) {
-    put(path, text);
+    put(path_, text);
     EXPECT_EQ(complaint().find("not a Luxel solution"), 0u);
   }
 }
 
 TEST_F(DamagedSolution, another_hdf5_file_is_not_a_solution) {
-  H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  H5Fclose(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   EXPECT_EQ(complaint(), "not a Luxel solution (no Luxel group)");
 }
 
@@ -257,7 +257,7 @@ TEST_F(DamagedSolution, a_link_into_another_file_is_not_followed) {
 
 TEST_F(DamagedSolution, the_library_stays_silent_and_its_printing_as_it_was) {
   make(4);
-  put(path, std::string_view(whole).substr(0, whole.size() / 2));
+  put(path_, std::string_view(whole_).substr(0, whole_.size() / 2));
   H5E_auto2_t before = nullptr, after = nullptr;
   void* data = nullptr;
   H5Eget_auto2(H5E_DEFAULT, &before, &data);
@@ -272,7 +272,7 @@ TEST_F(DamagedSolution, nothing_stays_open_after_a_refusal) {
   make(4);
   const auto open_before = H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL);
   damage_every(501);
-  EXPECT_GT(complaints, 0);
+  EXPECT_GT(complaints_, 0);
   EXPECT_EQ(H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL), open_before);
 }
 
