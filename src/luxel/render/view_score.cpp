@@ -151,8 +151,8 @@ double score(const ViewFacts& f, double openness) {
   const auto filled = 1.0 - std::min(f.empty, allowed);
   // A thing alone is shown whole; in a room the picture has no other place to end than on a wall.
   const auto cut_off = beyond(openness, 0.5) * f.border;
-  return std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
-         1.5 * std::min(f.detail, 0.4) - 2.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
+  return 0.5 * std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
+         1.5 * std::min(f.detail, 0.4) - 3.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
          2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - 1.5 * beyond(f.rise, 0.02) -
          1.0 * beyond(-f.rise, 0.13);
 }
