@@ -33,9 +33,6 @@ constexpr std::uint64_t stream_key(std::uint64_t seed, std::uint32_t step, std::
 // Uniform in [0, 1) with 32 bits of the hash rounded to 24: never 1.
 constexpr float uniform_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
-// Uniform in [0, 1) with 53 bits.
-constexpr double uniform_double(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
-
 // Four independent numbers, uniform in [0, 1), for one sample of a stream. About two nanoseconds.
 constexpr std::array<float, 4> uniform4(std::uint64_t key, std::uint64_t sample) {
   const auto a = mix64(key + (2 * sample + 1) * 0x9e3779b97f4a7c15u);

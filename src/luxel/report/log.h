@@ -18,9 +18,6 @@ struct Message {
 // said.
 using LogSink = std::function<void(const Message&)>;
 
-inline void inform(const LogSink& sink, std::string text) {
-  if (sink) sink({Severity::info, std::move(text)});
-}
 inline void warn(const LogSink& sink, std::string text) {
   if (sink) sink({Severity::warning, std::move(text)});
 }

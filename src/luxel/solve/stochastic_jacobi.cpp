@@ -51,6 +51,7 @@ class Iteration {
       for (std::size_t b = 0; b < bands_; ++b)
         unshot_[side_of(p, false) * bands_ + b] =
             static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
+    unshot_power_ = sum_unshot();
     report_.unshot_share = 1.0;
   }
 
@@ -72,7 +73,6 @@ class Iteration {
   // One bounce. Returns the share of it that was done before the monitor said stop.
   double step(std::uint64_t rays, const Monitor& monitor) {
     // The bar of the whole run: unshot power falls geometrically, and the rays follow it.
-    const auto shot_power = unshot_power();
     const auto before = report_.unshot_share;
     const auto reflected = guess_reflected_share();
     const auto tell_whole = [&](const Progress& p) {
@@ -84,7 +84,7 @@ class Iteration {
               {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
               workers_, tell_whole);
     report_.rays += arrival.rays;
-    if (arrival.share > 0.0) receive(arrival, shot_power / static_cast<double>(arrival.rays));
+    if (arrival.share > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
     report_.steps.push_back({arrival.rays, report_.unshot_share});
     return arrival.share;
   }
@@ -120,10 +120,11 @@ class Iteration {
         energy.lost_at_backs[b] += watts(arrival.absorbed[m * bands_ + b]);
         report_.back_loss[m] += watts(arrival.absorbed[m * bands_ + b]);
       }
-    report_.unshot_share = unshot_power() / emitted_;
+    unshot_power_ = sum_unshot();
+    report_.unshot_share = unshot_power_ / emitted_;
   }
 
-  double unshot_power() const {
+  double sum_unshot() const {
     return ordered_sum(workers_, unshot_.size(), [this](std::size_t i) { return unshot_[i]; });
   }
 
@@ -160,6 +161,7 @@ class Iteration {
   std::vector<double> reflectance_;  // [material][band]
   std::vector<double> arrived_;      // W, [side][band]
   std::vector<double> unshot_;       // W, [side][band]
+  double unshot_power_ = 0.0;        // W, all bands: the sum of unshot_
   double emitted_ = 0.0;             // W, all bands
   double variance_ = 0.0;            // sum over sides of area times the variance of the irradiance, W²/m²
   SolveReport report_;
