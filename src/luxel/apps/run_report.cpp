@@ -77,6 +77,12 @@ std::string_view stop_name(StopReason reason) {
   switch (reason) {
     case StopReason::converged:
       return "converged";
+    case StopReason::error_reached:
+      return "error reached";
+    case StopReason::ray_limit:
+      return "ray limit";
+    case StopReason::time_limit:
+      return "time limit";
     case StopReason::stopped_by_user:
       return "stopped by user";
     case StopReason::nothing_to_do:

@@ -7,6 +7,8 @@
 
 namespace luxel {
 
+struct Solution;
+
 enum class Next { go_on, stop };
 
 // How far a long call has come.
@@ -14,6 +16,8 @@ struct Progress {
   std::string_view stage;  // "load", "patches", "hierarchy", "light", "picture", ...
   double done = 0.0;       // share of this stage, 0 to 1
   std::uint64_t rays = 0;  // traced so far in this stage
+  double error = 0.0;  // standard error of the whole so far (area-weighted relative RMS); 0: not known yet
+  const Solution* light = nullptr;  // a new picture of the whole scene, alive during the call; or nothing
 };
 
 // Called from the calling thread, a few times a second while work goes on. Answering stop ends the call as

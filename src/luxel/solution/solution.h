@@ -10,13 +10,21 @@
 
 namespace luxel {
 
-enum class StopReason { converged, stopped_by_user, nothing_to_do };
+// Why a run ended.
+enum class StopReason {
+  converged,      // shooting: the unshot share fell below the tolerance
+  error_reached,  // sampled: the standard error asked for
+  ray_limit,      // the next doubling would have gone beyond the rays, or the time, allowed
+  time_limit,
+  stopped_by_user,
+  nothing_to_do
+};
 
 // Where a solution came from: enough to make it again.
 struct Provenance {
   std::string program_version;
   std::string command_line;  // that makes it again; empty from a library call
-  std::string method;        // "stochastic-jacobi"
+  std::string method;        // "sampled", "stochastic-jacobi"
   std::vector<std::pair<std::string, std::string>>
       options;  // every option with its value, in declaration order
   std::uint64_t seed = 0;
@@ -30,8 +38,12 @@ struct Solution {
   std::vector<std::string> bands;
   std::vector<float> irradiance_front, irradiance_back;  // W/m²
   std::vector<float> radiosity_front, radiosity_back;    // W/m²
+  // Standard error of the irradiance of each side, from the spread of independent replicates and what is
+  // known of the bias of sharing. Empty where the method gives none.
+  std::vector<float> standard_error_front, standard_error_back;  // W/m²
   double unshot_share = 0.0;     // power not yet propagated over the emitted power: the stated bias
-  double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance, from theory
+  double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance
+  double error_95th = 0.0;  // 95 % of the lit sides have a smaller relative standard error; 0: not estimated
   StopReason stop = StopReason::nothing_to_do;
   Provenance provenance;
 };

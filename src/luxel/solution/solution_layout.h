@@ -27,9 +27,12 @@ auto light_arrays(SolutionType& solution) {
                     std::pair("VTKHDF/CellData/irradiance_back", &solution.irradiance_back)};
 }
 
-inline const std::array<std::pair<StopReason, std::string>, 3>& stop_reason_words() {
-  static const std::array<std::pair<StopReason, std::string>, 3> words = {
+inline const std::array<std::pair<StopReason, std::string>, 6>& stop_reason_words() {
+  static const std::array<std::pair<StopReason, std::string>, 6> words = {
       {{StopReason::converged, "converged"},
+       {StopReason::error_reached, "error_reached"},
+       {StopReason::ray_limit, "ray_limit"},
+       {StopReason::time_limit, "time_limit"},
        {StopReason::stopped_by_user, "stopped_by_user"},
        {StopReason::nothing_to_do, "nothing_to_do"}}};
   return words;

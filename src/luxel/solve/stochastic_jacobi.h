@@ -8,7 +8,7 @@
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
 #include "luxel/solution/solution.h"
-#include "luxel/solve/energy.h"
+#include "luxel/solve/solve_report.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -19,22 +19,6 @@ struct StochasticJacobiOptions {
   double tolerance = 1e-4;      // share of the emitted power left unshot, (0, 1): the stated bias
   std::uint64_t seed = 1;       // another seed, another independent answer
   double rays_per_patch = 800;  // what automatic aims at, over the whole run
-};
-
-// One bounce.
-struct StepRecord {
-  std::uint64_t rays = 0;
-  double unshot_share = 1.0;  // after the step
-};
-
-struct SolveReport {
-  StopReason stop = StopReason::nothing_to_do;
-  std::vector<StepRecord> steps;
-  std::uint64_t rays = 0;
-  double unshot_share = 0.0;     // power left over at the end: the stated bias
-  double predicted_error = 0.0;  // see Solution
-  EnergyBalance energy;
-  std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
 };
 
 // Incremental stochastic Jacobi iteration for B = E + rho F B (listing 2 of the founding course paper;

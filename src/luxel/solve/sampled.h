@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
+#include "luxel/solution/solution.h"
+#include "luxel/solve/solve_report.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+struct SampledOptions {
+  // When to stop: at the first of these.
+  double error = 0.01;     // standard error of the whole: area-weighted relative RMS; 0: never for that
+  std::uint64_t rays = 0;  // traced; 0: no bound
+  double seconds = 0.0;    // wall clock; 0: no bound
+  // Bytes the solver may hold. What does not fit is traced again instead of stored: slower, the same bytes.
+  std::uint64_t memory = 0;      // 0: half of what is free when the solve begins
+  std::uint64_t seed = 1;        // another seed, another independent answer
+  std::uint32_t replicates = 8;  // independent answers whose spread is the error bar, 4 to 32
+
+  // What makes the same rays worth more. Each can be switched off; docs/performance.md says what it gains.
+  bool low_discrepancy = true;       // Owen-scrambled Sobol points, else independent random numbers
+  bool stratified = true;            // one sequence runs over neighbouring patches, else each has its own
+  bool importance = true;            // lamps are chosen by what they can contribute, else by area
+  bool control_variate = true;       // the closed form of unshadowed direct light carries the shadow rays
+  bool multiple_importance = false;  // gather rays that meet a lamp count too (balance heuristic)
+  bool share = true;                 // neighbouring patches share their rays under the guard of the error bar
+};
+
+// The production solver: direct light from Owen-scrambled points on patch and lamp; transport as a sampled
+// operator, 2^k cosine rays a patch side whose first hits are stored; B = E + rho (D + F B) solved in memory
+// to 1e-6; every number with a standard error from independent replicates; samples doubled, all earlier ones
+// kept, until the error asked for is reached.
+//
+// Fills everything in `solution` but its command line and options. The same input, options and seed give the
+// same bits on any number of threads, stored or streamed, as long as time does not end it. The monitor gets a
+// first picture of the whole scene (Progress::light) after a blink, and one after every doubling; its stop
+// ends the run with the last of them. No lamp at all is an InputError that says how to add one.
+SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
+                          const SampledOptions& options, const Workers& workers, const Monitor& monitor = {});
+
+}  // namespace luxel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "luxel/solution/solution.h"
+#include "luxel/solve/energy.h"
+
+namespace luxel {
+
+// One bounce of a shooting method.
+struct StepRecord {
+  std::uint64_t rays = 0;
+  double unshot_share = 1.0;  // after the step
+};
+
+// One doubling of a sampled solve: what there was when it ended.
+struct RoundRecord {
+  std::uint32_t gather_rays = 0;  // a side that light reaches, all replicates together
+  std::uint32_t shadow_rays = 0;  // likewise
+  std::uint64_t rays = 0;         // of the whole run so far
+  double error = 0.0;             // predicted, of the whole scene
+  int sweeps = 0;                 // of the iteration, for the round's answer
+  double residual = 0.0;          // the last sweep's largest change over the largest radiosity
+};
+
+// What a solver has to say beside the light. Parts that a method does not have stay empty.
+struct SolveReport {
+  StopReason stop = StopReason::nothing_to_do;
+  std::vector<StepRecord> steps;    // shooting
+  std::vector<RoundRecord> rounds;  // sampled
+  std::uint64_t rays = 0;
+  double unshot_share = 0.0;     // power left over at the end: the stated bias
+  double predicted_error = 0.0;  // see Solution
+  double error_95th = 0.0;       // see Solution
+  EnergyBalance energy;
+  std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
+  bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory
+  std::uint64_t memory = 0;       // bytes the solver was predicted to hold at its peak; 0: not predicted
+  std::uint64_t dark_sides = 0;   // sides that no light reaches, as far as their first rays could tell
+};
+
+}  // namespace luxel
