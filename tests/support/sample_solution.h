@@ -71,6 +71,18 @@ inline Baked baked(std::size_t count, std::size_t bands) {
   return {std::move(set), std::move(light)};
 }
 
+// The same with what only a method that knows its errors gives.
+inline Baked baked_with_errors(std::size_t count, std::size_t bands) {
+  auto sample = baked(count, bands);
+  auto& light = sample.solution;
+  light.standard_error_front = numbers(count * bands, 4000.0f);
+  light.standard_error_back = numbers(count * bands, 5000.0f);
+  light.error_95th = 0.025;
+  light.stop = StopReason::error_reached;
+  light.provenance.method = "sampled";
+  return sample;
+}
+
 // To the bit: == would call 0 and -0 the same.
 template <typename T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -113,6 +125,9 @@ inline std::string difference(const Solution& a, const Solution& b) {
   if (!same_bits(a.irradiance_back, b.irradiance_back)) return "irradiance_back";
   if (!same_bits(a.radiosity_front, b.radiosity_front)) return "radiosity_front";
   if (!same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
+  if (!same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
+  if (!same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
+  if (a.error_95th != b.error_95th) return "error_95th";
   if (a.unshot_share != b.unshot_share) return "unshot_share";
   if (a.predicted_error != b.predicted_error) return "predicted_error";
   if (a.stop != b.stop) return "stop";

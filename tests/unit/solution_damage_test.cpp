@@ -86,8 +86,10 @@ class DamagedSolution : public testing::Test {
     return complaint();
   }
 
-  void make(std::size_t patches) {
-    written_ = sample::baked(patches, 3);
+  void make(std::size_t patches) { make(sample::baked(patches, 3)); }
+
+  void make(Baked sample) {
+    written_ = std::move(sample);
     write_solution(path_, written_.patches, written_.solution);
     whole_ = read_file(path_);
   }
@@ -115,6 +117,30 @@ TEST_F(DamagedSolution, a_small_file_with_any_byte_changed_is_refused_or_read_as
   damage_every(13);
   EXPECT_GT(attempts_, 500);
   EXPECT_GT(complaints_, attempts_ / 2);
+}
+
+TEST_F(DamagedSolution, standard_errors_with_any_byte_changed_are_refused_or_read_as_they_were) {
+  make(sample::baked_with_errors(4, 3));
+  damage_every(17);
+  EXPECT_GT(attempts_, 500);
+  EXPECT_GT(complaints_, attempts_ / 2);
+}
+
+TEST_F(DamagedSolution, the_standard_errors_of_one_side_alone_are_refused) {
+  make(sample::baked_with_errors(4, 3));
+  EXPECT_EQ(complaint_after(
+                [](hid_t file) { H5Ldelete(file, "VTKHDF/CellData/standard_error_back", H5P_DEFAULT); }),
+            "damaged: 'VTKHDF/CellData/standard_error_back' holds 0 numbers, expected 12");
+}
+
+TEST_F(DamagedSolution, standard_errors_of_another_length_are_named) {
+  make(sample::baked_with_errors(4, 3));
+  const std::vector<float> errors(15, 1.0f);
+  EXPECT_EQ(
+      complaint_after([&](hid_t file) {
+        replace_dataset(file, "VTKHDF/CellData/standard_error_front", H5T_IEEE_F32LE, {5, 3}, errors.data());
+      }),
+      "damaged: dataset 'VTKHDF/CellData/standard_error_front' is of shape [5, 3], expected [4, 3]");
 }
 
 TEST_F(DamagedSolution, a_compressed_file_with_any_byte_changed_is_refused_or_read_as_it_was) {

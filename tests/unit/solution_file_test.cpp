@@ -67,9 +67,18 @@ TEST(SolutionFile, arrays_of_several_compressed_chunks_are_read_to_the_bit) {
   }
 }
 
+TEST(SolutionFile, standard_errors_are_read_to_the_bit) {
+  for (const std::size_t bands : {1, 3, 7}) {
+    SCOPED_TRACE(bands);
+    const auto sample = sample::baked_with_errors(700, bands);
+    expect_same(read_solution(write("errors.vtkhdf", sample)), sample);
+  }
+}
+
 TEST(SolutionFile, every_stop_reason_is_kept) {
   auto sample = sample::baked(2, 3);
-  for (const auto stop : {StopReason::converged, StopReason::stopped_by_user, StopReason::nothing_to_do}) {
+  for (const auto stop : {StopReason::converged, StopReason::error_reached, StopReason::ray_limit,
+                          StopReason::time_limit, StopReason::stopped_by_user, StopReason::nothing_to_do}) {
     sample.solution.stop = stop;
     EXPECT_EQ(read_solution(write("stop.vtkhdf", sample)).solution.stop, stop);
   }
@@ -182,6 +191,24 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
             std::string::npos);
   EXPECT_NE(with([&](auto&, auto& s) { s.irradiance_front[3] = -infinity; }).find("not finite"),
             std::string::npos);
+}
+
+TEST(SolutionFile, standard_errors_that_cannot_be_are_not_written) {
+  const auto with = [](auto change) {
+    auto sample = sample::baked_with_errors(4, 3);
+    change(sample.solution);
+    return refusal_to_write(sample);
+  };
+  const auto infinity = std::numeric_limits<float>::infinity();
+  EXPECT_NE(with([](auto& s) { s.standard_error_front[5] = -1.0f; }).find("standard_error_front"),
+            std::string::npos);
+  EXPECT_NE(with([&](auto& s) { s.standard_error_back[0] = infinity; }).find("standard_error_back"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& s) { s.standard_error_back.clear(); }).find("holds 0 numbers, expected 12"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& s) { s.standard_error_front.pop_back(); }).find("holds 11 numbers, expected 12"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& s) { s.error_95th = -0.1; }).find("error_95th is -0.1"), std::string::npos);
 }
 
 }  // namespace

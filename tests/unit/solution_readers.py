@@ -20,7 +20,8 @@ except ImportError as error:
     print(f"skipped: {error} (Debian: python3-{'vtk9' if sys.argv[1] == 'vtk' else 'h5py'})")
     sys.exit(77)
 
-LIGHT = ["radiosity_front", "radiosity_back", "irradiance_front", "irradiance_back"]
+LIGHT = {"radiosity_front": 2000, "radiosity_back": 3000, "irradiance_front": 1, "irradiance_back": 1000}
+ERRORS = {"standard_error_front": 4000, "standard_error_back": 5000}
 
 
 def value(first, index):
@@ -31,7 +32,7 @@ def check(found, expected, what):
     assert found == expected, f"{what}: found {found}, expected {expected}"
 
 
-def check_with_vtk(path, patches, bands):
+def check_with_vtk(path, patches, bands, arrays):
     reader = vtkHDFReader()
     check(reader.CanReadFile(path), 1, "VTK's opinion of the file")
     reader.SetFileName(path)
@@ -45,8 +46,8 @@ def check_with_vtk(path, patches, bands):
     check(grid.GetPoint(3), tuple(float(numpy.float32(x)) for x in (3 / 7, 1, 0.1)), "vertex 3")
     cells = grid.GetCellData()
     names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
-    check(names, {*LIGHT, "area", "triangle", "material"}, "names of cell arrays")
-    for name, first in zip(LIGHT, (2000, 3000, 1, 1000)):
+    check(names, {*arrays, "area", "triangle", "material"}, "names of cell arrays")
+    for name, first in arrays.items():
         array = cells.GetArray(name)
         check(array.GetNumberOfTuples(), patches, name)
         check(array.GetNumberOfComponents(), bands, f"components of {name}")
@@ -56,20 +57,24 @@ def check_with_vtk(path, patches, bands):
     check(cells.GetArray("material").GetComponent(1, 0), 1, "material of patch 1")
 
 
-def check_with_h5py(path, patches, bands):
+def check_with_h5py(path, patches, bands, arrays):
     with h5py.File(path, "r") as file:
         check(file["Luxel"].attrs["format_version"], 1, "format version")
-        check(file["Luxel"].attrs["stop_reason"], b"converged", "stop reason")
+        has_errors = len(arrays) > len(LIGHT)
+        stop = b"error_reached" if has_errors else b"converged"
+        check(file["Luxel"].attrs["stop_reason"], stop, "stop reason")
+        check(file["Luxel"].attrs.get("error_95th"), 0.025 if has_errors else None, "95th percentile")
         check(list(file["Luxel/bands"].asstr()), [f"band {i}" for i in range(bands)], "bands")
         check(list(file["Luxel/materials/name"].asstr()), ["wall", 'lamp, "größer"'], "materials")
         check(file["Luxel/materials/reflectance"].shape, (2, bands), "shape of reflectance")
         check(file["Luxel/provenance/command_line"].asstr()[0], "luxel solve room.obj --error 1%", "command")
         check(int(file["Luxel/provenance"].attrs["rays"]), 12345678901, "rays")
         check(int(file["Luxel/provenance"].attrs["scene_fingerprint"]), 0xFEDCBA9876543210, "fingerprint")
-        front = file["VTKHDF/CellData/radiosity_front"]
-        check(front.shape, (patches,) if bands == 1 else (patches, bands), "shape of radiosity_front")
-        check(front.attrs["unit"], b"W/m^2", "unit of radiosity_front")
-        check(front[...].flat[-1], value(2000, patches * bands - 1), "last value of radiosity_front")
+        for name, first in arrays.items():
+            array = file["VTKHDF/CellData/" + name]
+            check(array.shape, (patches,) if bands == 1 else (patches, bands), f"shape of {name}")
+            check(array.attrs["unit"], b"W/m^2", f"unit of {name}")
+            check(array[...].flat[-1], value(first, patches * bands - 1), f"last value of {name}")
         check(file["VTKHDF/CellData/area"].attrs["unit"], b"m^2", "unit of area")
         check(file["VTKHDF/Points"].attrs["unit"], b"m", "unit of points")
 
@@ -80,8 +85,9 @@ def main():
         path = os.path.join(folder, "sample.vtkhdf")
         for patches in (4, 60000):
             for bands in (1, 3, 7):
-                subprocess.run([sys.argv[2], path, str(patches), str(bands)], check=True)
-                look(path, patches, bands)
+                for errors in ([], ["errors"]):
+                    subprocess.run([sys.argv[2], path, str(patches), str(bands), *errors], check=True)
+                    look(path, patches, bands, LIGHT | ERRORS if errors else LIGHT)
                 print(f"{patches} patches of {bands} bands: {sys.argv[1]} agrees")
 
 

@@ -58,6 +58,20 @@ std::string fault_in_patch(const PatchSet& patches, std::size_t i) {
   return {};
 }
 
+std::string fault_in_errors(const Solution& solution, std::size_t length) {
+  const auto expected =
+      solution.standard_error_front.empty() && solution.standard_error_back.empty() ? 0 : length;
+  for (const auto& [name, values] : error_arrays(solution)) {
+    if (values->size() != expected)
+      return fmt::format("'{}' holds {} numbers, expected {}", name, values->size(), expected);
+    if (!std::all_of(values->begin(), values->end(), [](float x) { return x >= 0.0f && std::isfinite(x); }))
+      return fmt::format("'{}' holds a number that is not finite, or below 0", name);
+  }
+  if (!(solution.error_95th >= 0.0 && std::isfinite(solution.error_95th)))
+    return fmt::format("error_95th is {}", solution.error_95th);
+  return {};
+}
+
 std::string fault_in_light(const Solution& solution, std::size_t length) {
   for (const auto& [name, values] : light_arrays(solution)) {
     if (values->size() != length)
@@ -65,6 +79,7 @@ std::string fault_in_light(const Solution& solution, std::size_t length) {
     if (!std::all_of(values->begin(), values->end(), [](float x) { return std::isfinite(x); }))
       return fmt::format("'{}' holds a number that is not finite", name);
   }
+  if (auto fault = fault_in_errors(solution, length); !fault.empty()) return fault;
   if (!std::isfinite(solution.unshot_share) || !std::isfinite(solution.predicted_error))
     return "unshot_share or predicted_error is not finite";
   return {};

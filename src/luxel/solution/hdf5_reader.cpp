@@ -61,9 +61,16 @@ void Hdf5Reader::refuse(const std::string& sentence) const { throw FormatError(p
 
 void Hdf5Reader::refuse_as_damaged(const std::string& sentence) const { refuse("damaged: " + sentence); }
 
-bool Hdf5Reader::has_group(const std::string& name) const {
+bool Hdf5Reader::has(const std::string& name) const {
   const auto exists = H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT);
-  if (exists < 0) refuse_as_damaged(fmt::format("its list of groups cannot be read ({})", hdf5_reason()));
+  if (exists < 0) refuse_as_damaged(fmt::format("'{}' cannot be looked up ({})", name, hdf5_reason()));
+  return exists > 0;
+}
+
+bool Hdf5Reader::has_attribute(const std::string& group, const std::string& name) const {
+  const auto exists = H5Aexists_by_name(file_.id(), group.c_str(), name.c_str(), H5P_DEFAULT);
+  if (exists < 0)
+    refuse_as_damaged(fmt::format("the attributes of '{}' cannot be read ({})", group, hdf5_reason()));
   return exists > 0;
 }
 

@@ -19,7 +19,9 @@ class Hdf5Reader {
   // Throws InputError where there is no such file, FormatError where it is not HDF5 or is cut short.
   explicit Hdf5Reader(std::filesystem::path path);
 
-  bool has_group(const std::string& name) const;
+  // Whether there is such a group or dataset, in a group that exists; such an attribute of a group.
+  bool has(const std::string& name) const;
+  bool has_attribute(const std::string& group, const std::string& name) const;
 
   // A scalar attribute of a group.
   template <typename T>

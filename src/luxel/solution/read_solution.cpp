@@ -17,7 +17,7 @@ namespace luxel {
 namespace {
 
 void check_version(const Hdf5Reader& file) {
-  if (!file.has_group("Luxel")) file.refuse("not a Luxel solution (no Luxel group)");
+  if (!file.has("Luxel")) file.refuse("not a Luxel solution (no Luxel group)");
   const auto version = file.number<std::uint32_t>("Luxel", "format_version");
   if (version > solution_format_version)
     file.refuse(fmt::format("written by format version {}; this program reads up to {}: use a newer Luxel",
@@ -115,6 +115,12 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   solution.bands = bands;
   for (const auto& [name, values] : light_arrays(solution))
     *values = file.array<float>(name, n, light_columns(bands.size()));
+  // Parts that came later, and that not every method gives. Of a pair, one alone is a fault that the check
+  // finds.
+  for (const auto& [name, values] : error_arrays(solution))
+    if (file.has(name)) *values = file.array<float>(name, n, light_columns(bands.size()));
+  if (file.has_attribute("Luxel", "error_95th"))
+    solution.error_95th = file.number<double>("Luxel", "error_95th");
   solution.unshot_share = file.number<double>("Luxel", "unshot_share");
   solution.predicted_error = file.number<double>("Luxel", "predicted_error");
   solution.stop = read_stop_reason(file);

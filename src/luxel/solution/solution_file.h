@@ -15,12 +15,12 @@ struct Baked {
 };
 
 // HDF5 in the VTKHDF UnstructuredGrid layout, version 1.0, one triangle cell a patch, so that ParaView and
-// h5py read it. Cell arrays: radiosity_front/back, irradiance_front/back (W/m², [cell][band]), area,
-// triangle, material. What only Luxel needs (bands, materials, provenance, format version) stands in a group
-// "Luxel" beside "VTKHDF". docs/solution-file.md is the whole layout. The same input gives the same bytes.
-// Made in memory, so it costs the file's size there. Whole or not at all; throws DeviceError
-// where the disk fails, MismatchError where patches and solution do not fit together or a number is not
-// finite.
+// h5py read it. Cell arrays: radiosity_front/back, irradiance_front/back and, where the method gives
+// them, standard_error_front/back (W/m², [cell][band]), area, triangle, material. What only Luxel needs
+// (bands, materials, provenance, format version) stands in a group "Luxel" beside "VTKHDF".
+// docs/solution-file.md is the whole layout. The same input gives the same bytes. Made in memory, so it costs
+// the file's size there. Whole or not at all; throws DeviceError where the disk fails, MismatchError where
+// patches and solution do not fit together or a number is not finite.
 void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution);
 
 // What write_solution wrote, to the bit. Everything is checked: arrays are of one length, indices in range,

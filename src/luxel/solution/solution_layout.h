@@ -27,6 +27,13 @@ auto light_arrays(SolutionType& solution) {
                     std::pair("VTKHDF/CellData/irradiance_back", &solution.irradiance_back)};
 }
 
+// Likewise, of the arrays that only some methods give: in the file where they are not empty.
+template <typename SolutionType>
+auto error_arrays(SolutionType& solution) {
+  return std::array{std::pair("VTKHDF/CellData/standard_error_front", &solution.standard_error_front),
+                    std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error_back)};
+}
+
 inline const std::array<std::pair<StopReason, std::string>, 6>& stop_reason_words() {
   static const std::array<std::pair<StopReason, std::string>, 6> words = {
       {{StopReason::converged, "converged"},

@@ -52,6 +52,8 @@ void add_cells(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   const auto columns = light_columns(patches.band_count());
   for (const auto& [name, values] : light_arrays(solution))
     file.add_array(name, table(std::span(*values), patches.size(), columns), "W/m^2");
+  for (const auto& [name, values] : error_arrays(solution))
+    if (!values->empty()) file.add_array(name, table(std::span(*values), patches.size(), columns), "W/m^2");
   file.add_array("VTKHDF/CellData/area", flat(patches.area), "m^2");
   file.add_array("VTKHDF/CellData/triangle", flat(patches.triangle));
   file.add_array("VTKHDF/CellData/material", flat(patches.material));
@@ -105,6 +107,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
     if (reason == solution.stop) file.add_word("Luxel", "stop_reason", word);
   file.add_number("Luxel", "unshot_share", solution.unshot_share);
   file.add_number("Luxel", "predicted_error", solution.predicted_error);
+  if (solution.error_95th > 0.0) file.add_number("Luxel", "error_95th", solution.error_95th);
   file.add_strings("Luxel/bands", solution.bands);
   // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
