@@ -7,6 +7,7 @@
 #include "showpiece/dice.h"
 #include "showpiece/sheets.h"
 #include "showpiece/solids.h"
+#include "showpiece/split.h"
 #include "showpiece/sweeping.h"
 #include "showpiece/turning.h"
 
@@ -77,6 +78,18 @@ TEST(Sheets, a_panel_leaves_out_its_holes) {
 
 TEST(Sheets, steps_are_equal_between_stops_and_never_too_long) {
   EXPECT_EQ(steps({0.0, 1.0, 1.5}, 0.5), (std::vector<double>{0.0, 0.5, 1.0, 1.5}));
+}
+
+TEST(Split, keeps_area_volume_and_paint) {
+  const auto fine = split(painted(box({2.0, 3.0, 5.0}), Paint::walnut), 4);
+  EXPECT_EQ(fine.triangles.size(), 12u * 16u);
+  EXPECT_EQ(welded(fine).points.size(), fine.points.size()) << "neighbours share their points";
+  EXPECT_NEAR(volume(fine), 30.0, 1e-12);
+  EXPECT_NEAR(area(fine), 62.0, 1e-12);
+  for (const auto& triangle : fine.triangles) {
+    EXPECT_EQ(triangle.paint, Paint::walnut);
+    EXPECT_GT(glm::length(area_vector(fine, triangle)), 0.99 * 3.0 / 16.0) << "a sixteenth of its triangle";
+  }
 }
 
 TEST(Dice, depend_on_their_address_alone) {

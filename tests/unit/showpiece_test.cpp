@@ -65,6 +65,22 @@ TEST(Showpiece, has_between_ten_and_forty_thousand_triangles) {
   EXPECT_LE(triangles, 40'000u);
 }
 
+TEST(Showpiece, cuts_every_triangle_in_detail_squared_on_request) {
+  const auto fine = reading_room(3);
+  ASSERT_EQ(fine.size(), room().size());
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const auto& object = fine[i];
+    ASSERT_EQ(object.mesh.triangles.size(), 9 * room()[i].mesh.triangles.size()) << object.name;
+    for (const auto& triangle : object.mesh.triangles)
+      ASSERT_GT(glm::length(area_vector(object.mesh, triangle)), 1e-9) << object.name;  // m²
+    if (object.closed) {
+      EXPECT_EQ(open_edges(object.mesh), 0) << object.name;
+      // Points are rounded to a micrometre, on either side of the old surface.
+      EXPECT_NEAR(enclosed_volume(object.mesh), enclosed_volume(room()[i].mesh), 1e-6) << object.name;
+    }
+  }
+}
+
 TEST(Showpiece, gives_every_triangle_area) {
   for (const auto& object : room()) {
     for (const auto& triangle : object.mesh.triangles) {
@@ -172,6 +188,13 @@ TEST(Showpiece, writes_the_same_bytes_twice) {
   EXPECT_EQ(first, bytes_of(folder / "b" / "room.obj"));
   EXPECT_NE(first.find("mtllib room.mtl\n"), std::string::npos);
   EXPECT_EQ(bytes_of(folder / "a" / "room.mtl"), bytes_of(folder / "b" / "room.mtl"));
+}
+
+TEST(Showpiece, is_at_detail_one_what_it_is_without) {
+  EXPECT_EQ(obj_text(reading_room(1), views(), "room.mtl"), obj_text(room(), views(), "room.mtl"));
+  auto triangles = std::size_t{0};
+  for (const auto& object : room()) triangles += object.mesh.triangles.size();
+  EXPECT_EQ(triangles, 39'884u) << "the help of luxel-showpiece says so";
 }
 
 }  // namespace

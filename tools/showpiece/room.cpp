@@ -9,6 +9,7 @@
 #include "showpiece/plant.h"
 #include "showpiece/seating.h"
 #include "showpiece/shell.h"
+#include "showpiece/split.h"
 #include "showpiece/tables.h"
 
 namespace luxel::showpiece {
@@ -127,7 +128,7 @@ void add_corridor_things(Objects& objects) {
 
 }  // namespace
 
-std::vector<Object> reading_room() {
+std::vector<Object> reading_room(int detail) {
   auto objects = shell();
   for (auto& object : woodwork()) objects.push_back(std::move(object));
   add_sofa_corner(objects);
@@ -137,7 +138,10 @@ std::vector<Object> reading_room() {
   add_window_side(objects);
   add_sideboard_side(objects);
   add_corridor_things(objects);
-  for (auto& object : objects) object.mesh = rounded(object.mesh);
+  for (auto& object : objects) {
+    object.mesh = rounded(object.mesh);
+    if (detail > 1) object.mesh = rounded(split(object.mesh, detail));
+  }
   return objects;
 }
 

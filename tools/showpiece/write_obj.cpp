@@ -69,12 +69,12 @@ std::string mtl_text() {
   return text;
 }
 
-void write_reading_room(const std::filesystem::path& path) {
+void write_reading_room(const std::filesystem::path& path, int detail) {
   auto mtl = path;
   mtl.replace_extension(".mtl");
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   write_file(mtl, mtl_text());
-  write_file(path, obj_text(reading_room(), views(), mtl.filename().string()));
+  write_file(path, obj_text(reading_room(detail), views(), mtl.filename().string()));
 }
 
 }  // namespace luxel::showpiece

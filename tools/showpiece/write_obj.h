@@ -16,7 +16,8 @@ std::string obj_text(std::span<const Object> objects, std::span<const View> view
                      const std::string& mtl_name);
 std::string mtl_text();
 
-// Writes the room as path (ending .obj) and its paints as the same path with the ending .mtl.
-void write_reading_room(const std::filesystem::path& path);
+// Writes the room as path (ending .obj) and its paints as the same path with the ending .mtl. detail: see
+// reading_room().
+void write_reading_room(const std::filesystem::path& path, int detail = 1);
 
 }  // namespace luxel::showpiece
