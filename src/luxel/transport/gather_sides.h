@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/patch/patch_tree.h"
+
+namespace luxel {
+
+// The patch sides that gather light, each in its slot: fronts in the tree's order, then backs in the same.
+struct GatherSides {
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::vector<std::uint32_t> side;          // [slot]
+  std::vector<std::uint32_t> position;      // [slot], see PatchTree
+  std::vector<std::uint32_t> slot_of_side;  // [side]; none: does not gather
+  std::size_t fronts = 0;                   // slots [0, fronts) are fronts
+
+  std::size_t size() const { return side.size(); }
+};
+
+// Every front, and the back of every patch whose material is two-sided.
+GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree);
+
+// Those slots of `sides` that are kept, closed up.
+GatherSides kept_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep);
+
+}  // namespace luxel
