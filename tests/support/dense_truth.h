@@ -23,8 +23,9 @@ struct TrueLight {
 //
 // The inner integral is closed (point_factor); the outer one runs over the receiver by a seven-point rule
 // (degree five) on triangles that are cut in four until the rule agrees with its parts. Reciprocal by
-// construction. Error of a factor: about 1e-7 where nothing hides, 1e-5 where a shadow's edge crosses; the
-// test looks at the sums of rows. Cost: a second for 600 patches without screens.
+// construction. Rows of closed rooms sum to one within 2e-8 where nothing hides, 6e-6 where shadows' edges
+// cross patches (measured; the test asks for 1e-7 and 1e-5). Cost: half a second for 400 patches, three times
+// that with a screen or two.
 std::vector<double> form_factors(const PatchSet& patches, const std::vector<ConvexPolygon>& screens,
                                  const Workers& workers);
 

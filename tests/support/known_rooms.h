@@ -27,7 +27,7 @@ KnownRoom mixed_furnace();
 // A room of coloured walls under a red and a blue lamp. 384 patches.
 KnownRoom coloured_room();
 // A cube with a small lamp and a plate hung below it: a deep shadow with a soft edge, a plate lit on both
-// sides. 416 patches.
+// sides. 400 patches.
 KnownRoom hung_plate();
 // The L-shaped room, lit round the corner: the far end gets a hundredth of the light. 448 patches.
 KnownRoom l_shaped();
