@@ -10,7 +10,8 @@ namespace {
 
 using Json = nlohmann::json;
 const std::string quick =
-    "$LUXEL bake cornell-box.obj --rays 100k --max-edge 0.1 --width 64 --height 48 --samples 1 ";
+    "$LUXEL bake cornell-box.obj --method shooting --rays 100k --max-edge 0.1 --width 64 --height 48 "
+    "--samples 1 ";
 
 TEST(Program, bakes_every_kind_of_output_at_once_and_names_them_on_stdout) {
   const auto folder = fresh_folder("kinds");
@@ -56,6 +57,9 @@ TEST(Program, reports_stages_power_and_options_as_json) {
   EXPECT_EQ(json["solution"]["stop"], "converged");
   EXPECT_LE(json["solution"]["unshot_share"].get<double>(), 1e-4);
   EXPECT_EQ(json["options"]["max-edge"], "0.1");
+  EXPECT_GT(json["solve"]["error"]["reached"], 0.0);
+  EXPECT_EQ(json["solve"]["error"]["ended_by"], "converged");
+  EXPECT_FALSE(json["solve"]["error"].contains("target")) << "shooting has none";
   EXPECT_EQ(json["outputs"], Json::array({"a.png"}));
   const auto& power = json["solve"]["power_W"];
   const auto sum = [&](const char* part) {
@@ -86,6 +90,51 @@ TEST(Program, reads_a_text_file_of_options_and_says_where_each_value_came_from) 
   EXPECT_NE(again.out.find("output = [\"a.glb\", \"a.ply\"]"), std::string::npos) << again.out;
 }
 
+// The values of --print-config, as they stand after the '='.
+std::string value_of(const std::string& option, const std::string& printed) {
+  const auto begin = printed.find("\n" + option + " = \"");
+  if (begin == std::string::npos) return "nothing";
+  const auto value = begin + option.size() + 5;
+  return printed.substr(value, printed.find('"', value) - value);
+}
+
+TEST(Program, prints_quantities_in_a_form_that_it_reads_back_to_the_same_number) {
+  const auto folder = fresh_folder("quantities");
+  struct Case {
+    const char *option, *given, *printed;
+  };
+  for (const auto& [option, given, printed] :
+       {Case{"error", "0.013", "1.3%"}, Case{"error", "7%", "7%"}, Case{"error", "0", "0"},
+        Case{"time", "1.5min", "90s"}, Case{"time", "2h", "7200s"}, Case{"time", "30", "30s"},
+        Case{"time", "none", "none"}, Case{"memory", "0.5GiB", "512MiB"}, Case{"memory", "1536MiB", "1.5GiB"},
+        Case{"memory", "auto", "auto"}, Case{"rays", "2M", "2000000"}, Case{"rays", "auto", "auto"},
+        Case{"mis", "on", "on"}}) {
+    const auto print = [&](const std::string& value) {
+      return value_of(option, cli::run(folder, std::string("$LUXEL bake cornell-box.obj --print-config --") +
+                                                   option + " " + value)
+                                  .out);
+    };
+    EXPECT_EQ(print(given), printed) << option;
+    EXPECT_EQ(print(printed), printed) << option;
+  }
+}
+
+TEST(Program, a_file_may_hold_the_options_of_both_methods) {
+  const auto folder = fresh_folder("both");
+  const auto printed = cli::run(folder, "$LUXEL bake cornell-box.obj --print-config");
+  write_file(folder / "all.toml", printed.out);
+  write_file(folder / "more.toml", "error = \"2%\"\ntolerance = 0.01\n");
+  for (const char* file : {"all.toml", "more.toml"}) {
+    const auto run = cli::run(folder, quick + "--config " + file + " -o a.vtkhdf --quiet");
+    EXPECT_EQ(run.code, 0) << run.err;
+  }
+  // Recorded is what the method used.
+  const auto info = Json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out);
+  const auto command = info["solution"]["command_line"].get<std::string>();
+  EXPECT_NE(command.find("--tolerance 0.01"), std::string::npos) << command;
+  EXPECT_EQ(command.find("--error"), std::string::npos) << command;
+}
+
 TEST(Program, knows_its_version_and_explains_itself) {
   const auto folder = fresh_folder("help");
   EXPECT_EQ(cli::run(folder, "$LUXEL --version").out.rfind("luxel ", 0), 0u);
@@ -101,7 +150,8 @@ TEST(Program, describes_a_solution_and_a_scene) {
   const auto folder = fresh_folder("info");
   ASSERT_EQ(cli::run(folder, quick + "-o a.vtkhdf --quiet").code, 0);
   const auto solution = cli::run(folder, "$LUXEL info a.vtkhdf");
-  EXPECT_NE(solution.out.find("luxel bake cornell-box.obj --max-edge 0.1 --rays 100000"), std::string::npos)
+  EXPECT_NE(solution.out.find("luxel bake cornell-box.obj --max-edge 0.1 --method shooting --rays 100000"),
+            std::string::npos)
       << solution.out;
   EXPECT_NE(solution.out.find("standard error"), std::string::npos);
   EXPECT_EQ(Json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out)["solution"]["method"],
@@ -145,7 +195,17 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .png"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb -o a.glb", 2, "twice"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --rays 5X", 2, "50M"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --tolerance 2", 2, "--tolerance"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method shooting --tolerance 2", 2, "0.9"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --tolerance 0.1", 2, "--method shooting"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method shooting --error 1%", 2, "--method sampled"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method shooting --memory 1GiB", 2, "--method sampled"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method fast", 2, "sampled|shooting"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --error 1", 2, "such as 1%"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --error 0", 2, "--rays or --time"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --time 3d", 2, "30s, 5min or 2h, or none"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --memory 4GB", 2, "4GiB, or auto"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --replicates 3", 2, "4 to 32"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --share yes", 2, "on or off"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge -1", 2, "--max-edge"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2", 2, "three numbers"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --fov 200", 2, "--fov"},
@@ -225,7 +285,8 @@ TEST(Program, that_is_interrupted_writes_what_it_has_and_says_so) {
   const auto folder = fresh_folder("interrupt");
   const auto run =
       cli::run(folder,
-               "$LUXEL bake cornell-box.obj --rays 50G --max-edge 0.1 -o a.glb -o a.vtkhdf & pid=$!; "
+               "$LUXEL bake cornell-box.obj --method shooting --rays 50G --max-edge 0.1 -o a.glb -o a.vtkhdf "
+               "& pid=$!; "
                "for i in $(seq 600); do grep -q lamp stderr.txt && break; sleep 0.05; done; sleep 1; kill "
                "-INT $pid; wait $pid");
   EXPECT_EQ(run.code, 3) << run.err;
@@ -239,8 +300,9 @@ TEST(Program, that_is_interrupted_while_it_draws_keeps_the_light_and_writes_no_h
   const auto folder = fresh_folder("interrupt_picture");
   const auto run = cli::run(
       folder,
-      "$LUXEL bake cornell-box.obj --rays 10k --max-edge 0.1 --width 8000 --height 8000 -o a.png "
-      "-o a.vtkhdf & pid=$!; for i in $(seq 600); do test -e a.vtkhdf && break; sleep 0.05; done; sleep 0.5; "
+      "$LUXEL bake cornell-box.obj --method shooting --rays 10k --max-edge 0.1 --width 8000 --height 8000 "
+      "-o a.png -o a.vtkhdf & pid=$!; for i in $(seq 600); do test -e a.vtkhdf && break; sleep 0.05; done; "
+      "sleep 0.5; "
       "kill -INT $pid; wait $pid");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("the picture was not finished"), std::string::npos) << run.err;
@@ -252,11 +314,14 @@ TEST(Program, records_a_command_that_a_shell_reads_back) {
   const auto folder = fresh_folder("quoted");
   std::filesystem::copy_file(folder / "cornell-box.obj", folder / "my box.obj");
   ASSERT_EQ(
-      cli::run(folder, "$LUXEL bake 'my box.obj' --rays 10k --max-edge 0.2 --fov 50 -o a.vtkhdf --quiet")
+      cli::run(
+          folder,
+          "$LUXEL bake 'my box.obj' --method shooting --rays 10k --max-edge 0.2 --fov 50 -o a.vtkhdf --quiet")
           .code,
       0);
   const auto info = Json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out);
-  EXPECT_EQ(info["solution"]["command_line"], "luxel bake 'my box.obj' --max-edge 0.2 --rays 10000 --fov 50");
+  EXPECT_EQ(info["solution"]["command_line"],
+            "luxel bake 'my box.obj' --max-edge 0.2 --method shooting --rays 10000 --fov 50");
 }
 
 TEST(Program, turned_round_lamps_are_reported_with_the_flag_that_mends_them) {

@@ -24,9 +24,11 @@ class Bake final : public Command {
     look_.declare(options);
     picture_.declare(options);
     run_.declare(options, all_kinds);
+    light_.declare_memory(options);
   }
 
   int run() override {
+    light_.check();
     check_before_work(run_, picture_, all_kinds);
     Console console(run_.quiet);
     const Workers workers(run_.threads);
@@ -44,44 +46,58 @@ class Bake final : public Command {
 
     // 2. Who sees whom, and what the lamps see.
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
-    report_lamps(baked.patches, tracer, console);
+    const auto views = record.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer); });
+    report_lamps(baked.patches, views, console);
     if (interrupted()) return stopped_before_light(console);
 
     // 3. The light.
     const auto solved = record.stage("light", [&](auto& stage) {
-      auto result = solve(baked, tracer, workers, console);
+      auto result = solve(baked, tracer, workers, record.watch_for_light(console.monitor()));
       stage.rays = result.rays;
       return result;
     });
     auto& provenance = baked.solution.provenance;
     provenance.program_version = program_version;
     provenance.command_line = options().as_command(RunSettings::heading);
-    provenance.options = options().values(RunSettings::heading);
+    provenance.options = options().used_values(RunSettings::heading);
     report_light(baked, solved, console);
 
     // 4. What was asked for.
-    RunReport report;
     const auto written = write_outputs(baked, &tracer, run_, look_, picture_, workers, console, record);
-    report.command = "bake";
-    report.baked = &baked;
-    report.solve = &solved;
-    report.outputs = written.files;
-    report.camera = written.camera;
-    report.options = &options();
-    report.record = &record;
-    finish(report, run_, console);
-    const bool stopped = written.stopped || solved.stop == StopReason::stopped_by_user;
-    return stopped ? exit_stopped_early : exit_fine;
+    finish({.command = options().name(),
+            .baked = &baked,
+            .solve = &solved,
+            .error_target = error_target(),
+            .camera = written.camera,
+            .outputs = written.files,
+            .options = &options(),
+            .record = &record},
+           run_, console);
+    return written.stopped || fell_short(solved) ? exit_stopped_early : exit_fine;
   }
 
  private:
-  SolveReport solve(Baked& baked, const Tracer& tracer, const Workers& workers, Console& console) const {
+  SolveReport solve(Baked& baked, const Tracer& tracer, const Workers& workers,
+                    const Monitor& monitor) const {
+    const auto& patches = baked.patches;
+    auto& light = baked.solution;
     try {
-      return solve_stochastic_jacobi(baked.patches, tracer, baked.solution, light_.jacobi, workers,
-                                     console.monitor());
+      return light_.method == LightSettings::by_shooting
+                 ? solve_stochastic_jacobi(patches, tracer, light, light_.shooting, workers, monitor)
+                 : solve_sampled(patches, tracer, light, light_.sampled, workers, monitor);
     } catch (const InputError& error) {
       throw InputError(scene_.file, error.what());  // it has no lamp; the solver knows no file
     }
+  }
+
+  std::optional<double> error_target() const {
+    return light_.method == LightSettings::by_sampling ? std::optional(light_.sampled.error) : std::nullopt;
+  }
+
+  // Whether it ended before it was as good as asked. Without a target, a limit is what was asked for.
+  bool fell_short(const SolveReport& solved) const {
+    const bool is_at_limit = solved.stop == StopReason::ray_limit || solved.stop == StopReason::time_limit;
+    return solved.stop == StopReason::stopped_by_user || (is_at_limit && error_target().value_or(0.0) > 0.0);
   }
 
   static int stopped_before_light(Console& console) {
@@ -90,8 +106,7 @@ class Bake final : public Command {
   }
 
   // Lumens of each lamp material, so that a wrong unit shows at once, and lamps that light nothing.
-  static void report_lamps(const PatchSet& patches, const Tracer& tracer, Console& console) {
-    const auto views = view_from_lamps(patches, tracer);
+  static void report_lamps(const PatchSet& patches, const std::vector<LampView>& views, Console& console) {
     for (const auto& view : views) {
       console.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
                               lumens(view.power[0], view.power[1], view.power[2])));
@@ -100,21 +115,26 @@ class Bake final : public Command {
     }
   }
 
-  static void report_light(const Baked& baked, const SolveReport& solved, Console& console) {
+  void report_light(const Baked& baked, const SolveReport& solved, Console& console) const {
     console.say(describe(solved));
-    console.say(fmt::format(
-        "standard error {:.2g} % (area-weighted relative RMS over patches), bias below {:.2g} % unshot",
-        100.0 * solved.predicted_error, 100.0 * solved.unshot_share));
     const auto emitted = std::accumulate(solved.energy.emitted.begin(), solved.energy.emitted.end(), 0.0);
     for (std::size_t m = 0; m < solved.back_loss.size(); ++m)
       if (solved.back_loss[m] > 0.001 * emitted)
         warn(console.log(),
              fmt::format("{:.1f} % of the emitted power is lost at the backs of one-sided material '{}'",
                          100.0 * solved.back_loss[m] / emitted, baked.patches.materials[m].name));
-    if (solved.stop == StopReason::stopped_by_user)
+    if (fell_short(solved))
       warn(console.log(),
-           fmt::format("stopped: {:.1f} % of the emitted power is still unshot; writing the light there is",
-                       100.0 * solved.unshot_share));
+           fmt::format("stopped ({}) before the light was as good as asked: {}; writing the light there is",
+                       stop_name(solved.stop), shortfall(solved)));
+  }
+
+  std::string shortfall(const SolveReport& solved) const {
+    if (!error_target())
+      return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_share);
+    auto text = fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);
+    if (*error_target() > 0.0) text += fmt::format(", asked for {:.2g} %", 100.0 * *error_target());
+    return text;
   }
 
   SceneSettings scene_;

@@ -138,6 +138,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   if (!given.config.empty()) read_file(chosen, given.config);
   for (const auto& [declaration, texts] : given.options)
     for (const auto& text : texts) declaration->parse(text);
+  chosen.check_use();
   if (given.print_config) return {nullptr, chosen.as_file()};
   return {&chosen, ""};
 }

@@ -85,6 +85,7 @@ void Console::show(const Progress& progress) {
   const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
   const auto left = progress.done > 0.0 ? seconds / progress.done * (1.0 - progress.done) : 0.0;
   auto numbers = fmt::format("{:3.0f} %", 100.0 * progress.done);
+  if (progress.error > 0.0) numbers += fmt::format("  error {:.2g} %", 100.0 * progress.error);
   if (progress.rays > 0 && seconds > 0.0)
     numbers += fmt::format("  {:.1f} Mray/s", 1e-6 * static_cast<double>(progress.rays) / seconds);
   if (progress.done > 0.01) numbers += fmt::format("  {} left", duration(left));

@@ -29,15 +29,14 @@ class FromSolution final : public Command {
     RunRecord record;
     const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
     take_up_from(baked.solution.provenance);
-    RunReport report;
     const auto written = write_outputs(baked, nullptr, run_, look_, picture_, workers, console, record);
-    report.command = options().name();
-    report.baked = &baked;
-    report.outputs = written.files;
-    report.camera = written.camera;
-    report.options = &options();
-    report.record = &record;
-    finish(report, run_, console);
+    finish({.command = options().name(),
+            .baked = &baked,
+            .camera = written.camera,
+            .outputs = written.files,
+            .options = &options(),
+            .record = &record},
+           run_, console);
     return written.stopped ? exit_stopped_early : exit_fine;
   }
 

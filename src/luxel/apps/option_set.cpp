@@ -79,6 +79,7 @@ const char* word(Origin origin) {
 }  // namespace
 
 std::optional<float> parse_number(const std::string& text) { return whole_number<float>(text); }
+std::optional<double> parse_double(const std::string& text) { return whole_number<double>(text); }
 
 std::uint64_t parse_count(const std::string& name, const std::string& text) {
   auto digits = text;
@@ -101,7 +102,12 @@ OptionSet::OptionSet(std::string name, std::string summary)
 
 void OptionSet::add(Declaration declaration) {
   auto default_value = declaration.print();
-  entries_.push_back({std::move(declaration), heading_, std::move(default_value)});
+  entries_.push_back({std::move(declaration), heading_, choice_, word_, std::move(default_value)});
+}
+
+void OptionSet::only_with(std::string choice, std::string word) {
+  choice_ = std::move(choice);
+  word_ = std::move(word);
 }
 
 void OptionSet::add_number(const char* name, const char* unit, float& value, float min, float max,
@@ -114,6 +120,11 @@ void OptionSet::add_number(const char* name, const char* unit, double& value, do
 }
 void OptionSet::add_number(const char* name, const char* unit, int& value, int min, int max,
                            const char* help) {
+  add_bounded(*this, name, unit, value, min, max, help);
+}
+
+void OptionSet::add_number(const char* name, const char* unit, std::uint32_t& value, std::uint32_t min,
+                           std::uint32_t max, const char* help) {
   add_bounded(*this, name, unit, value, min, max, help);
 }
 
@@ -156,6 +167,15 @@ void OptionSet::add_choice(const char* name, std::vector<std::string> words, std
   add({name, all, help, parse, [&value] { return value; }});
 }
 
+void OptionSet::add_switch(const char* name, bool& value, const char* help) {
+  const auto parse = [=, &value](const std::string& text) {
+    if (text != "on" && text != "off")
+      throw UsageError(fmt::format("--{}: expected on or off, not '{}'", name, text));
+    value = text == "on";
+  };
+  add({name, "on|off", help, parse, [&value] { return value ? "on" : "off"; }});
+}
+
 void OptionSet::add_flag(const char* name, bool& value, const char* help, bool configurable) {
   const auto parse = [=, &value](const std::string& text) {
     if (text != "true" && text != "false")
@@ -172,19 +192,45 @@ void OptionSet::set_positional(const char* name, std::string& value, const char*
   positional_ = {name, &value, help};
 }
 
-std::vector<std::pair<std::string, std::string>> OptionSet::values(const std::string& without) const {
+std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& e : entries_)
-    if (e.declaration.configurable && (without.empty() || e.heading != without))
+    if (e.declaration.configurable) result.emplace_back(e.declaration.name, e.declaration.print());
+  return result;
+}
+
+std::vector<std::pair<std::string, std::string>> OptionSet::used_values(const std::string& without) const {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& e : entries_)
+    if (e.declaration.configurable && e.heading != without && is_used(e))
       result.emplace_back(e.declaration.name, e.declaration.print());
   return result;
+}
+
+std::string OptionSet::value_of(const std::string& name) const {
+  const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& e) { return e.declaration.name == name; });
+  return entry == entries_.end() ? std::string() : entry->declaration.print();
+}
+
+bool OptionSet::is_used(const Entry& entry) const {
+  return entry.choice.empty() || value_of(entry.choice) == entry.word;
+}
+
+void OptionSet::check_use() const {
+  for (const auto& e : entries_)
+    if (e.origin == Origin::from_command_line && !is_used(e))
+      throw UsageError(fmt::format(
+          "--{} belongs to --{} {} and does nothing with --{} {}: leave out the one or change the "
+          "other",
+          e.declaration.name, e.choice, e.word, e.choice, value_of(e.choice)));
 }
 
 std::string OptionSet::as_command(const std::string& without) const {
   auto text = fmt::format("luxel {}", name_);
   if (positional_) text += fmt::format(" {}", quoted(*positional_->value));
   for (const auto& e : entries_) {
-    if (e.declaration.print() == e.default_value || e.heading == without) continue;
+    if (e.declaration.print() == e.default_value || e.heading == without || !is_used(e)) continue;
     for (const auto& value : lines(e.declaration.print()))
       text += fmt::format(" --{} {}", e.declaration.name, quoted(value));
   }

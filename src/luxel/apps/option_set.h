@@ -42,6 +42,10 @@ class OptionSet {
 
   // Options added after this stand under this heading in the help.
   void heading(std::string title) { heading_ = std::move(title); }
+  // Options added after this are used only while `choice`, an option declared before, has the value `word`:
+  // given on the command line without it they are refused, and nothing is recorded of them. No choice: always
+  // used.
+  void only_with(std::string choice = {}, std::string word = {});
   void add(Declaration declaration);
 
   // The common kinds. min <= value <= max is checked and said in the error.
@@ -49,21 +53,26 @@ class OptionSet {
   void add_number(const char* name, const char* unit, double& value, double min, double max,
                   const char* help);
   void add_number(const char* name, const char* unit, int& value, int min, int max, const char* help);
+  void add_number(const char* name, const char* unit, std::uint32_t& value, std::uint32_t min,
+                  std::uint32_t max, const char* help);
   void add_count(const char* name, std::uint64_t& value, const char* help);  // 50M, 2e6, 1000
   void add_text(const char* name, const char* unit, std::string& value, const char* help);
   void add_texts(const char* name, const char* unit, std::vector<std::string>& values, const char* help);
   void add_point(const char* name, const char* unit, std::optional<Vec3>& value, const char* help);  // x,y,z
   void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);
+  void add_switch(const char* name, bool& value, const char* help);  // on or off
   void add_flag(const char* name, bool& value, const char* help, bool configurable = true);
   void set_positional(const char* name, std::string& value, const char* help);
 
   const std::string& name() const { return name_; }
   const std::string& summary() const { return summary_; }
 
-  // Every option with its value as text, in the order of declaration, but those under the heading `without`.
-  std::vector<std::pair<std::string, std::string>> values(const std::string& without = "") const;
-  // What to type to get the same result: the positional, and the options that are not at their defaults, but
-  // those under the heading `without`.
+  // Every option with its value as text, in the order of declaration.
+  std::vector<std::pair<std::string, std::string>> values() const;
+  // The same of those that are used, but those under the heading `without`.
+  std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
+  // What to type to get the same result: the positional, and the options that are used and not at their
+  // defaults, but those under the heading `without`.
   std::string as_command(const std::string& without) const;
   // As a text file that --config reads, with where each value came from.
   std::string as_file() const;
@@ -73,6 +82,7 @@ class OptionSet {
   struct Entry {
     Declaration declaration;
     std::string heading;
+    std::string choice, word;  // see only_with
     std::string default_value;
     Origin origin = Origin::by_default;
   };
@@ -82,9 +92,15 @@ class OptionSet {
     std::string help;
   };
 
+  std::string value_of(const std::string& name) const;
+  bool is_used(const Entry& entry) const;
+  // Throws UsageError where an option of the command line is not used.
+  void check_use() const;
+
   std::string name_;
   std::string summary_;
   std::string heading_;
+  std::string choice_, word_;
   std::vector<Entry> entries_;
   std::optional<Positional> positional_;
 };
@@ -94,5 +110,6 @@ class OptionSet {
 std::uint64_t parse_count(const std::string& name, const std::string& text);
 // The whole text as a number, or nothing.
 std::optional<float> parse_number(const std::string& text);
+std::optional<double> parse_double(const std::string& text);
 
 }  // namespace luxel

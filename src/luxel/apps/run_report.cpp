@@ -27,35 +27,80 @@ double total_area(const PatchSet& patches) {
   return std::accumulate(patches.area.begin(), patches.area.end(), 0.0);
 }
 
+bool has_standard_errors(const Solution& solution) { return !solution.standard_error_front.empty(); }
+
 Json to_json(const Baked& baked) {
   const auto& s = baked.solution;
-  return {{"patches", baked.patches.size()},
-          {"area_m2", total_area(baked.patches)},
-          {"bands", s.bands},
-          {"materials", baked.patches.materials.size()},
-          {"method", s.provenance.method},
-          {"seed", s.provenance.seed},
-          {"rays", s.provenance.rays},
-          {"stop", stop_name(s.stop)},
-          {"unshot_share", s.unshot_share},
-          {"predicted_error", s.predicted_error},
-          {"scene_fingerprint", fmt::format("{:016x}", s.provenance.scene_fingerprint)},
-          {"program_version", s.provenance.program_version},
-          {"command_line", s.provenance.command_line}};
+  Json json = {{"patches", baked.patches.size()},
+               {"area_m2", total_area(baked.patches)},
+               {"bands", s.bands},
+               {"materials", baked.patches.materials.size()},
+               {"method", s.provenance.method},
+               {"seed", s.provenance.seed},
+               {"rays", s.provenance.rays},
+               {"stop", stop_name(s.stop)},
+               {"unshot_share", s.unshot_share},
+               {"predicted_error", s.predicted_error},
+               {"standard_errors", has_standard_errors(s)},
+               {"scene_fingerprint", fmt::format("{:016x}", s.provenance.scene_fingerprint)},
+               {"program_version", s.provenance.program_version},
+               {"command_line", s.provenance.command_line}};
+  if (s.error_95th > 0.0) json["error_95th"] = s.error_95th;
+  return json;
 }
 
-Json to_json(const SolveReport& report) {
+Json steps_as_json(const SolveReport& report) {
   Json steps = Json::array();
   for (const auto& step : report.steps)
     steps.push_back({{"rays", step.rays}, {"unshot_share", step.unshot_share}});
+  return steps;
+}
+
+Json rounds_as_json(const SolveReport& report) {
+  Json rounds = Json::array();
+  for (const auto& round : report.rounds)
+    rounds.push_back({{"gather_rays", round.gather_rays},
+                      {"shadow_rays", round.shadow_rays},
+                      {"rays", round.rays},
+                      {"error", round.error},
+                      {"sweeps", round.sweeps},
+                      {"residual", round.residual}});
+  return rounds;
+}
+
+Json error_as_json(const SolveReport& report, const std::optional<double>& target) {
+  Json error = Json::object();
+  if (target) error["target"] = *target;
+  error["reached"] = report.predicted_error;
+  if (report.error_95th > 0.0) error["percentile_95"] = report.error_95th;
+  error["ended_by"] = stop_name(report.stop);
+  return error;
+}
+
+Json to_json(const SolveReport& report, const std::optional<double>& target) {
+  Json json = {{"error", error_as_json(report, target)}};
+  if (!report.steps.empty()) json["steps"] = steps_as_json(report);
+  if (!report.rounds.empty()) {
+    json["rounds"] = rounds_as_json(report);
+    json["dark_sides"] = report.dark_sides;
+    json["streamed"] = report.streamed;
+    json["predicted_memory_bytes"] = report.memory;
+  }
   const auto& e = report.energy;
-  return {{"steps", steps},
-          {"power_W",
-           {{"emitted", e.emitted},
-            {"absorbed", e.absorbed},
-            {"escaped", e.escaped},
-            {"lost_at_backs", e.lost_at_backs},
-            {"unshot", e.unshot}}}};
+  json["power_W"] = {{"emitted", e.emitted},
+                     {"absorbed", e.absorbed},
+                     {"escaped", e.escaped},
+                     {"lost_at_backs", e.lost_at_backs},
+                     {"unshot", e.unshot}};
+  return json;
+}
+
+// Noise and bias, for a person. The percentile and the unshot share stand there where there are such.
+std::string quality(double error, double error_95th, double unshot_share) {
+  auto text = fmt::format("standard error {:.2g} % (area-weighted relative RMS over patches)", 100.0 * error);
+  if (error_95th > 0.0) text += fmt::format(", below {:.2g} % for 95 % of the lit sides", 100.0 * error_95th);
+  if (unshot_share > 0.0) text += fmt::format(", bias below {:.2g} % unshot", 100.0 * unshot_share);
+  return text;
 }
 
 Json to_json(const RunRecord& record) {
@@ -94,7 +139,7 @@ std::string_view stop_name(StopReason reason) {
 std::string RunReport::as_json() const {
   Json json = {{"command", command}};
   if (baked) json["solution"] = to_json(*baked);
-  if (solve) json["solve"] = to_json(*solve);
+  if (solve) json["solve"] = to_json(*solve, error_target);
   if (camera) json["camera"] = to_json(*camera);
   if (!outputs.empty()) json["outputs"] = outputs;
   if (options) {
@@ -102,6 +147,8 @@ std::string RunReport::as_json() const {
   }
   if (record) {
     json["stages"] = to_json(*record);
+    if (const auto seconds = record->first_light()) json["first_light_s"] = *seconds;
+    if (const auto seconds = record->first_light_after_load()) json["first_light_after_load_s"] = *seconds;
     json["peak_memory_bytes"] = peak_memory();
   }
   // A file name may hold bytes that are no UTF-8: those are replaced rather than thrown over.
@@ -115,9 +162,8 @@ std::string describe(const Baked& baked) {
                           total_area(patches), patches.materials.size(), fmt::join(s.bands, " "));
   text += fmt::format("{} with {} rays, seed {}: {}\n", s.provenance.method, s.provenance.rays,
                       s.provenance.seed, stop_name(s.stop));
-  text += fmt::format(
-      "standard error {:.2g} % (area-weighted relative RMS over patches), bias below {:.2g} % unshot\n",
-      100.0 * s.predicted_error, 100.0 * s.unshot_share);
+  text += quality(s.predicted_error, s.error_95th, s.unshot_share) + "\n";
+  if (has_standard_errors(s)) text += "with the standard error of every patch side\n";
   text +=
       fmt::format("scene {:016x}, luxel {}\n", s.provenance.scene_fingerprint, s.provenance.program_version);
   if (!s.provenance.command_line.empty()) text += s.provenance.command_line + "\n";
@@ -128,13 +174,20 @@ std::string describe(const SolveReport& report) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
   const auto& e = report.energy;
   const auto emitted = sum(e.emitted);
-  return fmt::format(
-      "{} bounces, {} rays; emitted {:.4g} W = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % "
-      "+ unshot "
-      "{:.2g} %",
-      report.steps.size(), report.rays, emitted, 100.0 * sum(e.absorbed) / emitted,
-      100.0 * sum(e.escaped) / emitted, 100.0 * sum(e.lost_at_backs) / emitted,
-      100.0 * sum(e.unshot) / emitted);
+  const auto percent = [&](const std::vector<double>& part) {
+    return emitted > 0.0 ? 100.0 * sum(part) / emitted : 0.0;
+  };
+  const auto done = report.rounds.empty() ? fmt::format("{} bounces", report.steps.size())
+                                          : fmt::format("{} rounds", report.rounds.size());
+  auto text = fmt::format(
+      "{}, {} rays; emitted {:.4g} W = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + "
+      "unshot "
+      "{:.2g} %\n",
+      done, report.rays, emitted, percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs),
+      percent(e.unshot));
+  if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
+  return text + fmt::format("{}: {}", stop_name(report.stop),
+                            quality(report.predicted_error, report.error_95th, report.unshot_share));
 }
 
 }  // namespace luxel

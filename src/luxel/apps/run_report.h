@@ -10,7 +10,7 @@
 #include "luxel/apps/settings.h"
 #include "luxel/scene/camera.h"
 #include "luxel/solution/solution_file.h"
-#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/solve/solve_report.h"
 
 namespace luxel {
 
@@ -22,8 +22,9 @@ struct RunReport {
   std::string command;
   const Baked* baked = nullptr;
   const SolveReport* solve = nullptr;
-  std::optional<Camera> camera;
-  std::vector<std::string> outputs;
+  std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
+  std::optional<Camera> camera = {};
+  std::vector<std::string> outputs = {};
   const OptionSet* options = nullptr;
   const RunRecord* record = nullptr;
 
@@ -32,7 +33,7 @@ struct RunReport {
 
 // The solution and its patches as lines for a person.
 std::string describe(const Baked& baked);
-// Where the power went, as lines for a person.
+// What was done, where the power went, what ended it and how good the light is, as lines for a person.
 std::string describe(const SolveReport& report);
 
 }  // namespace luxel

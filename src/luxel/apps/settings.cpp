@@ -45,17 +45,6 @@ void SceneSettings::declare(OptionSet& set) {
               "longest edge of a patch; 0 keeps the triangles as they come");
 }
 
-void LightSettings::declare(OptionSet& set) {
-  set.heading("Light");
-  add_or_auto(
-      set, "rays", "count", jacobi.rays, std::uint64_t{0}, parse_count,
-      "rays, such as 50M, that carry the lamps' power once; reflected light adds its own in proportion");
-  set.add_number("rays-per-patch", "count", jacobi.rays_per_patch, 1.0, 1e9, "what '--rays auto' aims at");
-  set.add_number("tolerance", "share", jacobi.tolerance, 1e-12, 0.9,
-                 "share of the emitted power that may stay unshot: the bias");
-  set.add_count("seed", jacobi.seed, "another seed gives another, independent answer");
-}
-
 void PictureSettings::declare(OptionSet& set) {
   set.heading("Picture");
   set.add_point("eye", "x,y,z m", eye, "where the camera stands");

@@ -10,6 +10,7 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/render/render.h"
 #include "luxel/scene/camera.h"
+#include "luxel/solve/sampled.h"
 #include "luxel/solve/stochastic_jacobi.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/tone/tone.h"
@@ -27,8 +28,21 @@ struct SceneSettings {
 };
 
 struct LightSettings {
-  StochasticJacobiOptions jacobi;
+  static constexpr const char* by_sampling = "sampled";
+  static constexpr const char* by_shooting = "shooting";
+  std::string method = by_sampling;
+  SampledOptions sampled;
+  StochasticJacobiOptions shooting;
+  // Throws UsageError where nothing would end the run.
+  void check() const;
   void declare(OptionSet& set);
+  // Apart from the others: it does not change the light, so it stands with how a run is run.
+  void declare_memory(OptionSet& set);
+
+ private:
+  void declare_sampled(OptionSet& set);
+  void declare_variance_reduction(OptionSet& set);
+  void declare_shooting(OptionSet& set);
 };
 
 struct PictureSettings {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace luxel {
+
+// Numbers with units as a person types them, and back: what as_... prints, the other reads to the same
+// number. Nothing where the text is none.
+
+// "1%" or "0.01": 0 to below 1. A bare 1, which could be either, is none.
+std::optional<double> parse_share(const std::string& text);
+std::string as_share(double share);
+
+// "30s", "5min", "2h", "30" (seconds): above 0, in seconds.
+std::optional<double> parse_duration(const std::string& text);
+std::string as_duration(double seconds);
+
+// "512MiB", "4GiB": at least 1 MiB, in bytes.
+std::optional<std::uint64_t> parse_bytes(const std::string& text);
+std::string as_bytes(std::uint64_t bytes);
+
+}  // namespace luxel
