@@ -1,4 +1,7 @@
 # Rooms whose light is known patch by patch, and what is measured against them.
-add_library(luxel_known_rooms STATIC support/point_factor.cpp support/dense_truth.cpp support/known_rooms.cpp)
-target_link_libraries(luxel_known_rooms PRIVATE luxel_flags PUBLIC luxel_truth_scenes luxel_patch luxel_parallel)
+add_library(luxel_known_rooms STATIC support/point_factor.cpp support/dense_truth.cpp support/known_rooms.cpp
+                                     support/error_bars.cpp)
+target_link_libraries(luxel_known_rooms PRIVATE luxel_flags PUBLIC luxel_truth_scenes luxel_solution luxel_patch
+                                                                   luxel_parallel)
 luxel_test(truth/dense_truth ROOMS patch LIBRARIES luxel_known_rooms)
+luxel_test(statistics/error_judge ROOMS solution LIBRARIES luxel_known_rooms)
