@@ -22,10 +22,16 @@ class PatchEmitter {
 
   // u: four numbers uniform in [0, 1).
   Ray ray(const std::array<float, 4>& u) const {
-    const auto b = uniform_triangle(u[0], u[1]);
-    const auto direction = frame_.to_world(cosine_hemisphere(u[2], u[3]));
-    return {base_ + b.x * edge_b_ + b.y * edge_c_, direction};
+    return {point(u[0], u[1]), frame_.to_world(cosine_hemisphere(u[2], u[3]))};
   }
+  // The origin of such a ray alone.
+  Vec3 point(float u1, float u2) const {
+    const auto b = uniform_triangle(u1, u2);
+    return base_ + b.x * edge_b_ + b.y * edge_c_;
+  }
+  // What the origins fill, and where they look.
+  std::array<Vec3, 3> corners() const { return {base_, base_ + edge_b_, base_ + edge_c_}; }
+  const Vec3& normal() const { return frame_.n; }
 
  private:
   Vec3 base_, edge_b_, edge_c_;  // corners drawn in and lifted

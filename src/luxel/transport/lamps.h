@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// A triangle that shines from its front, evenly and by Lambert's law.
+struct LampTriangle {
+  std::array<Vec3, 3> corner;  // m, counter-clockwise seen from the front
+  Vec3d normal;                // unit, front
+  double area = 0.0;           // m²
+  double longest_edge = 0.0;   // m
+  double weight = 0.0;         // radiance summed over bands, W/(m² sr)
+};
+
+// The lamps of a scene as they were before they were cut into patches. Read-only after it was made; memory
+// about 150 bytes a triangle.
+class Lamps {
+ public:
+  // Joins the patches of each emitting input triangle; where they do not fill a triangle they stay apart.
+  explicit Lamps(const PatchSet& patches);
+
+  std::span<const LampTriangle> triangles() const { return triangles_; }
+  std::size_t size() const { return triangles_.size(); }
+  std::size_t bands() const { return bands_; }
+  // Of one triangle's front, W/(m² sr), [band].
+  std::span<const float> radiance(std::size_t triangle) const {
+    return std::span(radiance_).subspan(triangle * bands_, bands_);
+  }
+  // Whether all shine in one colour: radiance = weight * colour, [band], but for the rounding of floats.
+  bool one_colour() const { return one_colour_; }
+  std::span<const double> colour() const { return colour_; }
+
+ private:
+  void add(const std::array<Vec3, 3>& corner, const BandMaterial& material);
+
+  std::vector<LampTriangle> triangles_;
+  std::size_t bands_ = 0;
+  std::vector<float> radiance_;  // [triangle][band]
+  bool one_colour_ = true;
+  std::vector<double> colour_;  // of the first lamp, sums to 1
+};
+
+}  // namespace luxel

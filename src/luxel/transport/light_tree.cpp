@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/transport/light_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "luxel/math/trig.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t bins = 16;
+constexpr float least_cosine = 0.05f;  // a lamp at the rim is asked seldom, not never: bounded weights
+
+// What a split is judged by, additive over lamps.
+struct Cluster {
+  Bounds bounds;
+  Vec3d normals{0.0};  // sum, weighted by power
+  double power = 0.0;
+
+  void add(const LampTriangle& lamp) {
+    for (const auto& v : lamp.corner) bounds.add(v);
+    const auto p = lamp.area * lamp.weight;
+    normals += p * lamp.normal;
+    power += p;
+  }
+  void add(const Cluster& other) {
+    if (other.bounds.empty()) return;
+    bounds.add(other.bounds.low);
+    bounds.add(other.bounds.high);
+    normals += other.normals;
+    power += other.power;
+  }
+  // Surface area orientation heuristic (Conty Estevez and Kulla 2018, equation 1), the spread of normals
+  // taken from the length of their mean.
+  double cost() const {
+    if (bounds.empty()) return 0.0;
+    const auto d = Vec3d(bounds.size());
+    const auto surface = d.x * d.y + d.y * d.z + d.z * d.x;
+    const auto spread = arc_cosine(2.0 * glm::length(normals) / power - 1.0);
+    const auto whole = std::min(spread + std::numbers::pi / 2.0, std::numbers::pi);
+    const auto [s, c] = sin_cos(spread);
+    const auto measure = 2.0 * std::numbers::pi * (1.0 - c) +
+                         std::numbers::pi / 2.0 *
+                             (2.0 * whole * s - sin_cos(spread - 2.0 * whole).cosine - 2.0 * spread * s + c);
+    return power * surface * measure;
+  }
+};
+
+Vec3 centre_of(const LampTriangle& lamp) { return (lamp.corner[0] + lamp.corner[1] + lamp.corner[2]) / 3.0f; }
+
+struct Split {
+  int axis = -1;
+  float at = 0.0f;
+};
+
+// The cheapest of the splits between bins along the three axes; axis -1 where all centres coincide.
+Split best_split(std::span<const LampTriangle> lamps, const std::uint32_t* begin, const std::uint32_t* end) {
+  Bounds centres;
+  for (auto i = begin; i != end; ++i) centres.add(centre_of(lamps[*i]));
+  const auto size = centres.size();
+  Split best;
+  auto least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(size[axis] > 0.0f)) continue;
+    std::array<Cluster, bins> cluster;
+    for (auto i = begin; i != end; ++i) {
+      const auto share = (centre_of(lamps[*i])[axis] - centres.low[axis]) / size[axis];
+      cluster[std::min(bins - 1, static_cast<std::size_t>(share * static_cast<float>(bins)))].add(lamps[*i]);
+    }
+    std::array<double, bins> right{};
+    Cluster sum;
+    for (auto k = bins - 1; k > 0; --k) {
+      sum.add(cluster[k]);
+      right[k] = sum.cost();
+    }
+    sum = {};
+    for (std::size_t k = 1; k < bins; ++k) {
+      sum.add(cluster[k - 1]);
+      // Long thin boxes are cut across.
+      const auto stretch = static_cast<double>(std::max({size.x, size.y, size.z}) / size[axis]);
+      const auto cost = stretch * (sum.cost() + right[k]);
+      if (cost < least) {
+        least = cost;
+        best = {axis, centres.low[axis] + size[axis] * static_cast<float>(k) / static_cast<float>(bins)};
+      }
+    }
+  }
+  return best;
+}
+
+// The cosine of max(0, a - b) from sines and cosines.
+float cosine_of_less(float sine_a, float cosine_a, float sine_b, float cosine_b) {
+  return cosine_a >= cosine_b ? 1.0f : cosine_a * cosine_b + sine_a * sine_b;
+}
+float sine_of_less(float sine_a, float cosine_a, float sine_b, float cosine_b) {
+  return cosine_a >= cosine_b ? 0.0f : sine_a * cosine_b - cosine_a * sine_b;
+}
+float sine_of(float cosine) { return std::sqrt(std::max(0.0f, 1.0f - cosine * cosine)); }
+
+}  // namespace
+
+LightTree::LightTree(const Lamps& lamps) {
+  if (lamps.size() == 0) return;
+  std::vector<std::uint32_t> order(lamps.size());
+  std::iota(order.begin(), order.end(), 0u);
+  nodes_.reserve(2 * lamps.size());
+  nodes_.emplace_back();
+  build(0, lamps, order.data(), order.data() + order.size());
+}
+
+void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* begin, std::uint32_t* end) {
+  const auto triangles = lamps.triangles();
+  Cluster all;
+  for (auto i = begin; i != end; ++i) all.add(triangles[*i]);
+  Node made;
+  made.centre = all.bounds.center();
+  made.power = static_cast<float>(all.power);
+  const auto length = glm::length(all.normals);
+  made.axis = length > 1e-6 * all.power ? Vec3(all.normals / length) : Vec3(0, 0, 1);
+  made.spread = 1.0f;
+  for (auto i = begin; i != end; ++i) {
+    for (const auto& v : triangles[*i].corner)
+      made.radius = std::max(made.radius, glm::distance(v, made.centre));
+    made.spread = std::min(made.spread, glm::dot(made.axis, Vec3(triangles[*i].normal)));
+  }
+  made.spread_sine = sine_of(made.spread);
+  made.leaf = end - begin == 1;
+  made.next = made.leaf ? *begin : static_cast<std::uint32_t>(nodes_.size());
+  nodes_[node] = made;
+  if (made.leaf) return;
+  nodes_.resize(nodes_.size() + 2);
+  const auto split = best_split(triangles, begin, end);
+  auto* middle = split.axis < 0 ? begin : std::stable_partition(begin, end, [&](std::uint32_t i) {
+    return centre_of(triangles[i])[split.axis] < split.at;
+  });
+  if (middle == begin || middle == end) middle = begin + (end - begin) / 2;
+  build(made.next, lamps, begin, middle);
+  build(made.next + 1, lamps, middle, end);
+}
+
+// Power times a bound of both cosines over the node's sphere, over the squared distance.
+float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n) {
+  const auto to = node.centre - x;
+  const auto distance2 = glm::dot(to, to);
+  const auto radius2 = node.radius * node.radius;
+  const auto near2 = std::max(distance2, radius2);
+  if (distance2 <= radius2) return node.power / near2;
+  const auto direction = to / std::sqrt(distance2);
+  const auto sphere_sine = std::sqrt(radius2 / distance2);
+  const auto sphere_cosine = sine_of(sphere_sine);
+  // At x.
+  auto here = glm::dot(n, direction);
+  here = cosine_of_less(sine_of(here), here, sphere_sine, sphere_cosine);
+  // At the lamps: away from their axis, less the spread, less the sphere.
+  const auto away = -glm::dot(node.axis, direction);
+  const auto away_sine = sine_of(away);
+  const auto less = cosine_of_less(away_sine, away, node.spread_sine, node.spread);
+  const auto less_sine = sine_of_less(away_sine, away, node.spread_sine, node.spread);
+  const auto there = cosine_of_less(less_sine, less, sphere_sine, sphere_cosine);
+  if (here < -1e-4f || there < -1e-4f) return 0.0f;
+  return node.power * std::max(here, least_cosine) * std::max(there, least_cosine) / near2;
+}
+
+LampChoice LightTree::choose(const Vec3& x, const Vec3& n, double u) const {
+  LampChoice choice;
+  if (nodes_.empty()) return choice;
+  const auto* node = &nodes_[0];
+  double probability = 1.0;
+  while (!node->leaf) {
+    const auto* left = &nodes_[node->next];
+    const auto a = static_cast<double>(importance(left[0], x, n));
+    const auto b = static_cast<double>(importance(left[1], x, n));
+    if (!(a + b > 0.0)) return choice;
+    const auto share = a / (a + b);
+    const bool first = u < share;
+    node = first ? left : left + 1;
+    probability *= first ? share : 1.0 - share;
+    u = first ? u / share : (u - share) / (1.0 - share);
+    u = std::min(u, 0x1.fffffffffffffp-1);
+  }
+  return {node->next, probability, u};
+}
+
+}  // namespace luxel

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/transport/lit_side.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "luxel/transport/polygon_irradiance.h"
+
+namespace luxel {
+namespace {
+
+constexpr double one_point_error = 1e-3;  // relative, of the centroid rule, that is let pass
+constexpr double split_error = 0.01;      // difference of the rules of one and of three points that splits
+constexpr int deepest = 7;                // halvings of the edges
+
+using Corners = std::array<Vec3d, 3>;
+
+bool may_light(const LampTriangle& lamp, const Corners& corners, const Vec3d& n) {
+  const auto above = std::max({glm::dot(n, Vec3d(lamp.corner[0]) - corners[0]),
+                               glm::dot(n, Vec3d(lamp.corner[1]) - corners[0]),
+                               glm::dot(n, Vec3d(lamp.corner[2]) - corners[0])});
+  const auto a = Vec3d(lamp.corner[0]);
+  const auto before = std::max({glm::dot(lamp.normal, corners[0] - a), glm::dot(lamp.normal, corners[1] - a),
+                                glm::dot(lamp.normal, corners[2] - a)});
+  return above > 0.0 && before > 0.0;
+}
+
+// Whether the irradiance of this lamp varies so little over a patch of this radius that its centroid will do:
+// half the second derivative of 1/d² (and of two cosines), times the second moment of a triangle, radius² / 8
+// an axis.
+bool centroid_will_do(const LampTriangle& lamp, const Vec3d& centroid, double radius) {
+  const auto to = (Vec3d(lamp.corner[0]) + Vec3d(lamp.corner[1]) + Vec3d(lamp.corner[2])) / 3.0 - centroid;
+  const auto distance = glm::length(to) - 0.6 * lamp.longest_edge;
+  const auto height = -glm::dot(lamp.normal, to);  // where the lamp's plane cuts the patch there is a kink
+  return distance > 0.0 && 0.5 * radius * radius <= one_point_error * distance * distance && height > radius;
+}
+
+// The mean over a triangle of the irradiance of the near lamps, by splitting it where rules of one and of
+// three points disagree.
+class NearMean {
+ public:
+  NearMean(const Lamps& lamps, std::vector<SideLamp>& near, const Vec3d& n, double total)
+      : lamps_(lamps), near_(near), n_(n), total_(total), at_(3 * near.size()) {}
+
+  void add(const Corners& t, double share, double at_centroid, int depth) {
+    const auto centroid = (t[0] + t[1] + t[2]) / 3.0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) sum += evaluate(0.5 * (centroid + t[k]), k);
+    if (depth == deepest || std::fabs(sum / 3.0 - at_centroid) * std::sqrt(share) <=
+                                split_error * std::max(total_, sum / 3.0 * share)) {
+      for (std::size_t i = 0; i < near_.size(); ++i)
+        near_[i].irradiance += share * (at_[3 * i] + at_[3 * i + 1] + at_[3 * i + 2]) / 3.0;
+      return;
+    }
+    const Vec3d ab = 0.5 * (t[0] + t[1]);
+    const Vec3d bc = 0.5 * (t[1] + t[2]);
+    const Vec3d ca = 0.5 * (t[2] + t[0]);
+    for (const auto& child : {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}})
+      add(child, share / 4.0, evaluate((child[0] + child[1] + child[2]) / 3.0, 0), depth + 1);
+    add({bc, ca, ab}, share / 4.0, at_centroid, depth + 1);
+  }
+
+ private:
+  // Sum over the near lamps; each one's own is kept in column k.
+  double evaluate(const Vec3d& x, std::size_t k) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+      const auto& lamp = lamps_.triangles()[near_[i].lamp];
+      at_[3 * i + k] = unit_irradiance(lamp, x, n_);
+      sum += lamp.weight * at_[3 * i + k];
+    }
+    return sum;
+  }
+
+  const Lamps& lamps_;
+  std::vector<SideLamp>& near_;
+  Vec3d n_;
+  double total_;
+  std::vector<double> at_;  // [lamp][point]
+};
+
+}  // namespace
+
+void find_side_lamps(const Lamps& lamps, const std::array<Vec3, 3>& corners_in, const Vec3& normal, bool mean,
+                     std::vector<SideLamp>& found) {
+  found.clear();
+  const Corners corners = {Vec3d(corners_in[0]), Vec3d(corners_in[1]), Vec3d(corners_in[2])};
+  const auto n = Vec3d(normal);
+  const auto centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const auto radius = std::max({glm::length(corners[0] - centroid), glm::length(corners[1] - centroid),
+                                glm::length(corners[2] - centroid)});
+  std::vector<SideLamp> near;
+  double total = 0.0;
+  double near_total = 0.0;
+  for (std::uint32_t i = 0; i < lamps.size(); ++i) {
+    const auto& lamp = lamps.triangles()[i];
+    if (!may_light(lamp, corners, n)) continue;
+    const auto irradiance = unit_irradiance(lamp, centroid, n);
+    total += lamp.weight * irradiance;
+    if (!mean || centroid_will_do(lamp, centroid, radius)) {
+      found.push_back({i, irradiance});
+    } else {
+      near_total += lamp.weight * irradiance;
+      near.push_back({i, 0.0});
+    }
+  }
+  if (near.empty()) return;
+  NearMean(lamps, near, n, total).add(corners, 1.0, near_total, 0);
+  found.insert(found.end(), near.begin(), near.end());
+}
+
+}  // namespace luxel
