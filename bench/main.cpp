@@ -1,154 +1,111 @@
 // SPDX-License-Identifier: Apache-2.0
-// luxel-bench [OUT.json]: how fast, as ratios measured in one run. ./dev bench runs it.
-#include <cmath>
+// luxel-bench [OUT.json] [SECTION...]: how fast and how accurate. ./dev bench runs it.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "luxel/patch/make_patches.h"
-
-#include "bench/rooms.h"
-#include "bench/same_rays.h"
+#include "bench/sections.h"
 #include "bench/timing.h"
 
 namespace luxel::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
+struct Section {
+  const char* word;
+  const char* key;  // in the JSON file
+  Json (*measure)(const Settings&);
+};
 
-SolveReport solve(const PatchSet& patches, const Tracer& tracer, std::uint64_t rays, const Workers& workers) {
-  Solution solution;
-  return solve_stochastic_jacobi(patches, tracer, solution, {.rays = rays, .tolerance = 1e-3}, workers);
-}
+constexpr Section sections[] = {
+    {"limit", "solve_over_embree", against_embree},
+    {"polygons", "time_against_polygons", against_polygons},
+    {"lamps", "lamp_of_128_over_lamp_of_2", against_lamps},
+    {"threads", "thread_scaling", against_threads},
+    {"error", "error_against_time", error_against_time},
+    {"variance", "variance_reduction", variance_reduction},
+    {"patches", "cost_per_patch", cost_per_patch},
+    {"order", "ray_order", ray_order},
+    {"light", "time_to_first_light", time_to_first_light},
+};
 
-// (a) The limit of the solver is Embree on the very same rays; the ratio says how near it comes.
-Json against_embree() {
-  fmt::print(
-      "\n(a) whole solve against Embree alone on the very same rays (1 is the limit; at least 0.7 is "
-      "asked)\n");
-  fmt::print("{:>10} {:>8} {:>14} {:>14} {:>8} {:>17}\n", "patches", "threads", "solve Mray/s",
-             "Embree Mray/s", "ratio", "(low to high)");
-  Json rows = Json::array();
-  for (const float edge : {1.0f, 0.1f})
-    for (const int threads : {1, static_cast<int>(std::thread::hardware_concurrency())}) {
-      const Workers workers(threads);
-      const auto patches = make_patches(furnished_room(100), {.max_edge = edge});
-      const Tracer tracer(patches, workers);
-      const StochasticJacobiOptions options{.rays = std::max<std::uint64_t>(1'500'000, 80 * patches.size()),
-                                            .tolerance = 1e-3};
-      const auto rays = rays_of_solve(patches, tracer, options, workers);
-      const BareEmbree embree(patches);
-      std::uint64_t hits = 0;
-      std::uint64_t solved_rays = 0;
-      double embree_time = 0.0;
-      const auto ratio = paired(
-          3, [&] { embree_time = seconds([&] { hits = embree.trace(rays, workers); }); },
-          [&] { solved_rays = solve(patches, tracer, options.rays, workers).rays; });
-      if (solved_rays != rays.size() || hits == 0)
-        throw std::runtime_error("the two sides do not trace the same rays");
-      const auto embree_speed = 1e-6 * static_cast<double>(rays.size()) / embree_time;
-      fmt::print("{:>10} {:>8} {:>14.2f} {:>14.2f} {:>8.2f} {:>8.2f} to {:.2f}\n", patches.size(), threads,
-                 embree_speed * ratio.median, embree_speed, ratio.median, ratio.low, ratio.high);
-      rows.push_back({{"patches", patches.size()},
-                      {"threads", threads},
-                      {"rays", rays.size()},
-                      {"embree_mray_per_s", embree_speed},
-                      {"ratio", ratio.median},
-                      {"ratio_low", ratio.low},
-                      {"ratio_high", ratio.high}});
-    }
-  return rows;
-}
+constexpr auto usage =
+    "usage: luxel-bench [OUT.json] [--small] [SECTION...]\n"
+    "Prints tables and keeps them in OUT.json; with sections named, what OUT.json has of others stays.\n"
+    "Converged references are kept in the folder references beside OUT.json; remove it to have them anew.\n"
+    "  --small   tiny sizes, to see that it works: the numbers mean nothing\n"
+    "sections:";
 
-// (b) The document's chart: at a fixed number of rays the time grows like the logarithm of the number of
-// polygons.
-Json against_polygons() {
-  fmt::print("\n(b) time against polygons at a fixed number of rays (grows like the logarithm)\n");
-  fmt::print("{:>10} {:>12} {:>12} {:>16}\n", "polygons", "ns a ray", "to first", "to log(polygons)");
-  const Workers workers;
-  Json rows = Json::array();
-  double first = 0.0;
-  double first_log = 0.0;
-  for (const int boxes : {10, 100, 1'000, 10'000, 100'000}) {
-    const auto patches = make_patches(furnished_room(boxes), {.max_edge = no_max_edge});
-    const Tracer tracer(patches, workers);
-    std::uint64_t rays = 0;
-    constexpr std::uint64_t asked = 4'000'000;
-    std::vector<double> times;
-    for (int i = 0; i < 3; ++i)
-      times.push_back(seconds([&] { rays = solve(patches, tracer, asked, workers).rays; }));
-    const auto time = median(times);
-    const auto cost = 1e9 * time / static_cast<double>(rays);
-    const auto logarithm = std::log(static_cast<double>(patches.size()));
-    if (first == 0.0) {
-      first = cost;
-      first_log = logarithm;
-    }
-    fmt::print("{:>10} {:>12.0f} {:>12.2f} {:>16.2f}\n", patches.size(), cost, cost / first,
-               cost / first / (logarithm / first_log));
-    rows.push_back(
-        {{"polygons", patches.size()}, {"nanoseconds_a_ray", cost}, {"ratio_to_first", cost / first}});
+struct Order {
+  std::string file;
+  std::vector<std::string> words;
+  Settings settings;
+  bool wrong = false;
+};
+
+Order order_of(const std::vector<std::string>& arguments) {
+  Order order;
+  for (const auto& word : arguments) {
+    const auto is_section =
+        std::any_of(std::begin(sections), std::end(sections), [&](const auto& s) { return s.word == word; });
+    if (word == "--small")
+      order.settings.small = true;
+    else if (is_section)
+      order.words.push_back(word);
+    else if (order.file.empty() && word.ends_with(".json"))
+      order.file = word;
+    else
+      order.wrong = true;
   }
-  return rows;
+  if (!order.file.empty())
+    order.settings.references = std::filesystem::path(order.file).parent_path() / "references";
+  return order;
 }
 
-// (c) The document's other chart: the number of lamps does not matter, for rays go by power.
-Json against_lamps() {
-  fmt::print(
-      "\n(c) a lamp of 128 triangles against a lamp of 2 of the same power (1 is asked, within noise)\n");
-  const Workers workers;
-  const auto two = make_patches(furnished_room(200, 2), {.max_edge = no_max_edge});
-  const auto many = make_patches(furnished_room(200, 128), {.max_edge = no_max_edge});
-  const Tracer tracer_two(two, workers);
-  const Tracer tracer_many(many, workers);
-  const auto ratio = paired(
-      7, [&] { solve(many, tracer_many, 1'000'000, workers); },
-      [&] { solve(two, tracer_two, 1'000'000, workers); });
-  fmt::print("ratio {:.3f} ({:.3f} to {:.3f})\n", ratio.median, ratio.low, ratio.high);
-  return {{"ratio", ratio.median}, {"ratio_low", ratio.low}, {"ratio_high", ratio.high}};
+Json kept_before(const Order& order) {
+  std::ifstream file(order.file);
+  return order.words.empty() || !file ? Json::object() : Json::parse(file);
 }
 
-// (d) Threads.
-Json against_threads() {
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  fmt::print("\n(d) speed-up over one thread, {} cores\n", cores);
-  const auto patches = make_patches(furnished_room(200), {.max_edge = 0.05f});
-  Json rows = Json::array();
-  const Workers one(1);
-  const Tracer tracer(patches, one);
-  for (int threads = 1; threads <= 2 * cores; threads *= 2) {
-    const Workers workers(threads);
-    const auto ratio = paired(
-        3, [&] { solve(patches, tracer, 1'000'000, one); },
-        [&] { solve(patches, tracer, 1'000'000, workers); });
-    fmt::print("{:>3} threads: {:.2f} ({:.2f} to {:.2f})\n", threads, ratio.median, ratio.low, ratio.high);
-    rows.push_back({{"threads", threads}, {"speed_up", ratio.median}});
+void keep(const std::string& name, const Json& result) {
+  std::ofstream file(name);
+  file << result.dump(2) << "\n";
+  if (!file.flush()) throw std::runtime_error("cannot write " + name);
+}
+
+void measure(const Order& order) {
+  auto result = kept_before(order);
+  result["cores"] = std::thread::hardware_concurrency();
+  for (const auto& [word, key, section] : sections) {
+    const auto is_wanted =
+        order.words.empty() || std::find(order.words.begin(), order.words.end(), word) != order.words.end();
+    if (!is_wanted) continue;
+    const auto time = seconds([&, key = key, section = section] { result[key] = section(order.settings); });
+    fmt::print("({:.0f} s)\n", time);
+    if (!order.file.empty()) keep(order.file, result);
   }
-  return rows;
+  if (!order.file.empty()) fmt::print("\nkept in {}\n", order.file);
 }
 
 }  // namespace
 }  // namespace luxel::bench
 
-int main(int argc, char** argv) {
+int main(int count, char** words) {
   using namespace luxel::bench;
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // rows appear as they are measured, in a pipe too
+  const auto order = order_of({words + 1, words + std::max(count, 1)});
+  if (order.wrong) {
+    fmt::print(stderr, "{}", usage);
+    for (const auto& section : sections) fmt::print(stderr, " {}", section.word);
+    fmt::print(stderr, "\n");
+    return 2;
+  }
   try {
-    nlohmann::ordered_json result;
-    result["cores"] = std::thread::hardware_concurrency();
-    result["a_solve_over_embree"] = against_embree();
-    result["b_time_against_polygons"] = against_polygons();
-    result["c_lamp_of_128_over_lamp_of_2"] = against_lamps();
-    result["d_thread_scaling"] = against_threads();
-    if (argc > 1) {
-      std::ofstream file(argv[1]);
-      file << result.dump(2) << "\n";
-      if (!file.flush()) throw std::runtime_error(std::string("cannot write ") + argv[1]);
-      fmt::print("\nkept in {}\n", argv[1]);
-    }
+    measure(order);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "luxel-bench: {}\n", error.what());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 namespace luxel::bench {
@@ -12,6 +13,24 @@ double seconds(Body body) {
   const auto begin = std::chrono::steady_clock::now();
   body();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// What the whole process has used so far, all threads together.
+inline double cpu_clock() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Cost {
+  double cpu = 0.0;   // s, all threads together
+  double wall = 0.0;  // s
+};
+template <typename Body>
+Cost cost(Body body) {
+  const auto begin = cpu_clock();
+  const auto wall = seconds(body);
+  return {cpu_clock() - begin, wall};
 }
 
 inline double median(std::vector<double> values) {

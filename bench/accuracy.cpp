@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/solution/solution_layout.h"
+
+#include "bench/timing.h"
+
+namespace luxel::bench {
+namespace {
+
+// Sums over both sides of every patch and all bands.
+struct Comparison {
+  double square = 0.0, reference_square = 0.0;  // A (H - H*)², A H*²
+  double shift = 0.0, reference = 0.0;          // A (H - H*), A H*
+  double relative_shift = 0.0, lit_area = 0.0;  // A (H - H*) / H*, A where H* > 0
+
+  void add(const PatchSet& patches, const std::vector<float>& values, const std::vector<float>& truth) {
+    const auto bands = patches.band_count();
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const double area = patches.area[i / bands];
+      const double h = truth[i];
+      const double off = values[i] - h;
+      square += area * off * off;
+      reference_square += area * h * h;
+      shift += area * off;
+      reference += area * h;
+      if (h <= 0.0) continue;
+      relative_shift += area * off / h;
+      lit_area += area;
+    }
+  }
+};
+
+Comparison compare(const PatchSet& patches, const Solution& solution, const Reference& reference) {
+  Comparison sums;
+  sums.add(patches, solution.irradiance_front, reference.front);
+  sums.add(patches, solution.irradiance_back, reference.back);
+  return sums;
+}
+
+double squared(double x) { return x * x; }
+
+}  // namespace
+
+Stage::Stage(std::string the_name, const Scene& scene, const Workers& workers)
+    : name(std::move(the_name)),
+      patches(make_patches(scene, {.max_edge = no_max_edge})),
+      tracer(patches, workers) {}
+
+Run run(const Stage& stage, const Reference& reference, std::string setting, const Solver& solver) {
+  constexpr int most = 4;              // solves that are averaged
+  constexpr double long_enough = 0.5;  // s of processor time, all together
+  Run result;
+  result.setting = std::move(setting);
+  double difference = 0.0;
+  double predicted = 0.0;
+  int count = 0;
+  while (count < most && (count == 0 || result.cpu_seconds < long_enough)) {
+    ++count;
+    Solution solution;
+    SolveReport report;
+    const auto time = cost([&] { report = solver(solution, static_cast<std::uint64_t>(count)); });
+    const auto sums = compare(stage.patches, solution, reference);
+    difference += sums.square / sums.reference_square;
+    predicted += squared(report.predicted_error);
+    result.cpu_seconds += time.cpu;
+    result.wall_seconds += time.wall;
+    result.rays += report.rays;
+    result.bias += sums.relative_shift / sums.lit_area;
+    result.power_bias += sums.shift / sums.reference;
+    result.stop = report.stop;
+  }
+  result.cpu_seconds /= count;
+  result.wall_seconds /= count;
+  result.rays /= static_cast<std::uint64_t>(count);
+  result.bias /= count;
+  result.power_bias /= count;
+  result.difference = std::sqrt(difference / count);
+  result.predicted_error = std::sqrt(predicted / count);
+  result.true_error = std::sqrt(std::max(0.0, squared(result.difference) - squared(reference.error)));
+  return result;
+}
+
+std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, SampledOptions options,
+                              const std::vector<double>& errors, double seconds, const Workers& workers) {
+  std::vector<Run> runs;
+  options.seconds = seconds;
+  for (const auto error : errors) {
+    options.error = error;
+    runs.push_back(run(stage, reference, fmt::format("{:g} % asked for", 100.0 * error),
+                       [&](Solution& solution, std::uint64_t seed) {
+                         options.seed = seed;
+                         return solve_sampled(stage.patches, stage.tracer, solution, options, workers);
+                       }));
+    if (runs.back().stop != StopReason::error_reached) break;
+  }
+  return runs;
+}
+
+std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
+                               const std::vector<double>& rays_per_patch, const Workers& workers) {
+  // The automatic number has a floor, which is far away from here.
+  constexpr double many = 1e6;
+  const auto rays_of_many = static_cast<double>(automatic_rays(stage.patches, many));
+  std::vector<Run> runs;
+  for (const auto count : rays_per_patch)
+    runs.push_back(run(stage, reference, fmt::format("{:g} rays a patch", count),
+                       [&](Solution& solution, std::uint64_t seed) {
+                         const StochasticJacobiOptions options{
+                             .rays = static_cast<std::uint64_t>(rays_of_many * count / many), .seed = seed};
+                         return solve_stochastic_jacobi(stage.patches, stage.tracer, solution, options,
+                                                        workers);
+                       }));
+  return runs;
+}
+
+Price price_of(const std::vector<Run>& runs, double target) {
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+    const auto& a = runs[i];
+    const auto& b = runs[i + 1];
+    if (a.true_error <= target || b.true_error > target || b.true_error <= 0.0) continue;
+    const auto t = std::log(a.true_error / target) / std::log(a.true_error / b.true_error);
+    const auto at = [t](double x, double y) { return x * std::pow(y / x, t); };
+    return {at(a.cpu_seconds, b.cpu_seconds), at(static_cast<double>(a.rays), static_cast<double>(b.rays)),
+            "interpolated"};
+  }
+  const auto& last = runs.back();
+  if (runs.front().true_error <= target)
+    return {runs.front().cpu_seconds, static_cast<double>(runs.front().rays), "at most"};
+  const auto factor = squared(last.true_error / target);
+  return {last.cpu_seconds * factor, static_cast<double>(last.rays) * factor, "extrapolated"};
+}
+
+Json to_json(const Run& run) {
+  std::string stop;
+  for (const auto& [reason, word] : stop_reason_words())
+    if (reason == run.stop) stop = word;
+  return {{"setting", run.setting},
+          {"cpu_seconds", run.cpu_seconds},
+          {"wall_seconds", run.wall_seconds},
+          {"rays", run.rays},
+          {"predicted_error", run.predicted_error},
+          {"true_error", run.true_error},
+          {"difference_to_reference", run.difference},
+          {"bias", run.bias},
+          {"power_bias", run.power_bias},
+          {"stop", stop}};
+}
+
+Json to_json(const Price& price) {
+  return {{"cpu_seconds", price.cpu_seconds}, {"rays", price.rays}, {"how", price.how}};
+}
+
+}  // namespace luxel::bench

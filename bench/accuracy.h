@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "luxel/scene/scene.h"
+#include "luxel/solve/sampled.h"
+#include "luxel/solve/stochastic_jacobi.h"
+
+#include "bench/sections.h"
+
+namespace luxel::bench {
+
+// A scene ready to be solved.
+struct Stage {
+  std::string name;
+  PatchSet patches;
+  Tracer tracer;
+
+  // Triangles as they come.
+  Stage(std::string the_name, const Scene& scene, const Workers& workers);
+};
+
+// The converged irradiance that runs are held against.
+struct Reference {
+  std::vector<float> front, back;  // W/m², [patch][band]
+  double error = 0.0;              // its own standard error, area-weighted relative RMS, as predicted
+  std::uint64_t rays = 0;
+  bool from_file = false;
+};
+
+// By the sampled solver without sharing (which has no bias), with a seed that no run uses, until `error` or
+// for `seconds`. Kept in a file of settings.references named by the scene's fingerprint, so that the next run
+// finds it.
+Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
+                       const Workers& workers);
+
+// One solve, or the mean of a few with different seeds where it is short.
+struct Run {
+  std::string setting;
+  double cpu_seconds = 0.0;  // of the whole call, all threads
+  double wall_seconds = 0.0;
+  std::uint64_t rays = 0;
+  double predicted_error = 0.0;
+  // sqrt(sum A (H - H*)² / sum A H*²) over both sides and all bands, less the reference's own error (in
+  // squares).
+  double true_error = 0.0;
+  double difference = 0.0;  // the same with the reference's error in it
+  double bias = 0.0;        // area-weighted mean of (H - H*) / H* where H* is not zero
+  double power_bias = 0.0;  // sum A (H - H*) / sum A H*
+  StopReason stop = StopReason::nothing_to_do;
+};
+
+using Solver = std::function<SolveReport(Solution& solution, std::uint64_t seed)>;
+Run run(const Stage& stage, const Reference& reference, std::string setting, const Solver& solver);
+
+// The same method with ever finer settings. Sampled: errors asked for, ending early with the first that takes
+// `seconds`. Shooting: rays a patch.
+std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, SampledOptions options,
+                              const std::vector<double>& errors, double seconds, const Workers& workers);
+std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
+                               const std::vector<double>& rays_per_patch, const Workers& workers);
+
+// What a true error of `target` costs: between two runs by interpolation of the logarithms; beyond the last
+// one as 1/sqrt(time) has it ("extrapolated"); no more than the first where that is better already ("at
+// most").
+struct Price {
+  double cpu_seconds = 0.0;
+  double rays = 0.0;
+  std::string how;
+};
+Price price_of(const std::vector<Run>& runs, double target);
+
+Json to_json(const Run& run);
+Json to_json(const Price& price);
+
+}  // namespace luxel::bench

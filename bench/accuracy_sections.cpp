@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an answer of a given accuracy costs: by method, by switch, by number of patches.
+#include <fmt/format.h>
+
+#include "bench/accuracy.h"
+#include "bench/gather_rays.h"
+#include "bench/same_rays.h"
+#include "bench/scenes.h"
+#include "bench/timing.h"
+
+namespace luxel::bench {
+namespace {
+
+constexpr double target = 0.01;
+
+// A scene and how much its reference may cost. The finer the mesh, the coarser the reference that can be had;
+// its error is taken off the runs' in squares.
+struct Subject {
+  std::string name;
+  Scene (*make)(std::size_t triangles);
+  std::size_t triangles;
+  double reference_seconds;
+};
+
+constexpr double reference_error = 0.001;
+
+Stage stage_of(const Subject& subject, const Settings& settings, const Workers& workers) {
+  return {subject.name, subject.make(settings.small ? subject.triangles / 10 : subject.triangles), workers};
+}
+
+Reference reference_of(const Stage& stage, const Subject& subject, const Settings& settings,
+                       const Workers& workers) {
+  return reference_of(stage, settings.small ? 0.005 : reference_error,
+                      settings.small ? 2.0 : subject.reference_seconds, settings, workers);
+}
+
+Scene showpiece_of(std::size_t triangles) {
+  int detail = 1;
+  while (39'884u * static_cast<unsigned>(detail * detail) < triangles) ++detail;
+  return showpiece(detail);
+}
+
+Json head_of(const Stage& stage, const Reference& reference) {
+  return {{"scene", stage.name},
+          {"patches", stage.patches.size()},
+          {"reference_error", reference.error},
+          {"reference_rays", reference.rays}};
+}
+
+void print_runs(const std::string& method, const std::vector<Run>& runs, const Price& price) {
+  fmt::print("{:>18} {:>20} {:>9} {:>9} {:>9} {:>10} {:>9} {:>8} {:>9}\n", method, "", "CPU s", "wall s",
+             "Mrays", "predicted", "true", "bias", "of power");
+  for (const auto& r : runs)
+    fmt::print("{:>18} {:>20} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.3f} % {:>7.3f} % {:>6.2f} % {:>7.3f} %\n", "",
+               r.setting, r.cpu_seconds, r.wall_seconds, 1e-6 * static_cast<double>(r.rays),
+               100.0 * r.predicted_error, 100.0 * r.true_error, 100.0 * r.bias, 100.0 * r.power_bias);
+  fmt::print("{:>18} {:>20} {:>9.3f} {:>9} {:>9.3f} {}\n", "", "to 1 %", price.cpu_seconds, "",
+             1e-6 * price.rays, price.how);
+}
+
+Json method_of(const std::string& name, const std::vector<Run>& runs) {
+  const auto price = price_of(runs, target);
+  print_runs(name, runs, price);
+  Json rows = Json::array();
+  for (const auto& r : runs) rows.push_back(to_json(r));
+  return {{"method", name}, {"runs", rows}, {"to_one_per_cent", to_json(price)}};
+}
+
+// One switch of SampledOptions.
+struct Switch {
+  const char* name;
+  bool SampledOptions::*field;
+};
+constexpr Switch switches[] = {{"low_discrepancy", &SampledOptions::low_discrepancy},
+                               {"stratified", &SampledOptions::stratified},
+                               {"importance", &SampledOptions::importance},
+                               {"control_variate", &SampledOptions::control_variate},
+                               {"multiple_importance", &SampledOptions::multiple_importance},
+                               {"share", &SampledOptions::share}};
+
+}  // namespace
+
+Json error_against_time(const Settings& settings) {
+  const std::vector<Subject> subjects = {
+      {"cornell box, 2,000", cornell_box, 2'000, 10.0},   {"cornell box, 10,000", cornell_box, 10'000, 20.0},
+      {"cornell box, 50,000", cornell_box, 50'000, 40.0}, {"office, 10,000", office, 10'000, 20.0},
+      {"office, 50,000", office, 50'000, 40.0},           {"two rooms, 10,000", two_rooms, 10'000, 20.0},
+      {"showpiece", showpiece_of, 39'884, 40.0}};
+  fmt::print("\nerror: true error against processor time\n");
+  const Workers workers;
+  Json scenes = Json::array();
+  for (const auto& subject : subjects) {
+    const auto stage = stage_of(subject, settings, workers);
+    const auto reference = reference_of(stage, subject, settings, workers);
+    const std::vector<double> errors = {0.08, 0.04, 0.02, 0.01, 0.005};
+    const double longest = settings.small ? 1.0 : 30.0;
+    auto scene = head_of(stage, reference);
+    scene["methods"] = {
+        method_of("sampled", sampled_runs(stage, reference, {}, errors, longest, workers)),
+        method_of("sampled, unshared",
+                  sampled_runs(stage, reference, {.share = false}, errors, longest, workers)),
+        // Its rays are stratified over the patches by systematic sampling and plain random numbers otherwise;
+        // with nothing but plain random numbers it would be a little worse.
+        method_of("shooting", shooting_runs(stage, reference, {25.0, 100.0, 400.0}, workers))};
+    scenes.push_back(scene);
+  }
+  return {{"target", target}, {"scenes", scenes}};
+}
+
+Json variance_reduction(const Settings& settings) {
+  const std::vector<Subject> subjects = {{"cornell box, 10,000", cornell_box, 10'000, 20.0},
+                                         {"office, 10,000", office, 10'000, 20.0},
+                                         {"two rooms, 10,000", two_rooms, 10'000, 20.0}};
+  const std::vector<double> errors = {0.03, 0.015, 0.0075};
+  const double longest = settings.small ? 1.0 : 20.0;
+  fmt::print("\nvariance: cost of 1 % with each switch turned, over the default's\n");
+  const Workers workers;
+  Json scenes = Json::array();
+  for (const auto& subject : subjects) {
+    const auto stage = stage_of(subject, settings, workers);
+    const auto reference = reference_of(stage, subject, settings, workers);
+    const auto price_with = [&](const SampledOptions& options) {
+      return price_of(sampled_runs(stage, reference, options, errors, longest, workers), target);
+    };
+    const auto usual = price_with({});
+    fmt::print("{:>26} {:>10} {:>10} {:>10} {:>10}\n", "", "CPU s", "ratio", "Mrays", "ratio");
+    fmt::print("{:>26} {:>10.3f} {:>10} {:>10.3f} {:>10} {}\n", "default", usual.cpu_seconds, "",
+               1e-6 * usual.rays, "", usual.how);
+    Json rows = Json::array();
+    for (const auto& [name, field] : switches) {
+      SampledOptions options;
+      options.*field = !(options.*field);
+      const auto price = price_with(options);
+      const auto word = fmt::format("{} {}", name, options.*field ? "on" : "off");
+      const auto cpu_ratio = price.cpu_seconds / usual.cpu_seconds;
+      const auto ray_ratio = price.rays / usual.rays;
+      fmt::print("{:>26} {:>10.3f} {:>10.2f} {:>10.3f} {:>10.2f} {}\n", word, price.cpu_seconds, cpu_ratio,
+                 1e-6 * price.rays, ray_ratio, price.how);
+      rows.push_back({{"switch", name},
+                      {"turned", options.*field ? "on" : "off"},
+                      {"to_one_per_cent", to_json(price)},
+                      {"cpu_ratio", cpu_ratio},
+                      {"ray_ratio", ray_ratio}});
+    }
+    auto scene = head_of(stage, reference);
+    scene["default_to_one_per_cent"] = to_json(usual);
+    scene["switches"] = rows;
+    scenes.push_back(scene);
+  }
+  return {{"target", target}, {"scenes", scenes}};
+}
+
+Json cost_per_patch(const Settings& settings) {
+  const std::vector<Subject> subjects = {{"cornell box, 2,000", cornell_box, 2'000, 10.0},
+                                         {"cornell box, 10,000", cornell_box, 10'000, 20.0},
+                                         {"cornell box, 50,000", cornell_box, 50'000, 40.0},
+                                         {"cornell box, 250,000", cornell_box, 250'000, 50.0},
+                                         {"cornell box, 1,000,000", cornell_box, 1'000'000, 80.0}};
+  fmt::print("\npatches: cost of 1 % a patch, and what a ray costs Embree alone there\n");
+  const Workers workers;
+  Json rows = Json::array();
+  for (const auto& subject : subjects) {
+    const auto stage = stage_of(subject, settings, workers);
+    const auto reference = reference_of(stage, subject, settings, workers);
+    const auto runs = sampled_runs(stage, reference, {}, {0.02, 0.008}, settings.small ? 2.0 : 60.0, workers);
+    const auto price = price_of(runs, target);
+    print_runs("sampled", runs, price);
+    const auto rays = gather_rays(stage.patches, RayOrder::coherent, settings.small ? 100'000 : 2'000'000);
+    const BareEmbree embree(stage.patches);
+    const auto kernel = cost([&] { embree.trace(rays, workers); });
+    const auto count = static_cast<double>(stage.patches.size());
+    const auto us_a_patch = 1e6 * price.cpu_seconds / count;
+    const auto ns_a_ray = 1e9 * kernel.cpu / static_cast<double>(rays.size());
+    fmt::print("{:>18} {:.1f} us of processor time a patch; Embree alone {:.0f} ns a coherent ray\n", "",
+               us_a_patch, ns_a_ray);
+    auto row = head_of(stage, reference);
+    row["runs"] = {to_json(runs.front()), to_json(runs.back())};
+    row["to_one_per_cent"] = to_json(price);
+    row["cpu_us_a_patch"] = us_a_patch;
+    row["embree_cpu_ns_a_ray"] = ns_a_ray;
+    rows.push_back(row);
+  }
+  return {{"target", target}, {"rows", rows}};
+}
+
+}  // namespace luxel::bench

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// At a million triangles: what the order of rays is worth, and how soon there is a first picture.
+#include <chrono>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/solve/sampled.h"
+
+#include "bench/gather_rays.h"
+#include "bench/same_rays.h"
+#include "bench/scenes.h"
+#include "bench/sections.h"
+#include "bench/timing.h"
+
+namespace luxel::bench {
+namespace {
+
+struct Large {
+  const char* name;
+  PatchSet patches;
+};
+
+PatchSet as_it_comes(const Scene& scene) { return make_patches(scene, {.max_edge = no_max_edge}); }
+
+std::vector<Large> large_scenes(const Settings& settings) {
+  std::vector<Large> result;
+  result.push_back({"cornell box", as_it_comes(cornell_box(settings.small ? 20'000 : 1'000'000))});
+  result.push_back({"showpiece", as_it_comes(showpiece(settings.small ? 1 : 6))});
+  return result;
+}
+
+// Seconds from before the hierarchy is built until the monitor is handed a first picture.
+struct FirstLight {
+  double hierarchy = 0.0;
+  std::optional<double> light;
+};
+FirstLight first_light(const PatchSet& patches, const Workers& workers) {
+  FirstLight result;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto since = [begin] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const Tracer tracer(patches, workers);
+  result.hierarchy = since();
+  Solution solution;
+  solve_sampled(patches, tracer, solution, {.error = 0.2}, workers, [&](const Progress& progress) {
+    if (!progress.light) return Next::go_on;
+    result.light = since();
+    return Next::stop;
+  });
+  return result;
+}
+
+}  // namespace
+
+Json ray_order(const Settings& settings) {
+  fmt::print("\norder: Embree alone on 16 gather rays a patch, against the same rays shuffled\n");
+  fmt::print("{:>14} {:>10} {:>10} {:>14} {:>14} {:>14}\n", "scene", "patches", "Mrays", "shuffled ns",
+             "by patch", "coherent");
+  const Workers workers;
+  Json rows = Json::array();
+  for (const auto& [name, patches] : large_scenes(settings)) {
+    const std::size_t most = settings.small ? 200'000 : 8'000'000;
+    const BareEmbree embree(patches);
+    const auto coherent = gather_rays(patches, RayOrder::coherent, most);
+    const auto by_patch = gather_rays(patches, RayOrder::by_patch, most);
+    const auto shuffled = gather_rays(patches, RayOrder::shuffled, most);
+    double shuffled_time = 0.0;
+    const auto trace_shuffled = [&] { shuffled_time = seconds([&] { embree.trace(shuffled, workers); }); };
+    const auto coherent_gain = paired(3, trace_shuffled, [&] { embree.trace(coherent, workers); });
+    const auto patch_gain = paired(3, trace_shuffled, [&] { embree.trace(by_patch, workers); });
+    const auto nanoseconds = 1e9 * shuffled_time / static_cast<double>(shuffled.size());
+    fmt::print("{:>14} {:>10} {:>10.2f} {:>14.0f} {:>12.2f} x {:>12.2f} x\n", name, patches.size(),
+               1e-6 * static_cast<double>(shuffled.size()), nanoseconds, patch_gain.median,
+               coherent_gain.median);
+    rows.push_back({{"scene", name},
+                    {"patches", patches.size()},
+                    {"rays", shuffled.size()},
+                    {"shuffled_ns_a_ray", nanoseconds},
+                    {"by_patch_gain", patch_gain.median},
+                    {"coherent_gain", coherent_gain.median},
+                    {"coherent_gain_low", coherent_gain.low},
+                    {"coherent_gain_high", coherent_gain.high}});
+  }
+  return rows;
+}
+
+Json time_to_first_light(const Settings& settings) {
+  fmt::print("\nlight: seconds until a first picture of the whole scene, hierarchy included\n");
+  fmt::print("{:>14} {:>10} {:>12} {:>12}\n", "scene", "patches", "hierarchy", "first light");
+  const Workers workers;
+  auto scenes = large_scenes(settings);
+  scenes.insert(scenes.begin(), {"cornell box", as_it_comes(cornell_box(10'000))});
+  Json rows = Json::array();
+  for (const auto& [name, patches] : scenes) {
+    const auto [hierarchy, light] = first_light(patches, workers);
+    fmt::print("{:>14} {:>10} {:>12.3f} {:>12}\n", name, patches.size(), hierarchy,
+               light ? fmt::format("{:.3f}", *light) : "never");
+    rows.push_back({{"scene", name},
+                    {"patches", patches.size()},
+                    {"hierarchy_seconds", hierarchy},
+                    {"first_light_seconds", light ? Json(*light) : Json()}});
+  }
+  return rows;
+}
+
+}  // namespace luxel::bench

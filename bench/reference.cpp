@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Converged answers, and the files that keep them.
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "bench/accuracy.h"
+
+namespace luxel::bench {
+namespace {
+
+constexpr std::uint64_t reference_seed = 1'000'003;
+
+// The head of a file: the question, then what was reached; both arrays follow, all as the host has them:
+// the file never leaves the machine.
+struct Kept {
+  char magic[8] = {'l', 'u', 'x', 'r', 'e', 'f', '0', '1'};
+  std::uint64_t fingerprint = 0;
+  std::uint64_t values = 0;  // a side
+  std::uint64_t seed = reference_seed;
+  double asked_error = 0.0, asked_seconds = 0.0;
+  double error = 0.0;
+  std::uint64_t rays = 0;
+};
+
+bool same_question(const Kept& a, const Kept& b) {
+  return std::equal(std::begin(a.magic), std::end(a.magic), b.magic) && a.fingerprint == b.fingerprint &&
+         a.values == b.values && a.seed == b.seed && a.asked_error == b.asked_error &&
+         a.asked_seconds == b.asked_seconds;
+}
+
+template <typename Stream>
+bool read(Stream& file, std::vector<float>& values) {
+  return static_cast<bool>(file.read(reinterpret_cast<char*>(values.data()),
+                                     static_cast<std::streamsize>(values.size() * sizeof(float))));
+}
+
+bool find(const std::filesystem::path& path, const Kept& question, Reference& reference) {
+  std::ifstream file(path, std::ios::binary);
+  Kept kept;
+  if (!file.read(reinterpret_cast<char*>(&kept), sizeof kept) || !same_question(kept, question)) return false;
+  reference.front.resize(kept.values);
+  reference.back.resize(kept.values);
+  reference.error = kept.error;
+  reference.rays = kept.rays;
+  reference.from_file = true;
+  return read(file, reference.front) && read(file, reference.back);
+}
+
+void keep(const std::filesystem::path& path, const Kept& kept, const Reference& reference) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(&kept), sizeof kept);
+  for (const auto* values : {&reference.front, &reference.back})
+    file.write(reinterpret_cast<const char*>(values->data()),
+               static_cast<std::streamsize>(values->size() * sizeof(float)));
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+}  // namespace
+
+Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
+                       const Workers& workers) {
+  const auto& patches = stage.patches;
+  Kept question;
+  question.fingerprint = patches.scene_fingerprint;
+  question.values = patches.size() * patches.band_count();
+  question.asked_error = error;
+  question.asked_seconds = seconds;
+  const auto path =
+      settings.references / fmt::format("{:016x}-{}.luxref", patches.scene_fingerprint, patches.size());
+  Reference reference;
+  if (!find(path, question, reference)) {
+    Solution solution;
+    const auto report =
+        solve_sampled(patches, stage.tracer, solution,
+                      {.error = error, .seconds = seconds, .seed = reference_seed, .share = false}, workers);
+    reference = {std::move(solution.irradiance_front), std::move(solution.irradiance_back),
+                 report.predicted_error, report.rays, false};
+    question.error = reference.error;
+    question.rays = reference.rays;
+    keep(path, question, reference);
+  }
+  fmt::print("\n{}: {} patches, reference of {:.2g} % ({})\n", stage.name, patches.size(),
+             100.0 * reference.error, reference.from_file ? "kept from before" : "made now");
+  return reference;
+}
+
+}  // namespace luxel::bench

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+namespace luxel::bench {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::filesystem::path references = "out/references";  // folder that keeps converged answers between runs
+  bool small = false;  // a tenth of the size and less, to see that it works: the numbers mean nothing
+};
+
+// Each section prints a table as it goes and returns the same numbers.
+
+Json against_embree(const Settings& settings);       // the solver against its limit
+Json against_polygons(const Settings& settings);     // time against polygons at a fixed number of rays
+Json against_lamps(const Settings& settings);        // many lamps against one
+Json against_threads(const Settings& settings);      // threads
+Json error_against_time(const Settings& settings);   // each method on each scene
+Json variance_reduction(const Settings& settings);   // each switch of the sampled solver turned
+Json cost_per_patch(const Settings& settings);       // from 2,000 to a million patches
+Json ray_order(const Settings& settings);            // coherent rays against the same rays shuffled
+Json time_to_first_light(const Settings& settings);  // until a first picture is there
+
+}  // namespace luxel::bench
