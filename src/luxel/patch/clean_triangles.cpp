@@ -2,6 +2,7 @@
 #include "luxel/patch/clean_triangles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -26,15 +27,20 @@ bool is_lamp(const Scene& scene, const CleanTriangle& t) {
 std::vector<CleanTriangle> with_area(const Scene& scene, VertexWeld& weld, const LogSink& log) {
   std::vector<CleanTriangle> kept;
   kept.reserve(scene.triangles.size());
+  // The weld is asked once a vertex of the file, not once a corner.
+  constexpr auto unknown = 0xffffffffu;
+  std::vector<std::uint32_t> welded(scene.positions.size(), unknown);
+  const auto weld_corner = [&](std::uint32_t v) {
+    if (welded[v] == unknown) welded[v] = weld.index_of(scene.positions[v]);
+    return welded[v];
+  };
   std::size_t dropped = 0;
   std::uint32_t first = 0;
   for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
     if (!scene.materials[static_cast<std::size_t>(scene.triangle_material[t])].opaque) continue;
     const auto& v = scene.triangles[t];
     if (has_area(scene.positions[v[0]], scene.positions[v[1]], scene.positions[v[2]])) {
-      kept.push_back({{weld.index_of(scene.positions[v[0]]), weld.index_of(scene.positions[v[1]]),
-                       weld.index_of(scene.positions[v[2]])},
-                      t});
+      kept.push_back({{weld_corner(v[0]), weld_corner(v[1]), weld_corner(v[2])}, t});
     } else if (dropped++ == 0) {
       first = t;
     }
@@ -56,11 +62,39 @@ std::array<std::uint32_t, 3> sorted(std::array<std::uint32_t, 3> c) {
   return c;
 }
 
+// The triangles in an order where those on the same three vertices stand together, the one to keep first.
+std::vector<std::uint32_t> by_place(const Scene& scene, const std::vector<CleanTriangle>& triangles,
+                                    std::size_t vertices) {
+  // Counted out by their smallest corner, which leaves short runs to sort.
+  std::vector<std::uint32_t> begin(vertices + 1, 0);
+  const auto smallest = [](const CleanTriangle& t) {
+    return std::min({t.corners[0], t.corners[1], t.corners[2]});
+  };
+  for (const auto& t : triangles) ++begin[smallest(t) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> order(triangles.size());
+  auto next = begin;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) order[next[smallest(triangles[i])]++] = i;
+
+  const auto comes_before = [&](std::uint32_t i, std::uint32_t j) {
+    const auto a = sorted(triangles[i].corners);
+    const auto b = sorted(triangles[j].corners);
+    if (a != b) return a < b;
+    const bool lamp_i = is_lamp(scene, triangles[i]);
+    const bool lamp_j = is_lamp(scene, triangles[j]);
+    return lamp_i != lamp_j ? lamp_i : i < j;
+  };
+  for (std::size_t v = 0; v < vertices; ++v)
+    std::sort(order.begin() + begin[v], order.begin() + begin[v + 1], comes_before);
+  return order;
+}
+
 }  // namespace
 
 bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto longest = std::max({glm::distance(Vec3d(a), Vec3d(b)), glm::distance(Vec3d(b), Vec3d(c)),
-                                 glm::distance(Vec3d(c), Vec3d(a))});
+  const auto length2 = [](const Vec3d& edge) { return glm::dot(edge, edge); };
+  const auto longest = std::sqrt(
+      std::max({length2(Vec3d(b) - Vec3d(a)), length2(Vec3d(c) - Vec3d(b)), length2(Vec3d(a) - Vec3d(c))}));
   const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
   const auto rounding = 0x1p-24 * std::max({largest.x, largest.y, largest.z});
   const auto area2 = glm::length(area_vector2(a, b, c));
@@ -71,17 +105,7 @@ std::vector<CleanTriangle> clean_triangles(const Scene& scene, VertexWeld& weld,
   auto triangles = with_area(scene, weld, log);
 
   // Piles of triangles on the same three vertices, the one to keep first in each.
-  std::vector<std::uint32_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    const auto a = sorted(triangles[i].corners);
-    const auto b = sorted(triangles[j].corners);
-    if (a != b) return a < b;
-    const bool lamp_i = is_lamp(scene, triangles[i]);
-    const bool lamp_j = is_lamp(scene, triangles[j]);
-    return lamp_i != lamp_j ? lamp_i : i < j;
-  });
-
+  const auto order = by_place(scene, triangles, weld.positions().size());
   std::vector<bool> drop(triangles.size(), false);
   std::size_t dropped = 0;
   auto first = static_cast<std::uint32_t>(scene.triangles.size());

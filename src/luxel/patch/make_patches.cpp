@@ -150,6 +150,14 @@ class TwoSidedTwins {
   std::map<std::size_t, MaterialId> twin_;
 };
 
+void reserve(PatchSet& patches, std::size_t count) {
+  patches.corners.reserve(count);
+  patches.normal.reserve(count);
+  patches.area.reserve(count);
+  patches.material.reserve(count);
+  patches.triangle.reserve(count);
+}
+
 // The edge to split to, or 0 for none; refuses one that would fill the memory.
 double chosen_edge(const Scene& scene, const PatchOptions& options) {
   if (options.max_edge == automatic_edge) return automatic_max_edge(scene, options.target_count);
@@ -186,6 +194,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
     throw InputError(scene.source,
                      "expected at least one triangle with area, found none: there is nothing to light");
 
+  reserve(patches, triangles.size());
   TwoSidedTwins twins(patches);
   Splitter splitter(patches, weld, options, chosen_edge(scene, options));
   for (const auto& t : triangles) {
