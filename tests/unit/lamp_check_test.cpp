@@ -28,7 +28,7 @@ std::string fault_of(const Scene& scene) {
   const auto patches = make_patches(scene, {.max_edge = no_max_edge});
   const Workers workers(1);
   const Tracer tracer(patches, workers);
-  const auto views = view_from_lamps(patches, tracer);
+  const auto views = view_from_lamps(patches, tracer, workers);
   EXPECT_EQ(views.size(), 1u);
   return lamp_fault(patches, views.at(0));
 }
@@ -52,7 +52,7 @@ TEST(LampCheck, the_power_of_a_lamp_is_its_area_times_its_emittance) {
   const auto patches = make_patches(room_with_lamp(0.9f, true), {.max_edge = 0.05f});
   const Workers workers(1);
   const Tracer tracer(patches, workers);
-  const auto views = view_from_lamps(patches, tracer);
+  const auto views = view_from_lamps(patches, tracer, workers);
   ASSERT_EQ(views.size(), 1u);
   EXPECT_NEAR(views[0].power[1], 0.04, 1e-6);
   EXPECT_EQ(views[0].front.escaped, 0.0);

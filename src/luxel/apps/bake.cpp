@@ -46,7 +46,8 @@ class Bake final : public Command {
 
     // 2. Who sees whom, and what the lamps see.
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
-    const auto views = record.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer); });
+    const auto views =
+        record.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, workers); });
     report_lamps(baked.patches, views, console);
     if (interrupted()) return stopped_before_light(console);
 

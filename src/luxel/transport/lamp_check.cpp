@@ -16,15 +16,35 @@ constexpr double nearly_all = 0.98;
 constexpr double much_nearer =
     0.03;  // front distance over back distance of a lamp that hugs a wall the wrong way
 
+struct Lamp {
+  std::vector<std::size_t> patches;
+  std::vector<double> area_before{0.0};  // m², of the patches before this one; one more, the whole
+};
+
+// Of each material that emits and has patches, in the order of materials.
+std::vector<Lamp> lamp_patches(const PatchSet& patches) {
+  std::vector<Lamp> lamps(patches.materials.size());
+  std::vector<bool> is_lamp;
+  for (const auto& material : patches.materials) is_lamp.push_back(material.is_lamp());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto m = static_cast<std::size_t>(patches.material[p]);
+    if (!is_lamp[m]) continue;
+    lamps[m].patches.push_back(p);
+    lamps[m].area_before.push_back(lamps[m].area_before.back() + static_cast<double>(patches.area[p]));
+  }
+  std::erase_if(lamps, [](const Lamp& lamp) { return lamp.patches.empty(); });
+  return lamps;
+}
+
 // Rays spread over the lamp's patches by area.
-LampView::Side look(const PatchSet& patches, const Tracer& tracer, const std::vector<std::size_t>& lamp,
-                    const std::vector<double>& area_before, bool back) {
+LampView::Side look(const PatchSet& patches, const Tracer& tracer, const Lamp& lamp, bool back) {
+  const auto& area_before = lamp.area_before;
   std::vector<float> distances;
   for (std::size_t i = 0; i < rays_a_side; ++i) {
     const auto at = area_before.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(rays_a_side);
     const auto k =
         std::upper_bound(area_before.begin() + 1, area_before.end() - 1, at) - area_before.begin() - 1;
-    const auto side = side_of(lamp[static_cast<std::size_t>(k)], back);
+    const auto side = side_of(lamp.patches[static_cast<std::size_t>(k)], back);
     const auto hit = tracer.nearest(PatchEmitter(patches, side).ray(uniform4(stream_key(0, 0, 0), i)));
     if (hit) distances.push_back(hit.distance);
   }
@@ -39,26 +59,23 @@ LampView::Side look(const PatchSet& patches, const Tracer& tracer, const std::ve
 
 }  // namespace
 
-std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer) {
-  std::vector<std::vector<std::size_t>> lamps(patches.materials.size());
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    if (patches.material_of(p).is_lamp()) lamps[static_cast<std::size_t>(patches.material[p])].push_back(p);
-
+std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
   std::vector<LampView> views;
-  for (std::size_t m = 0; m < lamps.size(); ++m) {
-    if (lamps[m].empty()) continue;
-    std::vector<double> area_before{0.0};
-    for (const auto p : lamps[m])
-      area_before.push_back(area_before.back() + static_cast<double>(patches.area[p]));
+  const auto lamps = lamp_patches(patches);
+  for (const auto& lamp : lamps) {
     LampView view;
-    view.material = m;
-    view.patches = lamps[m].size();
-    for (const auto emittance : patches.materials[m].emittance)
-      view.power.push_back(area_before.back() * static_cast<double>(emittance));
-    view.front = look(patches, tracer, lamps[m], area_before, false);
-    view.back = look(patches, tracer, lamps[m], area_before, true);
+    view.material = static_cast<std::size_t>(patches.material[lamp.patches[0]]);
+    view.patches = lamp.patches.size();
+    for (const auto emittance : patches.materials[view.material].emittance)
+      view.power.push_back(lamp.area_before.back() * static_cast<double>(emittance));
     views.push_back(std::move(view));
   }
+  workers.for_chunks(2 * lamps.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) {
+      const bool back = i % 2 == 1;
+      (back ? views[i / 2].back : views[i / 2].front) = look(patches, tracer, lamps[i / 2], back);
+    }
+  });
   return views;
 }
 

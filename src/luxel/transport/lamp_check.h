@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/tracer.h"
 
@@ -21,9 +22,9 @@ struct LampView {
   Side front, back;
 };
 
-// One entry for each material that emits and has patches, in the order of materials. A thousand rays a lamp;
-// the same answer each time.
-std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer);
+// One entry for each material that emits and has patches, in the order of materials. A thousand rays a side
+// of a lamp, some milliseconds; the same answer each time.
+std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 
 // What is wrong with a lamp, as a sentence, or nothing: it shines out of the scene, or against a surface
 // right before it, while its back has room.
