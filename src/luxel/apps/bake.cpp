@@ -124,10 +124,11 @@ class Bake final : public Command {
         warn(console.log(),
              fmt::format("{:.1f} % of the emitted power is lost at the backs of one-sided material '{}'",
                          100.0 * solved.back_loss[m] / emitted, baked.patches.materials[m].name));
-    if (fell_short(solved))
-      warn(console.log(),
-           fmt::format("stopped ({}) before the light was as good as asked: {}; writing the light there is",
-                       stop_name(solved.stop), shortfall(solved)));
+    if (!fell_short(solved)) return;
+    const auto by = solved.stop == StopReason::stopped_by_user
+                        ? std::string()
+                        : fmt::format(" by the {}", stop_name(solved.stop));
+    warn(console.log(), fmt::format("stopped{}: {}; writing the light there is", by, shortfall(solved)));
   }
 
   std::string shortfall(const SolveReport& solved) const {

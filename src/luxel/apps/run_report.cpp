@@ -177,8 +177,8 @@ std::string describe(const SolveReport& report) {
   const auto percent = [&](const std::vector<double>& part) {
     return emitted > 0.0 ? 100.0 * sum(part) / emitted : 0.0;
   };
-  const auto done = report.rounds.empty() ? fmt::format("{} bounces", report.steps.size())
-                                          : fmt::format("{} rounds", report.rounds.size());
+  const auto n = report.rounds.empty() ? report.steps.size() : report.rounds.size();
+  const auto done = fmt::format("{} {}{}", n, report.rounds.empty() ? "bounce" : "round", n == 1 ? "" : "s");
   auto text = fmt::format(
       "{}, {} rays; emitted {:.4g} W = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + "
       "unshot "
