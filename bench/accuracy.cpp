@@ -16,9 +16,10 @@ namespace {
 
 // Sums over both sides of every patch and all bands.
 struct Comparison {
+  double floor = 0.0;                           // W/m²: below, (H - H*) / H* says nothing
   double square = 0.0, reference_square = 0.0;  // A (H - H*)², A H*²
   double shift = 0.0, reference = 0.0;          // A (H - H*), A H*
-  double relative_shift = 0.0, lit_area = 0.0;  // A (H - H*) / H*, A where H* > 0
+  double relative_shift = 0.0, lit_area = 0.0;  // A (H - H*) / H*, A where H* > floor
 
   void add(const PatchSet& patches, const std::vector<float>& values, const std::vector<float>& truth) {
     const auto bands = patches.band_count();
@@ -30,15 +31,28 @@ struct Comparison {
       reference_square += area * h * h;
       shift += area * off;
       reference += area * h;
-      if (h <= 0.0) continue;
+      if (h <= floor) continue;
       relative_shift += area * off / h;
       lit_area += area;
     }
   }
 };
 
+// Over the fronts, W/m².
+double mean_irradiance(const PatchSet& patches, const std::vector<float>& truth) {
+  const auto bands = patches.band_count();
+  double power = 0.0;
+  double area = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    power += static_cast<double>(patches.area[i / bands]) * truth[i];
+    area += patches.area[i / bands];
+  }
+  return power / area;
+}
+
 Comparison compare(const PatchSet& patches, const Solution& solution, const Reference& reference) {
   Comparison sums;
+  sums.floor = 0.01 * mean_irradiance(patches, reference.front);
   sums.add(patches, solution.irradiance_front, reference.front);
   sums.add(patches, solution.irradiance_back, reference.back);
   return sums;
@@ -83,7 +97,8 @@ Run run(const Stage& stage, const Reference& reference, std::string setting, con
   result.power_bias /= count;
   result.difference = std::sqrt(difference / count);
   result.predicted_error = std::sqrt(predicted / count);
-  result.true_error = std::sqrt(std::max(0.0, squared(result.difference) - squared(reference.error)));
+  if (squared(reference.error) < 0.8 * squared(result.difference))
+    result.true_error = std::sqrt(squared(result.difference) - squared(reference.error));
   return result;
 }
 
@@ -120,21 +135,44 @@ std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
   return runs;
 }
 
-Price price_of(const std::vector<Run>& runs, double target) {
-  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    const auto& a = runs[i];
-    const auto& b = runs[i + 1];
-    if (a.true_error <= target || b.true_error > target || b.true_error <= 0.0) continue;
-    const auto t = std::log(a.true_error / target) / std::log(a.true_error / b.true_error);
+namespace {
+
+struct Point {
+  double error, cpu_seconds, rays;
+};
+
+Price price_of(const std::vector<Point>& points, double target) {
+  if (points.empty()) return {0.0, 0.0, "unknown"};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto& a = points[i];
+    const auto& b = points[i + 1];
+    if (a.error <= target || b.error > target) continue;
+    const auto t = std::log(a.error / target) / std::log(a.error / b.error);
     const auto at = [t](double x, double y) { return x * std::pow(y / x, t); };
-    return {at(a.cpu_seconds, b.cpu_seconds), at(static_cast<double>(a.rays), static_cast<double>(b.rays)),
-            "interpolated"};
+    return {at(a.cpu_seconds, b.cpu_seconds), at(a.rays, b.rays), "interpolated"};
   }
-  const auto& last = runs.back();
-  if (runs.front().true_error <= target)
-    return {runs.front().cpu_seconds, static_cast<double>(runs.front().rays), "at most"};
-  const auto factor = squared(last.true_error / target);
-  return {last.cpu_seconds * factor, static_cast<double>(last.rays) * factor, "extrapolated"};
+  const auto& first = points.front();
+  if (first.error <= target) return {first.cpu_seconds, first.rays, "at most"};
+  const auto& last = points.back();
+  const auto factor = squared(last.error / target);
+  return {last.cpu_seconds * factor, last.rays * factor, "extrapolated"};
+}
+
+}  // namespace
+
+Price price_of(const std::vector<Run>& runs, double target) {
+  std::vector<Point> points;
+  for (const auto& r : runs)
+    if (r.true_error) points.push_back({*r.true_error, r.cpu_seconds, static_cast<double>(r.rays)});
+  return price_of(points, target);
+}
+
+Price predicted_price_of(const std::vector<Run>& runs, double target) {
+  std::vector<Point> points;
+  for (const auto& r : runs)
+    if (r.predicted_error > 0.0)
+      points.push_back({r.predicted_error, r.cpu_seconds, static_cast<double>(r.rays)});
+  return price_of(points, target);
 }
 
 Json to_json(const Run& run) {
@@ -146,7 +184,7 @@ Json to_json(const Run& run) {
           {"wall_seconds", run.wall_seconds},
           {"rays", run.rays},
           {"predicted_error", run.predicted_error},
-          {"true_error", run.true_error},
+          {"true_error", run.true_error ? Json(*run.true_error) : Json()},
           {"difference_to_reference", run.difference},
           {"bias", run.bias},
           {"power_bias", run.power_bias},

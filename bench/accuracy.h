@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,8 @@ struct Reference {
 };
 
 // By the sampled solver without sharing (which has no bias), with a seed that no run uses, until `error` or
-// for `seconds`. Kept in a file of settings.references named by the scene's fingerprint, so that the next run
-// finds it.
+// for `seconds`; where it falls short and shooting comes nearer in as long, by shooting. Kept in a file of
+// settings.references named by the scene's fingerprint, so that the next run finds it.
 Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
                        const Workers& workers);
 
@@ -45,11 +46,12 @@ struct Run {
   double wall_seconds = 0.0;
   std::uint64_t rays = 0;
   double predicted_error = 0.0;
-  // sqrt(sum A (H - H*)² / sum A H*²) over both sides and all bands, less the reference's own error (in
-  // squares).
-  double true_error = 0.0;
-  double difference = 0.0;  // the same with the reference's error in it
-  double bias = 0.0;        // area-weighted mean of (H - H*) / H* where H* is not zero
+  // sqrt(sum A (H - H*)² / sum A H*²) over both sides and all bands.
+  double difference = 0.0;
+  // The same less the reference's own error, in squares. Nothing where that is more than four fifths of it:
+  // it would be the error of an error.
+  std::optional<double> true_error;
+  double bias = 0.0;        // area-weighted mean of (H - H*) / H* where H* is above a hundredth of its mean
   double power_bias = 0.0;  // sum A (H - H*) / sum A H*
   StopReason stop = StopReason::nothing_to_do;
 };
@@ -66,13 +68,15 @@ std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
 
 // What a true error of `target` costs: between two runs by interpolation of the logarithms; beyond the last
 // one as 1/sqrt(time) has it ("extrapolated"); no more than the first where that is better already ("at
-// most").
+// most"); nothing ("unknown") where the reference is too coarse to tell any run's error.
 struct Price {
   double cpu_seconds = 0.0;
   double rays = 0.0;
   std::string how;
 };
 Price price_of(const std::vector<Run>& runs, double target);
+// Likewise, taking the solver's own word for the error.
+Price predicted_price_of(const std::vector<Run>& runs, double target);
 
 Json to_json(const Run& run);
 Json to_json(const Price& price);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converged answers, and the files that keep them.
+#include <cmath>
 #include <fstream>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "bench/accuracy.h"
+#include "bench/timing.h"
 
 namespace luxel::bench {
 namespace {
@@ -57,6 +60,37 @@ void keep(const std::filesystem::path& path, const Kept& kept, const Reference& 
   if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
+Reference taken(Solution&& solution, const SolveReport& report) {
+  return {std::move(solution.irradiance_front), std::move(solution.irradiance_back), report.predicted_error,
+          report.rays, false};
+}
+
+Reference by_sampling(const Stage& stage, double error, double seconds, const Workers& workers) {
+  Solution solution;
+  const auto report =
+      solve_sampled(stage.patches, stage.tracer, solution,
+                    {.error = error, .seconds = seconds, .seed = reference_seed, .share = false}, workers);
+  return taken(std::move(solution), report);
+}
+
+// For as long, or nothing where a short run foretells that it would not come nearer than `error`.
+std::optional<Reference> by_shooting(const Stage& stage, double error, double seconds,
+                                     const Workers& workers) {
+  const auto solve = [&](double rays, Solution& solution) {
+    return solve_stochastic_jacobi(
+        stage.patches, stage.tracer, solution,
+        {.rays = static_cast<std::uint64_t>(rays), .tolerance = 1e-6, .seed = reference_seed}, workers);
+  };
+  const double few = 20.0 * static_cast<double>(stage.patches.size());
+  SolveReport report;
+  Solution solution;
+  const auto time = cost([&] { report = solve(few, solution); }).wall;
+  const auto longer = seconds / time;
+  if (longer < 1.0 || report.predicted_error / std::sqrt(longer) > error) return {};
+  report = solve(few * longer, solution);
+  return taken(std::move(solution), report);
+}
+
 }  // namespace
 
 Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
@@ -71,12 +105,9 @@ Reference reference_of(const Stage& stage, double error, double seconds, const S
       settings.references / fmt::format("{:016x}-{}.luxref", patches.scene_fingerprint, patches.size());
   Reference reference;
   if (!find(path, question, reference)) {
-    Solution solution;
-    const auto report =
-        solve_sampled(patches, stage.tracer, solution,
-                      {.error = error, .seconds = seconds, .seed = reference_seed, .share = false}, workers);
-    reference = {std::move(solution.irradiance_front), std::move(solution.irradiance_back),
-                 report.predicted_error, report.rays, false};
+    reference = by_sampling(stage, error, seconds, workers);
+    if (reference.error > error)
+      if (auto other = by_shooting(stage, reference.error, seconds, workers)) reference = std::move(*other);
     question.error = reference.error;
     question.rays = reference.rays;
     keep(path, question, reference);

@@ -5,6 +5,8 @@ foreach(check check_layers check_docs_commands count_tests)
   add_test(NAME "house: ${check} finds what is planted"
            COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/${check}_test.py)
 endforeach()
+add_test(NAME "house: the benchmark's charts say what was measured"
+         COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/draw_charts_test.py)
 
 # One source file a header with nothing before it, compiled with the outside libraries of its own room: a header that
 # leans on what others include, or lets another room's library through, fails. The programs may include everything.
