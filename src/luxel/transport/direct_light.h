@@ -18,7 +18,7 @@ struct DirectOptions {
   bool low_discrepancy = true;  // Owen-scrambled Sobol points; else independent ones
   bool stratified = true;       // one sequence runs over neighbouring patches; else each has its own
   bool importance = true;       // lamps chosen by what they may give the patch; else by area
-  bool control_variate = true;  // closed form of what comes without shadows, where lamps are few
+  bool control_variate = true;  // closed form of what comes without shadows
 };
 
 // Irradiance of one side of a patch straight from the lamps, by shadow rays. The radiance of lamps is
@@ -32,7 +32,9 @@ struct DirectOptions {
 // little is seen; the mean over replicates is an unbiased estimate all the same.
 class DirectLight {
  public:
-  static constexpr std::size_t few_lamps = 64;  // triangles; up to here closed forms choose and correct
+  // What a side tells apart. Where there are more lamp triangles, the ones that matter most stand alone, with
+  // their closed form, and the rest hangs together in branches of a tree, without.
+  static constexpr std::size_t branches = 48;
 
   // Keeps references to patches, tracer and lamps.
   DirectLight(const PatchSet& patches, const Tracer& tracer, const Lamps& lamps,
@@ -47,19 +49,14 @@ class DirectLight {
                          std::uint32_t per_replicate, std::span<float> out) const;
 
  private:
-  struct Side;
-  class Numbers;
-  std::uint64_t estimate_few(const Side& side, std::span<double> out) const;
-  std::uint64_t estimate_many(const Side& side, std::span<double> out) const;
-  bool visible(const Side& side, std::uint32_t lamp, const Vec3& from, const Vec3d& to) const;
+  bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;
   const Lamps& lamps_;
   DirectOptions options_;
-  LightTree tree_;                   // of many lamps
-  std::vector<double> area_before_;  // [triangle + 1]
-  std::vector<float> lift_;          // [triangle], m
+  LightTree tree_;
+  std::vector<float> lift_;  // [triangle], m
 };
 
 }  // namespace luxel

@@ -14,6 +14,7 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t bins = 16;
+constexpr float rounding = 1e-4f;      // of the cosines, generously
 constexpr float least_cosine = 0.05f;  // a lamp at the rim is asked seldom, not never: bounded weights
 
 // What a split is judged by, additive over lamps.
@@ -120,6 +121,7 @@ void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* beg
   Node made;
   made.centre = all.bounds.center();
   made.power = static_cast<float>(all.power);
+  for (auto i = begin; i != end; ++i) made.area += static_cast<float>(triangles[*i].area);
   const auto length = glm::length(all.normals);
   made.axis = length > 1e-6 * all.power ? Vec3(all.normals / length) : Vec3(0, 0, 1);
   made.spread = 1.0f;
@@ -143,15 +145,17 @@ void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* beg
   build(made.next + 1, lamps, middle, end);
 }
 
-// Power times a bound of both cosines over the node's sphere, over the squared distance.
-float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n) {
+// Power times a bound of both cosines over the node's sphere, over the squared distance; zero only where no
+// lamp of the node lights anything within extra_radius of x.
+float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n, float extra_radius) {
   const auto to = node.centre - x;
   const auto distance2 = glm::dot(to, to);
-  const auto radius2 = node.radius * node.radius;
-  const auto near2 = std::max(distance2, radius2);
+  const auto radius = node.radius + extra_radius;
+  const auto radius2 = radius * radius;
+  const auto near2 = std::max(distance2, node.radius * node.radius);
   if (distance2 <= radius2) return node.power / near2;
   const auto direction = to / std::sqrt(distance2);
-  const auto sphere_sine = std::sqrt(radius2 / distance2);
+  const auto sphere_sine = radius / std::sqrt(distance2);
   const auto sphere_cosine = sine_of(sphere_sine);
   // At x.
   auto here = glm::dot(n, direction);
@@ -162,26 +166,65 @@ float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n) {
   const auto less = cosine_of_less(away_sine, away, node.spread_sine, node.spread);
   const auto less_sine = sine_of_less(away_sine, away, node.spread_sine, node.spread);
   const auto there = cosine_of_less(less_sine, less, sphere_sine, sphere_cosine);
-  if (here < -1e-4f || there < -1e-4f) return 0.0f;
+  if (here < -rounding || there < -rounding) return 0.0f;
   return node.power * std::max(here, least_cosine) * std::max(there, least_cosine) / near2;
 }
 
-LampChoice LightTree::choose(const Vec3& x, const Vec3& n, double u) const {
-  LampChoice choice;
-  if (nodes_.empty()) return choice;
-  const auto* node = &nodes_[0];
+void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most,
+                    std::vector<LampBranch>& branches) const {
+  branches.clear();
+  if (nodes_.empty()) return;
+  struct Open {
+    float priority;
+    std::uint32_t node;
+    float importance;
+    bool operator<(const Open& other) const { return priority < other.priority; }
+  };
+  std::vector<Open> heap;
+  const auto add = [&](std::uint32_t index) {
+    const auto& node = nodes_[index];
+    const auto value = importance(node, centre, n, radius);
+    if (!(value > 0.0f)) return;
+    if (node.leaf) {
+      branches.push_back({node.next, true, node.power, node.area, value});
+      return;
+    }
+    // A cluster's lamps differ the more, the larger it is seen.
+    const auto distance = std::max(0.0f, glm::distance(node.centre, centre) - radius);
+    heap.push_back({distance > node.radius ? value * node.radius / distance : value, index, value});
+    std::push_heap(heap.begin(), heap.end());
+  };
+  add(0);
+  while (!heap.empty() && heap.size() + branches.size() < most) {
+    const auto children = nodes_[heap.front().node].next;
+    std::pop_heap(heap.begin(), heap.end());
+    heap.pop_back();
+    add(children);
+    add(children + 1);
+  }
+  for (const auto& open : heap) {
+    const auto& node = nodes_[open.node];
+    branches.push_back({open.node, false, node.power, node.area, open.importance});
+  }
+}
+
+LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u,
+                             bool by_area) const {
+  const auto* node = &nodes_[branch.index];
   double probability = 1.0;
   while (!node->leaf) {
     const auto* left = &nodes_[node->next];
-    const auto a = static_cast<double>(importance(left[0], x, n));
-    const auto b = static_cast<double>(importance(left[1], x, n));
-    if (!(a + b > 0.0)) return choice;
+    const auto value = [&](const Node& child) {
+      return static_cast<double>(by_area ? child.area : importance(child, x, n, 0.0f));
+    };
+    const auto a = value(left[0]);
+    const auto b = value(left[1]);
+    if (!(a + b > 0.0)) return {};
     const auto share = a / (a + b);
     const bool first = u < share;
     node = first ? left : left + 1;
     probability *= first ? share : 1.0 - share;
-    u = first ? u / share : (u - share) / (1.0 - share);
-    u = std::min(u, 0x1.fffffffffffffp-1);
+    u = std::min(first ? u / share : (u - share) / (1.0 - share), 0x1.fffffffffffffp-1);
   }
   return {node->next, probability, u};
 }

@@ -9,37 +9,52 @@
 
 namespace luxel {
 
+// One node of the tree: a single lamp or many.
+struct LampBranch {
+  std::uint32_t index = 0;  // of the lamp, or of the node
+  bool single = false;
+  double power = 0.0;       // W/sr before the front, summed over bands: area times radiance
+  double area = 0.0;        // m²
+  double irradiance = 0.0;  // a rough bound of what it may give the patch, W/m²
+};
+
 struct LampChoice {
   std::uint32_t lamp = 0;
   double probability = 0.0;  // 0: no lamp can light the point
   double rest = 0.0;         // of the number that chose, uniform in [0, 1) again
 };
 
-// Chooses one of many lamps in proportion to what it may give a point, at a cost that grows with the
-// logarithm of their number: a binary tree whose nodes know box, power and spread of normals (Conty Estevez
-// and Kulla 2018). A lamp that gives the point light is never left out. Read-only after it was made; 64 bytes
-// a lamp and as much again for the inner nodes.
+// Chooses among many lamps at a cost that grows with the logarithm of their number: a binary tree whose nodes
+// know box, power and spread of normals (Conty Estevez and Kulla 2018). A lamp that may give light is never
+// left out. Read-only after it was made; 120 bytes a lamp.
 class LightTree {
  public:
   explicit LightTree(const Lamps& lamps);
 
-  // u: uniform in [0, 1); rescaled at each step down, so that even numbers make even choices. 0.3 us among
-  // 10,000.
-  LampChoice choose(const Vec3& x, const Vec3& n, double u) const;
+  // The lamps that may light something within `radius` of `centre`, which faces n, as at most `most`
+  // branches: those are opened first that are near for their size and strong, so that what matters stands
+  // alone.
+  void cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most,
+           std::vector<LampBranch>& branches) const;
+
+  // One lamp of a branch with many, in proportion to what it may give x; or, by_area, to its area. u: uniform
+  // in [0, 1); rescaled at each step down, so that even numbers make even choices.
+  LampChoice choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u, bool by_area) const;
 
  private:
   struct Node {
     Vec3 centre{0.0f};
     float radius = 0.0f;
-    Vec3 axis{0.0f};      // mean normal
-    float spread = 0.0f;  // of the normals about the axis: cosine, and sine
-    float spread_sine = 0.0f;
+    Vec3 axis{0.0f};           // mean normal
+    float spread = 0.0f;       // of the normals about the axis: cosine
+    float spread_sine = 0.0f;  // and sine
     float power = 0.0f;
+    float area = 0.0f;
     std::uint32_t next = 0;  // first of two children, or the lamp
     bool leaf = false;
   };
   void build(std::uint32_t node, const Lamps& lamps, std::uint32_t* begin, std::uint32_t* end);
-  static float importance(const Node& node, const Vec3& x, const Vec3& n);
+  static float importance(const Node& node, const Vec3& x, const Vec3& n, float extra_radius);
 
   std::vector<Node> nodes_;
 };

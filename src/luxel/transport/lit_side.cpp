@@ -81,7 +81,8 @@ class NearMean {
 
 }  // namespace
 
-void find_side_lamps(const Lamps& lamps, const std::array<Vec3, 3>& corners_in, const Vec3& normal, bool mean,
+void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidates,
+                     const std::array<Vec3, 3>& corners_in, const Vec3& normal, bool mean,
                      std::vector<SideLamp>& found) {
   found.clear();
   const Corners corners = {Vec3d(corners_in[0]), Vec3d(corners_in[1]), Vec3d(corners_in[2])};
@@ -92,7 +93,7 @@ void find_side_lamps(const Lamps& lamps, const std::array<Vec3, 3>& corners_in, 
   std::vector<SideLamp> near;
   double total = 0.0;
   double near_total = 0.0;
-  for (std::uint32_t i = 0; i < lamps.size(); ++i) {
+  for (const auto i : candidates) {
     const auto& lamp = lamps.triangles()[i];
     if (!may_light(lamp, corners, n)) continue;
     const auto irradiance = unit_irradiance(lamp, centroid, n);
