@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program as a person uses it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -103,19 +104,18 @@ TEST(Program, prints_quantities_in_a_form_that_it_reads_back_to_the_same_number)
   struct Case {
     const char *option, *given, *printed;
   };
-  for (const auto& [option, given, printed] :
+  for (const auto& each :
        {Case{"error", "0.013", "1.3%"}, Case{"error", "7%", "7%"}, Case{"error", "0", "0"},
         Case{"time", "1.5min", "90s"}, Case{"time", "2h", "7200s"}, Case{"time", "30", "30s"},
         Case{"time", "none", "none"}, Case{"memory", "0.5GiB", "512MiB"}, Case{"memory", "1536MiB", "1.5GiB"},
         Case{"memory", "auto", "auto"}, Case{"rays", "2M", "2000000"}, Case{"rays", "auto", "auto"},
         Case{"mis", "on", "on"}}) {
     const auto print = [&](const std::string& value) {
-      return value_of(option, cli::run(folder, std::string("$LUXEL bake cornell-box.obj --print-config --") +
-                                                   option + " " + value)
-                                  .out);
+      const auto line = fmt::format("$LUXEL bake cornell-box.obj --print-config --{} {}", each.option, value);
+      return value_of(each.option, cli::run(folder, line).out);
     };
-    EXPECT_EQ(print(given), printed) << option;
-    EXPECT_EQ(print(printed), printed) << option;
+    EXPECT_EQ(print(each.given), each.printed) << each.option;
+    EXPECT_EQ(print(each.printed), each.printed) << each.option;
   }
 }
 
