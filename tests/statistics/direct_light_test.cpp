@@ -193,6 +193,17 @@ TEST(DirectLight, patches_that_touch_the_edge_of_a_lamp_are_right) {
   }
 }
 
+// Light from half of the sky on one side of a line, none on the other.
+TEST(DirectLight, a_wall_that_pokes_through_the_plane_of_the_lamp_is_right) {
+  truth::SceneBuilder b;
+  b.material("lamp", 0.5f, 2.0f).quad({0, 0, 2.6f}, {0, 4, 2.6f}, {4, 4, 2.6f}, {4, 0, 2.6f});
+  b.material("wall", 0.5f, 0.0f).triangle({0, 1, 2}, {0, 3, 2.1f}, {0, 1.5f, 3});
+  const Room room(b.scene());
+  const auto side = side_of(room.first_of("wall"), false);
+  EXPECT_GT(room.estimate(side, {.replicates = replicates}).mean[0], 0.4);
+  room.expect_truth(side);
+}
+
 // The red lamp is hidden from half the patch, the blue one from none, the green one shines away.
 TEST(DirectLight, lamps_of_different_colours_keep_apart) {
   truth::SceneBuilder b;

@@ -4,16 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "luxel/transport/clip_triangle.h"
 #include "luxel/transport/polygon_irradiance.h"
 
 namespace luxel {
 namespace {
 
 constexpr double one_point_error = 1e-3;  // relative, of the centroid rule, that is let pass
-constexpr double split_error = 0.01;      // difference of the rules of one and of three points that splits
+constexpr double split_error = 0.004;      // difference of the rules of one and of three points that splits
 constexpr int deepest = 7;                // halvings of the edges
 
 using Corners = std::array<Vec3d, 3>;
+
+// The heights of the patch's corners over the lamp's plane.
+std::array<double, 3> heights(const LampTriangle& lamp, const Corners& corners) {
+  const auto a = Vec3d(lamp.corner[0]);
+  return {glm::dot(lamp.normal, corners[0] - a), glm::dot(lamp.normal, corners[1] - a),
+          glm::dot(lamp.normal, corners[2] - a)};
+}
 
 bool may_light(const LampTriangle& lamp, const Corners& corners, const Vec3d& n) {
   const auto above = std::max({glm::dot(n, Vec3d(lamp.corner[0]) - corners[0]),
@@ -42,6 +50,9 @@ class NearMean {
   NearMean(const Lamps& lamps, std::vector<SideLamp>& near, const Vec3d& n, double total)
       : lamps_(lamps), near_(near), n_(n), total_(total), at_(3 * near.size()) {}
 
+  void add(const Corners& t, double share) { add(t, share, evaluate((t[0] + t[1] + t[2]) / 3.0, 0), 0); }
+
+ private:
   void add(const Corners& t, double share, double at_centroid, int depth) {
     const auto centroid = (t[0] + t[1] + t[2]) / 3.0;
     double sum = 0.0;
@@ -60,7 +71,6 @@ class NearMean {
     add({bc, ca, ab}, share / 4.0, at_centroid, depth + 1);
   }
 
- private:
   // Sum over the near lamps; each one's own is kept in column k.
   double evaluate(const Vec3d& x, std::size_t k) {
     double sum = 0.0;
@@ -79,6 +89,24 @@ class NearMean {
   std::vector<double> at_;  // [lamp][point]
 };
 
+double doubled_area(const Corners& t) { return glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
+
+// Where a lamp's plane cuts the patch, the irradiance may jump from nothing to half of the whole: only the
+// part before the lamp is looked at, and that exactly.
+void add_cut(const Lamps& lamps, const Corners& corners, const Vec3d& n, double total, SideLamp lamp,
+             std::vector<SideLamp>& found) {
+  std::vector<SideLamp> alone{lamp};
+  std::array<Vec3d, 4> part;
+  const auto count = clip_triangle(corners, heights(lamps.triangles()[lamp.lamp], corners), part);
+  for (int i = 2; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Corners piece = {part[0], part[at - 1], part[at]};
+    const auto share = doubled_area(piece) / doubled_area(corners);
+    if (share > 0.0) NearMean(lamps, alone, n, total).add(piece, share);
+  }
+  found.push_back(alone[0]);
+}
+
 }  // namespace
 
 void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidates,
@@ -91,8 +119,8 @@ void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidat
   const auto radius = std::max({glm::length(corners[0] - centroid), glm::length(corners[1] - centroid),
                                 glm::length(corners[2] - centroid)});
   std::vector<SideLamp> near;
+  std::vector<SideLamp> cut;
   double total = 0.0;
-  double near_total = 0.0;
   for (const auto i : candidates) {
     const auto& lamp = lamps.triangles()[i];
     if (!may_light(lamp, corners, n)) continue;
@@ -101,13 +129,13 @@ void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidat
     if (!mean || centroid_will_do(lamp, centroid, radius)) {
       found.push_back({i, irradiance});
     } else {
-      near_total += lamp.weight * irradiance;
-      near.push_back({i, 0.0});
+      const auto height = heights(lamp, corners);
+      (std::min({height[0], height[1], height[2]}) < 0.0 ? cut : near).push_back({i, 0.0});
     }
   }
-  if (near.empty()) return;
-  NearMean(lamps, near, n, total).add(corners, 1.0, near_total, 0);
+  if (!near.empty()) NearMean(lamps, near, n, total).add(corners, 1.0);
   found.insert(found.end(), near.begin(), near.end());
+  for (const auto& lamp : cut) add_cut(lamps, corners, n, total, lamp, found);
 }
 
 }  // namespace luxel

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "luxel/math/trig.h"
+#include "luxel/transport/clip_triangle.h"
 
 namespace luxel {
 namespace {
@@ -16,21 +17,6 @@ double edge_term(const Vec3d& u, const Vec3d& v, const Vec3d& n) {
   const auto length = glm::length(c);
   if (!(length > 0.0)) return 0.0;  // seen end on, or x lies on the edge, where the limit depends on the way
   return glm::dot(n, c) * (arc_tangent(length, glm::dot(u, v)) / length);
-}
-
-// The part of a triangle above z = 0; up to four corners. height: of each corner.
-int clip(const std::array<Vec3d, 3>& corner, const std::array<double, 3>& height,
-         std::array<Vec3d, 4>& above) {
-  int count = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto next = (i + 1) % 3;
-    if (height[i] >= 0.0) above[static_cast<std::size_t>(count++)] = corner[i];
-    if ((height[i] > 0.0 && height[next] < 0.0) || (height[i] < 0.0 && height[next] > 0.0)) {
-      const auto t = height[i] / (height[i] - height[next]);
-      above[static_cast<std::size_t>(count++)] = corner[i] + t * (corner[next] - corner[i]);
-    }
-  }
-  return count;
 }
 
 }  // namespace
@@ -50,7 +36,7 @@ double unit_irradiance(const LampTriangle& lamp, const Vec3d& x, const Vec3d& n)
           edge_term(corner[2], corner[0], n);
   } else {
     std::array<Vec3d, 4> above;
-    const auto count = static_cast<std::size_t>(clip(corner, height, above));
+    const auto count = static_cast<std::size_t>(clip_triangle(corner, height, above));
     for (std::size_t i = 0; i < count; ++i) sum += edge_term(above[i], above[(i + 1) % count], n);
   }
   return std::max(0.0, -0.5 * sum);
