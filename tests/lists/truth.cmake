@@ -5,3 +5,6 @@ target_link_libraries(luxel_known_rooms PRIVATE luxel_flags PUBLIC luxel_truth_s
                                                                    luxel_parallel)
 luxel_test(truth/dense_truth ROOMS patch LIBRARIES luxel_known_rooms)
 luxel_test(statistics/error_judge ROOMS solution LIBRARIES luxel_known_rooms)
+# luxel_test(truth/sampled ROOMS solve LIBRARIES luxel_known_rooms)
+# luxel_test(statistics/error_bar ROOMS solve LIBRARIES luxel_known_rooms)
+# luxel_test(repeat/sampled ROOMS solve LIBRARIES luxel_truth_scenes)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/error_bars.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace luxel::truth {
 namespace {
+
+constexpr double nothing = 1e-9;  // of the brightest: rounding in the truth's shadows, not light
 
 Measured mean_and_error(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
@@ -38,8 +41,11 @@ double stated(const Solution& run, std::size_t i, bool back) {
 double coverage(const KnownRoom& room, const Solution& run) {
   double held = 0.0;
   double lit = 0.0;
+  double brightest = 0.0;
+  for_each_number(room,
+                  [&](double, double truth, std::size_t, bool) { brightest = std::max(brightest, truth); });
   for_each_number(room, [&](double, double truth, std::size_t i, bool back) {
-    if (truth <= 0.0) return;
+    if (truth <= nothing * brightest) return;
     const auto slack = (room.truth_error + 1e-6) * truth;  // H is a float
     lit += 1.0;
     if (std::abs(light(run, i, back) - truth) <= 1.96 * stated(run, i, back) + slack) held += 1.0;

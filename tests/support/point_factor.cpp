@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/point_factor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -64,12 +65,16 @@ void hide(const Vec3d& point, const ConvexPolygon& screen, std::vector<ConvexPol
   const auto height = plane.height(point);
   if (std::abs(height) < in_plane) return;
   if (height > 0.0) plane = {-plane.normal, -plane.offset};  // the far side is above
-  plane.offset += in_plane;
   Vec3d centre(0.0);
   for (std::size_t k = 0; k < screen.size; ++k) centre += screen.corner[k] / static_cast<double>(screen.size);
 
   std::vector<ConvexPolygon> visible;
   for (const auto& piece : pieces) {
+    if (std::all_of(piece.corner.begin(), piece.corner.begin() + static_cast<std::ptrdiff_t>(piece.size),
+                    [&](const Vec3d& p) { return plane.height(p) < in_plane; })) {
+      visible.push_back(piece);
+      continue;
+    }
     ConvexPolygon behind, seen, rest;
     cut(piece, plane, behind, seen);
     if (seen.size > 2) visible.push_back(seen);

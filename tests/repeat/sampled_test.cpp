@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sampled solver gives the same bytes however it is run.
+#include "luxel/solve/sampled.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "luxel/patch/make_patches.h"
+
+#include "support/sample_solution.h"
+#include "support/truth_scenes.h"
+
+namespace luxel {
+namespace {
+
+struct Solved {
+  Solution solution;
+  SolveReport report;
+};
+
+Solved solve(const PatchSet& patches, const SampledOptions& options, int threads = 2,
+             const Monitor& monitor = {}) {
+  const Workers workers(threads);
+  const Tracer tracer(patches, workers);
+  Solved solved;
+  solved.report = solve_sampled(patches, tracer, solved.solution, options, workers, monitor);
+  return solved;
+}
+
+PatchSet room() { return make_patches(truth::l_room(), {.max_edge = 0.2f}); }
+
+// The first part of the light that differs, or nothing.
+std::string difference_of_light(const Solution& a, const Solution& b) {
+  if (!sample::same_bits(a.irradiance_front, b.irradiance_front)) return "irradiance_front";
+  if (!sample::same_bits(a.irradiance_back, b.irradiance_back)) return "irradiance_back";
+  if (!sample::same_bits(a.radiosity_front, b.radiosity_front)) return "radiosity_front";
+  if (!sample::same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
+  if (!sample::same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
+  if (!sample::same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
+  if (a.unshot_share != b.unshot_share) return "unshot_share";
+  if (a.predicted_error != b.predicted_error) return "predicted_error";
+  if (a.error_95th != b.error_95th) return "error_95th";
+  return a.provenance.rays == b.provenance.rays ? "" : "rays";
+}
+
+// Of the numbers that the report gives besides.
+void expect_same_report(const SolveReport& a, const SolveReport& b) {
+  EXPECT_EQ(a.energy.emitted, b.energy.emitted);
+  EXPECT_EQ(a.energy.absorbed, b.energy.absorbed);
+  EXPECT_EQ(a.energy.escaped, b.energy.escaped);
+  EXPECT_EQ(a.energy.lost_at_backs, b.energy.lost_at_backs);
+  EXPECT_EQ(a.back_loss, b.back_loss);
+  EXPECT_EQ(a.dark_sides, b.dark_sides);
+  ASSERT_EQ(a.rounds.size(), b.rounds.size());
+  for (std::size_t k = 0; k < a.rounds.size(); ++k) {
+    EXPECT_EQ(a.rounds[k].rays, b.rounds[k].rays);
+    EXPECT_EQ(a.rounds[k].error, b.rounds[k].error);
+    EXPECT_EQ(a.rounds[k].sweeps, b.rounds[k].sweeps);
+    EXPECT_EQ(a.rounds[k].residual, b.rounds[k].residual);
+  }
+}
+
+TEST(SampledRepeat, one_two_and_five_threads_give_identical_bytes) {
+  const auto patches = room();
+  for (const bool share : {true, false}) {
+    const auto one = solve(patches, {.error = 0.02, .share = share}, 1);
+    EXPECT_FALSE(one.solution.standard_error_front.empty());
+    for (const int threads : {2, 5}) {
+      const auto many = solve(patches, {.error = 0.02, .share = share}, threads);
+      EXPECT_EQ(difference_of_light(one.solution, many.solution), "") << threads << " threads";
+      expect_same_report(one.report, many.report);
+    }
+  }
+}
+
+TEST(SampledRepeat, random_numbers_without_any_of_the_switches_are_the_same_for_any_threads_too) {
+  const auto patches = room();
+  const SampledOptions plain = {.error = 0.05,
+                                .low_discrepancy = false,
+                                .stratified = false,
+                                .importance = false,
+                                .control_variate = false,
+                                .multiple_importance = true,
+                                .share = false};
+  EXPECT_EQ(difference_of_light(solve(patches, plain, 1).solution, solve(patches, plain, 5).solution), "");
+}
+
+TEST(SampledRepeat, stored_and_streamed_give_identical_bytes) {
+  const auto patches = room();
+  for (const bool share : {true, false}) {
+    const auto stored = solve(patches, {.error = 0.03, .memory = std::uint64_t{1} << 33, .share = share});
+    const auto streamed = solve(patches, {.error = 0.03, .memory = 1, .share = share});
+    EXPECT_FALSE(stored.report.streamed);
+    EXPECT_TRUE(streamed.report.streamed);
+    EXPECT_EQ(difference_of_light(stored.solution, streamed.solution), "");
+    expect_same_report(stored.report, streamed.report);
+  }
+}
+
+// A monitor that says stop when a doubling's picture comes. The first picture, by shooting, comes before
+// them.
+Solved stopped_after(const PatchSet& patches, std::size_t doublings, Solution& last_picture) {
+  std::size_t pictures = 0;
+  return solve(patches, {.error = 0.0, .rays = std::uint64_t{1} << 24}, 2, [&](const Progress& progress) {
+    if (progress.light == nullptr) return Next::go_on;
+    last_picture = *progress.light;
+    return ++pictures == doublings + 1 ? Next::stop : Next::go_on;
+  });
+}
+
+TEST(SampledRepeat, a_run_stopped_at_a_doubling_is_a_run_bounded_to_it) {
+  const auto patches = room();
+  for (const std::size_t doublings : {1, 2, 4}) {
+    Solution picture;
+    const auto stopped = stopped_after(patches, doublings, picture);
+    ASSERT_EQ(stopped.report.stop, StopReason::stopped_by_user);
+    ASSERT_EQ(stopped.report.rounds.size(), doublings);
+    EXPECT_EQ(stopped.report.rounds.back().rays, stopped.report.rays);
+    EXPECT_EQ(difference_of_light(picture, stopped.solution), "") << "the picture shown last";
+
+    const auto bounded = solve(patches, {.error = 0.0, .rays = stopped.report.rays});
+    EXPECT_EQ(bounded.report.stop, StopReason::ray_limit);
+    EXPECT_EQ(difference_of_light(bounded.solution, stopped.solution), "") << doublings << " doublings";
+    expect_same_report(bounded.report, stopped.report);
+
+    const auto longer = solve(patches, {.error = 0.0, .rays = stopped.report.rays * 5 / 2});
+    ASSERT_GT(longer.report.rounds.size(), doublings);
+    EXPECT_EQ(longer.report.rounds[doublings - 1].error, stopped.report.rounds.back().error)
+        << "a longer run passes through the shorter one's answer";
+  }
+}
+
+TEST(SampledRepeat, a_run_never_traces_more_than_it_may_once_it_has_begun_to_double) {
+  const auto patches = room();
+  const auto free = solve(patches, {.error = 0.003});
+  ASSERT_GT(free.report.rounds.size(), 1u);
+  const auto limit = free.report.rounds.back().rays - 1;
+  const auto bounded = solve(patches, {.error = 0.003, .rays = limit});
+  EXPECT_EQ(bounded.report.stop, StopReason::ray_limit);
+  EXPECT_LE(bounded.report.rays, limit);
+  EXPECT_GT(bounded.report.rays, limit / 4) << "it could have gone on";
+}
+
+TEST(SampledRepeat, another_seed_gives_another_answer) {
+  const auto patches = room();
+  EXPECT_NE(solve(patches, {.error = 0.05, .seed = 1}).solution.irradiance_front,
+            solve(patches, {.error = 0.05, .seed = 2}).solution.irradiance_front);
+}
+
+}  // namespace
+}  // namespace luxel
