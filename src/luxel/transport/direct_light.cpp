@@ -17,9 +17,13 @@ namespace luxel {
 namespace {
 
 constexpr std::uint64_t stream = 0x6c616d70;  // apart from the other users of the seed
-constexpr double least_share =
-    0.02;  // of the choices, spread over lamps that the closed forms may underrate: a bound on the weights
-constexpr double prior_samples = 1.0;  // with which the visibility of all lamps enters that of one
+// Of the choices, spread evenly over all lamps, for those that closed form or bound underrate: it bounds the
+// weights.
+constexpr double least_share = 0.02;
+// With how many samples the visibility of all lamps enters that of one. With 1 errors are 1 to 4 % smaller,
+// but replicates borrow so much from each other that their spread tells 10 % too little; with very many,
+// errors are a quarter larger where there are a dozen lamps.
+constexpr double prior_samples = 3.0;
 
 // One side of a patch in one round.
 struct Side {
