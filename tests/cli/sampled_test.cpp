@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The production solver as a person uses it.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/run_program.h"
+
+namespace luxel::cli {
+namespace {
+
+using Json = nlohmann::json;
+const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.1 ";
+
+TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
+  const auto folder = fresh_folder("sampled_error");
+  const auto run = cli::run(folder, bake + "--error 3% -o a.vtkhdf --json --seed 3");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("error reached: standard error"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("first light"), std::string::npos) << run.err;
+  const auto json = Json::parse(run.out);
+  EXPECT_EQ(json["solution"]["method"], "sampled");
+  EXPECT_EQ(json["solution"]["seed"], 3);
+  EXPECT_EQ(json["solution"]["standard_errors"], true);
+  EXPECT_EQ(json["solution"]["command_line"],
+            "luxel bake cornell-box.obj --max-edge 0.1 --seed 3 --error 3%");
+  const auto& solve = json["solve"];
+  EXPECT_EQ(solve["error"]["target"], 0.03);
+  EXPECT_EQ(solve["error"]["ended_by"], "error reached");
+  const auto reached = solve["error"]["reached"].get<double>();
+  EXPECT_GT(reached, 0.0);
+  EXPECT_LE(reached, 0.03);
+  EXPECT_GT(solve["error"]["percentile_95"], 0.0);
+  ASSERT_FALSE(solve["rounds"].empty());
+  EXPECT_EQ(solve["rounds"].back()["error"], reached);
+  EXPECT_EQ(solve["rounds"].back()["rays"], json["solution"]["rays"]);
+  for (const char* key : {"dark_sides", "streamed", "predicted_memory_bytes"})
+    EXPECT_TRUE(solve.contains(key)) << key;
+  EXPECT_FALSE(solve.contains("steps")) << "shooting has those";
+  EXPECT_GT(json["first_light_s"], json["first_light_after_load_s"].get<double>());
+}
+
+TEST(Sampled, gives_the_same_bytes_on_any_number_of_threads_and_with_any_memory) {
+  const auto folder = fresh_folder("sampled_same");
+  ASSERT_EQ(cli::run(folder, bake + "--error 3% -o 1.vtkhdf --quiet --threads 1").code, 0);
+  for (const char* how : {"--threads 2", "--threads 5", "--memory 1MiB"}) {
+    const auto run = cli::run(folder, bake + "--error 3% -o 2.vtkhdf --quiet " + how);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(read_file(folder / "1.vtkhdf"), read_file(folder / "2.vtkhdf")) << how;
+  }
+}
+
+TEST(Sampled, says_which_limit_ended_it_before_it_was_good_enough) {
+  const auto folder = fresh_folder("sampled_limit");
+  for (const auto& [limit, name] :
+       {std::pair{"--rays 1M", "ray limit"}, std::pair{"--time 0.2s", "time limit"}}) {
+    const auto run = cli::run(folder, bake + "--error 0.001% -o a.vtkhdf --json " + limit);
+    EXPECT_EQ(run.code, 3) << run.err;
+    const auto json = Json::parse(run.out);
+    EXPECT_EQ(json["solve"]["error"]["ended_by"], name);
+    EXPECT_GT(json["solve"]["error"]["reached"], 1e-5);
+    EXPECT_NE(run.err.find(std::string("stopped by the ") + name + ": standard error"), std::string::npos)
+        << run.err;
+    EXPECT_NE(run.err.find("asked for 0.001 %"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Sampled, without_a_target_a_limit_is_what_was_asked_for) {
+  const auto folder = fresh_folder("sampled_no_target");
+  const auto run = cli::run(folder, bake + "--error 0 --rays 1M -o a.vtkhdf --json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err.find("warning"), std::string::npos) << run.err;
+  const auto json = Json::parse(run.out);
+  EXPECT_EQ(json["solve"]["error"]["ended_by"], "ray limit");
+  EXPECT_LE(json["solution"]["rays"], 1'000'000);
+}
+
+TEST(Sampled, takes_every_switch) {
+  const auto folder = fresh_folder("sampled_switches");
+  for (const char* option : {"--low-discrepancy off", "--stratified off", "--importance off",
+                             "--control-variate off", "--mis on", "--share off", "--replicates 4"}) {
+    const auto run = cli::run(folder, bake + "--error 5% -o a.vtkhdf --json " + option);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto command = Json::parse(run.out)["solution"]["command_line"].get<std::string>();
+    EXPECT_TRUE(command.ends_with(option)) << command;
+  }
+}
+
+TEST(Sampled, info_says_that_each_patch_has_its_error) {
+  const auto folder = fresh_folder("sampled_info");
+  ASSERT_EQ(cli::run(folder, bake + "--error 3% -o a.vtkhdf --quiet").code, 0);
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("for 95 % of the lit sides"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("with the standard error of every patch side"), std::string::npos) << info.out;
+  // Copied, it keeps them.
+  ASSERT_EQ(cli::run(folder, "$LUXEL export a.vtkhdf -o b.vtkhdf --quiet").code, 0);
+  EXPECT_EQ(read_file(folder / "a.vtkhdf"), read_file(folder / "b.vtkhdf"));
+}
+
+// The interrupt is sent once the light is on its way: the lamp is reported right before it.
+TEST(Sampled, that_is_interrupted_writes_what_it_has_and_says_so) {
+  const auto folder = fresh_folder("sampled_interrupt");
+  const auto run = cli::run(folder, bake +
+                                        "--error 0.001% -o a.glb -o a.vtkhdf & pid=$!; for i in $(seq 600); "
+                                        "do grep -q lamp stderr.txt && break; sleep 0.05; done; sleep 1; "
+                                        "kill -INT $pid; wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("warning: stopped: standard error"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
+}
+
+}  // namespace
+}  // namespace luxel::cli
