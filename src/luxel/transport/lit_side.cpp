@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "luxel/transport/clip_triangle.h"
 #include "luxel/transport/polygon_irradiance.h"
@@ -11,7 +12,7 @@ namespace luxel {
 namespace {
 
 constexpr double one_point_error = 1e-3;  // relative, of the centroid rule, that is let pass
-constexpr double split_error = 0.004;      // difference of the rules of one and of three points that splits
+constexpr double split_error = 0.004;     // difference of the rules of one and of three points that splits
 constexpr int deepest = 7;                // halvings of the edges
 
 using Corners = std::array<Vec3d, 3>;
@@ -44,49 +45,52 @@ bool centroid_will_do(const LampTriangle& lamp, const Vec3d& centroid, double ra
 }
 
 // The mean over a triangle of the irradiance of the near lamps, by splitting it where rules of one and of
-// three points disagree.
+// three points disagree: each lamp only as far as its own needs.
 class NearMean {
  public:
   NearMean(const Lamps& lamps, std::vector<SideLamp>& near, const Vec3d& n, double total)
-      : lamps_(lamps), near_(near), n_(n), total_(total), at_(3 * near.size()) {}
-
-  void add(const Corners& t, double share) { add(t, share, evaluate((t[0] + t[1] + t[2]) / 3.0, 0), 0); }
-
- private:
-  void add(const Corners& t, double share, double at_centroid, int depth) {
-    const auto centroid = (t[0] + t[1] + t[2]) / 3.0;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) sum += evaluate(0.5 * (centroid + t[k]), k);
-    if (depth == deepest || std::fabs(sum / 3.0 - at_centroid) * std::sqrt(share) <=
-                                split_error * std::max(total_, sum / 3.0 * share)) {
-      for (std::size_t i = 0; i < near_.size(); ++i)
-        near_[i].irradiance += share * (at_[3 * i] + at_[3 * i + 1] + at_[3 * i + 2]) / 3.0;
-      return;
-    }
-    const Vec3d ab = 0.5 * (t[0] + t[1]);
-    const Vec3d bc = 0.5 * (t[1] + t[2]);
-    const Vec3d ca = 0.5 * (t[2] + t[0]);
-    for (const auto& child : {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}})
-      add(child, share / 4.0, evaluate((child[0] + child[1] + child[2]) / 3.0, 0), depth + 1);
-    add({bc, ca, ab}, share / 4.0, at_centroid, depth + 1);
+      : lamps_(lamps), near_(near), n_(n), allowed_(split_error * total) {
+    active_.resize(near.size());
+    std::iota(active_.begin(), active_.end(), std::size_t{0});
   }
 
-  // Sum over the near lamps; each one's own is kept in column k.
-  double evaluate(const Vec3d& x, std::size_t k) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < near_.size(); ++i) {
-      const auto& lamp = lamps_.triangles()[near_[i].lamp];
-      at_[3 * i + k] = unit_irradiance(lamp, x, n_);
-      sum += lamp.weight * at_[3 * i + k];
+  // All of the near lamps over the triangle, which is this share of the patch.
+  void add(const Corners& t, double share) { add(t, share, 0, active_.size(), 0); }
+
+ private:
+  // The lamps active_[begin, end).
+  void add(const Corners& t, double share, std::size_t begin, std::size_t end, int depth) {
+    const auto centroid = (t[0] + t[1] + t[2]) / 3.0;
+    const auto first = active_.size();
+    for (auto i = begin; i < end; ++i) {
+      const auto index = active_[i];
+      const auto& lamp = lamps_.triangles()[near_[index].lamp];
+      const auto one = unit_irradiance(lamp, centroid, n_);
+      double three = 0.0;
+      for (const auto& corner : t) three += unit_irradiance(lamp, 0.5 * (centroid + corner), n_) / 3.0;
+      if (depth < deepest && lamp.weight * std::fabs(three - one) * std::sqrt(share) >
+                                 std::max(allowed_, split_error * lamp.weight * three * share))
+        active_.push_back(index);
+      else
+        near_[index].irradiance += share * three;
     }
-    return sum;
+    const auto last = active_.size();
+    if (last > first) {
+      const Vec3d ab = 0.5 * (t[0] + t[1]);
+      const Vec3d bc = 0.5 * (t[1] + t[2]);
+      const Vec3d ca = 0.5 * (t[2] + t[0]);
+      for (const auto& child :
+           {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{bc, ca, ab}})
+        add(child, share / 4.0, first, last, depth + 1);
+    }
+    active_.resize(first);
   }
 
   const Lamps& lamps_;
   std::vector<SideLamp>& near_;
   Vec3d n_;
-  double total_;
-  std::vector<double> at_;  // [lamp][point]
+  double allowed_;
+  std::vector<std::size_t> active_;  // a stack: those that each depth has left over
 };
 
 double doubled_area(const Corners& t) { return glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
