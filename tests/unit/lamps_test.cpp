@@ -114,7 +114,8 @@ TEST(UnitIrradiance, a_far_lamp_gives_area_times_cosines_over_distance_squared) 
 // whichever corner the warp begins with.
 TEST(LampSample, density_and_samples_agree_with_the_closed_form) {
   const auto lamp = lamp_of({0, 0, 2}, {0.3f, 1.5f, 2.2f}, {1, 0.2f, 1.7f});
-  for (const auto& x : {Vec3d(0.3, 0.4, 1.0), Vec3d(0.3, 0.5, 1.9), Vec3d(0.4, 0.5, -20), Vec3d(-2, 0.5, 1.9)}) {
+  for (const auto& x :
+       {Vec3d(0.3, 0.4, 1.0), Vec3d(0.3, 0.5, 1.9), Vec3d(0.4, 0.5, -20), Vec3d(-2, 0.5, 1.9)}) {
     const auto n = glm::normalize(Vec3d(0.45, 0.5, 2.0) - x);
     constexpr int side = 400;
     double sum = 0.0;
