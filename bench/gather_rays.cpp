@@ -11,7 +11,8 @@
 namespace luxel::bench {
 namespace {
 
-constexpr std::size_t strata = 16;
+constexpr std::size_t side = 8;  // of the square of strata
+constexpr std::size_t strata = side * side;
 constexpr std::size_t group = 256;  // patches
 
 // The 21 low bits of x, two zeros after each.
@@ -43,11 +44,11 @@ std::vector<std::uint32_t> morton_order(const PatchSet& patches) {
 }
 
 Ray ray_of(const PatchSet& patches, std::uint32_t patch, std::size_t stratum) {
-  const auto side = side_of(patch, false);
-  auto u = uniform4(stream_key(1, 0, static_cast<std::uint32_t>(side)), stratum);
-  u[2] = (static_cast<float>(stratum % 4) + u[2]) / 4.0f;
-  u[3] = (static_cast<float>(stratum / 4) + u[3]) / 4.0f;
-  return PatchEmitter(patches, side).ray(u);
+  const auto front = side_of(patch, false);
+  auto u = uniform4(stream_key(1, 0, static_cast<std::uint32_t>(front)), stratum);
+  u[2] = (static_cast<float>(stratum % side) + u[2]) / side;
+  u[3] = (static_cast<float>(stratum / side) + u[3]) / side;
+  return PatchEmitter(patches, front).ray(u);
 }
 
 void shuffle(std::vector<Ray>& rays) {
@@ -59,7 +60,7 @@ void shuffle(std::vector<Ray>& rays) {
 std::vector<Ray> gather_rays(const PatchSet& patches, RayOrder order, std::size_t most) {
   const auto along = morton_order(patches);
   const auto groups = (along.size() + group - 1) / group;
-  const auto every = std::max<std::size_t>(1, groups * group * strata / std::max<std::size_t>(1, most));
+  const auto every = (groups * group * strata + most - 1) / most;
   std::vector<Ray> rays;
   for (std::size_t g = 0; g < groups; g += every) {
     const auto begin = g * group;

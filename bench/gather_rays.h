@@ -16,8 +16,8 @@ enum class RayOrder {
   shuffled
 };
 
-// 16 rays into the cosine hemisphere over the front of each patch, one a stratum (4 x 4); of larger scenes
-// only as many groups of neighbours, evenly spread, as give about `most` rays.
+// 64 rays into the cosine hemisphere over the front of each patch, one a stratum (8 x 8); of larger scenes
+// only as many groups of neighbours, evenly spread, as give about `most` rays (at least 1).
 std::vector<Ray> gather_rays(const PatchSet& patches, RayOrder order, std::size_t most);
 
 }  // namespace luxel::bench
