@@ -122,29 +122,32 @@ INSTANTIATE_TEST_SUITE_P(KnownRooms, ErrorBars, testing::ValuesIn(all_cases()), 
 
 class ErrorAskedFor : public testing::TestWithParam<RoomMaker> {};
 
-// From 4 % to 1 %: both reached, neither by luck (root mean square over sixteen seeds), and what the error
-// fell by is what was said. The ratios are measured to 4 % at least.
+// From 4 % to 0.3 %: all reached, none by luck (root mean square over sixteen seeds), and what the error fell
+// by is what was said. Rooms as small as these may reach the first two with the least number of rays there
+// is.
 TEST_P(ErrorAskedFor, is_the_error_there_is) {
   const auto room = GetParam().make();
-  double true_square[2] = {}, predicted_square[2] = {};
-  double rays[2] = {};
-  for (const int k : {0, 1}) {
-    const double target = k == 0 ? 0.04 : 0.01;
+  std::vector<double> true_square, predicted_square, rays;
+  for (const double target : {0.04, 0.01, 0.003}) {
     const auto runs = solve_with_seeds(room, {.error = target}, 16);
     const auto verdict = judge(room, runs);
-    EXPECT_LT(verdict.ratio.standard_error, 0.04) << target;
+    EXPECT_LT(verdict.ratio.standard_error, 0.06) << target;
     EXPECT_NEAR(verdict.ratio.value, 1.0, 0.1 + 3.0 * verdict.ratio.standard_error) << target;
+    true_square.push_back(0.0);
+    predicted_square.push_back(0.0);
+    rays.push_back(0.0);
     for (const auto& run : runs) {
-      true_square[k] += true_error(room, run) * true_error(room, run) / 16.0;
-      predicted_square[k] += run.predicted_error * run.predicted_error / 16.0;
-      rays[k] += static_cast<double>(run.provenance.rays);
+      true_square.back() += true_error(room, run) * true_error(room, run) / 16.0;
+      predicted_square.back() += run.predicted_error * run.predicted_error / 16.0;
+      rays.back() += static_cast<double>(run.provenance.rays);
     }
-    EXPECT_LT(std::sqrt(true_square[k]), 1.1 * target);
+    EXPECT_LT(std::sqrt(true_square.back()), 1.1 * target);
   }
-  const auto fell = std::sqrt(true_square[0] / true_square[1]);
-  const auto said = std::sqrt(predicted_square[0] / predicted_square[1]);
+  const auto fell = std::sqrt(true_square.front() / true_square.back());
+  const auto said = std::sqrt(predicted_square.front() / predicted_square.back());
   EXPECT_NEAR(fell / said, 1.0, 0.2);
-  EXPECT_GT(rays[1], rays[0]);
+  EXPECT_GE(rays[1], rays[0]);
+  EXPECT_GT(rays[2], rays[0]);
 }
 
 INSTANTIATE_TEST_SUITE_P(KnownRooms, ErrorAskedFor, testing::ValuesIn(known_rooms()),
