@@ -21,11 +21,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 void check(const PatchSet& patches, const StochasticJacobiOptions& options) {
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0))
     throw InputError(fmt::format("tolerance must be between 0 and 1, not {}", options.tolerance));
-  if (sum(emitted_power(patches)) <= 0.0)
-    throw InputError(
-        "the scene has no lamp: give a material a 'Ke R G B' line (radiance, W/(m² sr)) in its MTL file, and "
-        "use that "
-        "material on at least one face");
+  check_lamps(patches);
 }
 
 // The state of the iteration: power that arrived so far, and power that is still to be shot.
@@ -197,6 +193,13 @@ std::vector<double> emitted_power(const PatchSet& patches) {
     for (std::size_t b = 0; b < power.size(); ++b)
       power[b] += static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
   return power;
+}
+
+void check_lamps(const PatchSet& patches) {
+  if (sum(emitted_power(patches)) > 0.0) return;
+  throw InputError(
+      "the scene has no lamp: give a material a 'Ke R G B' line (radiance, W/(m² sr)) in its MTL file, and "
+      "use that material on at least one face");
 }
 
 std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {

@@ -44,4 +44,7 @@ std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch);
 // Power the lamps emit, W, [band].
 std::vector<double> emitted_power(const PatchSet& patches);
 
+// Throws the InputError that says how to add a lamp where there is none.
+void check_lamps(const PatchSet& patches);
+
 }  // namespace luxel

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "luxel/transport/gather_sides.h"
@@ -21,27 +23,29 @@ class GatherBlock {
  public:
   static constexpr std::uint32_t positions = 1024;
 
-  // Slots [first, end) lie in one block of positions, all fronts or all backs.
-  GatherBlock(const GatherSides& sides, std::uint32_t first, std::uint32_t end)
-      : first_slot_(first), end_slot_(end), base_(sides.position[first] / positions * positions) {
+  // The slots, rising, lie in one block of positions and are all fronts or all backs.
+  GatherBlock(const GatherSides& sides, std::span<const std::uint32_t> slots)
+      : size_(static_cast<std::uint32_t>(slots.size())) {
+    if (slots.empty()) return;
+    base_ = sides.position[slots.front()] / positions * positions;
+    last_ = sides.position[slots.back()] - base_;
     slot_at_.fill(GatherSides::none);
-    for (auto s = first; s < end; ++s) slot_at_[sides.position[s] - base_] = s;
-    last_ = sides.position[end - 1] - base_;
+    for (const auto s : slots) slot_at_[sides.position[s] - base_] = s;
   }
 
-  std::uint32_t first_slot() const { return first_slot_; }
-  std::uint32_t end_slot() const { return end_slot_; }
-  std::uint32_t size() const { return end_slot_ - first_slot_; }
+  std::uint32_t size() const { return size_; }
 
   // Calls body(slot, index of the point in the sequence) for the n points of each slot, in the order of
   // tracing. n: a power of two.
   template <typename Body>
   void for_each_point(std::uint32_t n, Body body) const {
+    if (size_ == 0) return;
     const auto strata = std::max(n, least_strata);
     const auto points = (last_ + 1) * n;
+    const auto shift = std::countr_zero(n);
     for (std::uint32_t stratum = 0; stratum < strata; ++stratum)
       for (auto i = stratum; i < points; i += strata) {
-        const auto slot = slot_at_[i / n];
+        const auto slot = slot_at_[i >> shift];
         if (slot != GatherSides::none) body(slot, base_ * n + i);
       }
   }
@@ -49,9 +53,9 @@ class GatherBlock {
  private:
   static constexpr std::uint32_t least_strata = 64;
 
-  std::uint32_t first_slot_, end_slot_;
-  std::uint32_t base_;  // position
-  std::uint32_t last_;  // position of the last slot, from base
+  std::uint32_t size_;
+  std::uint32_t base_ = 0;  // position
+  std::uint32_t last_ = 0;  // position of the last slot, from base
   std::array<std::uint32_t, positions> slot_at_;
 };
 

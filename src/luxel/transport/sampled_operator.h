@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
@@ -21,9 +22,9 @@ struct SampledOperatorOptions {
 };
 
 // Transport as a sampled operator: each replicate has n cosine rays a side, from Owen-scrambled points, and
-// F_ij is the share of side i's rays whose first hit is side j. Rays are added in rounds; all earlier ones
-// stay. A round is stored, or streamed: traced again by every apply(), which needs no memory and gives the
-// same bits.
+// F_ij is the share of side i's rays whose first hit is side j. Rays are added in rounds, to all sides or to
+// some; earlier ones stay. Hits are stored, or streamed: traced again by every apply(), which needs no memory
+// and gives the same bits.
 //
 // Elements are the slots of GatherSides. Rays that bring no light end in sinks, elements of their own after
 // the slots, whose radiosity is 0: escaped, dark (a side that does not gather), and one for each one-sided
@@ -38,17 +39,19 @@ class SampledOperator {
                   const SampledOperatorOptions& options);
 
   const GatherSides& sides() const { return sides_; }
-  std::uint32_t rays_a_side() const { return rays_a_side_; }  // of one replicate
-  std::uint64_t rays_of_round(std::uint32_t per_replicate) const {
-    return std::uint64_t{options_.replicates} * per_replicate * sides_.size();
-  }
+  // Rays of each slot, of one replicate.
+  std::span<const std::uint32_t> rays_a_slot() const { return rays_a_slot_; }
 
-  // Adds per_replicate rays (a power of two) a side and replicate. Returns false, and adds none, if the
-  // monitor said stop.
-  bool add_stored_round(std::uint32_t per_replicate, const Workers& workers, const Monitor& monitor = {});
-  void add_streamed_round(std::uint32_t per_replicate);
-  // Forgets the hits of stored rounds: they are streamed from now on.
-  void stream_all();
+  // Doubles the rays of these slots (rising; all with equally many so far); where there are none yet, gives
+  // them `first`, a power of two. Returns the rays traced, or none, with nothing added, if the monitor said
+  // stop.
+  std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> slots, std::uint32_t first,
+                                           const Workers& workers, const Monitor& monitor = {});
+
+  // Forgets the hits, and those of later rounds: they are streamed from now on.
+  void stream();
+  bool is_streamed() const { return is_streamed_; }
+  std::uint64_t bytes() const;  // of the hits
 
   // Leaves out the slots that are not kept: rays to them end in the dark.
   void keep(const std::vector<std::uint8_t>& kept, const Workers& workers);
@@ -77,35 +80,42 @@ class SampledOperator {
 
   // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block, in the order
   // in which apply() adds them up.
+  std::size_t blocks() const { return block_begins_.size() - 1; }
   template <typename Body>
   void for_each_hit(std::uint32_t replicate, std::size_t block, Body body) const {
-    const GatherBlock rows(sides_, block_begins_[block], block_begins_[block + 1]);
     std::vector<std::uint32_t> traced;
-    for (std::size_t k = 0; k < rounds_.size(); ++k) {
-      const auto& round = rounds_[k];
+    for (const auto& round : rounds_) {
+      const GatherBlock rows(sides_, round.slots_of(block));
       const std::uint32_t* hit = nullptr;
-      if (round.is_stored()) {
-        hit = round.hits[replicate].data() + std::size_t{rows.first_slot()} * round.per_replicate;
-      } else {
+      if (is_streamed_) {
         traced.resize(std::size_t{rows.size()} * round.per_replicate);
-        trace(rows, static_cast<std::uint32_t>(k), replicate, traced);
+        trace(rows, round, block, replicate, traced);
         hit = traced.data();
+      } else {
+        hit = round.hits[replicate].data() + std::size_t{round.begins[block]} * round.per_replicate;
       }
       rows.for_each_point(round.per_replicate,
                           [&](std::uint32_t slot, std::uint32_t) { body(slot, *hit++); });
     }
   }
-  std::size_t blocks() const { return block_begins_.size() - 1; }
 
  private:
+  // Slots that got rays together.
   struct Round {
+    std::uint32_t level = 0;  // the doublings of these slots before this one
     std::uint32_t per_replicate = 0;
+    std::vector<std::uint32_t> slots;              // rising
+    std::vector<std::uint32_t> begins;             // [block + 1], into slots
     std::vector<std::vector<std::uint32_t>> hits;  // [replicate]: elements, in the order of tracing
-    bool is_stored() const { return !hits.empty(); }
+
+    std::span<const std::uint32_t> slots_of(std::size_t block) const {
+      return std::span(slots).subspan(begins[block], begins[block + 1] - begins[block]);
+    }
   };
 
+  Round make_round(std::vector<std::uint32_t> slots, std::uint32_t level, std::uint32_t per_replicate) const;
   // The elements that a block's rays of one round and replicate hit.
-  void trace(const GatherBlock& rows, std::uint32_t round, std::uint32_t replicate,
+  void trace(const GatherBlock& rows, const Round& round, std::size_t block, std::uint32_t replicate,
              std::span<std::uint32_t> hits) const;
   std::uint32_t element_of(const Hit& hit) const;
 
@@ -115,7 +125,8 @@ class SampledOperator {
   SampledOperatorOptions options_;
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
-  std::uint32_t rays_a_side_ = 0;
+  std::vector<std::uint32_t> rays_a_slot_, doublings_;
+  bool is_streamed_ = false;
 };
 
 }  // namespace luxel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/dark_sides.h"
+
+#include <algorithm>
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t neighbours = 64;  // positions that are lit together
+
+// A picture that is made of patches must not be speckled where few rays find the light.
+void light_neighbours(const GatherSides& sides, std::vector<std::uint8_t>& lit) {
+  for (std::size_t begin = 0; begin < sides.size();) {
+    auto end = begin;
+    bool any = false;
+    while (end < sides.size() && sides.position[end] / neighbours == sides.position[begin] / neighbours &&
+           (end < sides.fronts) == (begin < sides.fronts))
+      any |= lit[end++] != 0;
+    if (any)
+      std::fill(lit.begin() + static_cast<std::ptrdiff_t>(begin),
+                lit.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{1});
+    begin = end;
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperator& transport,
+                                    const Solution& first_picture, std::span<const std::vector<float>> direct,
+                                    const Workers& workers) {
+  const auto& sides = transport.sides();
+  const auto bands = patches.band_count();
+  std::vector<std::uint8_t> lit(transport.elements(), 0);
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto patch = sides.side[s] / 2;
+    const bool back = sides.side[s] % 2 == 1;
+    const auto& H = back ? first_picture.irradiance_back : first_picture.irradiance_front;
+    bool is_lit = !back && patches.material_of(patch).is_lamp();
+    for (std::size_t b = 0; b < bands; ++b) {
+      is_lit |= H[patch * bands + b] > 0.0f;
+      for (const auto& d : direct) is_lit |= d[s * bands + b] > 0.0f;
+    }
+    lit[s] = is_lit ? 1 : 0;
+  }
+  // Light goes on from slot to slot. Each pass reads the one before, so threads do not matter.
+  for (bool changed = true; changed;) {
+    light_neighbours(sides, lit);
+    auto next = lit;
+    workers.for_chunks(transport.blocks(), 1, [&](std::size_t begin, std::size_t end, int) {
+      for (auto block = begin; block < end; ++block)
+        for (std::uint32_t r = 0; r < direct.size(); ++r)
+          transport.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
+            if (lit[element]) next[slot] = 1;
+          });
+    });
+    changed = next != lit;
+    lit = std::move(next);
+  }
+  lit.resize(sides.size());
+  return lit;
+}
+
+}  // namespace luxel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/parallel/workers.h"
+#include "luxel/transport/direct_light.h"
+#include "luxel/transport/gather_sides.h"
+
+namespace luxel {
+
+// Direct light of every slot, replicate by replicate, and the samples it is the mean of.
+class DirectSamples {
+ public:
+  // Keeps references to both.
+  DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
+                std::size_t bands);
+
+  // Doubles the samples of these slots; where there are none yet, takes `first` a replicate. Returns the
+  // shadow rays traced. The same bits on any number of threads.
+  std::uint64_t double_samples(std::span<const std::uint32_t> slots, std::uint32_t first,
+                               const Workers& workers);
+
+  // Samples of each slot, of one replicate.
+  std::span<const std::uint32_t> samples_a_slot() const { return samples_; }
+  // [replicate][slot * bands + band], W/m².
+  const std::vector<std::vector<float>>& irradiance() const { return mean_; }
+
+  // Goes on with the slots that are kept; they are those of `sides` now.
+  void keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides);
+
+ private:
+  const DirectLight& light_;
+  const GatherSides* sides_;
+  std::size_t bands_;
+  std::vector<std::vector<float>> mean_;
+  std::vector<std::uint32_t> samples_, doublings_;  // [slot]
+};
+
+}  // namespace luxel

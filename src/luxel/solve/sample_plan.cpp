@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/sample_plan.h"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+
+namespace luxel {
+namespace {
+
+constexpr double left_by_doubling = 0.45;  // of the squared error; independent points leave 0.5
+constexpr int most_doublings = 3;          // at a time: an estimate of the error is only so good
+
+}  // namespace
+
+std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double budget) {
+  std::vector<std::uint8_t> doublings(units.size(), 0);
+  using Entry = std::tuple<double, std::size_t>;  // error2 over cost, unit
+  std::priority_queue<Entry> queue;
+  double error2 = 0.0;
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    error2 += units[u].error2;
+    if (units[u].error2 > 0.0) queue.emplace(units[u].error2 / units[u].cost, u);
+  }
+  double spent = 0.0;
+  while (error2 > target && !queue.empty()) {
+    const auto [worth, u] = queue.top();
+    queue.pop();
+    double left = units[u].error2;
+    double cost = units[u].cost;
+    for (int i = 0; i < doublings[u]; ++i) {
+      left *= left_by_doubling;
+      cost *= 2.0;
+    }
+    if (spent + cost > budget) break;
+    spent += cost;
+    error2 -= (1.0 - left_by_doubling) * left;
+    if (++doublings[u] < most_doublings) queue.emplace(worth * 0.5 * left_by_doubling, u);
+  }
+  return doublings;
+}
+
+}  // namespace luxel
