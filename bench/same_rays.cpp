@@ -13,23 +13,25 @@
 #include "luxel/transport/patch_emitter.h"
 #include "luxel/transport/ray_plan.h"
 #include "luxel/transport/shooting.h"
+#include "luxel/transport/side_power.h"
 
 namespace luxel::bench {
 namespace {
 
 // The rays of one shot, made from the same plan and the same addresses as transport makes them.
-void append_shot(std::vector<Ray>& rays, const PatchSet& patches, const std::vector<double>& leaving,
+void append_shot(std::vector<Ray>& rays, const PatchSet& patches, const SidePower& leaving,
                  const ShootingOptions& options, const Workers& workers) {
   const double offset = uniform4({options.seed, options.step, 0xffffffffu, 0})[0];
   const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, workers);
   const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
   for (std::uint64_t j = 0; j < batches; ++j)
     for (auto ray = j; ray < plan.rays;) {
-      const auto side = plan.side_of_ray(ray);
+      const auto entry = plan.entry_of_ray(ray);
+      const auto side = leaving.side[entry];
       const PatchEmitter emitter(patches, side);
-      const auto key = stream_key(options.seed, options.step, static_cast<std::uint32_t>(side));
-      for (; ray < plan.first_ray[side + 1]; ray += batches)
-        rays.push_back(emitter.ray(uniform4(key, ray - plan.first_ray[side])));
+      const auto key = stream_key(options.seed, options.step, side);
+      for (; ray < plan.first_ray[entry + 1]; ray += batches)
+        rays.push_back(emitter.ray(uniform4(key, ray - plan.first_ray[entry])));
     }
 }
 
@@ -38,12 +40,8 @@ void append_shot(std::vector<Ray>& rays, const PatchSet& patches, const std::vec
 std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
                                const StochasticJacobiOptions& options, const Workers& workers) {
   const auto bands = patches.band_count();
-  std::vector<double> leaving(2 * patches.size() * bands, 0.0);
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    for (std::size_t b = 0; b < bands; ++b)
-      leaving[side_of(p, false) * bands + b] =
-          static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
-  const auto emitted = std::accumulate(leaving.begin(), leaving.end(), 0.0);
+  auto leaving = lamp_power(patches);
+  const auto emitted = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0);
   std::vector<Ray> rays;
   double share = 1.0;
   for (std::uint32_t step = 0; share > options.tolerance; ++step) {
@@ -52,10 +50,11 @@ std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
         .rays = static_cast<std::uint64_t>(wanted), .seed = options.seed, .step = step};
     append_shot(rays, patches, leaving, shot, workers);
     const auto arrival = shoot(patches, tracer, leaving, shot, workers);
-    for (std::size_t i = 0; i < leaving.size(); ++i)
-      leaving[i] =
-          patches.material_of(i / bands / 2).reflectance[i % bands] * arrival.scale.watts(arrival.arrived[i]);
-    share = std::accumulate(leaving.begin(), leaving.end(), 0.0) / emitted;
+    leaving = {arrival.side, std::vector<double>(arrival.arrived.size())};
+    for (std::size_t i = 0; i < leaving.watts.size(); ++i)
+      leaving.watts[i] = patches.material_of(leaving.side[i / bands] / 2).reflectance[i % bands] *
+                         arrival.scale.watts(arrival.arrived[i]);
+    share = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0) / emitted;
   }
   return rays;
 }

@@ -7,8 +7,8 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/report/error.h"
 #include "luxel/solve/stochastic_jacobi.h"
-#include "luxel/transport/patch_emitter.h"
 #include "luxel/transport/shooting.h"
+#include "luxel/transport/side_power.h"
 
 #include "support/truth_scenes.h"
 
@@ -23,15 +23,6 @@ PatchSet leaky_scene() {
   b.material("turned_away", 0.5f, 0.0f, false).quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
   b.material("beside", 0.7f, 0.0f).quad({1, 0, 0}, {1, 0, 2}, {1, 1, 2}, {1, 1, 0});
   return make_patches(b.scene(), {.max_edge = 0.3f});
-}
-
-std::vector<double> lamp_power(const PatchSet& patches) {
-  std::vector<double> leaving(2 * patches.size() * 3, 0.0);
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    for (std::size_t b = 0; b < 3; ++b)
-      leaving[side_of(p, false) * 3 + b] =
-          static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
-  return leaving;
 }
 
 void expect_balanced(const Arrival& a) {

@@ -2,6 +2,7 @@
 #include "luxel/solve/stochastic_jacobi.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -10,6 +11,7 @@
 #include "luxel/report/error.h"
 #include "luxel/transport/patch_emitter.h"
 #include "luxel/transport/shooting.h"
+#include "luxel/transport/side_power.h"
 
 namespace luxel {
 namespace {
@@ -30,12 +32,12 @@ class Iteration {
   Iteration(const PatchSet& patches, const Tracer& tracer, const StochasticJacobiOptions& options,
             const Workers& workers)
       : patches_(patches),
-        tracer_(tracer),
         options_(options),
         workers_(workers),
         bands_(patches.band_count()),
+        shooter_(patches, tracer, workers),
         arrived_(2 * patches.size() * bands_, 0.0),
-        unshot_(arrived_.size(), 0.0) {
+        unshot_(lamp_power(patches)) {
     report_.energy.emitted = emitted_power(patches);
     emitted_ = sum(report_.energy.emitted);
     for (auto* part : {&report_.energy.absorbed, &report_.energy.escaped, &report_.energy.lost_at_backs})
@@ -43,11 +45,7 @@ class Iteration {
     report_.back_loss.assign(patches.materials.size(), 0.0);
     for (const auto& material : patches.materials)
       reflectance_.insert(reflectance_.end(), material.reflectance.begin(), material.reflectance.end());
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      for (std::size_t b = 0; b < bands_; ++b)
-        unshot_[side_of(p, false) * bands_ + b] =
-            static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
-    unshot_power_ = sum_unshot();
+    unshot_power_ = sum(unshot_.watts);
     report_.unshot_share = 1.0;
   }
 
@@ -63,7 +61,7 @@ class Iteration {
   }
 
   SolveReport& report() { return report_; }
-  void fill(Solution& solution) const;
+  void fill(Solution& solution);
 
  private:
   // One bounce. Returns the share of it that was done before the monitor said stop.
@@ -75,10 +73,10 @@ class Iteration {
       const auto here = before * (1.0 - p.done * (1.0 - reflected));
       return tell(monitor, {p.stage, std::clamp(1.0 - here, 0.0, 1.0), report_.rays + p.rays});
     };
-    const auto arrival =
-        shoot(patches_, tracer_, unshot_,
-              {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
-              workers_, tell_whole);
+    const auto arrival = shooter_.shoot(
+        unshot_,
+        {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
+        tell_whole);
     report_.rays += arrival.rays;
     if (arrival.share > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
     report_.steps.push_back({arrival.rays, report_.unshot_share});
@@ -91,20 +89,27 @@ class Iteration {
   void receive(const Arrival& arrival, double quantum) {
     auto& energy = report_.energy;
     const auto watts = [&](std::int64_t units) { return arrival.scale.watts(units) / arrival.share; };
+    unshot_.side = arrival.side;
+    unshot_.watts.resize(arrival.arrived.size());
     // Sums per chunk, added in order: the same bits on any number of threads.
-    std::vector<double> absorbed((patches_.size() + grain - 1) / grain * bands_, 0.0);
-    std::vector<double> irradiance((patches_.size() + grain - 1) / grain, 0.0);
+    const auto chunks = (patches_.size() + grain - 1) / grain;
+    std::vector<double> absorbed(chunks * bands_, 0.0);
+    std::vector<double> irradiance(chunks, 0.0);
+    std::vector<double> unshot(chunks, 0.0);
     workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-      auto* chunk_absorbed = &absorbed[begin / grain * bands_];
-      for (auto p = begin; p < end; ++p) {
-        const auto* rho = &reflectance_[static_cast<std::size_t>(patches_.material[p]) * bands_];
-        for (auto i = side_of(p, false) * bands_; i < side_of(p + 1, false) * bands_; ++i) {
-          const auto b = i % bands_;
-          const auto power = watts(arrival.arrived[i]);
-          arrived_[i] += power;
-          unshot_[i] = rho[b] * power;
-          chunk_absorbed[b] += (1.0 - rho[b]) * power;
-          irradiance[begin / grain] += power / static_cast<double>(patches_.area[p]);
+      const auto chunk = begin / grain;
+      const auto range = entries_between(arrival.side, side_of(begin, false), side_of(end, false));
+      for (auto e = range.begin; e < range.end; ++e) {
+        const auto side = arrival.side[e];
+        const auto* rho = &reflectance_[static_cast<std::size_t>(patches_.material[side / 2]) * bands_];
+        for (std::size_t b = 0; b < bands_; ++b) {
+          const auto power = watts(arrival.arrived[e * bands_ + b]);
+          const auto reflected = rho[b] * power;
+          arrived_[side * bands_ + b] += power;
+          unshot_.watts[e * bands_ + b] = reflected;
+          unshot[chunk] += reflected;
+          absorbed[chunk * bands_ + b] += (1.0 - rho[b]) * power;
+          irradiance[chunk] += power / static_cast<double>(patches_.area[side / 2]);
         }
       }
     });
@@ -116,12 +121,8 @@ class Iteration {
         energy.lost_at_backs[b] += watts(arrival.absorbed[m * bands_ + b]);
         report_.back_loss[m] += watts(arrival.absorbed[m * bands_ + b]);
       }
-    unshot_power_ = sum_unshot();
+    unshot_power_ = sum(unshot);
     report_.unshot_share = unshot_power_ / emitted_;
-  }
-
-  double sum_unshot() const {
-    return ordered_sum(workers_, unshot_.size(), [this](std::size_t i) { return unshot_[i]; });
   }
 
   double guess_reflected_share() const {
@@ -134,64 +135,64 @@ class Iteration {
   void finish(StopReason reason) {
     report_.stop = reason;
     report_.energy.unshot.assign(bands_, 0.0);
-    for (std::size_t i = 0; i < unshot_.size(); ++i) report_.energy.unshot[i % bands_] += unshot_[i];
-    report_.predicted_error = predicted_error();
-  }
-
-  // Area-weighted relative RMS: sqrt(sum of A Var(H) / sum of A H²).
-  double predicted_error() const {
-    double square = 0.0;
-    for (std::size_t s = 0; s < 2 * patches_.size(); ++s) {
-      double power = 0.0;
-      for (std::size_t b = 0; b < bands_; ++b) power += arrived_[s * bands_ + b];
-      square += power * power / static_cast<double>(patches_.area[s / 2]);
-    }
-    return square > 0.0 ? std::sqrt(variance_ / square) : 0.0;
+    for (std::size_t i = 0; i < unshot_.watts.size(); ++i)
+      report_.energy.unshot[i % bands_] += unshot_.watts[i];
   }
 
   const PatchSet& patches_;
-  const Tracer& tracer_;
   const StochasticJacobiOptions& options_;
   const Workers& workers_;
   std::size_t bands_;
+  Shooter shooter_;
   std::vector<double> reflectance_;  // [material][band]
   std::vector<double> arrived_;      // W, [side][band]
-  std::vector<double> unshot_;       // W, [side][band]
-  double unshot_power_ = 0.0;        // W, all bands: the sum of unshot_
-  double emitted_ = 0.0;             // W, all bands
-  double variance_ = 0.0;            // sum over sides of area times the variance of the irradiance, W²/m²
+  SidePower unshot_;
+  double unshot_power_ = 0.0;  // W, all bands: the sum of unshot_
+  double emitted_ = 0.0;       // W, all bands
+  double variance_ = 0.0;      // sum over sides of area times the variance of the irradiance, W²/m²
   SolveReport report_;
 };
 
-void Iteration::fill(Solution& solution) const {
+// And the predicted error, area-weighted relative RMS: sqrt(sum of A Var(H) / sum of A H²).
+void Iteration::fill(Solution& solution) {
   solution.bands = patches_.bands;
-  const auto count = patches_.size() * bands_;
-  for (auto* array : {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
-                      &solution.radiosity_back})
-    array->assign(count, 0.0f);
-  for (std::size_t p = 0; p < patches_.size(); ++p) {
-    const auto& material = patches_.material_of(p);
-    for (std::size_t b = 0; b < bands_; ++b) {
-      const auto i = p * bands_ + b;
+  const std::array arrays = {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
+                             &solution.radiosity_back};
+  workers_.for_chunks(arrays.size(), 1, [&](std::size_t i, std::size_t, int) {
+    arrays[i]->assign(patches_.size() * bands_, 0.0f);
+  });
+  std::vector<double> squares((patches_.size() + grain - 1) / grain, 0.0);
+  workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p) {
+      const auto& material = patches_.material_of(p);
       const double area = patches_.area[p];
-      const double rho = material.reflectance[b];
-      const auto front = arrived_[side_of(p, false) * bands_ + b] / area;
-      const auto back = arrived_[side_of(p, true) * bands_ + b] / area;
-      solution.irradiance_front[i] = static_cast<float>(front);
-      solution.irradiance_back[i] = static_cast<float>(back);
-      solution.radiosity_front[i] = static_cast<float>(material.emittance[b] + rho * front);
-      solution.radiosity_back[i] = static_cast<float>(rho * back);
+      double front_power = 0.0;
+      double back_power = 0.0;
+      for (std::size_t b = 0; b < bands_; ++b) {
+        const auto i = p * bands_ + b;
+        const double rho = material.reflectance[b];
+        const auto front = arrived_[side_of(p, false) * bands_ + b];
+        const auto back = arrived_[side_of(p, true) * bands_ + b];
+        front_power += front;
+        back_power += back;
+        solution.irradiance_front[i] = static_cast<float>(front / area);
+        solution.irradiance_back[i] = static_cast<float>(back / area);
+        solution.radiosity_front[i] = static_cast<float>(material.emittance[b] + rho * (front / area));
+        solution.radiosity_back[i] = static_cast<float>(rho * (back / area));
+      }
+      squares[begin / grain] += (front_power * front_power + back_power * back_power) / area;
     }
-  }
+  });
+  const auto square = sum(squares);
+  report_.predicted_error = square > 0.0 ? std::sqrt(variance_ / square) : 0.0;
 }
 
 }  // namespace
 
 std::vector<double> emitted_power(const PatchSet& patches) {
   std::vector<double> power(patches.band_count(), 0.0);
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    for (std::size_t b = 0; b < power.size(); ++b)
-      power[b] += static_cast<double>(patches.area[p]) * patches.material_of(p).emittance[b];
+  const auto lamps = lamp_power(patches);
+  for (std::size_t i = 0; i < lamps.watts.size(); ++i) power[i % power.size()] += lamps.watts[i];
   return power;
 }
 
@@ -204,13 +205,17 @@ void check_lamps(const PatchSet& patches) {
 
 std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {
   // In a closed scene of mean reflectance rho every watt is shot 1 / (1 - rho) times.
+  std::vector<double> mean_reflectance;
+  for (const auto& material : patches.materials) {
+    const auto& rho = material.reflectance;
+    mean_reflectance.push_back(std::accumulate(rho.begin(), rho.end(), 0.0) /
+                               static_cast<double>(rho.size()));
+  }
   double area = 0.0;
   double reflected = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto& rho = patches.material_of(p).reflectance;
     area += patches.area[p];
-    reflected +=
-        patches.area[p] * std::accumulate(rho.begin(), rho.end(), 0.0) / static_cast<double>(rho.size());
+    reflected += patches.area[p] * mean_reflectance[static_cast<std::size_t>(patches.material[p])];
   }
   const auto once = std::max(0.05, 1.0 - reflected / area);
   return static_cast<std::uint64_t>(

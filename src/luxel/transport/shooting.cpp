@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "luxel/random/address.h"
 #include "luxel/transport/deposits.h"
@@ -16,92 +17,116 @@ constexpr std::uint32_t offset_element = 0xffffffffu;  // the address of the one
 constexpr std::size_t block = 64;                      // rays made, then traced, then delivered
 constexpr std::size_t grain = 4096;                    // rays a chunk
 
-// Where one batch's rays put their power.
+// Where rays put their power.
 struct Ledger {
-  Ledger(const PatchSet& patches, std::uint64_t rays, const Workers& workers)
-      : bands(patches.band_count()),
-        sides(2 * patches.size()),
-        arrived(sides * bands, rays, workers),
-        absorbed(patches.materials.size() * bands, rays, workers),
-        escaped(bands, rays, workers),
-        shot(bands, rays, workers) {}
-
-  std::size_t bands;
-  std::size_t sides;
-  Deposits arrived, absorbed, escaped, shot;
+  Deposits& arrived;
+  Deposits& absorbed;
+  Deposits& whole;
 };
+enum Place : std::size_t { escaped, shot, whole_places };  // of Ledger::whole
+
+// As an array of all places.
+std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t places, std::size_t bands) {
+  std::vector<std::int64_t> all(places * bands, 0);
+  for (std::size_t e = 0; e < sums.place.size(); ++e)
+    std::copy_n(&sums.sum[e * bands], bands, &all[sums.place[e] * bands]);
+  return all;
+}
 
 // Sends the rays of a chunk in blocks: first all of a block are made, then traced, then delivered. Every
 // counter of a block is asked for before the first is added to, so that their cache misses overlap.
 class ChunkShooter {
  public:
-  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const RayPlan& plan,
-               const ShootingOptions& options, Ledger& ledger, int worker)
+  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const SidePower& leaving, const RayPlan& plan,
+               const ShootingOptions& options, const Ledger& ledger, int worker)
       : patches_(patches),
         tracer_(tracer),
+        leaving_(leaving),
         plan_(plan),
         options_(options),
         ledger_(ledger),
-        worker_(worker) {}
+        worker_(worker),
+        bands_(patches.band_count()),
+        quantum_(bands_ * (block + 1)) {}
 
   // Rays first + stride * i of the plan, for i in [begin, end).
   void run(std::uint64_t first, std::uint64_t stride, std::size_t begin, std::size_t end) {
     auto ray = first + stride * begin;
-    auto side = plan_.side_of_ray(ray);
-    PatchEmitter emitter(patches_, side);
-    auto key = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side));
+    auto entry = plan_.entry_of_ray(ray);
+    auto shooter = shooter_of(entry);
     for (auto i = begin; i < end; ++i, ray += stride) {
-      if (ray >= plan_.first_ray[side + 1]) {
-        do ++side;
-        while (ray >= plan_.first_ray[side + 1]);
-        emitter = PatchEmitter(patches_, side);
-        key = stream_key(options_.seed, options_.step, static_cast<std::uint32_t>(side));
+      if (ray >= plan_.first_ray[entry + 1]) {
+        do ++entry;
+        while (ray >= plan_.first_ray[entry + 1]);
+        shooter = shooter_of(entry);
       }
-      rays_[waiting_] = emitter.ray(uniform4(key, ray - plan_.first_ray[side]));
-      sides_[waiting_++] = side;
-      if (waiting_ == block) flush();
+      rays_[waiting_] = shooter.emitter.ray(uniform4(shooter.key, ray - plan_.first_ray[entry]));
+      std::copy_n(&quantum_[block * bands_], bands_, &quantum_[waiting_ * bands_]);
+      if (++waiting_ == block) flush();
     }
     flush();
   }
 
  private:
+  struct SideShooter {
+    PatchEmitter emitter;
+    std::uint64_t key;
+  };
+  // Leaves what its rays carry at the end of quantum_.
+  SideShooter shooter_of(std::size_t entry) {
+    const auto side = leaving_.side[entry];
+    plan_.write_quantum(std::span(leaving_.watts).subspan(entry * bands_, bands_),
+                        std::span(quantum_).subspan(block * bands_));
+    return {PatchEmitter(patches_, side), stream_key(options_.seed, options_.step, side)};
+  }
+
   void flush() {
     tracer_.nearest(std::span(rays_.data(), waiting_), std::span(hits_.data(), waiting_));
     for (std::size_t i = 0; i < waiting_; ++i)
-      if (hits_[i]) ledger_.arrived.prefetch(worker_, side_of(hits_[i].patch, hits_[i].back) * ledger_.bands);
+      if (hits_[i]) ledger_.arrived.prefetch(worker_, side_of(hits_[i].patch, hits_[i].back));
     for (std::size_t i = 0; i < waiting_; ++i)
-      deliver(hits_[i], std::span(plan_.quantum).subspan(sides_[i] * ledger_.bands, ledger_.bands));
+      deliver(hits_[i], std::span(quantum_).subspan(i * bands_, bands_));
     waiting_ = 0;
   }
 
   void deliver(const Hit& hit, std::span<const std::int64_t> quantum) {
-    ledger_.shot.add(worker_, 0, quantum);
-    if (!hit) return ledger_.escaped.add(worker_, 0, quantum);
+    ledger_.whole.add(worker_, Place::shot, quantum);
+    if (!hit) return ledger_.whole.add(worker_, Place::escaped, quantum);
     if (hit.back && !patches_.material_of(hit.patch).two_sided)
-      return ledger_.absorbed.add(
-          worker_, static_cast<std::size_t>(patches_.material[hit.patch]) * ledger_.bands, quantum);
-    ledger_.arrived.add(worker_, side_of(hit.patch, hit.back) * ledger_.bands, quantum);
+      return ledger_.absorbed.add(worker_, static_cast<std::size_t>(patches_.material[hit.patch]), quantum);
+    ledger_.arrived.add(worker_, side_of(hit.patch, hit.back), quantum);
   }
 
   const PatchSet& patches_;
   const Tracer& tracer_;
+  const SidePower& leaving_;
   const RayPlan& plan_;
   const ShootingOptions& options_;
-  Ledger& ledger_;
+  const Ledger& ledger_;
   int worker_;
+  std::size_t bands_;
   std::size_t waiting_ = 0;
   std::array<Ray, block> rays_;
-  std::array<std::size_t, block> sides_;
   std::array<Hit, block> hits_;
+  std::vector<std::int64_t> quantum_;  // [ray of the block, and then the side's own][band]
 };
 
 }  // namespace
 
-Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
-              const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
+Shooter::Shooter(const PatchSet& patches, const Tracer& tracer, const Workers& workers)
+    : patches_(patches),
+      tracer_(tracer),
+      workers_(workers),
+      arrived_(2 * patches.size(), patches.band_count(), workers),
+      absorbed_(patches.materials.size(), patches.band_count(), workers),
+      whole_(whole_places, patches.band_count(), workers) {}
+
+Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options, const Monitor& monitor) {
+  const auto bands = patches_.band_count();
   const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
-  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, workers);
-  Ledger ledger(patches, plan.rays, workers);
+  const auto plan = make_ray_plan(leaving, bands, options.rays, offset, workers_);
+  for (auto* deposits : {&arrived_, &absorbed_, &whole_}) deposits->expect(plan.rays);
+  const Ledger ledger{arrived_, absorbed_, whole_};
 
   // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
   // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
@@ -111,22 +136,36 @@ Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const dou
   std::uint64_t traced = 0;
   for (std::uint64_t j = 0; j < batches && plan.rays > 0; ++j) {
     const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
-    workers.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
-      ChunkShooter(patches, tracer, plan, options, ledger, worker).run(j, batches, begin, end);
+    workers_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
+      ChunkShooter(patches_, tracer_, leaving, plan, options, ledger, worker).run(j, batches, begin, end);
     });
     traced += count;
     ++done;
     const auto share = static_cast<double>(done) / static_cast<double>(batches);
     if (tell(monitor, {"light", share, traced}) == Next::stop) break;
   }
-  const auto share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
-  return {plan.scale,
-          ledger.arrived.take_total(workers),
-          ledger.shot.take_total(workers),
-          ledger.escaped.take_total(workers),
-          ledger.absorbed.take_total(workers),
-          traced,
-          share};
+
+  Arrival arrival;
+  arrival.scale = plan.scale;
+  auto arrived = arrived_.take(workers_);
+  arrival.side = std::move(arrived.place);
+  arrival.arrived = std::move(arrived.sum);
+  arrival.absorbed = spread_out(absorbed_.take(workers_), patches_.materials.size(), bands);
+  const auto whole = spread_out(whole_.take(workers_), whole_places, bands);
+  const auto part = [&](Place place) {
+    const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(place * bands);
+    return std::vector<std::int64_t>(begin, begin + static_cast<std::ptrdiff_t>(bands));
+  };
+  arrival.escaped = part(Place::escaped);
+  arrival.shot = part(Place::shot);
+  arrival.rays = traced;
+  arrival.share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
+  return arrival;
+}
+
+Arrival shoot(const PatchSet& patches, const Tracer& tracer, const SidePower& leaving,
+              const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
+  return Shooter(patches, tracer, workers).shoot(leaving, options, monitor);
 }
 
 }  // namespace luxel

@@ -2,22 +2,24 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
 #include "luxel/trace/tracer.h"
+#include "luxel/transport/deposits.h"
 #include "luxel/transport/fixed_point.h"
+#include "luxel/transport/side_power.h"
 
 namespace luxel {
 
-// What became of the power of one shot. Arrays are [..][band], in units of `scale`. Band by band, shot is the
-// sum of arrived, escaped and absorbed, exactly.
+// What became of the power of one shot, in units of `scale`. Band by band, shot is the sum of arrived,
+// escaped and absorbed, exactly.
 struct Arrival {
   FixedPoint scale;
-  std::vector<std::int64_t> arrived;   // [side][band]
+  std::vector<std::uint32_t> side;     // that were met, rising
+  std::vector<std::int64_t> arrived;   // [entry of side][band]
   std::vector<std::int64_t> shot;      // [band]
   std::vector<std::int64_t> escaped;   // [band]: met nothing
   std::vector<std::int64_t> absorbed;  // [material][band]: met the back of a one-sided material
@@ -39,11 +41,28 @@ struct ShootingOptions {
 // its power, all bands at once, to the nearest side it meets. Unbiased. Variance of a side's arrival: quantum
 // times arrival (a Poisson count), at most.
 //
-// leaving: W, [side][band], none negative; side 2p is the front of patch p, 2p + 1 its back.
 // The result does not depend on the number of threads. Cost: one nearest hit a ray, and bands counters added
-// to. Memory: 8 bytes a side and band, and a private copy a thread where that pays (Deposits). Method:
-// listing 2 of the founding course paper; Neumann 1995; Bekaert 1999, chapter 6.
-Arrival shoot(const PatchSet& patches, const Tracer& tracer, std::span<const double> leaving,
+// to; little for a side that nothing leaves and nothing meets. Memory: 8 bytes a side and band, and a private
+// copy a thread where that pays (Deposits). Method: listing 2 of the founding course paper; Neumann 1995;
+// Bekaert 1999, chapter 6.
+class Shooter {
+ public:
+  // Keeps references. Of the same workers that shoot.
+  Shooter(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
+
+  Arrival shoot(const SidePower& leaving, const ShootingOptions& options, const Monitor& monitor = {});
+
+ private:
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  const Workers& workers_;
+  Deposits arrived_;   // at sides
+  Deposits absorbed_;  // by materials
+  Deposits whole_;     // escaped, and shot
+};
+
+// One shot.
+Arrival shoot(const PatchSet& patches, const Tracer& tracer, const SidePower& leaving,
               const ShootingOptions& options, const Workers& workers, const Monitor& monitor = {});
 
 }  // namespace luxel

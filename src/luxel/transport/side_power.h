@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// Power of the patch sides that have any. The others are not listed, so that a bounce costs no more than the
+// sides it meets, however many there are.
+struct SidePower {
+  std::vector<std::uint32_t> side;  // rising; side 2p is the front of patch p, 2p + 1 its back
+  std::vector<double> watts;        // [entry][band], none negative
+};
+
+// What the lamps emit: the fronts of all patches that shine.
+SidePower lamp_power(const PatchSet& patches);
+
+// The entries of a rising list of sides that lie in [begin, end).
+struct EntryRange {
+  std::size_t begin = 0, end = 0;
+};
+EntryRange entries_between(std::span<const std::uint32_t> side, std::size_t begin, std::size_t end);
+
+}  // namespace luxel
