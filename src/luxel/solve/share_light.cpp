@@ -2,61 +2,55 @@
 #include "luxel/solve/share_light.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
+#include <deque>
+#include <utility>
 
 #include "luxel/random/warp.h"
+#include "luxel/solve/linear_fit.h"
+#include "luxel/transport/patch_emitter.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::uint32_t task_patches = 4096;  // nodes of at most that many are one thread's work
-constexpr std::uint32_t linear_slots = 6;     // fewer carry a constant only
-constexpr double least_pivot = 1e-7;          // of the Gram matrix: below it the places lie on a line
+constexpr std::size_t tasks_grain = 8;        // tasks a chunk; many regions are small
+constexpr std::size_t regions_grain = 64;     // regions a chunk
 constexpr double unseen = 4.0 / 3.0;          // bias in all, over what fits two levels down can see
 constexpr double caution = 3.0;  // a fit is dropped where it is wrong by so much more than noise explains
 
-// The place of a patch in its region: two coordinates in the plane, about one region across.
-struct Chart {
-  Vec3 origin{0.0f};
-  Vec3 u{0.0f}, v{0.0f};  // axes over the region's size
-};
+using Place = LightSharing::Place;
 
-// Sums over the slots of a node, for the fit of c0 + c1 u + c2 v.
-struct Moments {
-  std::array<double, 6> gram{};  // of 1, u, v: upper triangle, row by row
-  std::vector<double> right;     // [replicate][band][3]
-  std::uint32_t slots = 0;
-
-  void add(const Moments& other) {
-    for (std::size_t i = 0; i < gram.size(); ++i) gram[i] += other.gram[i];
-    for (std::size_t i = 0; i < right.size(); ++i) right[i] += other.right[i];
-    slots += other.slots;
+// The coordinates of a region's patches, written at their slots.
+class Chart {
+ public:
+  Chart(const PatchSet& patches, std::span<const std::uint32_t> region) : patches_(patches) {
+    Vec3d sum(0.0);
+    Vec3d normal(0.0);
+    for (const auto p : region) {
+      sum += Vec3d(centroid(p));
+      normal += Vec3d(patches.normal[p]);
+    }
+    origin_ = Vec3(sum / static_cast<double>(region.size()));
+    float size = 0.0f;
+    for (const auto p : region) size = std::max(size, glm::distance(centroid(p), origin_));
+    const Frame frame(Vec3(glm::normalize(normal)));
+    const float scale = size > 0.0f ? 1.0f / size : 0.0f;
+    u_ = frame.s * scale;
+    v_ = frame.t * scale;
   }
-};
-
-// What a set of replicates says of a sum of squares: an estimate of the square of the mean, free of noise,
-// and the variance of the mean.
-struct Energy {
-  std::vector<double> signal;  // [band]
-  double noise = 0.0;          // all bands
-
-  void add(const Energy& other) {
-    for (std::size_t b = 0; b < signal.size(); ++b) signal[b] += other.signal[b];
-    noise += other.noise;
+  Place place(std::uint32_t patch) const {
+    const auto from_origin = centroid(patch) - origin_;
+    return {glm::dot(from_origin, u_), glm::dot(from_origin, v_), patches_.area[patch]};
   }
-  // From sums over replicates: |sum of x_r|² and sum of |x_r|².
-  void add_sums(std::size_t band, double of_sum, double of_squares, double replicates) {
-    const auto pairs = replicates * (replicates - 1.0);
-    signal[band] += (of_sum - of_squares) / pairs;
-    noise += (of_squares - of_sum / replicates) / pairs;
-  }
-};
 
-// One half of the replicates.
-struct Half {
-  std::size_t first = 0, count = 0;
+ private:
+  Vec3 centroid(std::uint32_t patch) const {
+    const auto p = patches_.points(patch);
+    return (p[0] + p[1] + p[2]) * (1.0f / 3.0f);
+  }
+
+  const PatchSet& patches_;
+  Vec3 origin_, u_, v_;
 };
 
 // The best representation found for a node, and what it takes to fit the node above.
@@ -64,330 +58,289 @@ struct Best {
   Moments moments;
   Energy energy;
 
+  explicit Best(Columns columns) : moments(columns), energy(columns) {}
+  void clear() {
+    moments.clear();
+    energy.clear();
+  }
   void add(const Best& other) {
     moments.add(other.moments);
     energy.add(other.energy);
   }
 };
 
-// Least squares with the Gram matrix G = L D L'.
-class Fit {
+// One half of the replicates, at the slots that face one way.
+class Half {
  public:
-  explicit Fit(const Moments& m) {
-    const auto& g = m.gram;
-    inverse_[0] = g[0] > 0.0 ? 1.0 / g[0] : 0.0;
-    rank_ = 1;
-    if (m.slots < linear_slots) return;
-    lower_[0] = g[1] * inverse_[0];
-    lower_[1] = g[2] * inverse_[0];
-    const auto d1 = g[3] - lower_[0] * g[1];
-    const auto cross = g[4] - lower_[0] * g[2];
-    const auto d2_whole = g[5] - lower_[1] * g[2];
-    if (!(d1 > 0.0 && d2_whole > 0.0)) return;
-    lower_[2] = cross / d1;
-    const auto d2 = d2_whole - lower_[2] * cross;
-    if (!(d2 > least_pivot * d2_whole)) return;
-    inverse_[1] = 1.0 / d1;
-    inverse_[2] = 1.0 / d2;
-    rank_ = 3;
+  Half(std::span<std::vector<float>> values, std::size_t bands, std::span<const Place> places)
+      : values_(values), places_(places), columns_{values.size(), bands} {}
+
+  Columns columns() const { return columns_; }
+
+  // Adds slots to moments, and to `raw` the energy of their own numbers.
+  void add(std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) const {
+    if (columns_.bands == 3 && columns_.replicates == 4) return add<4, 3>(first, end, m, raw);
+    add<0, 0>(first, end, m, raw);
   }
 
-  // The right side on orthogonal axes, each divided by its length: their squares add up to the fit's energy.
-  std::array<double, 3> reduced(const double* right) const {
-    if (rank_ == 1) return {right[0], 0.0, 0.0};
-    const auto y1 = right[1] - lower_[0] * right[0];
-    return {right[0], y1, right[2] - lower_[1] * right[0] - lower_[2] * y1};
-  }
-  double energy(const std::array<double, 3>& reduced) const {
-    return reduced[0] * reduced[0] * inverse_[0] + reduced[1] * reduced[1] * inverse_[1] +
-           reduced[2] * reduced[2] * inverse_[2];
-  }
-  std::array<double, 3> coefficients(const double* right) const {
-    const auto y = reduced(right);
-    std::array<double, 3> c = {y[0] * inverse_[0], y[1] * inverse_[1], y[2] * inverse_[2]};
-    if (rank_ == 1) return c;
-    c[1] -= lower_[2] * c[2];
-    c[0] -= lower_[0] * c[1] + lower_[1] * c[2];
-    return c;
+  // Puts a fit's values in the slots' place.
+  void replace(std::uint32_t first, std::uint32_t end, const Moments& m, const LinearFit& fit) const {
+    for (std::size_t r = 0; r < columns_.replicates; ++r)
+      for (std::size_t b = 0; b < columns_.bands; ++b) {
+        const auto c = fit.coefficients(m, r * columns_.bands + b);
+        auto* value = values_[r].data() + b;
+        for (auto s = first; s < end; ++s)
+          value[s * columns_.bands] = static_cast<float>(c[0] + c[1] * static_cast<double>(places_[s].u) +
+                                                         c[2] * static_cast<double>(places_[s].v));
+      }
   }
 
  private:
-  std::array<double, 3> lower_{};    // L10, L20, L21
-  std::array<double, 3> inverse_{};  // of D
-  int rank_ = 1;
-};
-
-// The sides that face one way of all patches.
-class Sharing {
- public:
-  Sharing(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool back,
-          std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers)
-      : patches_(patches),
-        tree_(tree),
-        sides_(sides),
-        values_(values),
-        bias_(bias),
-        workers_(workers),
-        bands_(patches.band_count()) {
-    slot_before_.reserve(tree.order.size() + 1);
-    auto slot = static_cast<std::uint32_t>(back ? sides.fronts : 0);
-    for (const auto patch : tree.order) {
-      slot_before_.push_back(slot);
-      if (sides.slot_of_side[2 * patch + (back ? 1 : 0)] != GatherSides::none) ++slot;
+  // The numbers of replicates and bands where they are known beforehand, else 0.
+  template <std::size_t known_replicates, std::size_t known_bands>
+  void add(std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) const {
+    const auto replicates = known_replicates ? known_replicates : columns_.replicates;
+    const auto bands = known_bands ? known_bands : columns_.bands;
+    const auto n = replicates * bands;
+    m.places += end - first;
+    for (auto s = first; s < end; ++s) {
+      const double a = places_[s].area;
+      const double u = places_[s].u;
+      const double v = places_[s].v;
+      const std::array<double, 6> terms = {a, a * u, a * v, a * u * u, a * u * v, a * v * v};
+      for (std::size_t i = 0; i < 6; ++i) m.gram[i] += terms[i];
+      for (std::size_t r = 0; r < replicates; ++r) {
+        const auto* value = values_[r].data() + s * bands;
+        auto* right = m.right.data() + r * bands;
+        for (std::size_t b = 0; b < bands; ++b) {
+          const double y = value[b];
+          right[b] += y * terms[0];
+          right[n + b] += y * terms[1];
+          right[2 * n + b] += y * terms[2];
+        }
+      }
     }
-    slot_before_.push_back(slot);
+    if (!raw) return;
+    for (std::size_t b = 0; b < bands; ++b) {
+      double of_sum = 0.0;
+      double of_squares = 0.0;
+      for (auto s = first; s < end; ++s) {
+        double sum = 0.0;
+        double squares = 0.0;
+        for (std::size_t r = 0; r < replicates; ++r) {
+          const double y = values_[r][s * bands + b];
+          sum += y;
+          squares += y * y;
+        }
+        of_sum += static_cast<double>(places_[s].area) * sum * sum;
+        of_squares += static_cast<double>(places_[s].area) * squares;
+      }
+      raw->add_sums(b, of_sum, of_squares, static_cast<double>(replicates));
+    }
   }
 
-  void run() {
-    charts_.resize(tree_.regions.size());
-    for (std::size_t r = 0; r < tree_.regions.size(); ++r)
-      charts_[r] = chart_of(tree_.nodes[tree_.regions[r]]);
-    const Half low{0, values_.size() / 2};
-    const Half high{low.count, values_.size() - low.count};
-    const auto chosen_by_low = choose(low);
-    const auto chosen_by_high = choose(high);
-    apply(chosen_by_low, high);
-    apply(chosen_by_high, low);
+  std::span<std::vector<float>> values_;
+  std::span<const Place> places_;
+  Columns columns_;
+};
+
+// Chooses nodes by one half of the replicates, and fits them to the other: for the sides that face one way.
+class Sharing {
+ public:
+  Sharing(const PatchTree& tree, std::span<const std::uint32_t> first_slot, const Workers& workers)
+      : tree_(tree), first_slot_(first_slot), workers_(workers) {}
+
+  // The nodes whose fits take the place of the patches' own numbers.
+  std::vector<std::uint32_t> choose(const Half& half) {
+    kept_.assign(tree_.nodes.size(), 0);
+    // Small nodes first, side by side; then what joins them.
+    std::vector<Task> tasks;
+    for (const auto region : tree_.regions) collect_tasks(region, region, tasks);
+    std::vector<Best> best(tasks.size(), Best({}));
+    workers_.for_chunks(tasks.size(), tasks_grain, [&](std::size_t begin, std::size_t end, int) {
+      std::deque<Best> levels(1, Best(half.columns()));
+      for (auto t = begin; t < end; ++t) {
+        represent(half, tasks[t].node, 0, levels);
+        if (tasks[t].is_joined) best[t] = levels[0];
+      }
+    });
+    std::size_t next = 0;
+    for (const auto region : tree_.regions) join(half, region, tasks, best, next);
+    std::vector<std::uint32_t> fits;
+    for (const auto region : tree_.regions) collect_fits(region, fits);
+    return fits;
+  }
+
+  void apply(std::span<const std::uint32_t> fits, const Half& half, std::span<float> bias) const {
+    workers_.for_chunks(fits.size(), tasks_grain, [&](std::size_t begin, std::size_t end, int) {
+      Scratch scratch(half.columns());
+      for (auto f = begin; f < end; ++f) replace(half, fits[f], bias, scratch);
+    });
   }
 
  private:
   struct Task {
     std::uint32_t node = 0;
-    std::uint32_t region = 0;
+    bool is_joined = false;  // a part of a region
+  };
+  struct Scratch {
+    Moments whole, part;
+    Energy finer, fitted;
+    explicit Scratch(Columns columns) : whole(columns), part(columns), finer(columns), fitted(columns) {}
   };
 
-  // The nodes whose fits take the place of the patches' own numbers.
-  std::vector<Task> choose(const Half& half) {
-    half_ = half;
-    kept_.assign(tree_.nodes.size(), 0);
-    // Small nodes first, side by side; then what joins them.
-    std::vector<Task> tasks;
-    for (std::uint32_t r = 0; r < tree_.regions.size(); ++r) collect_tasks(tree_.regions[r], r, tasks);
-    std::vector<Best> best(tasks.size());
-    workers_.for_chunks(tasks.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-      for (auto t = begin; t < end; ++t) best[t] = represent(tasks[t].node, charts_[tasks[t].region]);
-    });
-    std::size_t next = 0;
-    for (std::uint32_t r = 0; r < tree_.regions.size(); ++r) join(tree_.regions[r], tasks, best, next);
-    std::vector<Task> fits;
-    for (std::uint32_t r = 0; r < tree_.regions.size(); ++r) collect_fits(tree_.regions[r], r, fits);
-    return fits;
-  }
-
-  void apply(const std::vector<Task>& fits, const Half& half) {
-    half_ = half;
-    workers_.for_chunks(fits.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-      for (auto f = begin; f < end; ++f) replace(fits[f].node, charts_[fits[f].region]);
-    });
-  }
-
-  std::uint32_t first_slot(const PatchTree::Node& n) const { return slot_before_[n.first]; }
-  std::uint32_t end_slot(const PatchTree::Node& n) const { return slot_before_[n.first + n.count]; }
-
-  Vec3 centroid(std::uint32_t slot) const {
-    const auto p = patches_.points(sides_.side[slot] / 2);
-    return (p[0] + p[1] + p[2]) * (1.0f / 3.0f);
-  }
-  double area(std::uint32_t slot) const { return patches_.area[sides_.side[slot] / 2]; }
-  // Of a replicate of the half.
-  float& value(std::size_t replicate, std::uint32_t slot, std::size_t band) const {
-    return values_[half_.first + replicate][slot * bands_ + band];
-  }
-
-  Chart chart_of(const PatchTree::Node& node) const {
-    const auto first = first_slot(node);
-    const auto end = end_slot(node);
-    if (first == end) return {};
-    Vec3d sum(0.0);
-    Vec3d normal(0.0);
-    for (auto s = first; s < end; ++s) {
-      sum += Vec3d(centroid(s));
-      normal += Vec3d(patches_.normal[sides_.side[s] / 2]);
-    }
-    Chart chart;
-    chart.origin = Vec3(sum / static_cast<double>(end - first));
-    float size = 0.0f;
-    for (auto s = first; s < end; ++s) size = std::max(size, glm::distance(centroid(s), chart.origin));
-    const Frame frame(Vec3(glm::normalize(normal)));
-    const float scale = size > 0.0f ? 1.0f / size : 0.0f;
-    chart.u = frame.s * scale;
-    chart.v = frame.t * scale;
-    return chart;
-  }
-
-  Moments moments_of(std::uint32_t first, std::uint32_t end, const Chart& chart) const {
-    Moments m;
-    m.right.assign(half_.count * bands_ * 3, 0.0);
-    m.slots = end - first;
-    for (auto s = first; s < end; ++s) {
-      const auto place = centroid(s) - chart.origin;
-      const double a = area(s);
-      const double u = glm::dot(place, chart.u);
-      const double v = glm::dot(place, chart.v);
-      const std::array<double, 6> terms = {a, a * u, a * v, a * u * u, a * u * v, a * v * v};
-      for (std::size_t i = 0; i < 6; ++i) m.gram[i] += terms[i];
-      auto* right = m.right.data();
-      for (std::size_t r = 0; r < half_.count; ++r)
-        for (std::size_t b = 0; b < bands_; ++b, right += 3) {
-          const double y = value(r, s, b);
-          right[0] += y * terms[0];
-          right[1] += y * terms[1];
-          right[2] += y * terms[2];
-        }
-    }
-    return m;
-  }
-
-  // The patches' own numbers.
-  Energy raw_energy(std::uint32_t first, std::uint32_t end) const {
-    Energy e;
-    e.signal.assign(bands_, 0.0);
-    for (auto s = first; s < end; ++s)
-      for (std::size_t b = 0; b < bands_; ++b) {
-        double sum = 0.0;
-        double squares = 0.0;
-        for (std::size_t r = 0; r < half_.count; ++r) {
-          const double y = value(r, s, b);
-          sum += y;
-          squares += y * y;
-        }
-        e.add_sums(b, area(s) * sum * sum, area(s) * squares, static_cast<double>(half_.count));
-      }
-    return e;
-  }
-
-  Energy fit_energy(const Moments& m, const Fit& fit) const {
-    Energy e;
-    e.signal.assign(bands_, 0.0);
-    for (std::size_t b = 0; b < bands_; ++b) {
-      std::array<double, 3> sum{};
-      double squares = 0.0;
-      for (std::size_t r = 0; r < half_.count; ++r) {
-        const auto y = fit.reduced(&m.right[(r * bands_ + b) * 3]);
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += y[i];
-        squares += fit.energy(y);
-      }
-      e.add_sums(b, fit.energy(sum), squares, static_cast<double>(half_.count));
-    }
-    return e;
-  }
-
-  // Decides whether the node's own fit takes the place of the best of the nodes below.
-  void consider(std::uint32_t node, Best& best) {
-    if (best.moments.slots < 2) return;
-    const auto energy = fit_energy(best.moments, Fit(best.moments));
-    double wrong = 0.0;
-    for (std::size_t b = 0; b < bands_; ++b) wrong += best.energy.signal[b] - energy.signal[b];
-    if (wrong > caution * (best.energy.noise - energy.noise) || best.energy.noise <= energy.noise) return;
-    kept_[node] = 1;
-    best.energy = energy;
-  }
-
-  Best represent(std::uint32_t k, const Chart& chart) {
-    const auto& node = tree_.nodes[k];
-    Best best;
-    if (node.child == 0) {
-      best.moments = moments_of(first_slot(node), end_slot(node), chart);
-      best.energy = raw_energy(first_slot(node), end_slot(node));
-    } else {
-      best = represent(node.child, chart);
-      best.add(represent(node.child + 1, chart));
-    }
-    consider(k, best);
-    return best;
-  }
+  std::uint32_t first_slot(const PatchTree::Node& n) const { return first_slot_[n.first]; }
+  std::uint32_t end_slot(const PatchTree::Node& n) const { return first_slot_[n.first + n.count]; }
 
   void collect_tasks(std::uint32_t k, std::uint32_t region, std::vector<Task>& tasks) const {
     const auto& node = tree_.nodes[k];
-    if (node.count <= task_patches || node.child == 0) return tasks.push_back({k, region});
+    if (node.count <= task_patches || node.child == 0) return tasks.push_back({k, k != region});
     collect_tasks(node.child, region, tasks);
     collect_tasks(node.child + 1, region, tasks);
   }
 
+  // Decides whether the node's own fit takes the place of the best of the nodes below.
+  void consider(const Half& half, std::uint32_t node, Best& best, Energy& own) {
+    if (best.moments.places < 2) return;
+    own.clear();
+    LinearFit(best.moments).add_energy(best.moments, half.columns(), own);
+    double wrong = 0.0;
+    for (std::size_t b = 0; b < own.signal.size(); ++b) wrong += best.energy.signal[b] - own.signal[b];
+    if (wrong > caution * (best.energy.noise - own.noise) || best.energy.noise <= own.noise) return;
+    kept_[node] = 1;
+    std::swap(best.energy, own);
+  }
+
+  // The best of a node, in levels[level]; levels below are used on the way.
+  void represent(const Half& half, std::uint32_t k, std::size_t level, std::deque<Best>& levels) {
+    const auto& node = tree_.nodes[k];
+    if (levels.size() < level + 2) levels.emplace_back(half.columns());
+    auto& best = levels[level];
+    auto& below = levels[level + 1];
+    if (node.child == 0) {
+      best.clear();
+      half.add(first_slot(node), end_slot(node), best.moments, &best.energy);
+    } else {
+      represent(half, node.child, level, levels);
+      represent(half, node.child + 1, level + 1, levels);
+      best.add(below);
+    }
+    consider(half, k, best, below.energy);
+  }
+
   // The same walk as collect_tasks; next: the first task not yet met.
-  Best join(std::uint32_t k, const std::vector<Task>& tasks, std::vector<Best>& best, std::size_t& next) {
+  Best join(const Half& half, std::uint32_t k, std::span<const Task> tasks, std::vector<Best>& best,
+            std::size_t& next) {
     if (tasks[next].node == k) return std::move(best[next++]);
-    auto whole = join(tree_.nodes[k].child, tasks, best, next);
-    whole.add(join(tree_.nodes[k].child + 1, tasks, best, next));
-    consider(k, whole);
+    auto whole = join(half, tree_.nodes[k].child, tasks, best, next);
+    whole.add(join(half, tree_.nodes[k].child + 1, tasks, best, next));
+    Energy own(half.columns());
+    consider(half, k, whole, own);
     return whole;
   }
 
-  void collect_fits(std::uint32_t k, std::uint32_t region, std::vector<Task>& fits) const {
-    if (kept_[k]) return fits.push_back({k, region});
+  void collect_fits(std::uint32_t k, std::vector<std::uint32_t>& fits) const {
+    if (kept_[k]) return fits.push_back(k);
     if (tree_.nodes[k].child == 0) return;
-    collect_fits(tree_.nodes[k].child, region, fits);
-    collect_fits(tree_.nodes[k].child + 1, region, fits);
+    collect_fits(tree_.nodes[k].child, fits);
+    collect_fits(tree_.nodes[k].child + 1, fits);
   }
 
-  // What finer fits, two levels down where both extents are halved, see that this one does not; and what
-  // still finer ones would: the square of the bias falls to a sixteenth by that where light is smooth, to a
-  // half at an edge. (Comparing with the patches' own numbers would need no such guess, but their noise
-  // drowns it.)
-  Energy bias_of_fit(std::uint32_t k, const Chart& chart, const Energy& fitted) const {
-    Energy finer;
-    finer.signal.assign(bands_, 0.0);
-    add_finer(k, 2, chart, finer);
-    for (std::size_t b = 0; b < bands_; ++b) finer.signal[b] = unseen * (finer.signal[b] - fitted.signal[b]);
-    return finer;
-  }
-  void add_finer(std::uint32_t k, int levels, const Chart& chart, Energy& energy) const {
+  // Adds up a node's moments, and the energy of finer fits, `levels` down or where there are few slots.
+  void add_finer(const Half& half, std::uint32_t k, int levels, Scratch& scratch) const {
     const auto& node = tree_.nodes[k];
     const auto first = first_slot(node);
     const auto end = end_slot(node);
     if (first == end) return;
-    if (node.child == 0 || end - first < linear_slots) return energy.add(raw_energy(first, end));
+    if (node.child == 0 || end - first < LinearFit::linear_places)
+      return half.add(first, end, scratch.whole, &scratch.finer);
     if (levels > 0) {
-      add_finer(node.child, levels - 1, chart, energy);
-      return add_finer(node.child + 1, levels - 1, chart, energy);
+      add_finer(half, node.child, levels - 1, scratch);
+      return add_finer(half, node.child + 1, levels - 1, scratch);
     }
-    const auto m = moments_of(first, end, chart);
-    energy.add(fit_energy(m, Fit(m)));
+    scratch.part.clear();
+    half.add(first, end, scratch.part, nullptr);
+    LinearFit(scratch.part).add_energy(scratch.part, half.columns(), scratch.finer);
+    scratch.whole.add(scratch.part);
   }
 
-  void replace(std::uint32_t k, const Chart& chart) {
-    const auto& node = tree_.nodes[k];
-    const auto first = first_slot(node);
-    const auto end = end_slot(node);
-    const auto m = moments_of(first, end, chart);
-    const Fit fit(m);
-    const auto wrong = bias_of_fit(k, chart, fit_energy(m, fit));
-    for (std::size_t b = 0; b < bands_; ++b)
-      for (auto s = first; s < end; ++s)
-        bias_[s * bands_ + b] +=
-            static_cast<float>(0.5 * wrong.signal[b] / m.gram[0]);  // the other half adds its own
-    std::vector<std::array<double, 3>> c(half_.count * bands_);
-    for (std::size_t i = 0; i < c.size(); ++i) c[i] = fit.coefficients(&m.right[3 * i]);
-    for (auto s = first; s < end; ++s) {
-      const auto place = centroid(s) - chart.origin;
-      const double u = glm::dot(place, chart.u);
-      const double v = glm::dot(place, chart.v);
-      for (std::size_t r = 0; r < half_.count; ++r)
-        for (std::size_t b = 0; b < bands_; ++b) {
-          const auto& f = c[r * bands_ + b];
-          value(r, s, b) = static_cast<float>(f[0] + f[1] * u + f[2] * v);
-        }
+  // The bias is what finer fits, two levels down where both extents are halved, see that this one does not;
+  // and what still finer ones would: the square of the bias falls to a sixteenth by that where light is
+  // smooth, to a half at an edge. (Comparing with the patches' own numbers would need no such guess, but
+  // their noise drowns it.)
+  void replace(const Half& half, std::uint32_t k, std::span<float> bias, Scratch& scratch) const {
+    scratch.whole.clear();
+    scratch.finer.clear();
+    scratch.fitted.clear();
+    add_finer(half, k, 2, scratch);
+    const auto& m = scratch.whole;
+    const LinearFit fit(m);
+    fit.add_energy(m, half.columns(), scratch.fitted);
+    const auto first = first_slot(tree_.nodes[k]);
+    const auto end = end_slot(tree_.nodes[k]);
+    const auto bands = half.columns().bands;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto wrong = unseen * (scratch.finer.signal[b] - scratch.fitted.signal[b]);
+      const auto share = static_cast<float>(0.5 * wrong / m.gram[0]);  // the other half adds its own
+      for (auto s = first; s < end; ++s) bias[s * bands + b] += share;
     }
+    half.replace(first, end, m, fit);
   }
 
-  const PatchSet& patches_;
   const PatchTree& tree_;
-  const GatherSides& sides_;
-  std::span<std::vector<float>> values_;
-  std::span<float> bias_;
+  std::span<const std::uint32_t> first_slot_;
   const Workers& workers_;
-  std::size_t bands_;
-  Half half_;                               // that the numbers are taken from
-  std::vector<std::uint32_t> slot_before_;  // [place]
-  std::vector<Chart> charts_;               // [region]
-  std::vector<std::uint8_t> kept_;          // [node]: its fit is better than what is below
+  std::vector<std::uint8_t> kept_;  // [node]: its fit is better than what is below
 };
 
 }  // namespace
 
+LightSharing::LightSharing(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides,
+                           const Workers& workers)
+    : tree_(tree), bands_(patches.band_count()), places_(sides.size()) {
+  for (const bool back : {false, true}) {
+    auto& first = first_slot_[back ? 1 : 0];
+    first.reserve(tree.order.size() + 1);
+    auto slot = static_cast<std::uint32_t>(back ? sides.fronts : 0);
+    for (const auto patch : tree.order) {
+      first.push_back(slot);
+      if (sides.slot_of_side[side_of(patch, back)] != GatherSides::none) ++slot;
+    }
+    first.push_back(slot);
+  }
+  workers.for_chunks(tree.regions.size(), regions_grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto r = begin; r < end; ++r) {
+      const auto& node = tree.nodes[tree.regions[r]];
+      const auto region = std::span(tree.order).subspan(node.first, node.count);
+      const Chart chart(patches, region);
+      for (const auto patch : region) {
+        const auto place = chart.place(patch);
+        for (const bool back : {false, true})
+          if (const auto slot = sides.slot_of_side[side_of(patch, back)]; slot != GatherSides::none)
+            places_[slot] = place;
+      }
+    }
+  });
+}
+
+void LightSharing::share(std::span<std::vector<float>> values, std::span<float> bias,
+                         const Workers& workers) const {
+  const auto count = values.size() / 2;
+  const Half low(values.first(count), bands_, places_);
+  const Half high(values.subspan(count), bands_, places_);
+  for (const auto& first_slot : first_slot_) {
+    if (first_slot.front() == first_slot.back()) continue;
+    Sharing sharing(tree_, first_slot, workers);
+    const auto chosen_by_low = sharing.choose(low);
+    const auto chosen_by_high = sharing.choose(high);
+    sharing.apply(chosen_by_low, high, bias);
+    sharing.apply(chosen_by_high, low, bias);
+  }
+}
+
 void share_light(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides,
                  std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers) {
-  for (const bool back : {false, true}) Sharing(patches, tree, sides, back, values, bias, workers).run();
+  LightSharing(patches, tree, sides, workers).share(values, bias, workers);
 }
 
 }  // namespace luxel
