@@ -7,6 +7,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t neighbours = 64;  // positions that are lit together
+constexpr std::size_t grain = 4096;       // slots a chunk
 
 // A picture that is made of patches must not be speckled where few rays find the light.
 void light_neighbours(const GatherSides& sides, std::vector<std::uint8_t>& lit) {
@@ -31,17 +32,20 @@ std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperat
   const auto& sides = transport.sides();
   const auto bands = patches.band_count();
   std::vector<std::uint8_t> lit(transport.elements(), 0);
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const auto patch = sides.side[s] / 2;
-    const bool back = sides.side[s] % 2 == 1;
-    const auto& H = back ? first_picture.irradiance_back : first_picture.irradiance_front;
-    bool is_lit = !back && patches.material_of(patch).is_lamp();
-    for (std::size_t b = 0; b < bands; ++b) {
-      is_lit |= H[patch * bands + b] > 0.0f;
-      for (const auto& d : direct) is_lit |= d[s * bands + b] > 0.0f;
+  const auto any = [bands](const std::vector<float>& values, std::size_t index) {
+    return std::any_of(&values[index * bands], &values[index * bands] + bands,
+                       [](float x) { return x > 0.0f; });
+  };
+  workers.for_chunks(sides.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto s = begin; s < end; ++s) {
+      const auto patch = sides.side[s] / 2;
+      const bool back = sides.side[s] % 2 == 1;
+      const auto& H = back ? first_picture.irradiance_back : first_picture.irradiance_front;
+      const bool is_lit = any(H, patch) || (!back && patches.material_of(patch).is_lamp()) ||
+                          std::any_of(direct.begin(), direct.end(), [&](const auto& d) { return any(d, s); });
+      lit[s] = is_lit ? 1 : 0;
     }
-    lit[s] = is_lit ? 1 : 0;
-  }
+  });
   // Light goes on from slot to slot. Each pass reads the one before, so threads do not matter.
   for (bool changed = true; changed;) {
     light_neighbours(sides, lit);
