@@ -90,16 +90,25 @@ class OwenSobol {
 
   // Uniform in [0, 1). dimension: 0 to 7.
   constexpr float at(std::uint32_t index, int dimension) const {
-    const auto d = static_cast<std::size_t>(dimension);
-    std::uint32_t x = 0;
-    for (std::size_t nibble = 0; nibble < 8; ++nibble)
-      x ^= detail::sobol_table[d][nibble][(index >> (4 * nibble)) & 15u];
-    return uniform_float(detail::reverse_bits(scrambled(x, seeds_[d])));
+    return number(raw(index, dimension), seed(dimension));
   }
 
   // Dimensions 0 to 3.
   constexpr std::array<float, 4> first4(std::uint32_t index) const {
     return {at(index, 0), at(index, 1), at(index, 2), at(index, 3)};
+  }
+
+  // The two halves of at(), for whoever makes many numbers. `raw` is the same for every key, and
+  // raw(i + j) = raw(i) ^ raw(j) where i and j have no bit in common.
+  static constexpr std::uint32_t raw(std::uint32_t index, int dimension) {
+    std::uint32_t x = 0;
+    for (std::size_t nibble = 0; nibble < 8; ++nibble)
+      x ^= detail::sobol_table[static_cast<std::size_t>(dimension)][nibble][(index >> (4 * nibble)) & 15u];
+    return x;
+  }
+  constexpr std::uint32_t seed(int dimension) const { return seeds_[static_cast<std::size_t>(dimension)]; }
+  static constexpr float number(std::uint32_t raw, std::uint32_t seed) {
+    return uniform_float(detail::reverse_bits(scrambled(raw, seed)));
   }
 
  private:

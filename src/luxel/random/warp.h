@@ -24,15 +24,16 @@ inline void sin_cos_octant(float angle, float& sine, float& cosine) {
 inline Vec2 concentric_disk(float u1, float u2) {
   const float a = 2.0f * u1 - 1.0f;
   const float b = 2.0f * u2 - 1.0f;
-  if (a == 0.0f && b == 0.0f) return {0.0f, 0.0f};
+  // No branches: which half it is, no processor can foresee.
+  const bool wide = std::abs(a) > std::abs(b);
+  const float radius = wide ? a : b;
+  const float across = wide ? b : a;
   float sine = 0.0f;
   float cosine = 0.0f;
-  if (std::abs(a) > std::abs(b)) {
-    sin_cos_octant((pi / 4.0f) * (b / a), sine, cosine);
-    return {a * cosine, a * sine};
-  }
-  sin_cos_octant((pi / 4.0f) * (a / b), sine, cosine);
-  return {b * sine, b * cosine};
+  sin_cos_octant((pi / 4.0f) * (across / (radius == 0.0f ? 1.0f : radius)), sine, cosine);
+  const float along = radius * cosine;
+  const float aside = radius * sine;
+  return {wide ? along : aside, wide ? aside : along};
 }
 inline float concentric_disk_density(const Vec2& p) { return glm::dot(p, p) <= 1.0f ? 1.0f / pi : 0.0f; }
 

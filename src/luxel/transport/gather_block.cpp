@@ -8,7 +8,7 @@ std::vector<std::uint32_t> gather_block_begins(const GatherSides& sides) {
   for (std::uint32_t s = 0; s < sides.size(); ++s) {
     const bool opens =
         s == 0 || s == sides.fronts ||
-        sides.position[s] / GatherBlock::positions != sides.position[s - 1] / GatherBlock::positions;
+        sides.position[s] / gather_block_positions != sides.position[s - 1] / gather_block_positions;
     if (opens) begins.push_back(s);
   }
   begins.push_back(static_cast<std::uint32_t>(sides.size()));

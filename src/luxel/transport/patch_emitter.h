@@ -22,18 +22,19 @@ class PatchEmitter {
 
   // u: four numbers uniform in [0, 1).
   Ray ray(const std::array<float, 4>& u) const {
-    return {point(u[0], u[1]), frame_.to_world(cosine_hemisphere(u[2], u[3]))};
+    return ray(uniform_triangle(u[0], u[1]), cosine_hemisphere(u[2], u[3]));
   }
+  // The same from numbers already warped: weights of the corners b and c, a direction about +z.
+  Ray ray(const Vec2& weights, const Vec3& local) const { return {point(weights), frame_.to_world(local)}; }
   // The origin of such a ray alone.
-  Vec3 point(float u1, float u2) const {
-    const auto b = uniform_triangle(u1, u2);
-    return base_ + b.x * edge_b_ + b.y * edge_c_;
-  }
+  Vec3 point(float u1, float u2) const { return point(uniform_triangle(u1, u2)); }
   // What the origins fill, and where they look.
   std::array<Vec3, 3> corners() const { return {base_, base_ + edge_b_, base_ + edge_c_}; }
   const Vec3& normal() const { return frame_.n; }
 
  private:
+  Vec3 point(const Vec2& weights) const { return base_ + weights.x * edge_b_ + weights.y * edge_c_; }
+
   Vec3 base_, edge_b_, edge_c_;  // corners drawn in and lifted
   Frame frame_;
 };

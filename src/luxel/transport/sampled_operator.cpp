@@ -4,36 +4,30 @@
 #include <algorithm>
 #include <array>
 
-#include "luxel/random/address.h"
-#include "luxel/random/sobol.h"
-#include "luxel/transport/patch_emitter.h"
-
 namespace luxel {
 namespace {
 
-constexpr std::size_t batch = 256;              // rays made, then traced
-constexpr std::uint32_t purpose = 0x67617468u;  // keeps these streams apart from those of other stages
+constexpr std::size_t rows_a_job = 4 * GatherRays::most_rows;
+constexpr std::size_t fetch_ahead = 16;           // hits
+constexpr std::size_t cached_numbers = 1u << 18;  // radiosities that stay near the processor: 1 MiB
 
-// The four numbers of a ray: of one sequence over all sides that face the same way, or one a side, or plain
-// random ones.
-class Points {
- public:
-  Points(const SampledOperatorOptions& options, std::uint32_t round, std::uint32_t replicate, bool back)
-      : options_(options),
-        key_(mix64(stream_key(options.seed, purpose, 2 * replicate + (back ? 1 : 0)) + round)),
-        shared_(key_) {}
-
-  std::array<float, 4> at(std::uint32_t index, std::uint32_t per_replicate, std::uint32_t side) const {
-    if (!options_.low_discrepancy) return uniform4(stream_key(key_, 0, side), index % per_replicate);
-    if (!options_.stratified) return OwenSobol(stream_key(key_, 0, side)).first4(index % per_replicate);
-    return shared_.first4(index);
+// Adds up three bands over the hits of slots: sum is of the slots from slot0 on. Where the radiosities fit
+// into the cache, to ask for them ahead costs more than it gains.
+template <bool fetches>
+void add_up(std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot,
+            const float* radiosity, std::uint32_t slot0, std::vector<double>& sum) {
+  const auto* const last = hit + slots.size() * per_slot - 1;
+  for (const auto slot : slots) {
+    std::array<double, 3> own{};
+    for (std::uint32_t i = 0; i < per_slot; ++i, ++hit) {
+      if constexpr (fetches)
+        __builtin_prefetch(radiosity + 3 * std::size_t{*std::min(hit + fetch_ahead, last)});
+      const auto* from = radiosity + 3 * std::size_t{*hit};
+      for (std::size_t b = 0; b < 3; ++b) own[b] += static_cast<double>(from[b]);
+    }
+    for (std::size_t b = 0; b < 3; ++b) sum[3 * (slot - slot0) + b] += own[b];
   }
-
- private:
-  const SampledOperatorOptions& options_;
-  std::uint64_t key_;
-  OwenSobol shared_;
-};
+}
 
 }  // namespace
 
@@ -65,30 +59,23 @@ SampledOperator::Round SampledOperator::make_round(std::vector<std::uint32_t> sl
   return round;
 }
 
-void SampledOperator::trace(const GatherBlock& rows, const Round& round, std::size_t block,
-                            std::uint32_t replicate, std::span<std::uint32_t> hits) const {
-  if (rows.size() == 0) return;
-  const auto slot0 = block_begins_[block];
+void SampledOperator::trace(const Round& round, std::size_t block, std::size_t begin_row, std::size_t end_row,
+                            std::span<std::uint32_t* const> to) const {
+  const auto slots = round.slots_of(block);
+  if (slots.empty()) return;
   const auto n = round.per_replicate;
-  const Points points(options_, round.level, replicate, slot0 >= sides_.fronts);
-  std::vector<PatchEmitter> emitters;
-  emitters.reserve(block_begins_[block + 1] - slot0);
-  for (auto s = slot0; s < block_begins_[block + 1]; ++s) emitters.emplace_back(patches_, sides_.side[s]);
-
-  std::array<Ray, batch> rays;
-  std::array<Hit, batch> found;
-  std::size_t waiting = 0;
-  std::size_t done = 0;
-  const auto flush = [&] {
-    tracer_.nearest(std::span(rays.data(), waiting), std::span(found.data(), waiting));
-    for (std::size_t i = 0; i < waiting; ++i) hits[done++] = element_of(found[i]);
-    waiting = 0;
-  };
-  rows.for_each_point(n, [&](std::uint32_t slot, std::uint32_t index) {
-    rays[waiting++] = emitters[slot - slot0].ray(points.at(index, n, sides_.side[slot]));
-    if (waiting == batch) flush();
-  });
-  flush();
+  GatherRays rays(patches_, sides_, slots, {options_.seed, options_.low_discrepancy, options_.stratified},
+                  round.level, n);
+  std::array<GatherRays::Row, GatherRays::most_rows> rows;
+  while (begin_row < end_row) {
+    const auto count = std::min(end_row - begin_row, rows.size());
+    for (std::size_t i = 0; i < count; ++i, ++begin_row) {
+      const auto replicate = static_cast<std::uint32_t>(begin_row / n);
+      const auto sample = static_cast<std::uint32_t>(begin_row % n);
+      rows[i] = {replicate, sample, to[replicate] + sample};
+    }
+    rays.trace(tracer_, std::span(rows.data(), count), [this](const Hit& hit) { return element_of(hit); });
+  }
 }
 
 std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint32_t> slots,
@@ -101,22 +88,24 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
   auto round = make_round(std::move(slots), level, per_replicate);
   const auto whole = std::uint64_t{options_.replicates} * per_replicate * round.slots.size();
   if (!is_streamed_) {
-    round.hits.resize(options_.replicates);
-    for (auto& h : round.hits) h.resize(round.slots.size() * per_replicate);
-    // In turns, between which the monitor is asked.
-    const auto jobs = blocks() * options_.replicates;
-    constexpr std::size_t turn = 64;
+    for (std::uint32_t r = 0; r < options_.replicates; ++r)
+      round.hits.push_back(
+          std::make_unique_for_overwrite<std::uint32_t[]>(round.slots.size() * per_replicate));
+    // In turns, between which the monitor is asked: some tenths of a second each.
+    const auto rows = std::size_t{options_.replicates} * per_replicate;
+    const auto jobs_a_block = (rows + rows_a_job - 1) / rows_a_job;
+    const auto jobs = blocks() * jobs_a_block;
+    const auto turn = 32 * static_cast<std::size_t>(workers.threads());
     for (std::size_t from = 0; from < jobs; from += turn) {
       const auto to = std::min(jobs, from + turn);
       workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
+        std::vector<std::uint32_t*> places(options_.replicates);
         for (auto job = from + begin; job < from + end; ++job) {
-          const auto block = job / options_.replicates;
-          const auto replicate = static_cast<std::uint32_t>(job % options_.replicates);
-          const GatherBlock rows(sides_, round.slots_of(block));
-          trace(rows, round, block, replicate,
-                std::span(round.hits[replicate])
-                    .subspan(std::size_t{round.begins[block]} * per_replicate,
-                             std::size_t{rows.size()} * per_replicate));
+          const auto block = job / jobs_a_block;
+          const auto row = job % jobs_a_block * rows_a_job;
+          for (std::size_t r = 0; r < places.size(); ++r)
+            places[r] = round.hits[r].get() + std::size_t{round.begins[block]} * per_replicate;
+          trace(round, block, row, std::min(rows, row + rows_a_job), places);
         }
       });
       const auto share = static_cast<double>(to) / static_cast<double>(jobs);
@@ -134,7 +123,7 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
 
 void SampledOperator::stream() {
   is_streamed_ = true;
-  for (auto& round : rounds_) round.hits = {};
+  for (auto& round : rounds_) round.hits.clear();
 }
 
 std::uint64_t SampledOperator::bytes() const {
@@ -163,18 +152,16 @@ void SampledOperator::keep(const std::vector<std::uint8_t>& kept, const Workers&
       if (kept[s]) slots.push_back(name[s]);
     smaller.rounds_.push_back(smaller.make_round(std::move(slots), round.level, round.per_replicate));
     if (is_streamed_) continue;
-    auto& hits = smaller.rounds_.back().hits;
-    hits.resize(options_.replicates);
+    auto& fewer = smaller.rounds_.back();
+    const std::size_t n = round.per_replicate;
+    for (std::uint32_t r = 0; r < options_.replicates; ++r)
+      fewer.hits.push_back(std::make_unique_for_overwrite<std::uint32_t[]>(fewer.slots.size() * n));
     workers.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto r = begin; r < end; ++r) {
-        hits[r].reserve(smaller.rounds_.back().slots.size() * round.per_replicate);
-        const auto* hit = round.hits[r].data();
-        for (std::size_t b = 0; b < blocks(); ++b)
-          GatherBlock(sides_, round.slots_of(b))
-              .for_each_point(round.per_replicate, [&](std::uint32_t slot, std::uint32_t) {
-                if (kept[slot]) hits[r].push_back(name[*hit]);
-                ++hit;
-              });
+        auto* to = fewer.hits[r].get();
+        for (std::size_t i = 0; i < round.slots.size(); ++i)
+          if (kept[round.slots[i]])
+            for (std::size_t k = 0; k < n; ++k) *to++ = name[round.hits[r][i * n + k]];
       }
     });
   }
@@ -198,20 +185,19 @@ void SampledOperator::Replicate::apply(std::span<const float> radiosity, std::sp
     for (auto block = first + b; block < first + e; ++block) {
       const auto slot0 = begins[block];
       sum.assign((begins[block + 1] - slot0) * bands, 0.0);
-      if (bands == 3) {  // the rule, and a loop without a branch
-        whole_.for_each_hit(index_, block, [&](std::uint32_t slot, std::uint32_t element) {
-          auto* to = &sum[3 * (slot - slot0)];
-          const auto* from = &radiosity[3 * std::size_t{element}];
-          to[0] += static_cast<double>(from[0]);
-          to[1] += static_cast<double>(from[1]);
-          to[2] += static_cast<double>(from[2]);
-        });
-      } else {
-        whole_.for_each_hit(index_, block, [&](std::uint32_t slot, std::uint32_t element) {
-          for (std::size_t i = 0; i < bands; ++i)
-            sum[bands * (slot - slot0) + i] += static_cast<double>(radiosity[bands * element + i]);
-        });
-      }
+      whole_.for_each_round(
+          index_, block,
+          [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot) {
+            if (bands == 3) {  // the rule, and sums that stay in registers
+              const auto add = radiosity.size() > cached_numbers ? add_up<true> : add_up<false>;
+              add(slots, hit, per_slot, radiosity.data(), slot0, sum);
+              return;
+            }
+            for (const auto slot : slots)
+              for (std::uint32_t k = 0; k < per_slot; ++k, ++hit)
+                for (std::size_t i = 0; i < bands; ++i)
+                  sum[bands * (slot - slot0) + i] += static_cast<double>(radiosity[bands * *hit + i]);
+          });
       for (std::size_t i = 0; i < sum.size(); ++i) {
         const auto rays = whole_.rays_a_slot_[slot0 + i / bands];
         irradiance[bands * slot0 + i] = static_cast<float>(sum[i] / std::max(1u, rays));

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
 #include "luxel/trace/tracer.h"
-#include "luxel/transport/gather_block.h"
+#include "luxel/transport/gather_rays.h"
 #include "luxel/transport/gather_sides.h"
 #include "luxel/transport/operator.h"
 
@@ -78,25 +79,16 @@ class SampledOperator {
   };
   Replicate replicate(std::uint32_t index) const { return {*this, index}; }
 
-  // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block, in the order
-  // in which apply() adds them up.
+  // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block.
   std::size_t blocks() const { return block_begins_.size() - 1; }
   template <typename Body>
   void for_each_hit(std::uint32_t replicate, std::size_t block, Body body) const {
-    std::vector<std::uint32_t> traced;
-    for (const auto& round : rounds_) {
-      const GatherBlock rows(sides_, round.slots_of(block));
-      const std::uint32_t* hit = nullptr;
-      if (is_streamed_) {
-        traced.resize(std::size_t{rows.size()} * round.per_replicate);
-        trace(rows, round, block, replicate, traced);
-        hit = traced.data();
-      } else {
-        hit = round.hits[replicate].data() + std::size_t{round.begins[block]} * round.per_replicate;
-      }
-      rows.for_each_point(round.per_replicate,
-                          [&](std::uint32_t slot, std::uint32_t) { body(slot, *hit++); });
-    }
+    for_each_round(
+        replicate, block,
+        [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_replicate) {
+          for (const auto slot : slots)
+            for (std::uint32_t i = 0; i < per_replicate; ++i) body(slot, *hit++);
+        });
   }
 
  private:
@@ -104,9 +96,10 @@ class SampledOperator {
   struct Round {
     std::uint32_t level = 0;  // the doublings of these slots before this one
     std::uint32_t per_replicate = 0;
-    std::vector<std::uint32_t> slots;              // rising
-    std::vector<std::uint32_t> begins;             // [block + 1], into slots
-    std::vector<std::vector<std::uint32_t>> hits;  // [replicate]: elements, in the order of tracing
+    std::vector<std::uint32_t> slots;   // rising
+    std::vector<std::uint32_t> begins;  // [block + 1], into slots
+    // [replicate], elements: [place in slots][sample]. Not zeroed: a thread that writes also gets the pages.
+    std::vector<std::unique_ptr<std::uint32_t[]>> hits;
 
     std::span<const std::uint32_t> slots_of(std::size_t block) const {
       return std::span(slots).subspan(begins[block], begins[block + 1] - begins[block]);
@@ -114,9 +107,28 @@ class SampledOperator {
   };
 
   Round make_round(std::vector<std::uint32_t> slots, std::uint32_t level, std::uint32_t per_replicate) const;
-  // The elements that a block's rays of one round and replicate hit.
-  void trace(const GatherBlock& rows, const Round& round, std::size_t block, std::uint32_t replicate,
-             std::span<std::uint32_t> hits) const;
+  // The elements that rows of a block's rays hit. Row = replicate * per_replicate + sample; to[replicate]:
+  // where the samples of the block's first slot go.
+  void trace(const Round& round, std::size_t block, std::size_t begin_row, std::size_t end_row,
+             std::span<std::uint32_t* const> to) const;
+  // Calls body(slots, their hits, hits a slot) for each round that has slots in that block.
+  template <typename Body>
+  void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
+    std::vector<std::uint32_t> traced;
+    for (const auto& round : rounds_) {
+      const auto slots = round.slots_of(block);
+      if (slots.empty()) continue;
+      const std::size_t n = round.per_replicate;
+      if (is_streamed_) {
+        traced.resize(slots.size() * n);
+        std::vector<std::uint32_t*> to(options_.replicates);
+        to[replicate] = traced.data();
+        trace(round, block, replicate * n, (replicate + 1) * n, to);
+      }
+      body(slots, is_streamed_ ? traced.data() : &round.hits[replicate][round.begins[block] * n],
+           round.per_replicate);
+    }
+  }
   std::uint32_t element_of(const Hit& hit) const;
 
   const PatchSet& patches_;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/transport/gather_rays.h"
+
+#include "luxel/random/address.h"
+#include "luxel/random/sobol.h"
+#include "luxel/random/warp.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t purpose = 0x67617468u;  // keeps these streams apart from those of other stages
+
+// Eight at a time where the processor can: integers, and float operations that are exact to the last bit
+// whatever their width, so every host gets the same.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#define LUXEL_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define LUXEL_WIDE
+#endif
+
+LUXEL_WIDE void sobol_numbers(const std::uint32_t* __restrict raw, std::uint32_t more, std::uint32_t seed,
+                              std::size_t count, float* __restrict out) {
+  for (std::size_t i = 0; i < count; ++i) out[i] = OwenSobol::number(raw[i] ^ more, seed);
+}
+
+// From four uniform numbers to weights of corners and a direction, and the cell that it lies in: along one
+// row of cells and back along the next.
+LUXEL_WIDE void warp_weights(float* __restrict a, float* __restrict b, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto weights = uniform_triangle(a[i], b[i]);
+    a[i] = weights.x;
+    b[i] = weights.y;
+  }
+}
+
+LUXEL_WIDE void warp_directions(float* __restrict x, float* __restrict y, float* __restrict z,
+                                std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto local = cosine_hemisphere(x[i], y[i]);
+    x[i] = local.x;
+    y[i] = local.y;
+    z[i] = local.z;
+  }
+}
+
+// Cells of two numbers, 16 a row: along one row and back along the next.
+LUXEL_WIDE void find_cells(const float* __restrict x, const float* __restrict y,
+                           std::uint8_t* __restrict cell, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = static_cast<std::int32_t>(x[i] * 16.0f);
+    const auto column = static_cast<std::int32_t>(y[i] * 16.0f);
+    cell[i] = static_cast<std::uint8_t>(16 * row + (column ^ (15 * (row & 1))));
+  }
+}
+
+}  // namespace
+
+GatherRays::GatherRays(const PatchSet& patches, const GatherSides& sides,
+                       std::span<const std::uint32_t> slots, const GatherPoints& points, std::uint32_t level,
+                       std::uint32_t per_slot)
+    : sides_(sides), slots_(slots), points_(points), level_(level), per_slot_(per_slot) {
+  emitters_.reserve(slots.size());
+  for (const auto s : slots) emitters_.emplace_back(patches, sides.side[s]);
+  for (int d = 0; d < 4; ++d)
+    for (const auto s : slots)
+      raw_[static_cast<std::size_t>(d)].push_back(OwenSobol::raw(sides.position[s] * per_slot, d));
+}
+
+std::uint64_t GatherRays::key_of(std::uint32_t replicate) const {
+  const bool back = !slots_.empty() && slots_.front() >= sides_.fronts;
+  return mix64(stream_key(points_.seed, purpose, 2 * replicate + (back ? 1 : 0)) + level_);
+}
+
+void GatherRays::make(std::span<const Row> rows) {
+  const auto size = rows.size() * stride;
+  if (cell_.size() < size) {
+    for (auto& n : numbers_) n.resize(size);
+    height_.resize(size);
+    cell_.resize(size);
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) draw(rows[r], r * stride);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto at = r * stride;
+    find_cells(&numbers_[2][at], &numbers_[3][at], &cell_[at], slots_.size());
+    warp_weights(&numbers_[0][at], &numbers_[1][at], slots_.size());
+    warp_directions(&numbers_[2][at], &numbers_[3][at], &height_[at], slots_.size());
+  }
+  sort(rows.size());
+}
+
+// The four numbers of a ray: of one sequence over all sides that face the same way, or one a side, or plain
+// random ones.
+void GatherRays::draw(const Row& row, std::size_t at) {
+  const auto key = key_of(row.replicate);
+  if (points_.low_discrepancy && points_.stratified) {
+    const OwenSobol sequence(key);
+    for (int d = 0; d < 4; ++d) {
+      const auto i = static_cast<std::size_t>(d);
+      sobol_numbers(raw_[i].data(), OwenSobol::raw(row.sample, d), sequence.seed(d), slots_.size(),
+                    &numbers_[i][at]);
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const auto own = stream_key(key, 0, sides_.side[slots_[i]]);
+    const auto u = points_.low_discrepancy ? OwenSobol(own).first4(row.sample) : uniform4(own, row.sample);
+    for (std::size_t d = 0; d < 4; ++d) numbers_[d][at + i] = u[d];
+  }
+}
+
+void GatherRays::sort(std::size_t rows) {
+  std::array<std::uint32_t, cells + 1> begin{};
+  const auto for_each = [&](auto body) {
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+      for (std::size_t r = 0; r < rows; ++r) body(r * stride + i);
+  };
+  for_each([&](std::size_t id) { ++begin[cell_[id] + 1u]; });
+  for (std::size_t c = 0; c < cells; ++c) begin[c + 1] += begin[c];
+  order_.resize(rows * slots_.size());
+  for_each([&](std::size_t id) { order_[begin[cell_[id]]++] = static_cast<std::uint16_t>(id); });
+}
+
+}  // namespace luxel
