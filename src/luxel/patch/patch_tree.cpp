@@ -10,6 +10,7 @@ namespace luxel {
 namespace {
 
 constexpr float cone_cosine = 0.9f;       // normals of a region lie within 26 degrees of their mean
+constexpr float cone_width = 0.9f;        // so no two ends of them are farther apart: 2 sin(26 degrees)
 constexpr float thickness_exact = 1e-3f;  // of a plane region's extent: rounding of a modeller
 constexpr std::uint32_t region_unit = 64;
 constexpr float normal_weight = 0.5f;  // metres a unit of normal, over the node's extent
@@ -40,6 +41,8 @@ Vec3 normal_of(const Item& i) { return {i.at[3], i.at[4], i.at[5]}; }
 
 // Whether the items lie on one plane, or on one sheet that bends gently: as thick as its bend explains.
 bool is_flat(const Item* begin, const Item* end, const Bounds& bounds) {
+  for (std::size_t d = 3; d < 6; ++d)
+    if (bounds.extent(d) > cone_width) return false;  // as a look at every one of them would say
   Vec3 sum(0.0f);
   for (const auto* i = begin; i != end; ++i) sum += normal_of(*i);
   const auto length = glm::length(sum);
