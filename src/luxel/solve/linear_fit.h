@@ -15,6 +15,11 @@ struct Columns {
   std::size_t size() const { return replicates * bands; }
 };
 
+// Of a patch in its region: two coordinates in the plane, about one region across; and its area, m².
+struct Place {
+  float u = 0.0f, v = 0.0f, area = 0.0f;
+};
+
 // Sums over places that fits are made from; those of a union are the sums of both.
 struct Moments {
   std::array<double, 6> gram{};  // of 1, u, v: upper triangle, row by row

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/solve/share_light.h"
-
 #include <algorithm>
 #include <deque>
 #include <utility>
 
 #include "luxel/random/warp.h"
 #include "luxel/solve/linear_fit.h"
+#include "luxel/solve/replicate_half.h"
+#include "luxel/solve/share_light.h"
 #include "luxel/transport/patch_emitter.h"
 
 namespace luxel {
@@ -17,8 +17,6 @@ constexpr std::size_t tasks_grain = 8;        // tasks a chunk; many regions are
 constexpr std::size_t regions_grain = 64;     // regions a chunk
 constexpr double unseen = 4.0 / 3.0;          // bias in all, over what fits two levels down can see
 constexpr double caution = 3.0;  // a fit is dropped where it is wrong by so much more than noise explains
-
-using Place = LightSharing::Place;
 
 // The coordinates of a region's patches, written at their slots.
 class Chart {
@@ -69,81 +67,6 @@ struct Best {
   }
 };
 
-// One half of the replicates, at the slots that face one way.
-class Half {
- public:
-  Half(std::span<std::vector<float>> values, std::size_t bands, std::span<const Place> places)
-      : values_(values), places_(places), columns_{values.size(), bands} {}
-
-  Columns columns() const { return columns_; }
-
-  // Adds slots to moments, and to `raw` the energy of their own numbers.
-  void add(std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) const {
-    if (columns_.bands == 3 && columns_.replicates == 4) return add<4, 3>(first, end, m, raw);
-    add<0, 0>(first, end, m, raw);
-  }
-
-  // Puts a fit's values in the slots' place.
-  void replace(std::uint32_t first, std::uint32_t end, const Moments& m, const LinearFit& fit) const {
-    for (std::size_t r = 0; r < columns_.replicates; ++r)
-      for (std::size_t b = 0; b < columns_.bands; ++b) {
-        const auto c = fit.coefficients(m, r * columns_.bands + b);
-        auto* value = values_[r].data() + b;
-        for (auto s = first; s < end; ++s)
-          value[s * columns_.bands] = static_cast<float>(c[0] + c[1] * static_cast<double>(places_[s].u) +
-                                                         c[2] * static_cast<double>(places_[s].v));
-      }
-  }
-
- private:
-  // The numbers of replicates and bands where they are known beforehand, else 0.
-  template <std::size_t known_replicates, std::size_t known_bands>
-  void add(std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) const {
-    const auto replicates = known_replicates ? known_replicates : columns_.replicates;
-    const auto bands = known_bands ? known_bands : columns_.bands;
-    const auto n = replicates * bands;
-    m.places += end - first;
-    for (auto s = first; s < end; ++s) {
-      const double a = places_[s].area;
-      const double u = places_[s].u;
-      const double v = places_[s].v;
-      const std::array<double, 6> terms = {a, a * u, a * v, a * u * u, a * u * v, a * v * v};
-      for (std::size_t i = 0; i < 6; ++i) m.gram[i] += terms[i];
-      for (std::size_t r = 0; r < replicates; ++r) {
-        const auto* value = values_[r].data() + s * bands;
-        auto* right = m.right.data() + r * bands;
-        for (std::size_t b = 0; b < bands; ++b) {
-          const double y = value[b];
-          right[b] += y * terms[0];
-          right[n + b] += y * terms[1];
-          right[2 * n + b] += y * terms[2];
-        }
-      }
-    }
-    if (!raw) return;
-    for (std::size_t b = 0; b < bands; ++b) {
-      double of_sum = 0.0;
-      double of_squares = 0.0;
-      for (auto s = first; s < end; ++s) {
-        double sum = 0.0;
-        double squares = 0.0;
-        for (std::size_t r = 0; r < replicates; ++r) {
-          const double y = values_[r][s * bands + b];
-          sum += y;
-          squares += y * y;
-        }
-        of_sum += static_cast<double>(places_[s].area) * sum * sum;
-        of_squares += static_cast<double>(places_[s].area) * squares;
-      }
-      raw->add_sums(b, of_sum, of_squares, static_cast<double>(replicates));
-    }
-  }
-
-  std::span<std::vector<float>> values_;
-  std::span<const Place> places_;
-  Columns columns_;
-};
-
 // Chooses nodes by one half of the replicates, and fits them to the other: for the sides that face one way.
 class Sharing {
  public:
@@ -151,7 +74,7 @@ class Sharing {
       : tree_(tree), first_slot_(first_slot), workers_(workers) {}
 
   // The nodes whose fits take the place of the patches' own numbers.
-  std::vector<std::uint32_t> choose(const Half& half) {
+  std::vector<std::uint32_t> choose(const ReplicateHalf& half) {
     kept_.assign(tree_.nodes.size(), 0);
     // Small nodes first, side by side; then what joins them.
     std::vector<Task> tasks;
@@ -171,7 +94,7 @@ class Sharing {
     return fits;
   }
 
-  void apply(std::span<const std::uint32_t> fits, const Half& half, std::span<float> bias) const {
+  void apply(std::span<const std::uint32_t> fits, const ReplicateHalf& half, std::span<float> bias) const {
     workers_.for_chunks(fits.size(), tasks_grain, [&](std::size_t begin, std::size_t end, int) {
       Scratch scratch(half.columns());
       for (auto f = begin; f < end; ++f) replace(half, fits[f], bias, scratch);
@@ -200,7 +123,7 @@ class Sharing {
   }
 
   // Decides whether the node's own fit takes the place of the best of the nodes below.
-  void consider(const Half& half, std::uint32_t node, Best& best, Energy& own) {
+  void consider(const ReplicateHalf& half, std::uint32_t node, Best& best, Energy& own) {
     if (best.moments.places < 2) return;
     own.clear();
     LinearFit(best.moments).add_energy(best.moments, half.columns(), own);
@@ -212,7 +135,7 @@ class Sharing {
   }
 
   // The best of a node, in levels[level]; levels below are used on the way.
-  void represent(const Half& half, std::uint32_t k, std::size_t level, std::deque<Best>& levels) {
+  void represent(const ReplicateHalf& half, std::uint32_t k, std::size_t level, std::deque<Best>& levels) {
     const auto& node = tree_.nodes[k];
     if (levels.size() < level + 2) levels.emplace_back(half.columns());
     auto& best = levels[level];
@@ -229,7 +152,7 @@ class Sharing {
   }
 
   // The same walk as collect_tasks; next: the first task not yet met.
-  Best join(const Half& half, std::uint32_t k, std::span<const Task> tasks, std::vector<Best>& best,
+  Best join(const ReplicateHalf& half, std::uint32_t k, std::span<const Task> tasks, std::vector<Best>& best,
             std::size_t& next) {
     if (tasks[next].node == k) return std::move(best[next++]);
     auto whole = join(half, tree_.nodes[k].child, tasks, best, next);
@@ -247,7 +170,7 @@ class Sharing {
   }
 
   // Adds up a node's moments, and the energy of finer fits, `levels` down or where there are few slots.
-  void add_finer(const Half& half, std::uint32_t k, int levels, Scratch& scratch) const {
+  void add_finer(const ReplicateHalf& half, std::uint32_t k, int levels, Scratch& scratch) const {
     const auto& node = tree_.nodes[k];
     const auto first = first_slot(node);
     const auto end = end_slot(node);
@@ -268,7 +191,7 @@ class Sharing {
   // and what still finer ones would: the square of the bias falls to a sixteenth by that where light is
   // smooth, to a half at an edge. (Comparing with the patches' own numbers would need no such guess, but
   // their noise drowns it.)
-  void replace(const Half& half, std::uint32_t k, std::span<float> bias, Scratch& scratch) const {
+  void replace(const ReplicateHalf& half, std::uint32_t k, std::span<float> bias, Scratch& scratch) const {
     scratch.whole.clear();
     scratch.finer.clear();
     scratch.fitted.clear();
@@ -326,8 +249,8 @@ LightSharing::LightSharing(const PatchSet& patches, const PatchTree& tree, const
 void LightSharing::share(std::span<std::vector<float>> values, std::span<float> bias,
                          const Workers& workers) const {
   const auto count = values.size() / 2;
-  const Half low(values.first(count), bands_, places_);
-  const Half high(values.subspan(count), bands_, places_);
+  const ReplicateHalf low(values.first(count), bands_, places_);
+  const ReplicateHalf high(values.subspan(count), bands_, places_);
   for (const auto& first_slot : first_slot_) {
     if (first_slot.front() == first_slot.back()) continue;
     Sharing sharing(tree_, first_slot, workers);

@@ -9,6 +9,7 @@
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/solve/linear_fit.h"
 #include "luxel/transport/gather_sides.h"
 
 namespace luxel {
@@ -36,11 +37,6 @@ class LightSharing {
   // any number of threads. Cost: about 0.3 us a slot for 8 replicates of 3 bands; nothing is kept but marks
   // on nodes.
   void share(std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers) const;
-
-  // Of a slot in its region: two coordinates in the plane, about one region across; and the patch's area, m².
-  struct Place {
-    float u = 0.0f, v = 0.0f, area = 0.0f;
-  };
 
  private:
   const PatchTree& tree_;
