@@ -23,6 +23,7 @@ struct Section {
 
 constexpr Section sections[] = {
     {"limit", "solve_over_embree", against_embree},
+    {"gather", "sampled_over_embree", sampled_against_embree},
     {"polygons", "time_against_polygons", against_polygons},
     {"lamps", "lamp_of_128_over_lamp_of_2", against_lamps},
     {"threads", "thread_scaling", against_threads},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/transport/gather_rays.h"
 
+#include <bit>
+
 #include "luxel/random/address.h"
 #include "luxel/random/sobol.h"
 #include "luxel/random/warp.h"
@@ -58,7 +60,12 @@ LUXEL_WIDE void find_cells(const float* __restrict x, const float* __restrict y,
 GatherRays::GatherRays(const PatchSet& patches, const GatherSides& sides,
                        std::span<const std::uint32_t> slots, const GatherPoints& points, std::uint32_t level,
                        std::uint32_t per_slot)
-    : sides_(sides), slots_(slots), points_(points), level_(level), per_slot_(per_slot) {
+    : sides_(sides),
+      slots_(slots),
+      points_(points),
+      level_(level),
+      per_slot_(per_slot),
+      shift_(std::countr_zero(std::bit_ceil(slots.size()))) {
   emitters_.reserve(slots.size());
   for (const auto s : slots) emitters_.emplace_back(patches, sides.side[s]);
   for (int d = 0; d < 4; ++d)
@@ -72,15 +79,15 @@ std::uint64_t GatherRays::key_of(std::uint32_t replicate) const {
 }
 
 void GatherRays::make(std::span<const Row> rows) {
-  const auto size = rows.size() * stride;
+  const auto size = rows.size() << shift_;
   if (cell_.size() < size) {
     for (auto& n : numbers_) n.resize(size);
     height_.resize(size);
     cell_.resize(size);
   }
-  for (std::size_t r = 0; r < rows.size(); ++r) draw(rows[r], r * stride);
+  for (std::size_t r = 0; r < rows.size(); ++r) draw(rows[r], r << shift_);
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const auto at = r * stride;
+    const auto at = r << shift_;
     find_cells(&numbers_[2][at], &numbers_[3][at], &cell_[at], slots_.size());
     warp_weights(&numbers_[0][at], &numbers_[1][at], slots_.size());
     warp_directions(&numbers_[2][at], &numbers_[3][at], &height_[at], slots_.size());
@@ -112,7 +119,7 @@ void GatherRays::sort(std::size_t rows) {
   std::array<std::uint32_t, cells + 1> begin{};
   const auto for_each = [&](auto body) {
     for (std::size_t i = 0; i < slots_.size(); ++i)
-      for (std::size_t r = 0; r < rows; ++r) body(r * stride + i);
+      for (std::size_t r = 0; r < rows; ++r) body((r << shift_) + i);
   };
   for_each([&](std::size_t id) { ++begin[cell_[id] + 1u]; });
   for (std::size_t c = 0; c < cells; ++c) begin[c + 1] += begin[c];

@@ -19,12 +19,13 @@ struct GatherPoints {
   bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
 };
 
-// Rays of the sides of one block, traced in the order of their directions: those that look the same way stand
-// together, side by side. They meet the same things, so the tracer finds its nodes in the cache. What a ray
-// is does not depend on the order, nor on which others are traced with it.
+// Rays of the sides of one block or a few neighbouring ones, traced in the order of their directions: those
+// that look the same way stand together, side by side. They meet the same things, so the tracer finds its
+// nodes in the cache. What a ray is does not depend on the order, nor on which others are traced with it.
 class GatherRays {
  public:
-  static constexpr std::size_t most_rows = 16;  // traced together
+  static constexpr std::size_t most_rows = 16;   // traced together
+  static constexpr std::size_t most_blocks = 4;  // likewise
 
   // Sample `sample` of each slot, of one replicate; the element that the ray of slots[i] meets goes to
   // to[i * per_slot].
@@ -33,7 +34,8 @@ class GatherRays {
     std::uint32_t* to = nullptr;
   };
 
-  // The slots, rising, lie in one block. Each has per_slot rays a replicate, a power of two, in that level.
+  // The slots, rising, lie in most_blocks blocks at most, all fronts or all backs. Each has per_slot rays a
+  // replicate, a power of two, in that level.
   GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> slots,
              const GatherPoints& points, std::uint32_t level, std::uint32_t per_slot);
 
@@ -44,12 +46,11 @@ class GatherRays {
     for_each_batch(rows, [&](std::span<const Ray> rays, std::span<const std::uint16_t> ids) {
       tracer.nearest(rays, std::span(hits.data(), rays.size()));
       for (std::size_t i = 0; i < rays.size(); ++i)
-        rows[ids[i] / stride].to[std::size_t{per_slot_} * (ids[i] % stride)] = element(hits[i]);
+        rows[ids[i] >> shift_].to[per_slot_ * place_of(ids[i])] = element(hits[i]);
     });
   }
 
-  // Calls body(rays, ids) for all rays of these rows, in the order of tracing; id = row * stride + i.
-  static constexpr std::size_t stride = gather_block_positions;
+  // Calls body(rays, ids) for all rays of these rows, in the order of tracing.
   template <typename Body>
   void for_each_batch(std::span<const Row> rows, Body body) {
     make(rows);
@@ -66,26 +67,29 @@ class GatherRays {
   static constexpr std::size_t batch = 256;
   static constexpr std::size_t cells = 256;  // of directions
 
+  // A ray's id is (row << shift_) + i: 16 bits hold most_rows rows of most_blocks blocks.
+  std::size_t place_of(std::size_t id) const { return id & ((std::size_t{1} << shift_) - 1); }
   // The numbers of these rows, warped, and their order.
   void make(std::span<const Row> rows);
   void draw(const Row& row, std::size_t at);
   void sort(std::size_t rows);
   std::uint64_t key_of(std::uint32_t replicate) const;
   Ray ray(std::size_t id) const {
-    return emitters_[id % stride].ray(Vec2{numbers_[0][id], numbers_[1][id]},
-                                      Vec3{numbers_[2][id], numbers_[3][id], height_[id]});
+    return emitters_[place_of(id)].ray(Vec2{numbers_[0][id], numbers_[1][id]},
+                                       Vec3{numbers_[2][id], numbers_[3][id], height_[id]});
   }
 
   const GatherSides& sides_;
   std::span<const std::uint32_t> slots_;
   GatherPoints points_;
   std::uint32_t level_, per_slot_;
+  int shift_;
   std::vector<PatchEmitter> emitters_;             // [i]
   std::array<std::vector<std::uint32_t>, 4> raw_;  // [dimension][i], of the slot's first sample
-  std::array<std::vector<float>, 4> numbers_;      // [dimension][row * stride + i]; then the warped ones
+  std::array<std::vector<float>, 4> numbers_;      // [dimension][id]; then the warped ones
   std::vector<float> height_;                      // the direction's third coordinate
-  std::vector<std::uint8_t> cell_;                 // [row * stride + i], of the direction
-  std::vector<std::uint16_t> order_;               // row * stride + i, sorted by cell
+  std::vector<std::uint8_t> cell_;                 // [id], of the direction
+  std::vector<std::uint16_t> order_;               // id, sorted by cell
 };
 
 }  // namespace luxel

@@ -11,6 +11,16 @@ constexpr std::size_t rows_a_job = 4 * GatherRays::most_rows;
 constexpr std::size_t fetch_ahead = 16;           // hits
 constexpr std::size_t cached_numbers = 1u << 18;  // radiosities that stay near the processor: 1 MiB
 
+// Where each of `values` would stand among the slots.
+std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
+                                     std::span<const std::uint32_t> slots) {
+  std::vector<std::uint32_t> places;
+  for (const auto v : values)
+    places.push_back(
+        static_cast<std::uint32_t>(std::lower_bound(slots.begin(), slots.end(), v) - slots.begin()));
+  return places;
+}
+
 // Adds up three bands over the hits of slots: sum is of the slots from slot0 on. Where the radiosities fit
 // into the cache, to ask for them ahead costs more than it gains.
 template <bool fetches>
@@ -52,16 +62,12 @@ std::uint32_t SampledOperator::element_of(const Hit& hit) const {
 
 SampledOperator::Round SampledOperator::make_round(std::vector<std::uint32_t> slots, std::uint32_t level,
                                                    std::uint32_t per_replicate) const {
-  Round round{level, per_replicate, std::move(slots), {}, {}};
-  for (const auto begin : block_begins_)
-    round.begins.push_back(static_cast<std::uint32_t>(
-        std::lower_bound(round.slots.begin(), round.slots.end(), begin) - round.slots.begin()));
-  return round;
+  auto begins = places_of(block_begins_, slots);
+  return {level, per_replicate, std::move(slots), std::move(begins), {}};
 }
 
-void SampledOperator::trace(const Round& round, std::size_t block, std::size_t begin_row, std::size_t end_row,
-                            std::span<std::uint32_t* const> to) const {
-  const auto slots = round.slots_of(block);
+void SampledOperator::trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
+                            std::size_t end_row, std::span<std::uint32_t* const> to) const {
   if (slots.empty()) return;
   const auto n = round.per_replicate;
   GatherRays rays(patches_, sides_, slots, {options_.seed, options_.low_discrepancy, options_.stratified},
@@ -76,6 +82,21 @@ void SampledOperator::trace(const Round& round, std::size_t block, std::size_t b
     }
     rays.trace(tracer_, std::span(rows.data(), count), [this](const Hit& hit) { return element_of(hit); });
   }
+}
+
+// A block with few rays a slot has too few that look the same way.
+std::vector<std::uint32_t> SampledOperator::traced_together(std::uint32_t per_replicate) const {
+  const std::size_t most =
+      options_.replicates * per_replicate > GatherRays::most_rows ? 1 : GatherRays::most_blocks;
+  std::vector<std::uint32_t> begins;
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < blocks(); ++b)
+    if (b == 0 || b - first == most || block_begins_[b] == sides_.fronts) {
+      begins.push_back(block_begins_[b]);
+      first = b;
+    }
+  begins.push_back(static_cast<std::uint32_t>(sides_.size()));
+  return begins;
 }
 
 std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint32_t> slots,
@@ -93,19 +114,21 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
           std::make_unique_for_overwrite<std::uint32_t[]>(round.slots.size() * per_replicate));
     // In turns, between which the monitor is asked: some tenths of a second each.
     const auto rows = std::size_t{options_.replicates} * per_replicate;
-    const auto jobs_a_block = (rows + rows_a_job - 1) / rows_a_job;
-    const auto jobs = blocks() * jobs_a_block;
+    const auto groups = places_of(traced_together(per_replicate), round.slots);
+    const auto jobs_a_group = (rows + rows_a_job - 1) / rows_a_job;
+    const auto jobs = (groups.size() - 1) * jobs_a_group;
     const auto turn = 32 * static_cast<std::size_t>(workers.threads());
     for (std::size_t from = 0; from < jobs; from += turn) {
       const auto to = std::min(jobs, from + turn);
       workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
         std::vector<std::uint32_t*> places(options_.replicates);
         for (auto job = from + begin; job < from + end; ++job) {
-          const auto block = job / jobs_a_block;
-          const auto row = job % jobs_a_block * rows_a_job;
+          const auto* group = &groups[job / jobs_a_group];
+          const auto row = job % jobs_a_group * rows_a_job;
           for (std::size_t r = 0; r < places.size(); ++r)
-            places[r] = round.hits[r].get() + std::size_t{round.begins[block]} * per_replicate;
-          trace(round, block, row, std::min(rows, row + rows_a_job), places);
+            places[r] = round.hits[r].get() + std::size_t{group[0]} * per_replicate;
+          trace(round, std::span(round.slots).subspan(group[0], group[1] - group[0]), row,
+                std::min(rows, row + rows_a_job), places);
         }
       });
       const auto share = static_cast<double>(to) / static_cast<double>(jobs);

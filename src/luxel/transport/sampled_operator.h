@@ -91,6 +91,10 @@ class SampledOperator {
         });
   }
 
+  // Blocks whose rays are traced together where all slots get per_replicate rays: where they begin, slots,
+  // and at the end size().
+  std::vector<std::uint32_t> traced_together(std::uint32_t per_replicate) const;
+
  private:
   // Slots that got rays together.
   struct Round {
@@ -107,10 +111,10 @@ class SampledOperator {
   };
 
   Round make_round(std::vector<std::uint32_t> slots, std::uint32_t level, std::uint32_t per_replicate) const;
-  // The elements that rows of a block's rays hit. Row = replicate * per_replicate + sample; to[replicate]:
-  // where the samples of the block's first slot go.
-  void trace(const Round& round, std::size_t block, std::size_t begin_row, std::size_t end_row,
-             std::span<std::uint32_t* const> to) const;
+  // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
+  // where the samples of the first slot go.
+  void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
+             std::size_t end_row, std::span<std::uint32_t* const> to) const;
   // Calls body(slots, their hits, hits a slot) for each round that has slots in that block.
   template <typename Body>
   void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
@@ -123,7 +127,7 @@ class SampledOperator {
         traced.resize(slots.size() * n);
         std::vector<std::uint32_t*> to(options_.replicates);
         to[replicate] = traced.data();
-        trace(round, block, replicate * n, (replicate + 1) * n, to);
+        trace(round, slots, replicate * n, (replicate + 1) * n, to);
       }
       body(slots, is_streamed_ ? traced.data() : &round.hits[replicate][round.begins[block] * n],
            round.per_replicate);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// How near the sampled operator comes to Embree alone, and what its order of rays is worth.
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/patch/patch_tree.h"
+#include "luxel/random/address.h"
+#include "luxel/transport/sampled_operator.h"
+
+#include "bench/same_rays.h"
+#include "bench/scenes.h"
+#include "bench/sections.h"
+#include "bench/timing.h"
+
+namespace luxel::bench {
+namespace {
+
+constexpr std::uint32_t replicates = 8;
+
+// The fronts: in a closed room no light reaches the backs, and the solver leaves them out.
+GatherSides fronts_of(const PatchSet& patches, const Workers& workers) {
+  const auto all = all_gather_sides(patches, make_patch_tree(patches, workers));
+  std::vector<std::uint8_t> kept(all.size(), 0);
+  std::fill_n(kept.begin(), all.fronts, 1);
+  return kept_gather_sides(all, kept);
+}
+
+// Every ray of the operator's first round, in the order in which one thread traces them.
+std::vector<Ray> rays_of_round(const PatchSet& patches, const SampledOperator& transport,
+                               std::span<const std::uint32_t> slots, std::uint32_t per_slot) {
+  std::vector<Ray> rays;
+  const auto begins = transport.traced_together(per_slot);
+  for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
+    GatherRays block(patches, transport.sides(), slots.subspan(begins[b], begins[b + 1] - begins[b]), {}, 0,
+                     per_slot);
+    std::vector<GatherRays::Row> rows;
+    for (std::uint32_t row = 0; row < replicates * per_slot; ++row) {
+      rows.push_back({row / per_slot, row % per_slot});
+      if (rows.size() < GatherRays::most_rows && row + 1 < replicates * per_slot) continue;
+      block.for_each_batch(
+          rows, [&](std::span<const Ray> r, auto) { rays.insert(rays.end(), r.begin(), r.end()); });
+      rows.clear();
+    }
+  }
+  return rays;
+}
+
+}  // namespace
+
+Json sampled_against_embree(const Settings& settings) {
+  fmt::print(
+      "\ngather: the sampled operator's rays traced and stored, against Embree alone on the very same rays "
+      "in "
+      "the same order (1 is the limit) and shuffled; one thread\n");
+  fmt::print("{:>10} {:>8} {:>12} {:>10} {:>8} {:>17} {:>14} {:>12} {:>12}\n", "patches", "Mrays",
+             "Embree ns", "traced ns", "ratio", "(low to high)", "order's gain", "ns to add up",
+             "bytes moved");
+  const Workers one(1);
+  Json rows = Json::array();
+  for (const auto& [triangles, per_slot] :
+       {std::pair{10'000u, 64u}, std::pair{50'000u, 16u}, std::pair{1'000'000u, 1u}}) {
+    const auto scale = settings.small ? 20 : 1;
+    const auto patches = make_patches(cornell_box(triangles / scale), {.max_edge = no_max_edge});
+    const Tracer tracer(patches, one);
+    const auto sides = fronts_of(patches, one);
+    std::vector<std::uint32_t> slots(sides.size());
+    std::iota(slots.begin(), slots.end(), 0u);
+    const BareEmbree embree(patches);
+    std::vector<float> irradiance(sides.size() * patches.band_count());
+    SampledOperator transport(patches, sides, tracer, {.replicates = replicates});
+    auto rays = rays_of_round(patches, transport, slots, per_slot);
+    const auto count = static_cast<double>(rays.size());
+    transport.double_rays(slots, per_slot, one);
+    const std::vector<float> radiosity(transport.elements() * patches.band_count(), 1.0f);
+    const auto sweep_time = seconds([&] {
+      for (std::uint32_t r = 0; r < replicates; ++r)
+        transport.replicate(r).apply(radiosity, irradiance, 0, sides.size(), one);
+    });
+    double traced_time = 0.0;
+    double embree_time = 0.0;
+    const auto ratio = paired(
+        3, [&] { embree_time = seconds([&] { embree.trace(rays, one); }); },
+        [&] {
+          SampledOperator again(patches, sides, tracer, {.replicates = replicates});
+          traced_time = seconds([&] { again.double_rays(slots, per_slot, one); });
+        });
+    for (std::size_t i = rays.size(); i > 1; --i) std::swap(rays[i - 1], rays[mix64(i) % i]);
+    const auto shuffled_time = seconds([&] { embree.trace(rays, one); });
+    // A sweep reads the element that each ray hit, and its radiosity.
+    const auto bytes = sizeof(std::uint32_t) + sizeof(float) * patches.band_count();
+    fmt::print(
+        "{:>10} {:>8.2f} {:>12.0f} {:>10.0f} {:>8.2f} {:>8.2f} to {:.2f} {:>12.2f} x {:>12.2f} {:>12}\n",
+        patches.size(), 1e-6 * count, 1e9 * embree_time / count, 1e9 * traced_time / count, ratio.median,
+        ratio.low, ratio.high, shuffled_time / embree_time, 1e9 * sweep_time / count, bytes);
+    rows.push_back({{"patches", patches.size()},
+                    {"rays", rays.size()},
+                    {"embree_ns_a_ray", 1e9 * embree_time / count},
+                    {"traced_ns_a_ray", 1e9 * traced_time / count},
+                    {"ratio", ratio.median},
+                    {"ratio_low", ratio.low},
+                    {"ratio_high", ratio.high},
+                    {"order_gain", shuffled_time / embree_time},
+                    {"sweep_ns_a_ray", 1e9 * sweep_time / count},
+                    {"sweep_bytes_a_ray", bytes}});
+  }
+  return rows;
+}
+
+}  // namespace luxel::bench
