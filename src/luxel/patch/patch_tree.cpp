@@ -5,13 +5,17 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 namespace luxel {
 namespace {
 
-constexpr float cone_cosine = 0.9f;       // normals of a region lie within 26 degrees of their mean
-constexpr float cone_width = 0.9f;        // so no two ends of them are farther apart: 2 sin(26 degrees)
-constexpr float thickness_exact = 1e-3f;  // of a plane region's extent: rounding of a modeller
+constexpr float cone_cosine = 0.9f;        // normals of a region lie within 26 degrees of their mean
+constexpr float cone_width = 0.9f;         // so no two ends of them are farther apart: 2 sin(26 degrees)
+constexpr float thickness_exact = 1e-3f;   // of a plane region's extent: rounding of a modeller
+constexpr std::uint32_t large_plane = 32;  // patches
+constexpr float plane_step = 1e-3f;        // of a normal's components, and of the scene's size
 constexpr std::uint32_t region_unit = 64;
 constexpr float normal_weight = 0.5f;  // metres a unit of normal, over the node's extent
 
@@ -69,6 +73,31 @@ std::uint32_t aligned_half(std::uint32_t count) {
   return (count / 2 + unit / 2) / unit * unit;
 }
 
+// The plane of each patch's input triangle: rounded, so that triangles that a modeller put on one plane
+// agree.
+std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
+  float size = 0.0f;
+  for (const auto& v : patches.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const auto rounded = [](float x, float step) {
+    return static_cast<std::int64_t>(std::floor(x / step + 0.5f));
+  };
+  std::vector<std::uint64_t> planes(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (p > 0 && patches.triangle[p] == patches.triangle[p - 1]) {
+      planes[p] = planes[p - 1];
+      continue;
+    }
+    const auto& n = patches.normal[p];
+    const auto offset = glm::dot(n, patches.points(p)[0]);
+    std::uint64_t key = 0;
+    for (const auto part : {rounded(n.x, plane_step), rounded(n.y, plane_step), rounded(n.z, plane_step),
+                            rounded(offset, plane_step * size)})
+      key = (key ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u + (key >> 29);
+    planes[p] = key;
+  }
+  return planes;
+}
+
 class Builder {
  public:
   Builder(const PatchSet& patches, PatchTree& tree) : tree_(tree), items_(patches.size()) {
@@ -78,6 +107,7 @@ class Builder {
       const auto& n = patches.normal[p];
       items_[p] = {static_cast<std::uint32_t>(p), {centre.x, centre.y, centre.z, n.x, n.y, n.z}};
     }
+    group(planes_of(patches));
   }
 
   void build(const Workers& workers) {
@@ -105,10 +135,54 @@ class Builder {
   }
 
  private:
+  // Large planes first, each for itself, in the order in which they are met; then all else.
+  void group(const std::vector<std::uint64_t>& planes) {
+    std::unordered_map<std::uint64_t, std::uint32_t> size;
+    for (const auto plane : planes) ++size[plane];
+    std::unordered_map<std::uint64_t, std::uint32_t> begin;
+    std::uint32_t at = 0;
+    for (const auto plane : planes)
+      if (size[plane] >= large_plane && begin.try_emplace(plane, at).second) {
+        group_begins_.push_back(at);
+        at += size[plane];
+      }
+    planar_ = at;
+    group_begins_.push_back(at);
+    std::vector<Item> grouped(items_.size());
+    for (const auto& item : items_) {
+      const auto found = begin.find(planes[item.patch]);
+      grouped[found == begin.end() ? at++ : found->second++] = item;
+    }
+    items_ = std::move(grouped);
+  }
+
+  // Where a node that holds several groups is cut: between two of them, as near its middle as can be. Its end
+  // where it holds but one.
+  std::uint32_t cut_between_groups(const PatchTree::Node& node) const {
+    const auto end = node.first + node.count;
+    const auto above =
+        std::upper_bound(group_begins_.begin(), group_begins_.end(), node.first + node.count / 2);
+    auto best = end;
+    const auto consider = [&](std::uint32_t cut) {
+      const auto off = [&](std::uint32_t c) {
+        return std::abs(2.0 * (c - node.first) - static_cast<double>(node.count));
+      };
+      if (cut > node.first && cut < end && (best == end || off(cut) < off(best))) best = cut;
+    };
+    if (above != group_begins_.end()) consider(*above);
+    if (above != group_begins_.begin()) consider(*(above - 1));
+    return best;
+  }
+
   // Finds whether the node is flat and parts its items. Returns the number of the left ones; 0 for a leaf.
   std::uint32_t split(PatchTree::Node& node) {
     auto* const begin = items_.data() + node.first;
     auto* const end = begin + node.count;
+    if (!node.is_flat && node.first < planar_) {
+      const auto cut = cut_between_groups(node);
+      if (cut < node.first + node.count) return cut - node.first;
+      node.is_flat = true;
+    }
     Bounds bounds;
     for (const auto* i = begin; i != end; ++i) bounds.add(*i);
     if (!node.is_flat) node.is_flat = is_flat(begin, end, bounds);
@@ -181,6 +255,8 @@ class Builder {
 
   PatchTree& tree_;
   std::vector<Item> items_;
+  std::vector<std::uint32_t> group_begins_;  // of large planes, and where all else begins
+  std::uint32_t planar_ = 0;                 // items in large planes
 };
 
 }  // namespace

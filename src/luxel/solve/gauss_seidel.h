@@ -13,6 +13,7 @@ namespace luxel {
 struct GaussSeidelOptions {
   double tolerance = 1e-6;  // of the whole radiosity: estimated distance to the fixed point
   std::size_t parts = 8;    // rows are taken in this many parts; 1 is the Jacobi iteration
+  std::size_t memory = 3;   // earlier sweeps that Anderson's acceleration looks back at; 0: none
   int max_sweeps = 10'000;
 };
 
@@ -22,14 +23,15 @@ struct GaussSeidelReport {
   bool converged = false;
 };
 
-// Solves B = rho (D + F B) by block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one part
-// are computed side by side from the newest radiosities of the others. Parts are fixed, so the bits do not
-// depend on the number of threads. Converges for any F whose rows sum to at most 1 and rho < 1, each sweep
-// about as well as one and a half of Jacobi's.
+// Solves B = rho (D + F B) by block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one
+// part are computed side by side from the newest radiosities of the others. Between sweeps the radiosity goes
+// to the combination of the last ones whose changes cancel best (Anderson 1965; Walker and Ni 2011). Parts
+// are fixed and sums are ordered, so the bits do not depend on the number of threads. Converges for any F
+// whose rows sum to at most 1 and rho < 1.
 //
 // direct (D), reflectance (rho), irradiance (out: D + F B): [row][band]. radiosity: the start and the result,
 // [element][band], at least the rows; what stands behind them (sinks) is left alone. Cost: one apply() a
-// sweep.
+// sweep; memory: 2 * memory + 2 copies of the rows.
 GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<const float> direct,
                                std::span<const float> reflectance, std::span<float> radiosity,
                                std::span<float> irradiance, const GaussSeidelOptions& options,

@@ -4,34 +4,34 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "luxel/patch/patch_tree.h"
 #include "luxel/report/error.h"
-#include "luxel/solve/dark_sides.h"
-#include "luxel/solve/direct_samples.h"
-#include "luxel/solve/gauss_seidel.h"
+#include "luxel/report/memory.h"
+#include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/replicate_spread.h"
 #include "luxel/solve/sample_plan.h"
+#include "luxel/solve/sampled_energy.h"
+#include "luxel/solve/sampling.h"
 #include "luxel/solve/share_light.h"
 #include "luxel/solve/stochastic_jacobi.h"
-#include "luxel/transport/direct_light.h"
-#include "luxel/transport/patch_emitter.h"
-#include "luxel/transport/sampled_operator.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint64_t least_rays = 1 << 17;  // of the first round, direct and gathered each
-constexpr std::uint32_t unit_positions = 64;   // whose samples are doubled together
-constexpr double shadow_ray_cost = 0.6;        // of a gather ray and its share of the sweeps
-constexpr double growth_to_error = 3.0;        // a round costs at most so many times all before it
+constexpr double tolerance = 1e-6;       // of the iteration
+constexpr double shadow_ray_cost = 0.6;  // of a gather ray and its share of the sweeps
+constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
+constexpr double aim = 0.9;              // of the squared error asked for: another round costs more than that
 constexpr double weight_before_sharing = 0.3;
+// The first picture: enough to see the room by.
+constexpr std::uint64_t least_first_rays = 50'000;
+constexpr std::uint64_t most_first_rays = 250'000;
+constexpr double first_tolerance = 0.2;
 
 void check(const PatchSet& patches, const SampledOptions& options) {
   if (!(options.error >= 0.0))
@@ -43,13 +43,12 @@ void check(const PatchSet& patches, const SampledOptions& options) {
   check_lamps(patches);
 }
 
-std::uint32_t power_of_two_from(double least) {
-  std::uint32_t n = 1;
-  while (n < 1024 && n < least) n *= 2;
-  return n;
+double mean(std::span<const std::uint32_t> counts) {
+  const auto sum = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(1, counts.size()));
 }
 
-// The whole run: its samples so far, and the answer they give.
+// The whole run: samples, the answer they give, and whether that is good enough.
 class Run {
  public:
   Run(const PatchSet& patches, const Tracer& tracer, Solution& solution, const SampledOptions& options,
@@ -61,240 +60,104 @@ class Run {
         workers_(workers),
         monitor_(monitor),
         bands_(patches.band_count()),
-        lamps_(patches),
-        direct_light_(patches, tracer, lamps_,
-                      {.seed = options.seed,
-                       .replicates = options.replicates,
-                       .low_discrepancy = options.low_discrepancy,
-                       .stratified = options.stratified,
-                       .importance = options.importance,
-                       .control_variate = options.control_variate}) {}
+        sampling_(patches, tracer, options, workers) {}
 
   SolveReport go() {
-    if (!first_light()) return report_;
-    begin();
+    if (!show_first_light()) return finish(StopReason::stopped_by_user);
+    sampling_.start(solution_);
+    prepare();
     while (true) {
       answer();
-      if (tell(monitor_, progress()) == Next::stop) return finish(StopReason::stopped_by_user);
-      // An error of nothing is an estimate that failed, or light that is exact.
-      if (options_.error > 0.0 && error_ <= options_.error && (error_ > 0.0 || report_.rounds.size() > 1))
-        return finish(StopReason::error_reached);
+      if (tell(monitor_, progress(&solution_)) == Next::stop) return finish(StopReason::stopped_by_user);
+      if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
-      const auto doublings = next_round(units);
+      const auto doublings = plan_doublings(units, aimed_error2(), growth() * total_cost(units));
+      predict_memory(units);
       if (*std::max_element(doublings.begin(), doublings.end()) == 0)
         return finish(StopReason::error_reached);
       if (const auto bound = broken_bound(units, doublings)) return finish(*bound);
-      if (!sample(doublings)) return finish(StopReason::stopped_by_user);
+      if (!sampling_.take(doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
     }
   }
 
  private:
-  // ---- The first picture: a few rays shot from the lamps ----
-
-  bool first_light() {
-    const auto rays = std::clamp<std::uint64_t>(2 * patches_.size(), 50'000, 1'000'000);
-    const auto shot =
-        solve_stochastic_jacobi(patches_, tracer_, solution_,
-                                {.rays = rays, .tolerance = 0.03, .seed = options_.seed}, workers_, monitor_);
-    report_ = shot;
-    report_.steps.clear();
-    traced_ = shot.rays;
-    const auto answer = tell(monitor_, {"light", 0.01, traced_, 0.0, &solution_});
-    if (shot.stop == StopReason::stopped_by_user || answer == Next::stop) {
-      report_.stop = solution_.stop = StopReason::stopped_by_user;
-      return false;
-    }
-    return true;
+  // A few rays shot from the lamps: a picture of the whole, and where the iteration begins.
+  bool show_first_light() {
+    const auto rays = std::clamp<std::uint64_t>(2 * patches_.size(), least_first_rays, most_first_rays);
+    const auto on_the_way = [this](const Progress& p) { return tell(monitor_, {p.stage, 0.0, p.rays}); };
+    const auto shot = solve_stochastic_jacobi(
+        patches_, tracer_, solution_, {.rays = rays, .tolerance = first_tolerance, .seed = options_.seed},
+        workers_, on_the_way);
+    report_.energy = shot.energy;
+    report_.back_loss = shot.back_loss;
+    report_.unshot_share = shot.unshot_share;
+    report_.predicted_error = shot.predicted_error;
+    first_rays_ = shot.rays;
+    return shot.stop != StopReason::stopped_by_user &&
+           tell(monitor_, {"light", 0.0, shot.rays, 0.0, &solution_}) == Next::go_on;
   }
 
-  // ---- Samples ----
-
-  // The first rays of every side. Those that no light reaches are left out from then on.
-  void begin() {
-    tree_ = make_patch_tree(patches_, workers_);
-    transport_.emplace(patches_, all_gather_sides(patches_, tree_), tracer_,
-                       SampledOperatorOptions{.seed = options_.seed,
-                                              .replicates = options_.replicates,
-                                              .low_discrepancy = options_.low_discrepancy,
-                                              .stratified = options_.stratified});
-    direct_.emplace(direct_light_, transport_->sides(), options_.replicates, bands_);
-    const auto first = power_of_two_from(static_cast<double>(least_rays) /
-                                         static_cast<double>(slots() * options_.replicates));
-    std::vector<std::uint32_t> all(slots());
-    std::iota(all.begin(), all.end(), 0u);
-    traced_ += direct_->double_samples(all, first, workers_);
-    traced_ += transport_->double_rays(all, first, workers_).value();
-    leave_out_dark_sides();
-    units_ = make_units();
+  void prepare() {
     const auto count = slots() * bands_;
+    area_.resize(slots());
     reflectance_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-      reflectance_[i] = patches_.material_of(side(i / bands_) / 2).reflectance[i % bands_];
-    irradiance_.assign(options_.replicates, std::vector<float>(count, 0.0f));
-    // The iteration starts from the first picture.
-    std::vector<float> start(transport_->elements() * bands_, 0.0f);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto s = side(i / bands_);
-      const auto& H = s % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
-      start[i] = reflectance_[i] * H[s / 2 * bands_ + i % bands_];
-    }
-    radiosity_.assign(options_.replicates, start);
-  }
-
-  std::size_t slots() const { return transport_->sides().size(); }
-  std::size_t side(std::size_t slot) const { return transport_->sides().side[slot]; }
-
-  void leave_out_dark_sides() {
-    const auto lit = lit_slots(patches_, *transport_, solution_, direct_->irradiance(), workers_);
-    report_.dark_sides = static_cast<std::uint64_t>(std::count(lit.begin(), lit.end(), 0));
-    if (report_.dark_sides == 0) return;
-    transport_->keep(lit, workers_);
-    direct_->keep(lit, transport_->sides());
-  }
-
-  // Where units begin, and at the end the number of slots.
-  std::vector<std::uint32_t> make_units() const {
-    const auto& sides = transport_->sides();
-    std::vector<std::uint32_t> begins;
-    for (std::uint32_t s = 0; s < slots(); ++s)
-      if (s == 0 || s == sides.fronts ||
-          sides.position[s] / unit_positions != sides.position[s - 1] / unit_positions)
-        begins.push_back(s);
-    begins.push_back(static_cast<std::uint32_t>(slots()));
-    return begins;
-  }
-
-  // What the samples of direct light (first) and gathered light (then) cost and leave to be desired.
-  std::vector<SampleUnit> sample_units() const {
-    const auto n = units_.size() - 1;
-    std::vector<SampleUnit> units(2 * n);
-    const auto book = [&](SampleUnit& unit, std::size_t u, const std::vector<double>& error2_of,
-                          double samples, double cost) {
-      for (auto s = units_[u]; s < units_[u + 1]; ++s) unit.error2 += error2_of[s];
-      unit.error2 = std::max(0.0, unit.error2);
-      unit.cost = cost * samples * options_.replicates * (units_[u + 1] - units_[u]);
-    };
-    for (std::size_t u = 0; u < n; ++u) {
-      book(units[u], u, direct_error2_, direct_->samples_a_slot()[units_[u]], shadow_ray_cost);
-      book(units[n + u], u, gathered_error2_, transport_->rays_a_slot()[units_[u]], 1.0);
-    }
-    // Together they are the whole squared error.
-    double sum = 0.0;
-    for (const auto& u : units) sum += u.error2;
-    for (auto& u : units) u.error2 *= spread_.error2 / std::max(sum, 1e-300);
-    return units;
-  }
-
-  // The samples of the next round: doublings of each unit. What they are does not depend on the bounds, so
-  // that a longer run goes the same way.
-  std::vector<std::uint8_t> next_round(std::span<const SampleUnit> units) const {
-    const bool bounded = options_.rays > 0 || options_.seconds > 0.0;
-    double spent = 0.0;
-    for (const auto& u : units) spent += u.cost;
-    return plan_doublings(units, options_.error * options_.error * spread_.light2,
-                          (bounded ? growth_to_bound : growth_to_error) * spent);
-  }
-
-  // The bound that those samples would break, if any.
-  std::optional<StopReason> broken_bound(std::span<const SampleUnit> units,
-                                         std::span<const std::uint8_t> doublings) const {
-    double spent = 0.0;
-    double more = 0.0;
-    double rays = 0.0;
-    for (std::size_t u = 0; u < units.size(); ++u) {
-      const auto cost = units[u].cost * ((1 << doublings[u]) - 1);
-      spent += units[u].cost;
-      more += cost;
-      rays += u < units.size() / 2 ? cost / shadow_ray_cost : cost;
-    }
-    if (options_.rays > 0 && static_cast<double>(traced_) + rays > static_cast<double>(options_.rays))
-      return StopReason::ray_limit;
-    if (options_.seconds > 0.0 && elapsed() * (1.0 + more / spent) > options_.seconds)
-      return StopReason::time_limit;
-    return {};
-  }
-
-  bool sample(const std::vector<std::uint8_t>& doublings) {
-    const auto n = units_.size() - 1;
-    for (std::uint8_t turn = 0; turn < *std::max_element(doublings.begin(), doublings.end()); ++turn) {
-      std::vector<std::uint32_t> direct;
-      std::map<std::uint32_t, std::vector<std::uint32_t>> gathered;  // by rays so far
-      for (std::size_t u = 0; u < n; ++u)
-        for (auto s = units_[u]; s < units_[u + 1]; ++s) {
-          if (doublings[u] > turn) direct.push_back(s);
-          if (doublings[n + u] > turn) gathered[transport_->rays_a_slot()[s]].push_back(s);
-        }
-      traced_ += direct_->double_samples(direct, 0, workers_);
-      for (auto& [rays, slots] : gathered) {
-        const auto traced = transport_->double_rays(std::move(slots), 0, workers_, progress_monitor());
-        if (!traced) return false;
-        traced_ += *traced;
+    radiosity_.assign(sampling_.transport().elements() * bands_, 0.0f);
+    for (std::size_t s = 0; s < slots(); ++s) {
+      const auto patch = side(s) / 2;
+      const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
+      area_[s] = patches_.area[patch];
+      for (std::size_t b = 0; b < bands_; ++b) {
+        reflectance_[s * bands_ + b] = patches_.material_of(patch).reflectance[b];
+        radiosity_[s * bands_ + b] = reflectance_[s * bands_ + b] * H[patch * bands_ + b];
       }
     }
-    return true;
+    report_.dark_sides = sampling_.dark_sides();
+    report_.unshot_share = 0.0;
   }
+
+  std::size_t slots() const { return sampling_.transport().sides().size(); }
+  std::size_t side(std::size_t slot) const { return sampling_.transport().sides().side[slot]; }
 
   // ---- The answer ----
 
   void answer() {
-    RoundRecord round;
-    auto direct = direct_->irradiance();
-    std::vector<std::vector<float>> gathered(options_.replicates);
-    for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-      const auto solved = gauss_seidel(transport_->replicate(r), direct[r], reflectance_, radiosity_[r],
-                                       irradiance_[r], {}, workers_);
-      round.sweeps = std::max(round.sweeps, static_cast<int>(solved.change.size()));
-      round.residual = std::max(round.residual, solved.distance);
-      gathered[r].resize(irradiance_[r].size());
-      for (std::size_t i = 0; i < gathered[r].size(); ++i) gathered[r][i] = irradiance_[r][i] - direct[r][i];
-    }
-    const auto area = [this](std::size_t slot) { return static_cast<double>(patches_.area[side(slot) / 2]); };
-    std::vector<float> bias(slots() * bands_, 0.0f);
-    std::vector<float> gathered_bias(slots() * bands_, 0.0f);
+    auto direct = sampling_.direct().irradiance();
+    auto light =
+        solve_replicates(sampling_.transport(), direct, reflectance_, radiosity_, tolerance, workers_);
+    auto& gathered = light.gathered;
+
     // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
     // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
-    const std::vector<float> none(bias.size(), 0.0f);
-    const auto spread_before = [&](const std::vector<std::vector<float>>& values) {
-      auto error2 = spread_of(values, none, bands_, area, workers_).error2_of;
-      for (auto& e : error2) e *= weight_before_sharing;
-      return error2;
+    direct_error2_.assign(slots(), 0.0);
+    gathered_error2_.assign(slots(), 0.0);
+    std::vector<float> bias(slots() * bands_, 0.0f);
+    const auto guide = [&](double weight) {
+      add_squared_errors(direct, bands_, area_, weight, direct_error2_, workers_);
+      add_squared_errors(gathered, bands_, area_, weight, gathered_error2_, workers_);
     };
-    direct_error2_ = spread_before(direct);
-    gathered_error2_ = spread_before(gathered);
+    guide(options_.share ? weight_before_sharing : 1.0);
     if (options_.share) {
-      share_light(patches_, tree_, transport_->sides(), direct, bias, workers_);
-      share_light(patches_, tree_, transport_->sides(), gathered, gathered_bias, workers_);
+      share_light(patches_, sampling_.tree(), sampling_.transport().sides(), direct, bias, workers_);
+      share_light(patches_, sampling_.tree(), sampling_.transport().sides(), gathered, bias, workers_);
+      guide(1.0 - weight_before_sharing);
     }
-    const auto add_spread = [&](std::vector<double>& to, const std::vector<std::vector<float>>& fitted) {
-      const auto error2 = spread_of(fitted, none, bands_, area, workers_).error2_of;
-      for (std::size_t s = 0; s < error2.size(); ++s) to[s] += (1.0 - weight_before_sharing) * error2[s];
-    };
-    add_spread(direct_error2_, direct);
-    add_spread(gathered_error2_, gathered);
-    for (std::size_t i = 0; i < bias.size(); ++i) bias[i] += gathered_bias[i];
-    for (std::size_t r = 0; r < gathered.size(); ++r)
-      for (std::size_t i = 0; i < bias.size(); ++i) gathered[r][i] += direct[r][i];
-    spread_ = spread_of(gathered, bias, bands_, area, workers_);
+    spread_ = spread_of_sum(direct, gathered, bias, bands_, area_, workers_);
     error_ = spread_.light2 > 0.0 ? std::sqrt(std::max(0.0, spread_.error2) / spread_.light2) : 0.0;
 
-    round.gather_rays = static_cast<std::uint32_t>(options_.replicates * mean(transport_->rays_a_slot()));
-    round.shadow_rays = static_cast<std::uint32_t>(options_.replicates * mean(direct_->samples_a_slot()));
-    round.rays = traced_;
+    RoundRecord round;
+    round.sweeps = static_cast<int>(light.iteration.change.size());
+    round.residual = light.iteration.distance;
+    round.gather_rays =
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_.transport().rays_a_slot()));
+    round.shadow_rays =
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_.direct().samples_a_slot()));
+    round.rays = rays();
     round.error = error_;
     report_.rounds.push_back(round);
+    report_.streamed = sampling_.transport().is_streamed();
+    report_.predicted_error = error_;
     fill();
   }
-
-  double mean(std::span<const std::uint32_t> counts) const {
-    return std::accumulate(counts.begin(), counts.end(), 0.0) /
-           std::max<double>(1.0, static_cast<double>(counts.size()));
-  }
-
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
-  // ---- What the caller gets ----
 
   void fill() {
     const auto count = patches_.size() * bands_;
@@ -313,33 +176,118 @@ class Run {
       (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
       (back ? s.standard_error_back : s.standard_error_front)[at] = spread_.standard_error[i];
     }
-    s.bands = patches_.bands;
-    s.unshot_share = 0.0;
     s.predicted_error = error_;
     s.error_95th = spread_.percentile_95;
-    s.provenance.method = "sampled";
-    s.provenance.seed = options_.seed;
-    s.provenance.rays = traced_;
-    s.provenance.scene_fingerprint = patches_.scene_fingerprint;
   }
 
+  // ---- Whether it is good enough, and what would make it better ----
+
+  // An error of nothing after one round is an estimate that failed, or light that is exact.
+  bool is_good_enough() const {
+    return options_.error > 0.0 && error_ <= options_.error && (error_ > 0.0 || report_.rounds.size() > 1);
+  }
+  double aimed_error2() const { return aim * options_.error * options_.error * spread_.light2; }
+
+  // The samples that are taken do not depend on where a bound is, so that a longer run goes the same way.
+  double growth() const {
+    return options_.rays > 0 || options_.seconds > 0.0 ? growth_to_bound : growth_to_error;
+  }
+  static double total_cost(std::span<const SampleUnit> units) {
+    double sum = 0.0;
+    for (const auto& u : units) sum += u.cost;
+    return sum;
+  }
+
+  // What the shadow rays (first) and gather rays (then) of each unit cost and leave to be desired.
+  std::vector<SampleUnit> sample_units() const {
+    const auto begins = sampling_.units();
+    const auto n = begins.size() - 1;
+    std::vector<SampleUnit> units(2 * n);
+    double sum = 0.0;
+    const auto book = [&](SampleUnit& unit, std::size_t u, const std::vector<double>& error2_of,
+                          double samples, double cost) {
+      for (auto s = begins[u]; s < begins[u + 1]; ++s) unit.error2 += error2_of[s];
+      unit.cost = cost * samples * options_.replicates * (begins[u + 1] - begins[u]);
+      sum += unit.error2;
+    };
+    for (std::size_t u = 0; u < n; ++u) {
+      book(units[u], u, direct_error2_, sampling_.direct().samples_a_slot()[begins[u]], shadow_ray_cost);
+      book(units[n + u], u, gathered_error2_, sampling_.transport().rays_a_slot()[begins[u]], 1.0);
+    }
+    // Together they are the whole squared error.
+    for (auto& u : units) u.error2 *= std::max(0.0, spread_.error2) / std::max(sum, 1e-300);
+    return units;
+  }
+
+  // The bound that those samples would break, if any.
+  std::optional<StopReason> broken_bound(std::span<const SampleUnit> units,
+                                         std::span<const std::uint8_t> doublings) const {
+    double more = 0.0;
+    double more_rays = 0.0;
+    for (std::size_t u = 0; u < units.size(); ++u) {
+      const auto cost = units[u].cost * ((1 << doublings[u]) - 1);
+      more += cost;
+      more_rays += u < units.size() / 2 ? cost / shadow_ray_cost : cost;
+    }
+    if (options_.rays > 0 && static_cast<double>(rays()) + more_rays > static_cast<double>(options_.rays))
+      return StopReason::ray_limit;
+    if (options_.seconds > 0.0 && elapsed() * (1.0 + more / total_cost(units)) > options_.seconds)
+      return StopReason::time_limit;
+    return {};
+  }
+
+  // After the first round: what the whole process will hold at its peak, if the error falls as planned.
+  void predict_memory(std::span<const SampleUnit> units) {
+    if (report_.rounds.size() > 1) return;
+    double hits = 0.0;
+    if (!sampling_.transport().is_streamed()) {
+      const auto doublings = plan_doublings(units, aimed_error2(), 1e30);
+      for (auto u = units.size() / 2; u < units.size(); ++u) hits += units[u].cost * (1 << doublings[u]);
+    }
+    report_.memory =
+        begin_memory_ + sampling_.bytes_of_state() + sizeof(std::uint32_t) * static_cast<std::uint64_t>(hits);
+  }
+
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  std::uint64_t rays() const { return first_rays_ + sampling_.rays(); }
+
+  // ---- What the caller hears ----
+
   SolveReport finish(StopReason reason) {
-    report_.stop = solution_.stop = reason;
-    report_.rays = solution_.provenance.rays = traced_;
-    report_.unshot_share = 0.0;
-    report_.predicted_error = error_;
-    report_.error_95th = spread_.percentile_95;
+    if (!report_.rounds.empty()) {
+      const auto energy =
+          energy_of(patches_, sampling_.transport(), options_.replicates, spread_.mean, workers_);
+      report_.energy = energy.balance;
+      report_.back_loss = energy.back_loss;
+    }
+    report_.stop = reason;
+    report_.rays = rays();
+    report_.error_95th = solution_.error_95th;
+    solution_.bands = patches_.bands;
+    solution_.stop = reason;
+    solution_.unshot_share = report_.unshot_share;
+    solution_.predicted_error = report_.predicted_error;
+    solution_.provenance.method = "sampled";
+    solution_.provenance.seed = options_.seed;
+    solution_.provenance.rays = rays();
+    solution_.provenance.scene_fingerprint = patches_.scene_fingerprint;
     return report_;
   }
 
-  Progress progress() const {
-    const auto done = error_ > 0.0 ? std::min(1.0, options_.error * options_.error / (error_ * error_)) : 0.0;
-    return {"light", done, traced_, error_, &solution_};
+  Progress progress(const Solution* light, std::uint64_t rays_now = 0) const {
+    const auto total = static_cast<double>(std::max(rays(), rays_now));
+    double done = 0.0;
+    if (options_.error > 0.0 && error_ > 0.0) done = options_.error * options_.error / (error_ * error_);
+    if (options_.rays > 0) done = std::max(done, total / static_cast<double>(options_.rays));
+    if (options_.seconds > 0.0) done = std::max(done, elapsed() / options_.seconds);
+    // Samples beyond the last answer have not shown what they are worth, but they are.
+    if (rays_now > rays()) done *= static_cast<double>(rays_now) / static_cast<double>(rays());
+    return {"light", std::min(1.0, done), std::max(rays(), rays_now), error_, light};
   }
-  Monitor progress_monitor() const {
-    return [this](const Progress& p) {
-      return tell(monitor_, {"light", progress().done, traced_ + p.rays, error_});
-    };
+  Monitor sampling_monitor() const {
+    return [this](const Progress& p) { return tell(monitor_, progress(nullptr, first_rays_ + p.rays)); };
   }
 
   const PatchSet& patches_;
@@ -350,19 +298,15 @@ class Run {
   const Monitor& monitor_;
   std::size_t bands_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  Lamps lamps_;
-  DirectLight direct_light_;
-  PatchTree tree_;
-  std::optional<SampledOperator> transport_;
-  std::optional<DirectSamples> direct_;
-  std::vector<std::uint32_t> units_;            // where they begin, slots
-  std::vector<float> reflectance_;              // [slot][band]
-  std::vector<std::vector<float>> radiosity_;   // [replicate], reflected, W/m², [element][band]
-  std::vector<std::vector<float>> irradiance_;  // [replicate], W/m², [slot][band]
+  Sampling sampling_;
+  std::uint64_t first_rays_ = 0;
+  std::vector<float> area_;         // [slot], m²
+  std::vector<float> reflectance_;  // [slot][band]
+  std::vector<float> radiosity_;    // reflected, W/m², [element][band]
   Spread spread_;
   std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error
   double error_ = 0.0;                                   // of the whole
-  std::uint64_t traced_ = 0;
+  std::uint64_t begin_memory_ = resident_memory();       // bytes of the process
   SolveReport report_;
 };
 

@@ -15,7 +15,9 @@ namespace {
 constexpr std::uint32_t task_patches = 4096;  // nodes of at most that many are one thread's work
 constexpr std::size_t tasks_grain = 8;        // tasks a chunk; many regions are small
 constexpr std::size_t regions_grain = 64;     // regions a chunk
-constexpr double unseen = 4.0 / 3.0;          // bias in all, over what fits two levels down can see
+// Bias in all, over what fits two levels down can see: a little more in either half (a fifteenth where light
+// is smooth, as much again at an edge), but less in the mean of the two.
+constexpr double unseen = 1.0;
 constexpr double caution = 3.0;  // a fit is dropped where it is wrong by so much more than noise explains
 
 // The coordinates of a region's patches, written at their slots.

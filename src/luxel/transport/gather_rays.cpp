@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::uint32_t purpose = 0x67617468u;  // keeps these streams apart from those of other stages
 
+// Point on the patch (two), direction (two): directions matter more, and the first two dimensions are the
+// best.
+constexpr std::array<int, 4> dimension = {2, 3, 0, 1};
+
 // Eight at a time where the processor can: integers, and float operations that are exact to the last bit
 // whatever their width, so every host gets the same.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
@@ -68,9 +72,8 @@ GatherRays::GatherRays(const PatchSet& patches, const GatherSides& sides,
       shift_(std::countr_zero(std::bit_ceil(slots.size()))) {
   emitters_.reserve(slots.size());
   for (const auto s : slots) emitters_.emplace_back(patches, sides.side[s]);
-  for (int d = 0; d < 4; ++d)
-    for (const auto s : slots)
-      raw_[static_cast<std::size_t>(d)].push_back(OwenSobol::raw(sides.position[s] * per_slot, d));
+  for (std::size_t i = 0; i < 4; ++i)
+    for (const auto s : slots) raw_[i].push_back(OwenSobol::raw(sides.position[s] * per_slot, dimension[i]));
 }
 
 std::uint64_t GatherRays::key_of(std::uint32_t replicate) const {
@@ -101,17 +104,15 @@ void GatherRays::draw(const Row& row, std::size_t at) {
   const auto key = key_of(row.replicate);
   if (points_.low_discrepancy && points_.stratified) {
     const OwenSobol sequence(key);
-    for (int d = 0; d < 4; ++d) {
-      const auto i = static_cast<std::size_t>(d);
-      sobol_numbers(raw_[i].data(), OwenSobol::raw(row.sample, d), sequence.seed(d), slots_.size(),
-                    &numbers_[i][at]);
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+      sobol_numbers(raw_[i].data(), OwenSobol::raw(row.sample, dimension[i]), sequence.seed(dimension[i]),
+                    slots_.size(), &numbers_[i][at]);
     return;
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const auto own = stream_key(key, 0, sides_.side[slots_[i]]);
     const auto u = points_.low_discrepancy ? OwenSobol(own).first4(row.sample) : uniform4(own, row.sample);
-    for (std::size_t d = 0; d < 4; ++d) numbers_[d][at + i] = u[d];
+    for (std::size_t d = 0; d < 4; ++d) numbers_[d][at + i] = u[static_cast<std::size_t>(dimension[d])];
   }
 }
 

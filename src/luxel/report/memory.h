@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace luxel {
+
+// Bytes of main memory that programs could still take; 0 where the system does not tell.
+std::uint64_t free_memory();
+
+// Bytes of main memory that this process holds now; 0 where the system does not tell.
+std::uint64_t resident_memory();
+
+}  // namespace luxel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/sampled_energy.h"
+
+#include "luxel/solve/stochastic_jacobi.h"
+
+namespace luxel {
+
+SampledEnergy energy_of(const PatchSet& patches, const SampledOperator& transport, std::uint32_t replicates,
+                        const std::vector<float>& irradiance, const Workers& workers) {
+  const auto& sides = transport.sides();
+  const auto bands = patches.band_count();
+  const auto materials = patches.materials.size();
+  // What a ray of the slot carries, W, [slot][band].
+  std::vector<double> carried(sides.size() * bands);
+  // Per block: absorbed, escaped, and at each material's back, [band].
+  const auto width = (2 + materials) * bands;
+  std::vector<double> sums(transport.blocks() * width, 0.0);
+  const auto begins = transport.replicate(0).row_begins();
+  workers.for_chunks(transport.blocks(), 1, [&](std::size_t first, std::size_t last, int) {
+    for (auto block = first; block < last; ++block) {
+      auto* sum = &sums[block * width];
+      for (std::size_t s = begins[block]; s < begins[block + 1]; ++s) {
+        const auto& material = patches.material_of(sides.side[s] / 2);
+        const double area = patches.area[sides.side[s] / 2];
+        const auto rays = static_cast<double>(transport.rays_a_slot()[s]) * replicates;
+        for (std::size_t b = 0; b < bands; ++b) {
+          const double rho = material.reflectance[b];
+          const double H = irradiance[s * bands + b];
+          const double own = sides.side[s] % 2 == 0 ? static_cast<double>(material.emittance[b]) : 0.0;
+          carried[s * bands + b] = area * (own + rho * H) / rays;
+          sum[b] += area * (1.0 - rho) * H;
+        }
+      }
+      for (std::uint32_t r = 0; r < replicates; ++r)
+        transport.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
+          if (element < sides.size() || element == transport.dark()) return;
+          const auto sink = element == transport.escaped() ? 1 : 2 + element - transport.absorbed(0);
+          for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += carried[slot * bands + b];
+        });
+    }
+  });
+
+  SampledEnergy energy;
+  auto& balance = energy.balance;
+  balance.emitted = emitted_power(patches);
+  for (auto* part : {&balance.absorbed, &balance.escaped, &balance.lost_at_backs, &balance.unshot})
+    part->assign(bands, 0.0);
+  energy.back_loss.assign(materials, 0.0);
+  for (std::size_t block = 0; block < transport.blocks(); ++block)
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto* sum = &sums[block * width];
+      balance.absorbed[b] += sum[b];
+      balance.escaped[b] += sum[bands + b];
+      for (std::size_t m = 0; m < materials; ++m) {
+        balance.lost_at_backs[b] += sum[(2 + m) * bands + b];
+        energy.back_loss[m] += sum[(2 + m) * bands + b];
+      }
+    }
+  return energy;
+}
+
+}  // namespace luxel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "luxel/patch/patch_tree.h"
+#include "luxel/report/progress.h"
+#include "luxel/solve/direct_samples.h"
+#include "luxel/solve/sampled.h"
+#include "luxel/transport/direct_light.h"
+#include "luxel/transport/sampled_operator.h"
+
+namespace luxel {
+
+// All samples of a sampled solve: shadow rays and gather rays of every side that light reaches, in units of
+// neighbouring slots whose samples are doubled together.
+class Sampling {
+ public:
+  // Keeps references to all but the options.
+  Sampling(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
+           const Workers& workers);
+
+  // The first samples of every side; then those that no light reaches are left out. first_picture: any light
+  // that is known to arrive somewhere.
+  void start(const Solution& first_picture);
+
+  const PatchTree& tree() const { return tree_; }
+  const SampledOperator& transport() const { return *transport_; }
+  const DirectSamples& direct() const { return *direct_; }
+  std::uint64_t dark_sides() const { return dark_sides_; }
+  std::uint64_t rays() const { return rays_; }  // traced
+
+  // Unit u is slots [units()[u], units()[u + 1]).
+  std::span<const std::uint32_t> units() const { return units_; }
+
+  // Doubles the shadow rays of unit u doublings[u] times, and its gather rays doublings[units + u] times.
+  // Returns false, with some of it done, if the monitor said stop.
+  bool take(std::span<const std::uint8_t> doublings, const Monitor& monitor);
+
+  // Bytes of the hits that are stored, and of all else that a solve holds at its peak.
+  std::uint64_t bytes_of_hits() const { return transport_->bytes(); }
+  std::uint64_t bytes_of_state() const;
+
+ private:
+  // Hits that would not fit are not stored.
+  void make_room(std::uint64_t more_rays);
+  void leave_out_dark_sides(const Solution& first_picture);
+  void find_units();
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  SampledOptions options_;
+  const Workers& workers_;
+  std::uint64_t memory_;  // bytes that may be held
+  Lamps lamps_;
+  DirectLight direct_light_;
+  PatchTree tree_;
+  std::optional<SampledOperator> transport_;
+  std::optional<DirectSamples> direct_;
+  std::vector<std::uint32_t> units_;
+  std::uint64_t dark_sides_ = 0;
+  std::uint64_t rays_ = 0;
+};
+
+}  // namespace luxel
