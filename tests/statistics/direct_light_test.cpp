@@ -109,13 +109,14 @@ truth::SceneBuilder lamp_and_floor() {
 // Everything the options can switch.
 std::vector<DirectOptions> all_options() {
   std::vector<DirectOptions> all;
-  for (int i = 0; i < 16; ++i)
+  for (int i = 0; i < 24; ++i)
     all.push_back({.seed = 5,
                    .replicates = replicates,
                    .low_discrepancy = (i & 1) != 0,
                    .stratified = (i & 2) != 0,
                    .importance = (i & 4) != 0,
-                   .control_variate = (i & 8) != 0});
+                   .control_variate = (i & 8) != 0,
+                   .multiple_importance = (i & 16) != 0});
   return all;
 }
 
@@ -170,9 +171,39 @@ TEST(DirectLight, a_huge_near_ceiling_is_as_accurate_as_a_small_lamp) {
       .quad({4.1f, 3, 2.98f}, {4.12f, 3, 2.98f}, {4.12f, 6, 2.98f}, {4.1f, 6, 2.98f});
   b.material("wall", 0.5f, 0.0f).triangle({9.9f, 5, 1}, {9.9f, 6, 1}, {9.9f, 5, 2.9f});
   const Room room(b.scene());
-  room.expect_truth(side_of(room.first_of("shelf"), false));
-  room.expect_truth(side_of(room.first_of("wall"), true));
-  room.expect_truth(side_of(room.first_of("wall"), false));
+  for (const bool multiple_importance : {false, true}) {
+    const DirectOptions options{.replicates = replicates, .multiple_importance = multiple_importance};
+    room.expect_truth(side_of(room.first_of("shelf"), false), options);
+    room.expect_truth(side_of(room.first_of("wall"), true), options);
+    room.expect_truth(side_of(room.first_of("wall"), false), options);
+  }
+}
+
+// Against the closed form, where nothing is hidden: no other estimate's noise.
+TEST(DirectLight, multiple_importance_gives_the_closed_form) {
+  truth::SceneBuilder huge;
+  huge.material("lamp", 0.5f, 2.0f).quad({0, 0, 3}, {0, 10, 3}, {10, 10, 3}, {10, 0, 3});
+  huge.material("floor", 0.5f, 0.0f).triangle({4, 4, 2.8f}, {4.5f, 4, 2.8f}, {4, 4.5f, 2.8f});
+  for (const auto& scene : {huge.scene(), lamp_and_floor().scene()}) {
+    const Room room(scene);
+    const auto side = side_of(room.first_of("floor"), false);
+    const auto exact = room.estimate(side, {.replicates = replicates}).mean[0];
+    const auto is = room.estimate(side, {.replicates = replicates, .multiple_importance = true}, 1024);
+    EXPECT_NEAR(is.mean[0], exact, risk_sigmas * is.sigma[0] + closed_form_error * exact);
+    EXPECT_LT(is.sigma[0], 0.01 * exact);
+  }
+}
+
+TEST(DirectLight, multiple_importance_counts_its_cosine_rays) {
+  const Room room(lamp_and_floor().scene());
+  std::vector<float> out(8 * room.patches.band_count());
+  const auto rays = [&](bool multiple_importance) {
+    const DirectLight direct(room.patches, room.tracer, room.lamps,
+                             {.multiple_importance = multiple_importance});
+    return direct.estimate(side_of(room.first_of("floor"), false), 0, 0, 16, out);
+  };
+  EXPECT_EQ(rays(false), 128u);
+  EXPECT_EQ(rays(true), 256u);
 }
 
 // Walls that meet the luminous ceiling of a cube at its edges, cut finer and finer.

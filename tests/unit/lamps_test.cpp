@@ -61,6 +61,8 @@ TEST(Lamps, patches_of_one_triangle_are_joined_again) {
     EXPECT_NEAR(lamp.weight, 9.0 / M_PI, 1e-6);
   }
   EXPECT_FLOAT_EQ(lamps.radiance(1)[2], static_cast<float>(3.0 / M_PI));
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    EXPECT_EQ(lamps.lamp_of_patch(p), patches.triangle[p] == 0 ? Lamps::no_lamp : patches.triangle[p] - 1);
 }
 
 TEST(Lamps, two_colours_are_noticed) {
@@ -124,6 +126,7 @@ TEST(LampSample, density_and_samples_agree_with_the_closed_form) {
         const auto sample = sample_lamp(lamp, x, (i + 0.5) / side, (j + 0.5) / side);
         ASSERT_GT(sample.density, 0.0);
         ASSERT_NEAR(glm::length(sample.direction), 1.0, 1e-12);
+        ASSERT_NEAR(lamp_density(lamp, x, sample.direction) / sample.density, 1.0, 1e-9);
         const auto point = x + sample.distance * sample.direction;
         ASSERT_NEAR(glm::dot(lamp.normal, point - Vec3d(lamp.corner[0])), 0.0, 1e-9);
         sum += std::max(0.0, glm::dot(n, sample.direction)) / sample.density;
@@ -198,6 +201,9 @@ TEST(LightTree, a_lamp_is_chosen_with_the_probability_that_is_said) {
     }
     for (std::size_t i = 0; i < lamps.size(); ++i) {
       EXPECT_NEAR(chosen[i], said[i], 3e-6);
+      const auto lamp = static_cast<std::uint32_t>(i);
+      EXPECT_TRUE(tree.holds(whole[0], lamp));
+      EXPECT_NEAR(tree.probability(whole[0], lamp, x, n, by_area), said[i], 1e-9);
       if (unit_irradiance(lamps.triangles()[i], Vec3d(x), Vec3d(n)) > 0.0) {
         EXPECT_GT(said[i], 0.0) << i;
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +13,8 @@
 
 namespace luxel {
 
+class LampChoices;
+
 struct DirectOptions {
   std::uint64_t seed = 1;
   std::uint32_t replicates = 8;
@@ -19,6 +22,9 @@ struct DirectOptions {
   bool stratified = true;       // one sequence runs over neighbouring patches; else each has its own
   bool importance = true;       // lamps chosen by what they may give the patch; else by area
   bool control_variate = true;  // closed form of what comes without shadows
+  // Beside each shadow ray a cosine ray, which counts where it meets a lamp. In place of the control variate:
+  // what lamps give without shadows has no closed form any more once it is shared with the cosine rays.
+  bool multiple_importance = false;
 };
 
 // Irradiance of one side of a patch straight from the lamps, by shadow rays. The radiance of lamps is
@@ -32,10 +38,6 @@ struct DirectOptions {
 // little is seen; the mean over replicates is an unbiased estimate all the same.
 class DirectLight {
  public:
-  // What a side tells apart. Where there are more lamp triangles, the ones that matter most stand alone, with
-  // their closed form, and the rest hangs together in branches of a tree, without.
-  static constexpr std::size_t branches = 48;
-
   // Keeps references to patches, tracer and lamps.
   DirectLight(const PatchSet& patches, const Tracer& tracer, const Lamps& lamps,
               const DirectOptions& options);
@@ -43,13 +45,27 @@ class DirectLight {
   // W/m² from all lamps, each replicate apart: out[replicate * bands + band]. Round `round` takes
   // per_replicate new samples a replicate; rounds are independent. position: the patch's place in an order in
   // which neighbours are near. side: 2p front, 2p + 1 back. Returns the number of shadow rays, at most
-  // replicates * per_replicate: none where no lamp is above the horizon. Any number of threads may call; the
-  // result depends on the arguments alone. Costs 0.1 to 0.4 us a
-  // sample beside its shadow ray, and about 0.3 us a side and lamp.
+  // replicates * per_replicate
+  // (twice that with multiple importance): none where no lamp is above the horizon. Any number of threads may
+  // call; the result depends on the arguments alone. Costs 0.1 to 0.4 us a sample beside its shadow ray, and
+  // about 0.3 us a side and lamp.
   std::uint64_t estimate(std::size_t side, std::uint32_t position, std::uint32_t round,
                          std::uint32_t per_replicate, std::span<float> out) const;
 
  private:
+  struct Side;
+  // What one ray says.
+  struct Term {
+    std::size_t choice = 0;
+    std::uint32_t lamp = 0;
+    double given = 0.0;  // W/m² at unit radiance, were nothing between
+    bool seen = false;
+    std::uint64_t rays = 0;  // traced
+  };
+  Term ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from,
+                const std::array<float, 4>& u) const;
+  Term look_round(const Side& side, const LampChoices& choices, const Ray& ray) const;
+  double given(double cosine, double lamp_density) const;
   bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const;
 
   const PatchSet& patches_;

@@ -16,5 +16,7 @@ struct LampSample {
 // Uniform in solid angle; where the lamp is far away for its size uniform in area, which is nearly the same
 // thing there and five times as fast. u1, u2: uniform in [0, 1).
 LampSample sample_lamp(const LampTriangle& lamp, const Vec3d& x, double u1, double u2);
+// The density with which sample_lamp(lamp, x, ...) gives a direction that meets the lamp.
+double lamp_density(const LampTriangle& lamp, const Vec3d& x, const Vec3d& direction);
 
 }  // namespace luxel

@@ -42,7 +42,8 @@ std::array<Vec3, 3> joined(const PatchSet& patches, std::size_t begin, std::size
 
 }  // namespace
 
-Lamps::Lamps(const PatchSet& patches) : bands_(patches.band_count()) {
+Lamps::Lamps(const PatchSet& patches)
+    : lamp_of_patch_(patches.size(), no_lamp), bands_(patches.band_count()) {
   for (std::size_t begin = 0, end = 0; begin < patches.size(); begin = end) {
     for (end = begin + 1; end < patches.size() && patches.triangle[end] == patches.triangle[begin] &&
                           patches.material[end] == patches.material[begin];)
@@ -51,21 +52,24 @@ Lamps::Lamps(const PatchSet& patches) : bands_(patches.band_count()) {
     if (!material.is_lamp()) continue;
     const auto area = std::accumulate(patches.area.data() + begin, patches.area.data() + end, 0.0);
     const auto whole = joined(patches, begin, end);
+    const auto newest = [this] { return static_cast<std::uint32_t>(triangles_.size() - 1); };
     if (std::fabs(triangle_area(whole[0], whole[1], whole[2]) - area) <= area_tolerance * area) {
-      add(whole, material);
+      if (add(whole, material))
+        for (auto p = begin; p < end; ++p) lamp_of_patch_[p] = newest();
     } else {
-      for (auto p = begin; p < end; ++p) add(patches.points(p), material);
+      for (auto p = begin; p < end; ++p)
+        if (add(patches.points(p), material)) lamp_of_patch_[p] = newest();
     }
   }
 }
 
-void Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material) {
+bool Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material) {
   LampTriangle lamp;
   lamp.corner = corner;
   const auto [a, b, c] = corner;
   const auto normal2 = area_vector2(a, b, c);
   lamp.area = 0.5 * glm::length(normal2);
-  if (!(lamp.area > 0.0)) return;
+  if (!(lamp.area > 0.0)) return false;
   lamp.normal = normal2 / (2.0 * lamp.area);
   lamp.longest_edge = std::max(
       {glm::length(Vec3d(b) - Vec3d(a)), glm::length(Vec3d(c) - Vec3d(b)), glm::length(Vec3d(a) - Vec3d(c))});
@@ -81,6 +85,7 @@ void Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material)
     if (std::fabs(share - colour_[band]) > colour_tolerance) one_colour_ = false;
   }
   triangles_.push_back(lamp);
+  return true;
 }
 
 }  // namespace luxel

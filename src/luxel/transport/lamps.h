@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct LampTriangle {
 };
 
 // The lamps of a scene as they were before they were cut into patches. Read-only after it was made; memory
-// about 150 bytes a triangle.
+// about 150 bytes a triangle
+// and 4 a patch.
 class Lamps {
  public:
   // Joins the patches of each emitting input triangle; where they do not fill a triangle they stay apart.
@@ -29,6 +31,9 @@ class Lamps {
   std::span<const LampTriangle> triangles() const { return triangles_; }
   std::size_t size() const { return triangles_.size(); }
   std::size_t bands() const { return bands_; }
+  // The triangle that a patch is part of, or no_lamp.
+  static constexpr std::uint32_t no_lamp = 0xffffffffu;
+  std::uint32_t lamp_of_patch(std::size_t patch) const { return lamp_of_patch_[patch]; }
   // Of one triangle's front, W/(m² sr), [band].
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
@@ -38,9 +43,11 @@ class Lamps {
   std::span<const double> colour() const { return colour_; }
 
  private:
-  void add(const std::array<Vec3, 3>& corner, const BandMaterial& material);
+  // Whether it has an area.
+  bool add(const std::array<Vec3, 3>& corner, const BandMaterial& material);
 
   std::vector<LampTriangle> triangles_;
+  std::vector<std::uint32_t> lamp_of_patch_;
   std::size_t bands_ = 0;
   std::vector<float> radiance_;  // [triangle][band]
   bool one_colour_ = true;

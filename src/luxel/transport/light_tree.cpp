@@ -110,6 +110,7 @@ LightTree::LightTree(const Lamps& lamps) {
   std::vector<std::uint32_t> order(lamps.size());
   std::iota(order.begin(), order.end(), 0u);
   nodes_.reserve(2 * lamps.size());
+  leaf_of_.resize(lamps.size());
   nodes_.emplace_back();
   build(0, lamps, order.data(), order.data() + order.size());
 }
@@ -133,9 +134,14 @@ void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* beg
   made.spread_sine = sine_of(made.spread);
   made.leaf = end - begin == 1;
   made.next = made.leaf ? *begin : static_cast<std::uint32_t>(nodes_.size());
+  made.parent = nodes_[node].parent;
   nodes_[node] = made;
-  if (made.leaf) return;
+  if (made.leaf) {
+    leaf_of_[*begin] = node;
+    return;
+  }
   nodes_.resize(nodes_.size() + 2);
+  nodes_[made.next].parent = nodes_[made.next + 1].parent = node;
   const auto split = best_split(triangles, begin, end);
   auto* middle = split.axis < 0 ? begin : std::stable_partition(begin, end, [&](std::uint32_t i) {
     return centre_of(triangles[i])[split.axis] < split.at;
@@ -208,25 +214,48 @@ void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t
   }
 }
 
+// How often the first of two children is chosen; negative where neither can light x.
+double LightTree::share_of_first(const Node* children, const Vec3& x, const Vec3& n, bool by_area) const {
+  const auto value = [&](const Node& child) {
+    return static_cast<double>(by_area ? child.area : importance(child, x, n, 0.0f));
+  };
+  const auto a = value(children[0]);
+  const auto b = value(children[1]);
+  return a + b > 0.0 ? a / (a + b) : -1.0;
+}
+
 LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u,
                              bool by_area) const {
   const auto* node = &nodes_[branch.index];
   double probability = 1.0;
   while (!node->leaf) {
-    const auto* left = &nodes_[node->next];
-    const auto value = [&](const Node& child) {
-      return static_cast<double>(by_area ? child.area : importance(child, x, n, 0.0f));
-    };
-    const auto a = value(left[0]);
-    const auto b = value(left[1]);
-    if (!(a + b > 0.0)) return {};
-    const auto share = a / (a + b);
+    const auto* children = &nodes_[node->next];
+    const auto share = share_of_first(children, x, n, by_area);
+    if (share < 0.0) return {};
     const bool first = u < share;
-    node = first ? left : left + 1;
+    node = first ? children : children + 1;
     probability *= first ? share : 1.0 - share;
     u = std::min(first ? u / share : (u - share) / (1.0 - share), 0x1.fffffffffffffp-1);
   }
   return {node->next, probability, u};
+}
+
+bool LightTree::holds(const LampBranch& branch, std::uint32_t lamp) const {
+  auto at = leaf_of_[lamp];
+  while (at > branch.index) at = nodes_[at].parent;  // children stand behind their parents
+  return at == branch.index;
+}
+
+double LightTree::probability(const LampBranch& branch, std::uint32_t lamp, const Vec3& x, const Vec3& n,
+                              bool by_area) const {
+  double probability = 1.0;
+  for (auto at = leaf_of_[lamp]; at != branch.index; at = nodes_[at].parent) {
+    const auto first = nodes_[nodes_[at].parent].next;
+    const auto share = share_of_first(&nodes_[first], x, n, by_area);
+    if (share < 0.0) return 0.0;
+    probability *= at == first ? share : 1.0 - share;
+  }
+  return probability;
 }
 
 }  // namespace luxel

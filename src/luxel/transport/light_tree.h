@@ -40,6 +40,11 @@ class LightTree {
   // One lamp of a branch with many, in proportion to what it may give x; or, by_area, to its area. u: uniform
   // in [0, 1); rescaled at each step down, so that even numbers make even choices.
   LampChoice choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u, bool by_area) const;
+  // Whether the lamp is one of the branch's, and the probability with which choose() gives it. A branch with
+  // many.
+  bool holds(const LampBranch& branch, std::uint32_t lamp) const;
+  double probability(const LampBranch& branch, std::uint32_t lamp, const Vec3& x, const Vec3& n,
+                     bool by_area) const;
 
  private:
   struct Node {
@@ -50,13 +55,16 @@ class LightTree {
     float spread_sine = 0.0f;  // and sine
     float power = 0.0f;
     float area = 0.0f;
-    std::uint32_t next = 0;  // first of two children, or the lamp
+    std::uint32_t next = 0;    // first of two children, or the lamp
+    std::uint32_t parent = 0;  // of the root: itself
     bool leaf = false;
   };
+  double share_of_first(const Node* children, const Vec3& x, const Vec3& n, bool by_area) const;
   void build(std::uint32_t node, const Lamps& lamps, std::uint32_t* begin, std::uint32_t* end);
   static float importance(const Node& node, const Vec3& x, const Vec3& n, float extra_radius);
 
   std::vector<Node> nodes_;
+  std::vector<std::uint32_t> leaf_of_;  // [lamp]
 };
 
 }  // namespace luxel
