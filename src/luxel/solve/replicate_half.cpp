@@ -58,6 +58,32 @@ void ReplicateHalf::add(std::uint32_t first, std::uint32_t end, Moments& m, Ener
   add_slots<0, 0>(values_, places_, columns_, first, end, m, raw);
 }
 
+void ReplicateHalf::append_means(std::uint32_t first, std::uint32_t end, std::vector<float>& means) const {
+  const auto share = 1.0f / static_cast<float>(columns_.replicates);
+  for (auto i = first * columns_.bands; i < end * columns_.bands; ++i) {
+    float sum = 0.0f;
+    for (const auto& v : values_) sum += v[i];
+    means.push_back(share * sum);
+  }
+}
+
+void ReplicateHalf::append_means(std::uint32_t first, std::uint32_t end, const Moments& m,
+                                 const LinearFit& fit, std::vector<float>& means) const {
+  const auto at = means.size();
+  means.resize(at + (end - first) * columns_.bands);
+  for (std::size_t b = 0; b < columns_.bands; ++b) {
+    std::array<double, 3> mean{};
+    for (std::size_t r = 0; r < columns_.replicates; ++r) {
+      const auto c = fit.coefficients(m, r * columns_.bands + b);
+      for (std::size_t i = 0; i < 3; ++i) mean[i] += c[i] / static_cast<double>(columns_.replicates);
+    }
+    for (auto s = first; s < end; ++s)
+      means[at + (s - first) * columns_.bands + b] =
+          static_cast<float>(mean[0] + mean[1] * static_cast<double>(places_[s].u) +
+                             mean[2] * static_cast<double>(places_[s].v));
+  }
+}
+
 void ReplicateHalf::replace(std::uint32_t first, std::uint32_t end, const Moments& m,
                             const LinearFit& fit) const {
   for (std::size_t r = 0; r < columns_.replicates; ++r)

@@ -22,6 +22,13 @@ class ReplicateHalf {
   // Adds slots to moments, and to `raw`, where there is one, the energy of their own numbers.
   void add(std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) const;
 
+  double area(std::uint32_t slot) const { return static_cast<double>(places_[slot].area); }
+
+  // Appends the means over replicates, [slot - first][band]: of the slots' own numbers, or of a fit.
+  void append_means(std::uint32_t first, std::uint32_t end, std::vector<float>& means) const;
+  void append_means(std::uint32_t first, std::uint32_t end, const Moments& m, const LinearFit& fit,
+                    std::vector<float>& means) const;
+
   // Puts a fit's values in the slots' place.
   void replace(std::uint32_t first, std::uint32_t end, const Moments& m, const LinearFit& fit) const;
 

@@ -102,9 +102,9 @@ float percentile_95(std::span<const float> numbers, const Workers& workers) {
 // take(block, first slot, slots): reads the replicates.
 template <typename Take>
 Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t bands,
-              std::span<const float> area, const Workers& workers, Take take) {
+              std::span<const float> area, const Workers& workers, std::size_t constraints, Take take) {
   const auto slots = area.size();
-  const auto widening = student_widening(static_cast<double>(replicates) - 1.0);
+  const auto widening = student_widening(static_cast<double>(replicates - constraints));
   Spread result;
   result.mean.resize(bias.size());
   result.standard_error.resize(bias.size());
@@ -156,15 +156,15 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
 }  // namespace
 
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 std::span<const float> area, const Workers& workers) {
-  return spread(values.size(), bias, bands, area, workers,
+                 std::span<const float> area, const Workers& workers, std::size_t constraints) {
+  return spread(values.size(), bias, bands, area, workers, constraints,
                 [&](Block& block, std::size_t slot, std::size_t count) { block.take(values, slot, count); });
 }
 
 Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
-                     std::span<const float> area, const Workers& workers) {
+                     std::span<const float> area, const Workers& workers, std::size_t constraints) {
   return spread(
-      first.size(), bias, bands, area, workers,
+      first.size(), bias, bands, area, workers, constraints,
       [&](Block& block, std::size_t slot, std::size_t count) { block.take_sum(first, second, slot, count); });
 }
 
@@ -182,13 +182,6 @@ void add_squared_errors(Replicates values, std::size_t bands, std::span<const fl
       }
     }
   });
-}
-
-Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 const std::function<double(std::size_t slot)>& area, const Workers& workers) {
-  std::vector<float> areas(bias.size() / bands);
-  for (std::size_t s = 0; s < areas.size(); ++s) areas[s] = static_cast<float>(area(s));
-  return spread_of(values, bias, bands, areas, workers);
 }
 
 }  // namespace luxel

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,19 +24,17 @@ struct Spread {
 // One set of replicates: [replicate][slot * bands + band].
 using Replicates = std::span<const std::vector<float>>;
 
+// constraints: how many of the replicates' degrees of freedom are taken, at least one by their mean.
 // area: [slot], m². bias: squared, [slot * bands + band], may be below 0 where it is an estimate near 0. The
 // same bits on any number of threads. Cost: about 50 ns a slot for 8 replicates of 3 bands.
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 std::span<const float> area, const Workers& workers);
+                 std::span<const float> area, const Workers& workers, std::size_t constraints = 1);
 // Of first + second, replicate by replicate, in one pass.
 Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
-                     std::span<const float> area, const Workers& workers);
+                     std::span<const float> area, const Workers& workers, std::size_t constraints = 1);
 
 // Adds weight * area * variance of the mean, all bands, to each slot: Spread::error2_of alone, without bias.
 void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
                         std::span<double> error2_of, const Workers& workers);
-
-Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 const std::function<double(std::size_t slot)>& area, const Workers& workers);
 
 }  // namespace luxel

@@ -59,12 +59,12 @@ class Run {
         options_(options),
         workers_(workers),
         monitor_(monitor),
-        bands_(patches.band_count()),
-        sampling_(patches, tracer, options, workers) {}
+        bands_(patches.band_count()) {}
 
   SolveReport go() {
     if (!show_first_light()) return finish(StopReason::stopped_by_user);
-    sampling_.start(solution_);
+    sampling_.emplace(patches_, tracer_, options_, workers_);
+    sampling_->start(solution_);
     prepare();
     while (true) {
       answer();
@@ -76,7 +76,7 @@ class Run {
       if (*std::max_element(doublings.begin(), doublings.end()) == 0)
         return finish(StopReason::error_reached);
       if (const auto bound = broken_bound(units, doublings)) return finish(*bound);
-      if (!sampling_.take(doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
+      if (!sampling_->take(doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
     }
   }
 
@@ -101,7 +101,7 @@ class Run {
     const auto count = slots() * bands_;
     area_.resize(slots());
     reflectance_.resize(count);
-    radiosity_.assign(sampling_.transport().elements() * bands_, 0.0f);
+    radiosity_.assign(sampling_->transport().elements() * bands_, 0.0f);
     for (std::size_t s = 0; s < slots(); ++s) {
       const auto patch = side(s) / 2;
       const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
@@ -111,19 +111,21 @@ class Run {
         radiosity_[s * bands_ + b] = reflectance_[s * bands_ + b] * H[patch * bands_ + b];
       }
     }
-    report_.dark_sides = sampling_.dark_sides();
+    if (options_.share)
+      sharing_.emplace(patches_, sampling_->tree(), sampling_->transport().sides(), workers_);
+    report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;
   }
 
-  std::size_t slots() const { return sampling_.transport().sides().size(); }
-  std::size_t side(std::size_t slot) const { return sampling_.transport().sides().side[slot]; }
+  std::size_t slots() const { return sampling_->transport().sides().size(); }
+  std::size_t side(std::size_t slot) const { return sampling_->transport().sides().side[slot]; }
 
   // ---- The answer ----
 
   void answer() {
-    auto direct = sampling_.direct().irradiance();
+    auto direct = sampling_->direct().irradiance();
     auto light =
-        solve_replicates(sampling_.transport(), direct, reflectance_, radiosity_, tolerance, workers_);
+        solve_replicates(sampling_->transport(), direct, reflectance_, radiosity_, tolerance, workers_);
     auto& gathered = light.gathered;
 
     // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
@@ -131,32 +133,46 @@ class Run {
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
     std::vector<float> bias(slots() * bands_, 0.0f);
+    std::size_t families = 1;  // of replicates, each with a mean of its own: sharing makes two
     const auto guide = [&](double weight) {
       add_squared_errors(direct, bands_, area_, weight, direct_error2_, workers_);
       add_squared_errors(gathered, bands_, area_, weight, gathered_error2_, workers_);
     };
-    guide(options_.share ? weight_before_sharing : 1.0);
-    if (options_.share) {
-      share_light(patches_, sampling_.tree(), sampling_.transport().sides(), direct, bias, workers_);
-      share_light(patches_, sampling_.tree(), sampling_.transport().sides(), gathered, bias, workers_);
+    guide(1.0);
+    // Sharing only where it is needed: the patches' own rays make no assumption.
+    if (sharing_ && error_of(direct, gathered) > options_.error) {
+      for (auto* error2 : {&direct_error2_, &gathered_error2_})
+        for (auto& e : *error2) e *= weight_before_sharing;
+      families = 2;
+      sharing_->share(direct, bias, workers_);
+      sharing_->share(gathered, bias, workers_);
       guide(1.0 - weight_before_sharing);
     }
-    spread_ = spread_of_sum(direct, gathered, bias, bands_, area_, workers_);
-    error_ = spread_.light2 > 0.0 ? std::sqrt(std::max(0.0, spread_.error2) / spread_.light2) : 0.0;
+    spread_ = spread_of_sum(direct, gathered, bias, bands_, area_, workers_, families);
+    error_ = error_of(spread_);
 
     RoundRecord round;
     round.sweeps = static_cast<int>(light.iteration.change.size());
     round.residual = light.iteration.distance;
     round.gather_rays =
-        static_cast<std::uint32_t>(options_.replicates * mean(sampling_.transport().rays_a_slot()));
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->transport().rays_a_slot()));
     round.shadow_rays =
-        static_cast<std::uint32_t>(options_.replicates * mean(sampling_.direct().samples_a_slot()));
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_a_slot()));
     round.rays = rays();
     round.error = error_;
     report_.rounds.push_back(round);
-    report_.streamed = sampling_.transport().is_streamed();
+    report_.streamed = sampling_->transport().is_streamed();
     report_.predicted_error = error_;
     fill();
+  }
+
+  static double error_of(const Spread& spread) {
+    return spread.light2 > 0.0 ? std::sqrt(std::max(0.0, spread.error2) / spread.light2) : 0.0;
+  }
+  // Without bias.
+  double error_of(Replicates direct, Replicates gathered) const {
+    const std::vector<float> none(slots() * bands_, 0.0f);
+    return error_of(spread_of_sum(direct, gathered, none, bands_, area_, workers_));
   }
 
   void fill() {
@@ -176,8 +192,8 @@ class Run {
       (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
       (back ? s.standard_error_back : s.standard_error_front)[at] = spread_.standard_error[i];
     }
-    s.predicted_error = error_;
     s.error_95th = spread_.percentile_95;
+    sign();
   }
 
   // ---- Whether it is good enough, and what would make it better ----
@@ -200,7 +216,7 @@ class Run {
 
   // What the shadow rays (first) and gather rays (then) of each unit cost and leave to be desired.
   std::vector<SampleUnit> sample_units() const {
-    const auto begins = sampling_.units();
+    const auto begins = sampling_->units();
     const auto n = begins.size() - 1;
     std::vector<SampleUnit> units(2 * n);
     double sum = 0.0;
@@ -211,8 +227,8 @@ class Run {
       sum += unit.error2;
     };
     for (std::size_t u = 0; u < n; ++u) {
-      book(units[u], u, direct_error2_, sampling_.direct().samples_a_slot()[begins[u]], shadow_ray_cost);
-      book(units[n + u], u, gathered_error2_, sampling_.transport().rays_a_slot()[begins[u]], 1.0);
+      book(units[u], u, direct_error2_, sampling_->direct().samples_a_slot()[begins[u]], shadow_ray_cost);
+      book(units[n + u], u, gathered_error2_, sampling_->transport().rays_a_slot()[begins[u]], 1.0);
     }
     // Together they are the whole squared error.
     for (auto& u : units) u.error2 *= std::max(0.0, spread_.error2) / std::max(sum, 1e-300);
@@ -240,40 +256,45 @@ class Run {
   void predict_memory(std::span<const SampleUnit> units) {
     if (report_.rounds.size() > 1) return;
     double hits = 0.0;
-    if (!sampling_.transport().is_streamed()) {
+    if (!sampling_->transport().is_streamed()) {
       const auto doublings = plan_doublings(units, aimed_error2(), 1e30);
       for (auto u = units.size() / 2; u < units.size(); ++u) hits += units[u].cost * (1 << doublings[u]);
     }
-    report_.memory =
-        begin_memory_ + sampling_.bytes_of_state() + sizeof(std::uint32_t) * static_cast<std::uint64_t>(hits);
+    report_.memory = begin_memory_ + sampling_->bytes_of_state() +
+                     sizeof(std::uint32_t) * static_cast<std::uint64_t>(hits);
   }
 
   double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
-  std::uint64_t rays() const { return first_rays_ + sampling_.rays(); }
+  std::uint64_t rays() const { return first_rays_ + (sampling_ ? sampling_->rays() : 0); }
 
   // ---- What the caller hears ----
 
   SolveReport finish(StopReason reason) {
     if (!report_.rounds.empty()) {
       const auto energy =
-          energy_of(patches_, sampling_.transport(), options_.replicates, spread_.mean, workers_);
+          energy_of(patches_, sampling_->transport(), options_.replicates, spread_.mean, workers_);
       report_.energy = energy.balance;
       report_.back_loss = energy.back_loss;
     }
     report_.stop = reason;
     report_.rays = rays();
     report_.error_95th = solution_.error_95th;
-    solution_.bands = patches_.bands;
     solution_.stop = reason;
+    sign();
+    return report_;
+  }
+
+  // What a solution says of itself.
+  void sign() {
+    solution_.bands = patches_.bands;
     solution_.unshot_share = report_.unshot_share;
     solution_.predicted_error = report_.predicted_error;
     solution_.provenance.method = "sampled";
     solution_.provenance.seed = options_.seed;
     solution_.provenance.rays = rays();
     solution_.provenance.scene_fingerprint = patches_.scene_fingerprint;
-    return report_;
   }
 
   Progress progress(const Solution* light, std::uint64_t rays_now = 0) const {
@@ -298,11 +319,12 @@ class Run {
   const Monitor& monitor_;
   std::size_t bands_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  Sampling sampling_;
+  std::optional<Sampling> sampling_;
   std::uint64_t first_rays_ = 0;
   std::vector<float> area_;         // [slot], m²
   std::vector<float> reflectance_;  // [slot][band]
   std::vector<float> radiosity_;    // reflected, W/m², [element][band]
+  std::optional<LightSharing> sharing_;
   Spread spread_;
   std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error
   double error_ = 0.0;                                   // of the whole

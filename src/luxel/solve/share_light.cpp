@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/share_light.h"
+
 #include <algorithm>
 #include <deque>
 #include <utility>
@@ -6,7 +8,6 @@
 #include "luxel/random/warp.h"
 #include "luxel/solve/linear_fit.h"
 #include "luxel/solve/replicate_half.h"
-#include "luxel/solve/share_light.h"
 #include "luxel/transport/patch_emitter.h"
 
 namespace luxel {
@@ -111,6 +112,7 @@ class Sharing {
   struct Scratch {
     Moments whole, part;
     Energy finer, fitted;
+    std::vector<float> finer_values;  // means over replicates, [slot - first][band]
     explicit Scratch(Columns columns) : whole(columns), part(columns), finer(columns), fitted(columns) {}
   };
 
@@ -171,21 +173,26 @@ class Sharing {
     collect_fits(tree_.nodes[k].child + 1, fits);
   }
 
-  // Adds up a node's moments, and the energy of finer fits, `levels` down or where there are few slots.
+  // Adds up a node's moments and the energy of finer fits, `levels` down or where there are few slots, and
+  // keeps their values.
   void add_finer(const ReplicateHalf& half, std::uint32_t k, int levels, Scratch& scratch) const {
     const auto& node = tree_.nodes[k];
     const auto first = first_slot(node);
     const auto end = end_slot(node);
     if (first == end) return;
-    if (node.child == 0 || end - first < LinearFit::linear_places)
+    if (node.child == 0 || end - first < LinearFit::linear_places) {
+      half.append_means(first, end, scratch.finer_values);
       return half.add(first, end, scratch.whole, &scratch.finer);
+    }
     if (levels > 0) {
       add_finer(half, node.child, levels - 1, scratch);
       return add_finer(half, node.child + 1, levels - 1, scratch);
     }
     scratch.part.clear();
     half.add(first, end, scratch.part, nullptr);
-    LinearFit(scratch.part).add_energy(scratch.part, half.columns(), scratch.finer);
+    const LinearFit fit(scratch.part);
+    fit.add_energy(scratch.part, half.columns(), scratch.finer);
+    half.append_means(first, end, scratch.part, fit, scratch.finer_values);
     scratch.whole.add(scratch.part);
   }
 
@@ -197,6 +204,7 @@ class Sharing {
     scratch.whole.clear();
     scratch.finer.clear();
     scratch.fitted.clear();
+    scratch.finer_values.clear();
     add_finer(half, k, 2, scratch);
     const auto& m = scratch.whole;
     const LinearFit fit(m);
@@ -204,12 +212,26 @@ class Sharing {
     const auto first = first_slot(tree_.nodes[k]);
     const auto end = end_slot(tree_.nodes[k]);
     const auto bands = half.columns().bands;
-    for (std::size_t b = 0; b < bands; ++b) {
-      const auto wrong = unseen * (scratch.finer.signal[b] - scratch.fitted.signal[b]);
-      const auto share = static_cast<float>(0.5 * wrong / m.gram[0]);  // the other half adds its own
-      for (auto s = first; s < end; ++s) bias[s * bands + b] += share;
-    }
     half.replace(first, end, m, fit);
+
+    // The slots' parts of it: half alike, half by how far the finer fits are from this one there.
+    std::vector<float> values;
+    half.append_means(first, end, values);
+    for (std::size_t b = 0; b < bands; ++b) {
+      // The other half of the replicates adds its own.
+      const auto wrong = 0.5 * unseen * (scratch.finer.signal[b] - scratch.fitted.signal[b]);
+      double squares = 0.0;
+      const auto square = [&](std::size_t i) {
+        const auto d = static_cast<double>(scratch.finer_values[i * bands + b] - values[i * bands + b]);
+        return d * d;
+      };
+      for (auto s = first; s < end; ++s) squares += half.area(s) * square(s - first);
+      for (auto s = first; s < end; ++s) {
+        const auto alike = 1.0 / m.gram[0];
+        const auto own = squares > 0.0 ? square(s - first) / squares : alike;
+        bias[s * bands + b] += static_cast<float>(wrong * 0.5 * (alike + own));
+      }
+    }
   }
 
   const PatchTree& tree_;
