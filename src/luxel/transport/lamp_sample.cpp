@@ -10,7 +10,8 @@
 namespace luxel {
 namespace {
 
-constexpr double far_away = 10.0;  // longest edges from the centroid
+// In longest edges from the centroid. Against 10 errors grow by at most 2 %; from 2 on by up to 30 %.
+constexpr double far_away = 5.0;
 
 // The corners from x, and what the way of sampling hangs on.
 struct View {

@@ -10,7 +10,9 @@
 namespace luxel {
 namespace {
 
-// Measured on patches between 2 and 40 cm in rooms with 2 to 24 lamps: the sum over lamps is right to 3e-4.
+// Measured in a room with 2 to 24 lamps, patches with edges of up to 5, 15 and 40 cm: the sum over lamps is
+// off by 1e-5 to 6e-4 RMS over sides, by 0.016 on the worst side, and by less than 1e-4 over all sides
+// together.
 constexpr double series_reach = 0.04;  // variances of patch and lamp over distance², up to which it is good
 constexpr double series_error = 1.0;   // of the series, over the square of that and area / distance²
 constexpr double one_point_error = 0.3;    // of the centroid rule, over (radius / distance)²
@@ -44,7 +46,7 @@ struct Scatter {
         variance(glm::dot(a, a) + glm::dot(b, b)) {}
 };
 
-// Mean over both triangles of (n · r) (-m · r) / r^4, r from a point of the one to a point of the other: the
+// Mean over both triangles of (n . r) (-m . r) / r^4, r from a point of the one to a point of the other: the
 // value between their centroids and half the second derivative along what scatters r.
 double series(const Vec3d& r, const Vec3d& n, const Vec3d& m, const Scatter& patch, const Scatter& lamp) {
   const auto inverse = 1.0 / glm::dot(r, r);
