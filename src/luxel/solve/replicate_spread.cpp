@@ -108,9 +108,8 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   Spread result;
   result.mean.resize(bias.size());
   result.standard_error.resize(bias.size());
-  result.error2_of.resize(slots);
   struct Sums {
-    double error2 = 0.0, light2 = 0.0;
+    double variance = 0.0, bias2 = 0.0, light2 = 0.0;
   };
   std::vector<Sums> sums((slots + grain - 1) / grain);
   std::vector<float> relative(slots, 0.0f);
@@ -122,7 +121,8 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
       take(block, first, count);
       for (auto s = first; s < first + count; ++s) {
         double light = 0.0;
-        double error = 0.0;
+        double variance_sum = 0.0;
+        double bias_sum = 0.0;
         double wide = 0.0;
         for (std::size_t b = 0; b < bands; ++b) {
           const auto i = s * bands + b;
@@ -133,22 +133,27 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
           result.mean[i] = static_cast<float>(mean);
           result.standard_error[i] = static_cast<float>(std::sqrt(error2));
           light += mean * mean;
-          error += variance + bias2;
+          variance_sum += variance;
+          bias_sum += bias2;
           wide += error2;
         }
         const auto weight = static_cast<double>(area[s]);
-        result.error2_of[s] = weight * error;
-        chunk.error2 += weight * error;
+        chunk.variance += weight * variance_sum;
+        chunk.bias2 += weight * bias_sum;
         chunk.light2 += weight * light;
         if (light > 0.0) relative[s] = static_cast<float>(std::sqrt(wide / light));
       }
     }
     sums[begin / grain] = chunk;
   });
+  Sums whole;
   for (const auto& c : sums) {
-    result.error2 += c.error2;
-    result.light2 += c.light2;
+    whole.variance += c.variance;
+    whole.bias2 += c.bias2;
+    whole.light2 += c.light2;
   }
+  result.error2 = whole.variance + std::max(0.0, whole.bias2);
+  result.light2 = whole.light2;
   result.percentile_95 = static_cast<double>(percentile_95(relative, workers));
   return result;
 }

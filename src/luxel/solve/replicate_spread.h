@@ -15,10 +15,9 @@ struct Spread {
   // [slot][band]: of the mean, from the spread and the bias; widened as Student's t is for so few replicates,
   // so that 1.96 of them hold the truth 95 times in 100.
   std::vector<float> standard_error;
-  std::vector<double> error2_of;  // [slot]: area * (variance of the mean + squared bias), all bands
-  double error2 = 0.0;            // their sum
-  double light2 = 0.0;            // sum of area * mean²
-  double percentile_95 = 0.0;     // over lit slots: standard error over mean, root mean square over bands
+  double error2 = 0.0;  // sum of area * variance of the mean, and of area * squared bias if that is above 0
+  double light2 = 0.0;  // sum of area * mean²
+  double percentile_95 = 0.0;  // over lit slots: standard error over mean, root mean square over bands
 };
 
 // One set of replicates: [replicate][slot * bands + band].
@@ -33,7 +32,7 @@ Spread spread_of(Replicates values, std::span<const float> bias, std::size_t ban
 Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
                      std::span<const float> area, const Workers& workers, std::size_t constraints = 1);
 
-// Adds weight * area * variance of the mean, all bands, to each slot: Spread::error2_of alone, without bias.
+// Adds weight * area * variance of the mean, all bands, to each slot.
 void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
                         std::span<double> error2_of, const Workers& workers);
 

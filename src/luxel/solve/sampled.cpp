@@ -28,6 +28,8 @@ constexpr double growth_to_error = 3.0;  // a round costs at most so many times 
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
 constexpr double aim = 0.9;              // of the squared error asked for: another round costs more than that
 constexpr double weight_before_sharing = 0.3;
+// With fewer there are few fits, so the estimate of their bias is too noisy, and there is little to gain.
+constexpr std::size_t least_shared_slots = 4096;
 // The first picture: enough to see the room by.
 constexpr std::uint64_t least_first_rays = 50'000;
 constexpr std::uint64_t most_first_rays = 250'000;
@@ -111,7 +113,7 @@ class Run {
         radiosity_[s * bands_ + b] = reflectance_[s * bands_ + b] * H[patch * bands_ + b];
       }
     }
-    if (options_.share)
+    if (options_.share && slots() >= least_shared_slots)
       sharing_.emplace(patches_, sampling_->tree(), sampling_->transport().sides(), workers_);
     report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;

@@ -37,7 +37,8 @@ Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledO
                      .low_discrepancy = options.low_discrepancy,
                      .stratified = options.stratified,
                      .importance = options.importance,
-                     .control_variate = options.control_variate}) {}
+                     .control_variate = options.control_variate,
+                     .multiple_importance = options.multiple_importance}) {}
 
 void Sampling::start(const Solution& first_picture) {
   tree_ = make_patch_tree(patches_, workers_);
