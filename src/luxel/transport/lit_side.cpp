@@ -18,8 +18,8 @@ constexpr double series_error = 1.0;   // of the series, over the square of that
 constexpr double one_point_error = 0.3;    // of the centroid rule, over (radius / distance)²
 constexpr double three_point_error = 0.1;  // of the rule of three points, over (radius / distance)³
 constexpr double allowed_error = 2e-4;     // of one lamp, of the sum over all
-constexpr double split_error = 0.01;       // difference of the rules of one and of three points that splits
-constexpr int deepest = 7;                 // halvings of the edges
+constexpr double split_error = 0.004;      // difference of the rules of one and of three points that splits
+constexpr int deepest = 9;                 // halvings of the edges
 
 using Corners = std::array<Vec3d, 3>;
 using Heights = std::array<double, 3>;
