@@ -9,7 +9,7 @@ namespace luxel {
 namespace {
 
 constexpr double left_by_doubling = 0.45;  // of the squared error; independent points leave 0.5
-constexpr int most_doublings = 3;          // at a time: an estimate of the error is only so good
+constexpr int most_doublings = 4;          // at a time: an estimate of the error is only so good
 
 }  // namespace
 
@@ -26,6 +26,8 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
   while (error2 > target && !queue.empty()) {
     const auto [worth, u] = queue.top();
     queue.pop();
+    // What remains is worth less than this one, which will be seen more clearly next time.
+    if (doublings[u] == most_doublings) break;
     double left = units[u].error2;
     double cost = units[u].cost;
     for (int i = 0; i < doublings[u]; ++i) {
@@ -35,7 +37,8 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
     if (spent + cost > budget) break;
     spent += cost;
     error2 -= (1.0 - left_by_doubling) * left;
-    if (++doublings[u] < most_doublings) queue.emplace(worth * 0.5 * left_by_doubling, u);
+    ++doublings[u];
+    queue.emplace(worth * 0.5 * left_by_doubling, u);
   }
   return doublings;
 }

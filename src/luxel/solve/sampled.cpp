@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/random/address.h"
 #include "luxel/report/error.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/replicate_solve.h"
@@ -34,6 +35,8 @@ constexpr std::size_t least_shared_slots = 4096;
 constexpr std::uint64_t least_first_rays = 50'000;
 constexpr std::uint64_t most_first_rays = 250'000;
 constexpr double first_tolerance = 0.2;
+constexpr double second_tolerance = 0.01;
+constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
 
 void check(const PatchSet& patches, const SampledOptions& options) {
   if (!(options.error >= 0.0))
@@ -83,20 +86,32 @@ class Run {
   }
 
  private:
-  // A few rays shot from the lamps: a picture of the whole, and where the iteration begins.
+  // A few rays shot from the lamps: a picture of the whole. Then some more, which find their way to most of
+  // what light reaches, and are where the iteration begins.
   bool show_first_light() {
     const auto rays = std::clamp<std::uint64_t>(2 * patches_.size(), least_first_rays, most_first_rays);
-    const auto on_the_way = [this](const Progress& p) { return tell(monitor_, {p.stage, 0.0, p.rays}); };
+    return shoot_light(rays, first_tolerance, 0) && shoot_light(2 * patches_.size(), second_tolerance, 1);
+  }
+
+  bool shoot_light(std::uint64_t rays, double bias, std::uint64_t picture) {
+    const auto before = first_rays_;
+    const auto on_the_way = [&](const Progress& p) {
+      return tell(monitor_, {p.stage, 0.0, before + p.rays});
+    };
     const auto shot = solve_stochastic_jacobi(
-        patches_, tracer_, solution_, {.rays = rays, .tolerance = first_tolerance, .seed = options_.seed},
+        patches_, tracer_, solution_,
+        {.rays = rays,
+         .tolerance = bias,
+         .seed = stream_key(options_.seed, first_pictures, static_cast<std::uint32_t>(picture))},
         workers_, on_the_way);
     report_.energy = shot.energy;
     report_.back_loss = shot.back_loss;
     report_.unshot_share = shot.unshot_share;
     report_.predicted_error = shot.predicted_error;
-    first_rays_ = shot.rays;
+    first_rays_ += shot.rays;
+    sign();
     return shot.stop != StopReason::stopped_by_user &&
-           tell(monitor_, {"light", 0.0, shot.rays, 0.0, &solution_}) == Next::go_on;
+           tell(monitor_, {"light", 0.0, first_rays_, 0.0, &solution_}) == Next::go_on;
   }
 
   void prepare() {
