@@ -72,8 +72,9 @@ void LightSettings::declare_variance_reduction(OptionSet& set) {
   set.add_switch("importance", sampled.importance, "lamps are chosen by what they can contribute");
   set.add_switch("control-variate", sampled.control_variate,
                  "the closed form of unshadowed light carries the shadow rays");
-  set.add_switch("mis", sampled.multiple_importance, "gather rays that meet a lamp count too");
-  set.add_switch("share", sampled.share, "neighbouring patches share rays, guarded by their error bar");
+  set.add_switch("mis", sampled.multiple_importance,
+                 "cosine rays that meet a lamp count too, in place of the control variate");
+  set.add_switch("share", sampled.share, "neighbouring patches share rays where their own do not reach the error");
 }
 
 void LightSettings::declare_shooting(OptionSet& set) {
