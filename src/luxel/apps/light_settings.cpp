@@ -74,7 +74,8 @@ void LightSettings::declare_variance_reduction(OptionSet& set) {
                  "the closed form of unshadowed light carries the shadow rays");
   set.add_switch("mis", sampled.multiple_importance,
                  "cosine rays that meet a lamp count too, in place of the control variate");
-  set.add_switch("share", sampled.share, "neighbouring patches share rays where their own do not reach the error");
+  set.add_switch("share", sampled.share,
+                 "neighbouring patches share rays where their own do not reach the error");
 }
 
 void LightSettings::declare_shooting(OptionSet& set) {

@@ -86,32 +86,30 @@ class Run {
   }
 
  private:
-  // A few rays shot from the lamps: a picture of the whole. Then some more, which find their way to most of
-  // what light reaches, and are where the iteration begins.
+  // A few rays shot from the lamps: a picture of the whole. Then some more, unseen, which find their way to
+  // most of what light reaches, and are where the iteration begins.
   bool show_first_light() {
     const auto rays = std::clamp<std::uint64_t>(2 * patches_.size(), least_first_rays, most_first_rays);
-    return shoot_light(rays, first_tolerance, 0) && shoot_light(2 * patches_.size(), second_tolerance, 1);
+    return shoot_light(rays, first_tolerance, 0) &&
+           tell(monitor_, {"light", 0.0, first_rays_, 0.0, &solution_}) == Next::go_on &&
+           shoot_light(2 * patches_.size(), second_tolerance, 1);
   }
 
-  bool shoot_light(std::uint64_t rays, double bias, std::uint64_t picture) {
+  bool shoot_light(std::uint64_t rays, double bias, std::uint32_t picture) {
     const auto before = first_rays_;
     const auto on_the_way = [&](const Progress& p) {
       return tell(monitor_, {p.stage, 0.0, before + p.rays});
     };
+    const auto seed = stream_key(options_.seed, first_pictures, picture);
     const auto shot = solve_stochastic_jacobi(
-        patches_, tracer_, solution_,
-        {.rays = rays,
-         .tolerance = bias,
-         .seed = stream_key(options_.seed, first_pictures, static_cast<std::uint32_t>(picture))},
-        workers_, on_the_way);
+        patches_, tracer_, solution_, {.rays = rays, .tolerance = bias, .seed = seed}, workers_, on_the_way);
     report_.energy = shot.energy;
     report_.back_loss = shot.back_loss;
     report_.unshot_share = shot.unshot_share;
     report_.predicted_error = shot.predicted_error;
     first_rays_ += shot.rays;
     sign();
-    return shot.stop != StopReason::stopped_by_user &&
-           tell(monitor_, {"light", 0.0, first_rays_, 0.0, &solution_}) == Next::go_on;
+    return shot.stop != StopReason::stopped_by_user;
   }
 
   void prepare() {

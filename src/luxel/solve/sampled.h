@@ -23,10 +23,10 @@ struct SampledOptions {
   std::uint32_t replicates = 8;  // independent answers whose spread is the error bar, 4 to 32
 
   // What makes the same rays worth more. Each can be switched alone; docs/performance.md says what it gains.
-  bool low_discrepancy = true;       // Owen-scrambled Sobol points, else independent random numbers
-  bool stratified = true;            // one sequence runs over neighbouring patches, else each has its own
-  bool importance = true;            // lamps are chosen by what they can contribute, else by area
-  bool control_variate = true;       // the closed form of unshadowed direct light carries the shadow rays
+  bool low_discrepancy = true;  // Owen-scrambled Sobol points, else independent random numbers
+  bool stratified = true;       // one sequence runs over neighbouring patches, else each has its own
+  bool importance = true;       // lamps are chosen by what they can contribute, else by area
+  bool control_variate = true;  // the closed form of unshadowed direct light carries the shadow rays
   // Beside each shadow ray a cosine ray of its own, which counts where it meets a lamp (balance heuristic);
   // in place of the control variate.
   bool multiple_importance = false;
@@ -35,14 +35,14 @@ struct SampledOptions {
   bool share = true;
 };
 
-// The production solver: direct light D from Owen-scrambled points on patch and lamp; transport F as a sampled
-// operator, 2^k cosine rays a patch side whose first hits are stored; the reflected light R = rho (D + F R)
-// solved to 1e-6, B = E + R; every number with a standard error from independent replicates; samples doubled,
-// all earlier ones kept, until the error asked for is reached. The equations are in docs/theory.md.
+// The production solver: direct light D from Owen-scrambled points on patch and lamp; transport F as a
+// sampled operator, 2^k cosine rays a patch side whose first hits are stored; the reflected light R = rho (D
+// + F R) solved to 1e-6, B = E + R; every number with a standard error from independent replicates; samples
+// doubled, all earlier ones kept, until the error asked for is reached. The equations are in docs/theory.md.
 //
 // A side's standard error is widened as Student's t is for so few replicates, so that 1.96 of it hold the
-// truth on these patches 95 times in 100; predicted_error, of the whole, is not. What the size of patches does
-// is in neither. Sides that no light reaches, as far as the first rays can tell, are left dark.
+// truth on these patches 95 times in 100; predicted_error, of the whole, is not. What the size of patches
+// does is in neither. Sides that no light reaches, as far as the first rays can tell, are left dark.
 //
 // Fills everything in `solution` but its command line and options. The same input, options and seed give the
 // same bits on any number of threads, stored or streamed, as long as time does not end it. The monitor gets a
