@@ -19,11 +19,11 @@ namespace luxel {
 // squares over all of them. Three numbers for hundreds of patches have a hundredth of the variance.
 //
 // A fit f is kept where an unbiased estimate of what it gets wrong, |f - E y|², taken from products of
-// different replicates (in which independent noise cancels), is less than the variance that the best of the
-// finer fits below would have in its place (Mallows 1973; as trees are pruned: Breiman and others 1984). So a
-// shadow's edge or a corner keeps its own patches' rays, and a node whose numbers carry no noise is never
-// touched. Each half of the replicates is fitted by the choice of the other: what chose has no part in the
-// numbers, so their spread, and the estimate of the bias, stay honest.
+// different replicates (in which independent noise cancels), is at most three times the variance that the
+// best of the finer fits below would add in its place (with one time, Mallows 1973; as trees are pruned:
+// Breiman and others 1984). So a shadow's edge or a corner keeps its own patches' rays, and a node whose
+// numbers carry no noise is never touched. Each half of the replicates is fitted by the choice of the other:
+// what chose has no part in the numbers, so their spread, and the estimate of the bias, stay honest.
 class LightSharing {
  public:
   // What does not change from round to round: where the slots are. Keeps a reference to the tree. 16 bytes a

@@ -22,7 +22,7 @@ struct RoundRecord {
   std::uint64_t rays = 0;         // of the whole run so far
   double error = 0.0;             // predicted, of the whole scene
   int sweeps = 0;                 // of the iteration, for the round's answer
-  double residual = 0.0;          // the last sweep's largest change over the largest radiosity
+  double residual = 0.0;          // estimated distance to the fixed point over the whole radiosity
 };
 
 // What a solver has to say beside the light. Parts that a method does not have stay empty.
@@ -37,7 +37,7 @@ struct SolveReport {
   EnergyBalance energy;
   std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
   bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory
-  std::uint64_t memory = 0;       // bytes the solver was predicted to hold at its peak; 0: not predicted
+  std::uint64_t memory = 0;       // bytes the process was predicted to hold at its peak; 0: not predicted
   std::uint64_t dark_sides = 0;   // sides that no light reaches, as far as their first rays could tell
 };
 
