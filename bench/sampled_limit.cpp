@@ -59,10 +59,13 @@ Json sampled_against_embree(const Settings& settings) {
              "bytes moved");
   const Workers one(1);
   Json rows = Json::array();
-  for (const auto& [triangles, per_slot] :
-       {std::pair{10'000u, 64u}, std::pair{50'000u, 16u}, std::pair{1'000'000u, 1u}}) {
+  struct Size {
+    std::uint32_t triangles, rays_a_slot;
+  };
+  for (const auto& size : {Size{10'000, 64}, Size{50'000, 16}, Size{1'000'000, 1}}) {
+    const auto per_slot = size.rays_a_slot;
     const auto scale = settings.small ? 20 : 1;
-    const auto patches = make_patches(cornell_box(triangles / scale), {.max_edge = no_max_edge});
+    const auto patches = make_patches(cornell_box(size.triangles / scale), {.max_edge = no_max_edge});
     const Tracer tracer(patches, one);
     const auto sides = fronts_of(patches, one);
     std::vector<std::uint32_t> slots(sides.size());
