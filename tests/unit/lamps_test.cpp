@@ -173,15 +173,20 @@ TEST(LampSample, slivers_and_specks_and_grazing_views_keep_their_digits) {
     }
 }
 
-// Probabilities add up to one over the whole range of the number that chooses.
-TEST(LightTree, a_lamp_is_chosen_with_the_probability_that_is_said) {
+// Three hundred small ones on a sphere, facing anywhere.
+Lamps scattered_lamps() {
   truth::SceneBuilder builder;
   builder.material("lamp", 0.5f, 1.0f);
   for (std::uint64_t i = 0; i < 300; ++i) {
     const auto at = Vec3(3.0 * direction(3 * i));
     builder.triangle(at, at + 0.2f * Vec3(direction(3 * i + 1)), at + 0.2f * Vec3(direction(3 * i + 2)));
   }
-  const Lamps lamps(make_patches(builder.scene(), {.max_edge = no_max_edge}));
+  return Lamps(make_patches(builder.scene(), {.max_edge = no_max_edge}));
+}
+
+// Probabilities add up to one over the whole range of the number that chooses.
+TEST(LightTree, a_lamp_is_chosen_with_the_probability_that_is_said) {
+  const auto lamps = scattered_lamps();
   const LightTree tree(lamps);
   std::vector<LampBranch> whole;
   const Vec3 x(0.5f, 0, 0);
@@ -212,13 +217,7 @@ TEST(LightTree, a_lamp_is_chosen_with_the_probability_that_is_said) {
 }
 
 TEST(LightTree, a_cut_holds_every_lamp_that_may_light_the_patch_once) {
-  truth::SceneBuilder builder;
-  builder.material("lamp", 0.5f, 1.0f);
-  for (std::uint64_t i = 0; i < 300; ++i) {
-    const auto at = Vec3(3.0 * direction(3 * i));
-    builder.triangle(at, at + 0.2f * Vec3(direction(3 * i + 1)), at + 0.2f * Vec3(direction(3 * i + 2)));
-  }
-  const Lamps lamps(make_patches(builder.scene(), {.max_edge = no_max_edge}));
+  const auto lamps = scattered_lamps();
   const LightTree tree(lamps);
   std::vector<LampBranch> branches;
   const Vec3 x(0.5f, 0, 0);

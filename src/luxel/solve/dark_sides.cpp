@@ -10,17 +10,11 @@ constexpr std::uint32_t neighbours = 64;  // positions that are lit together
 constexpr std::size_t grain = 4096;       // slots a chunk
 
 // A picture that is made of patches must not be speckled where few rays find the light.
-void light_neighbours(const GatherSides& sides, std::vector<std::uint8_t>& lit) {
-  for (std::size_t begin = 0; begin < sides.size();) {
-    auto end = begin;
-    bool any = false;
-    while (end < sides.size() && sides.position[end] / neighbours == sides.position[begin] / neighbours &&
-           (end < sides.fronts) == (begin < sides.fronts))
-      any |= lit[end++] != 0;
-    if (any)
-      std::fill(lit.begin() + static_cast<std::ptrdiff_t>(begin),
-                lit.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{1});
-    begin = end;
+void light_neighbours(std::span<const std::uint32_t> begins, std::vector<std::uint8_t>& lit) {
+  for (std::size_t g = 0; g + 1 < begins.size(); ++g) {
+    const auto first = lit.begin() + begins[g];
+    const auto end = lit.begin() + begins[g + 1];
+    if (std::find(first, end, std::uint8_t{1}) != end) std::fill(first, end, std::uint8_t{1});
   }
 }
 
@@ -46,9 +40,10 @@ std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperat
       lit[s] = is_lit ? 1 : 0;
     }
   });
+  const auto groups = neighbour_begins(sides, neighbours);
   // Light goes on from slot to slot. Each pass reads the one before, so threads do not matter.
   for (bool changed = true; changed;) {
-    light_neighbours(sides, lit);
+    light_neighbours(groups, lit);
     auto next = lit;
     workers.for_chunks(transport.blocks(), 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto block = begin; block < end; ++block)

@@ -55,7 +55,7 @@ void Sampling::start(const Solution& first_picture) {
   make_room(std::uint64_t{first} * options_.replicates * all.size());
   rays_ += transport_->double_rays(all, first, workers_).value();
   leave_out_dark_sides(first_picture);
-  find_units();
+  units_ = neighbour_begins(transport_->sides(), unit_positions);
 }
 
 void Sampling::leave_out_dark_sides(const Solution& first_picture) {
@@ -64,15 +64,6 @@ void Sampling::leave_out_dark_sides(const Solution& first_picture) {
   if (dark_sides_ == 0) return;
   transport_->keep(lit, workers_);
   direct_->keep(lit, transport_->sides());
-}
-
-void Sampling::find_units() {
-  const auto& sides = transport_->sides();
-  for (std::uint32_t s = 0; s < sides.size(); ++s)
-    if (s == 0 || s == sides.fronts ||
-        sides.position[s] / unit_positions != sides.position[s - 1] / unit_positions)
-      units_.push_back(s);
-  units_.push_back(static_cast<std::uint32_t>(sides.size()));
 }
 
 bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& monitor) {

@@ -48,7 +48,6 @@ class Sampling {
   // Hits that would not fit are not stored.
   void make_room(std::uint64_t more_rays);
   void leave_out_dark_sides(const Solution& first_picture);
-  void find_units();
 
   const PatchSet& patches_;
   const Tracer& tracer_;

@@ -7,10 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "luxel/transport/gather_block.h"
+#include "luxel/transport/gather_sides.h"
 #include "luxel/transport/patch_emitter.h"
 
 namespace luxel {
+
+// Neighbouring sides whose rays are traced together: those of one block of positions, and all fronts or all
+// backs.
+constexpr std::uint32_t gather_block_positions = 1024;
 
 // Where the points of gather rays come from.
 struct GatherPoints {

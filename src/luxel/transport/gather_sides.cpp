@@ -26,6 +26,15 @@ GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree) {
   return sides;
 }
 
+std::vector<std::uint32_t> neighbour_begins(const GatherSides& sides, std::uint32_t positions) {
+  std::vector<std::uint32_t> begins;
+  for (std::uint32_t s = 0; s < sides.size(); ++s)
+    if (s == 0 || s == sides.fronts || sides.position[s] / positions != sides.position[s - 1] / positions)
+      begins.push_back(s);
+  begins.push_back(static_cast<std::uint32_t>(sides.size()));
+  return begins;
+}
+
 GatherSides kept_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep) {
   GatherSides result;
   result.slot_of_side.assign(sides.slot_of_side.size(), GatherSides::none);

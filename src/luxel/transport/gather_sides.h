@@ -24,6 +24,10 @@ struct GatherSides {
 // Every front, and the back of every patch whose material is two-sided.
 GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree);
 
+// Where groups of neighbouring slots begin, and at the end the number of slots: those of one block of so many
+// positions, and all fronts or all backs.
+std::vector<std::uint32_t> neighbour_begins(const GatherSides& sides, std::uint32_t positions);
+
 // Those slots of `sides` that are kept, closed up.
 GatherSides kept_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep);
 

@@ -47,7 +47,7 @@ SampledOperator::SampledOperator(const PatchSet& patches, GatherSides sides, con
       tracer_(tracer),
       sides_(std::move(sides)),
       options_(options),
-      block_begins_(gather_block_begins(sides_)),
+      block_begins_(neighbour_begins(sides_, gather_block_positions)),
       rays_a_slot_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
 
