@@ -214,6 +214,16 @@ TEST(LoadObj, the_last_g_or_o_names_the_group) {
   EXPECT_EQ(scene.triangle_group, (std::vector<std::uint32_t>{0, 1, 2, 1, 0}));
 }
 
+TEST(LoadObj, objects_hold_across_groups_and_are_none_where_the_file_names_none) {
+  SceneFiles files;
+  const auto scene = files.load_text(square + "f 1 2 3\no box\nf 1 2 3\ng lid\nf 1 2 3\no\nf 1 2 3\n");
+  EXPECT_EQ(scene.objects, (std::vector<std::string>{"default", "box"}));
+  EXPECT_EQ(scene.triangle_object, (std::vector<std::uint32_t>{0, 1, 1, 0}));
+  const auto plain = files.load_text(square + "g lid\nf 1 2 3\n");
+  EXPECT_TRUE(plain.objects.empty());
+  EXPECT_TRUE(plain.triangle_object.empty());
+}
+
 TEST(LoadObj, usemtl_holds_across_o_and_g) {
   SceneFiles files;
   const auto scene =

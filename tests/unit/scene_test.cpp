@@ -62,6 +62,11 @@ TEST(CheckScene, an_index_past_the_materials_or_groups_is_refused) {
   scene = square();
   scene.triangle_group[0] = 1;
   EXPECT_NE(refusal(scene).find("names group 1"), std::string::npos);
+  scene = square();
+  scene.objects = {"box"};
+  EXPECT_NE(refusal(scene).find("triangle_object"), std::string::npos);
+  scene.triangle_object = {0, 1};
+  EXPECT_NE(refusal(scene).find("names object 1"), std::string::npos);
 }
 
 TEST(CheckScene, arrays_of_unlike_length_are_refused) {

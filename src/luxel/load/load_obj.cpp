@@ -42,6 +42,7 @@ Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, co
   scene.source = source;
   scene.positions = std::move(mesh.positions);
   scene.groups = std::move(mesh.groups);
+  scene.objects = mesh.objects;
   const auto turned = make_triangles(mesh, scene);
   const auto library = read_libraries(mesh.libraries, path, log);
   scene.materials = make_materials(mesh.materials, library, source, options, log);

@@ -45,6 +45,7 @@ Tally make_triangles(const ObjMesh& mesh, Scene& scene) {
       scene.triangle_material.push_back(MaterialId{face.material});
       scene.triangle_line.push_back(face.line);
       scene.triangle_group.push_back(face.group);
+      if (!mesh.objects.empty()) scene.triangle_object.push_back(face.object);
     }
   }
   return turned;

@@ -39,13 +39,15 @@ struct ObjMesh {
     std::uint32_t line = 0;
     std::uint32_t material = 0;
     std::uint32_t group = 0;
+    std::uint32_t object = 0;
   };
 
   std::vector<Vec3> positions;  // m
   std::vector<Vec3> normals;    // any length; zero where the file's cannot be read
   std::vector<Corner> corners;
   std::vector<Face> faces;
-  std::vector<std::string> groups;  // those that hold faces
+  std::vector<std::string> groups;   // those that hold faces
+  std::vector<std::string> objects;  // likewise; empty where the file has no o
   std::vector<NamedLine>
       materials;  // those that faces use, with the first usemtl; line 0 where there is none
   std::vector<NamedLine> libraries;  // the operands of each mtllib

@@ -80,8 +80,9 @@ class ObjReader : private tinyobj::MaterialReader {
   std::uint32_t resolve(int index, std::size_t count, const char* what) const;
   void use_material();
   void use_group();
+  void use_object();
   std::uint32_t current_material();
-  std::uint32_t current_group();
+  static std::uint32_t current(const std::string& name, Numbering& numbers, std::vector<std::string>& names);
   void check_ranges() const;
 
   // Called by tinyobjloader at each mtllib. Its own reading of MTL files knows no lines and casts what it
@@ -96,9 +97,11 @@ class ObjReader : private tinyobj::MaterialReader {
   const std::string& source_;
   float scale_;
   ObjMesh mesh_;
-  Numbering material_numbers_, group_numbers_;
+  Numbering material_numbers_, group_numbers_, object_numbers_;
   NamedLine material_{default_name, 0};  // of the last usemtl
   std::string group_ = default_name;     // of the last g or o
+  std::string object_ = default_name;    // of the last o
+  bool has_objects_ = false;
 };
 
 void ObjReader::add_position() {
@@ -134,8 +137,9 @@ void ObjReader::add_face() {
     mesh_.corners.resize(first_corner);
     return mesh_.short_faces.add(statements_.line());
   }
-  mesh_.faces.push_back(
-      {first_corner, static_cast<std::uint32_t>(statements_.line()), current_material(), current_group()});
+  mesh_.faces.push_back({first_corner, static_cast<std::uint32_t>(statements_.line()), current_material(),
+                         current(group_, group_numbers_, mesh_.groups),
+                         current(object_, object_numbers_, mesh_.objects)});
 }
 
 // From OBJ's counting (from 1, or backwards from -1) to ours. Positive indices may name what the file gives
@@ -156,6 +160,12 @@ void ObjReader::use_material() {
 
 void ObjReader::use_group() { group_ = operands().empty() ? default_name : std::string(operands()); }
 
+void ObjReader::use_object() {
+  use_group();
+  object_ = group_;
+  has_objects_ = true;
+}
+
 std::uint32_t ObjReader::current_material() {
   if (material_.line == 0) mesh_.faces_without_material.add(statements_.line());
   const auto [number, is_new] = material_numbers_.number(material_.name);
@@ -163,9 +173,11 @@ std::uint32_t ObjReader::current_material() {
   return number;
 }
 
-std::uint32_t ObjReader::current_group() {
-  const auto [number, is_new] = group_numbers_.number(group_);
-  if (is_new) mesh_.groups.push_back(group_);
+// The number of the name that holds for the face at hand.
+std::uint32_t ObjReader::current(const std::string& name, Numbering& numbers,
+                                 std::vector<std::string>& names) {
+  const auto [number, is_new] = numbers.number(name);
+  if (is_new) names.push_back(name);
   return number;
 }
 
@@ -193,12 +205,13 @@ ObjMesh ObjReader::read() {
   on.index_cb = [](void* me, tinyobj::index_t*, int) { reader(me).add_face(); };
   on.usemtl_cb = [](void* me, const char*, int) { reader(me).use_material(); };
   on.group_cb = [](void* me, const char**, int) { reader(me).use_group(); };
-  on.object_cb = [](void* me, const char*) { reader(me).use_group(); };
+  on.object_cb = [](void* me, const char*) { reader(me).use_object(); };
 
   std::istream stream(&statements_);
   stream.exceptions(std::ios::badbit);  // or it would swallow what the buffer throws
   tinyobj::LoadObjWithCallback(stream, on, this, this);
   check_ranges();
+  if (!has_objects_) mesh_.objects.clear();
   return std::move(mesh_);
 }
 

@@ -19,6 +19,7 @@ void check_lengths(const Scene& scene) {
   expect(scene.triangle_material.size(), "triangle_material");
   expect(scene.triangle_line.size(), "triangle_line");
   expect(scene.triangle_group.size(), "triangle_group");
+  if (!scene.objects.empty()) expect(scene.triangle_object.size(), "triangle_object");
 }
 
 void check_index(const Scene& scene, std::size_t triangle, std::size_t index, std::size_t count,
@@ -36,6 +37,8 @@ void check_triangles(const Scene& scene) {
     check_index(scene, i, static_cast<std::size_t>(scene.triangle_material[i]), scene.materials.size(),
                 "material");
     check_index(scene, i, scene.triangle_group[i], scene.groups.size(), "group");
+    if (!scene.objects.empty())
+      check_index(scene, i, scene.triangle_object[i], scene.objects.size(), "object");
   }
 }
 

@@ -26,12 +26,14 @@ struct Scene {
   std::vector<Vec3> positions;                          // m
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from the front
   std::vector<MaterialId> triangle_material;
-  std::vector<std::uint32_t> triangle_line;   // line in the source file, from 1; 0 where unknown
-  std::vector<std::uint32_t> triangle_group;  // index into groups
+  std::vector<std::uint32_t> triangle_line;    // line in the source file, from 1; 0 where unknown
+  std::vector<std::uint32_t> triangle_group;   // index into groups
+  std::vector<std::uint32_t> triangle_object;  // index into objects; empty where there are none
 
-  std::vector<std::string> groups;  // names of groups or objects; at least one ("default")
-  std::vector<Material> materials;  // at least one
-  std::vector<Camera> cameras;      // as the file gave them; often none
+  std::vector<std::string> groups;   // names of groups or objects; at least one ("default")
+  std::vector<std::string> objects;  // names of objects alone; empty where the file names none
+  std::vector<Material> materials;   // at least one
+  std::vector<Camera> cameras;       // as the file gave them; often none
 };
 
 // The box of all triangles; a vertex that no triangle uses does not count.
@@ -41,8 +43,8 @@ Bounds bounds(const Scene& scene);
 // reflectances must lie in [0, 1), and a scene has at least one triangle.
 void check_scene(const Scene& scene);
 
-// 64 bits of what the light depends on: positions, triangles, materials (not names, groups, lines, cameras),
-// in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
+// 64 bits of what the light depends on: positions, triangles, materials (not names, groups, objects, lines,
+// cameras), in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
 std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace luxel
