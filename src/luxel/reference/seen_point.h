@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "luxel/reference/light_paths.h"
+#include "luxel/reference/strata.h"
+#include "luxel/render/pinhole.h"
+
+namespace luxel {
+
+// What a picture's pixels see, and the numbers they look with. Read-only: any number of threads may ask.
+class SeenPoints {
+ public:
+  // Keeps references. Throws MismatchError where bands are not red, green and blue, and what Pinhole throws.
+  SeenPoints(const PatchSet& patches, const Tracer& tracer, const Camera& camera, int width, int height);
+
+  std::size_t pixels() const { return width_ * height_; }
+
+  // Samples that belong together: side² of them, spread evenly over the pixel, directions and lamps.
+  struct Batch {
+    Batch(std::uint64_t batch_key, std::uint32_t side);
+    std::uint64_t path_key(std::uint32_t i) const;
+    std::uint64_t key;
+    Strata pixel, direction, lamp, choice;
+  };
+
+  // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
+  // surface; H: of three bands, 0 at first. Adds what leaves towards the eye to radiance, and the part of it
+  // that is reflected to reflected; W/(m² sr).
+  template <typename Irradiance>
+  void look(std::size_t pixel, const Batch& batch, std::uint32_t i, std::span<double> radiance,
+            std::span<double> reflected, const Irradiance& irradiance) const {
+    const auto path_key = batch.path_key(i);
+    const auto numbers = numbers_of(batch, i, path_key);
+    const auto hit = hit_of(pixel, numbers.pixel);
+    if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
+    std::array<double, 3> H = {0.0, 0.0, 0.0};
+    irradiance(surface_point(patches_, hit.patch, hit.back, {hit.u, hit.v}), numbers.vertex, path_key,
+               std::span<double>(H));
+    const auto& material = patches_.material_of(hit.patch);
+    for (std::size_t b = 0; b < 3; ++b) {
+      const auto back_to_eye = static_cast<double>(material.reflectance[b]) * H[b] * per_pi;
+      const auto own = hit.back ? 0.0 : static_cast<double>(material.emittance[b]) * per_pi;
+      radiance[b] += own + back_to_eye;
+      reflected[b] += back_to_eye;
+    }
+  }
+
+ private:
+  static constexpr double per_pi = 0.31830988618379067;
+  struct Numbers {
+    Vec2 pixel;
+    VertexNumbers vertex;
+  };
+  static Numbers numbers_of(const Batch& batch, std::uint32_t i, std::uint64_t path_key);
+  Hit hit_of(std::size_t pixel, const Vec2& at) const;
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  Pinhole pinhole_;
+  std::size_t width_, height_;
+};
+
+}  // namespace luxel
