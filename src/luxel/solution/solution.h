@@ -12,19 +12,20 @@ namespace luxel {
 
 // Why a run ended.
 enum class StopReason {
-  converged,      // shooting: the unshot share fell below the tolerance
+  converged,      // the unshot share fell below the tolerance, or the equations are solved
   error_reached,  // sampled: the standard error asked for
   ray_limit,      // the next doubling would have gone beyond the rays, or the time, allowed
   time_limit,
   stopped_by_user,
-  nothing_to_do
+  nothing_to_do,
+  step_limit  // the bounces asked for
 };
 
 // Where a solution came from: enough to make it again.
 struct Provenance {
   std::string program_version;
   std::string command_line;  // that makes it again; empty from a library call
-  std::string method;        // "sampled", "stochastic-jacobi"
+  std::string method;        // "sampled", "stochastic-jacobi", "dense", "hemicube", "lines"
   std::vector<std::pair<std::string, std::string>>
       options;  // every option with its value, in declaration order
   std::uint64_t seed = 0;
@@ -40,7 +41,8 @@ struct Solution {
   std::vector<float> radiosity_front, radiosity_back;    // W/m²
   // Standard error of the irradiance of each side, from the spread of independent replicates and what is
   // known of the bias of sharing; widened as Student's t is for so few replicates, so that 1.96 of them hold
-  // the truth 95 times in 100. Empty where the method gives none.
+  // the truth 95 times in 100. Dense: how far the errors of the form factors may take it. Empty where the
+  // method gives none.
   std::vector<float> standard_error_front, standard_error_back;  // W/m²
   double unshot_share = 0.0;     // power not yet propagated over the emitted power: the stated bias
   double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance, not widened

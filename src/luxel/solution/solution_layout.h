@@ -34,14 +34,15 @@ auto error_arrays(SolutionType& solution) {
                     std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error_back)};
 }
 
-inline const std::array<std::pair<StopReason, std::string>, 6>& stop_reason_words() {
-  static const std::array<std::pair<StopReason, std::string>, 6> words = {
+inline const std::array<std::pair<StopReason, std::string>, 7>& stop_reason_words() {
+  static const std::array<std::pair<StopReason, std::string>, 7> words = {
       {{StopReason::converged, "converged"},
        {StopReason::error_reached, "error_reached"},
        {StopReason::ray_limit, "ray_limit"},
        {StopReason::time_limit, "time_limit"},
        {StopReason::stopped_by_user, "stopped_by_user"},
-       {StopReason::nothing_to_do, "nothing_to_do"}}};
+       {StopReason::nothing_to_do, "nothing_to_do"},
+       {StopReason::step_limit, "step_limit"}}};
   return words;
 }
 

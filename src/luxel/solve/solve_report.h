@@ -9,9 +9,9 @@
 
 namespace luxel {
 
-// One bounce of a shooting method.
+// One bounce of a shooting method, or one step of Jacobi's iteration.
 struct StepRecord {
-  std::uint64_t rays = 0;
+  std::uint64_t rays = 0;     // of the bounce; Jacobi's steps trace none
   double unshot_share = 1.0;  // after the step
 };
 
@@ -25,10 +25,18 @@ struct RoundRecord {
   double residual = 0.0;          // estimated distance to the fixed point over the whole radiosity
 };
 
+// What predicted_error and the standard errors of a solution are.
+enum class ErrorKind {
+  noise,        // of random rays
+  integration,  // dense: how far the light may be off by the errors of the form factors
+  unknown       // hemicube: none is stated
+};
+
 // What a solver has to say beside the light. Parts that a method does not have stay empty.
 struct SolveReport {
   StopReason stop = StopReason::nothing_to_do;
-  std::vector<StepRecord> steps;    // shooting
+  ErrorKind error_kind = ErrorKind::noise;
+  std::vector<StepRecord> steps;    // shooting, and where Jacobi's iteration solves
   std::vector<RoundRecord> rounds;  // sampled
   std::uint64_t rays = 0;
   double unshot_share = 0.0;     // power left over at the end: the stated bias

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/row_light.h"
+
+#include <cmath>
+
+#include "luxel/solve/stochastic_jacobi.h"
+
+namespace luxel {
+
+RowLight::RowLight(const RowOperator& transport) {
+  const auto& patches = transport.patches();
+  for (const auto side : transport.sides().side) {
+    const auto& material = patches.material_of(side / 2);
+    area.push_back(patches.area[side / 2]);
+    for (std::size_t b = 0; b < patches.band_count(); ++b) {
+      reflectance.push_back(material.reflectance[b]);
+      emittance.push_back(side % 2 == 0 ? material.emittance[b] : 0.0f);
+    }
+  }
+  before.assign(emittance.size(), 0.0f);
+  irradiance.assign(emittance.size(), 0.0f);
+  radiosity = emittance;
+}
+
+void write_light(const RowOperator& transport, const RowLight& light,
+                 const std::vector<float>& standard_error, Solution& solution) {
+  const auto& patches = transport.patches();
+  const auto bands = patches.band_count();
+  solution.bands = patches.bands;
+  for (auto* array : {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
+                      &solution.radiosity_back})
+    array->assign(patches.size() * bands, 0.0f);
+  for (auto* array : {&solution.standard_error_front, &solution.standard_error_back})
+    array->assign(standard_error.empty() ? 0 : patches.size() * bands, 0.0f);
+  for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
+    const auto side = transport.sides().side[i / bands];
+    const bool back = side % 2 == 1;
+    const auto at = side / 2 * bands + i % bands;
+    (back ? solution.irradiance_back : solution.irradiance_front)[at] = light.irradiance[i];
+    (back ? solution.radiosity_back : solution.radiosity_front)[at] = light.radiosity[i];
+    if (!standard_error.empty())
+      (back ? solution.standard_error_back : solution.standard_error_front)[at] = standard_error[i];
+  }
+}
+
+RowEnergy energy_of(const RowOperator& transport, const RowLight& light) {
+  const auto& patches = transport.patches();
+  const auto bands = patches.band_count();
+  const auto materials = patches.materials.size();
+  const auto& losses = transport.losses();
+  RowEnergy energy;
+  auto& balance = energy.balance;
+  balance.emitted = emitted_power(patches);
+  for (auto* part : {&balance.absorbed, &balance.escaped, &balance.lost_at_backs, &balance.unshot})
+    part->assign(bands, 0.0);
+  energy.back_loss.assign(materials, 0.0);
+  for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
+    const auto slot = i / bands;
+    const auto b = i % bands;
+    const double area = light.area[slot];
+    const auto sent = area * double{light.before[i]};
+    balance.absorbed[b] += area * (1.0 - double{light.reflectance[i]}) * double{light.irradiance[i]};
+    balance.escaped[b] += sent * losses.escaped[slot];
+    balance.unshot[b] += area * (double{light.radiosity[i]} - double{light.before[i]});
+    for (std::size_t m = 0; m < materials; ++m) {
+      const auto lost = sent * losses.at_backs[slot * materials + m];
+      balance.lost_at_backs[b] += lost;
+      energy.back_loss[m] += lost;
+    }
+  }
+  return energy;
+}
+
+double whole_error(const RowLight& light, const std::vector<float>& standard_error) {
+  const auto bands = light.irradiance.size() / light.area.size();
+  double error2 = 0.0;
+  double light2 = 0.0;
+  for (std::size_t i = 0; i < standard_error.size(); ++i) {
+    const double area = light.area[i / bands];
+    error2 += area * double{standard_error[i]} * double{standard_error[i]};
+    light2 += area * double{light.irradiance[i]} * double{light.irradiance[i]};
+  }
+  return light2 > 0.0 ? std::sqrt(error2 / light2) : 0.0;
+}
+
+}  // namespace luxel
