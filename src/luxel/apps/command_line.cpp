@@ -106,8 +106,8 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   for (auto& set : commands_) {
     auto* sub = app.add_subcommand(set->name_, set->summary_);
     subcommands.push_back(sub);
-    if (set->positional_)
-      sub->add_option(set->positional_->name, *set->positional_->value, set->positional_->help)
+    for (auto& positional : set->positionals_)
+      sub->add_option(positional.name, *positional.value, positional.help)
           ->required()
           ->option_text("(needed)");
     for (auto& e : set->entries_) declare(*sub, e.declaration, e.heading, given);

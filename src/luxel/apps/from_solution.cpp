@@ -18,7 +18,10 @@ class FromSolution final : public Command {
       : Command(options), kinds_(std::move(kinds)) {
     options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
     look_.declare(options);
-    if (pictures) picture_.declare(options);
+    if (pictures) {
+      picture_.declare(options);
+      picture_.declare_gather(options);
+    }
     run_.declare(options, kinds_);
   }
 

@@ -54,7 +54,7 @@ void OptionSet::only_with(std::string choice, std::string word) {
 }
 
 void OptionSet::set_positional(const char* name, std::string& value, const char* help) {
-  positional_ = {name, &value, help};
+  positionals_.push_back({name, &value, help});
 }
 
 std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
@@ -93,7 +93,7 @@ void OptionSet::check_use() const {
 
 std::string OptionSet::as_command(const std::string& without) const {
   auto text = fmt::format("luxel {}", name_);
-  if (positional_) text += fmt::format(" {}", quoted(*positional_->value));
+  for (const auto& positional : positionals_) text += fmt::format(" {}", quoted(*positional.value));
   for (const auto& e : entries_) {
     if (e.declaration.print() == e.default_value || e.heading == without || !is_used(e)) continue;
     for (const auto& value : lines(e.declaration.print()))

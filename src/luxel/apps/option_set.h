@@ -62,6 +62,7 @@ class OptionSet {
   void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);
   void add_switch(const char* name, bool& value, const char* help);  // on or off
   void add_flag(const char* name, bool& value, const char* help, bool configurable = true);
+  // A word without a flag; called once for each, in the order they are typed.
   void set_positional(const char* name, std::string& value, const char* help);
 
   const std::string& name() const { return name_; }
@@ -71,7 +72,7 @@ class OptionSet {
   std::vector<std::pair<std::string, std::string>> values() const;
   // The same of those that are used, but those under the heading `without`.
   std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
-  // What to type to get the same result: the positional, and the options that are used and not at their
+  // What to type to get the same result: the positionals, and the options that are used and not at their
   // defaults, but those under the heading `without`.
   std::string as_command(const std::string& without) const;
   // As a text file that --config reads, with where each value came from.
@@ -102,7 +103,7 @@ class OptionSet {
   std::string heading_;
   std::string choice_, word_;
   std::vector<Entry> entries_;
-  std::optional<Positional> positional_;
+  std::vector<Positional> positionals_;
 };
 
 // "50M", "1.5e6", "2000": a whole number with an optional k, M or G, for the option --name. Throws

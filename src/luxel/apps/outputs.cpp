@@ -11,6 +11,7 @@
 #include "luxel/export/export_mesh.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
+#include "luxel/reference/final_gather.h"
 #include "luxel/render/automatic_camera.h"
 #include "luxel/render/render.h"
 
@@ -31,43 +32,10 @@ bool is_among(const std::string& word, const std::string& words) {
   return false;
 }
 
-bool is_picture(const std::string& output) { return is_among(ending(output), picture_kinds); }
-
 Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
   if (look.up == "y") return {0.0f, 1.0f, 0.0f};
   if (look.up == "z") return {0.0f, 0.0f, 1.0f};
   return automatic_up(patches);
-}
-
-// What the flags leave open is found: the whole view, or the other end of it.
-Camera camera_of(const PictureSettings& picture, const Baked& baked, const Tracer& tracer,
-                 const Workers& workers, const Vec3& up) {
-  // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
-  const auto aspect =
-      std::clamp(static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height),
-                 smallest_aspect, largest_aspect);
-  Camera camera;
-  camera.up = up;
-  if (picture.eye && picture.target) {
-    camera.eye = *picture.eye;
-    camera.target = *picture.target;
-  } else {
-    camera = automatic_camera(baked.patches, baked.solution, tracer, workers, up, aspect);
-    if (picture.eye) camera.eye = *picture.eye;
-    if (picture.target) camera.target = *picture.target;
-  }
-  if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
-  // A plan is drawn with what lies to the north (-z where y is up) at its top.
-  const Vec3d view = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));
-  const Vec3d tilt = glm::cross(view, glm::normalize(Vec3d(camera.up)));
-  if (glm::length(tilt) < 1e-5) camera.up = std::abs(camera.up.y) > 0.5f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
-  return camera;
-}
-
-void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone) {
-  if (ending(output) == ".exr") return write_exr(output, radiance);
-  if (ending(output) == ".hdr") return write_hdr(output, radiance);
-  write_png(output, tone_map(radiance, tone));
 }
 
 void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
@@ -99,6 +67,40 @@ class Places {
 
 }  // namespace
 
+bool is_picture(const std::string& output) { return is_among(ending(output), picture_kinds); }
+
+// What the flags leave open is found: the whole view, or the other end of it.
+Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
+                 const Tracer& tracer, const Workers& workers) {
+  const auto up = up_of(look, baked.patches);
+  // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
+  const auto aspect =
+      std::clamp(static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height),
+                 smallest_aspect, largest_aspect);
+  Camera camera;
+  camera.up = up;
+  if (picture.eye && picture.target) {
+    camera.eye = *picture.eye;
+    camera.target = *picture.target;
+  } else {
+    camera = automatic_camera(baked.patches, baked.solution, tracer, workers, up, aspect);
+    if (picture.eye) camera.eye = *picture.eye;
+    if (picture.target) camera.target = *picture.target;
+  }
+  if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
+  // A plan is drawn with what lies to the north (-z where y is up) at its top.
+  const Vec3d view = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));
+  const Vec3d tilt = glm::cross(view, glm::normalize(Vec3d(camera.up)));
+  if (glm::length(tilt) < 1e-5) camera.up = std::abs(camera.up.y) > 0.5f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+  return camera;
+}
+
+void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone) {
+  if (ending(output) == ".exr") return write_exr(output, radiance);
+  if (ending(output) == ".hdr") return write_hdr(output, radiance);
+  write_png(output, tone_map(radiance, tone));
+}
+
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds) {
   if (run.outputs.empty())
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
@@ -127,7 +129,8 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
   std::optional<Image> radiance;
   std::exception_ptr failure;  // one file that cannot be written does not cost the others
   for (const auto& output : outputs) {
-    if (ending(output) != ".vtkhdf" && !light)
+    const bool is_smooth = ending(output) != ".vtkhdf" && !(is_picture(output) && picture.gather > 0);
+    if (is_smooth && !light)
       light = record.stage(
           "surface", [&](auto&) { return make_smooth_light(baked.patches, baked.solution, look.smooth); });
     if (is_picture(output) && !radiance) {
@@ -135,15 +138,25 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
         tracer = &*own_tracer;
       }
-      written.camera = record.stage("camera", [&](auto&) {
-        return camera_of(picture, baked, *tracer, workers, up_of(look, baked.patches));
-      });
+      written.camera =
+          record.stage("camera", [&](auto&) { return camera_of(picture, look, baked, *tracer, workers); });
       radiance = record.stage("picture", [&](auto& stage) {
+        const auto pixels = static_cast<std::uint64_t>(picture.render.width) *
+                            static_cast<std::uint64_t>(picture.render.height);
+        const auto monitor = console.monitor(!interrupted_before);
+        if (picture.gather > 0) {
+          const auto grid = std::uint64_t{gather_grid(picture.gather)};
+          stage.rays = 3 * grid * grid * pixels;
+          return gather_picture(baked.patches, baked.solution, *tracer, *written.camera,
+                                {.width = picture.render.width,
+                                 .height = picture.render.height,
+                                 .rays = picture.gather,
+                                 .seed = picture.render.seed},
+                                workers, monitor);
+        }
         const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
-        stage.rays = side * side * static_cast<std::uint64_t>(picture.render.width) *
-                     static_cast<std::uint64_t>(picture.render.height);
-        return render(baked.patches, *light, *tracer, *written.camera, picture.render, workers,
-                      console.monitor(!interrupted_before));
+        stage.rays = side * side * pixels;
+        return render(baked.patches, *light, *tracer, *written.camera, picture.render, workers, monitor);
       });
       written.stopped = !interrupted_before && interrupted();
     }

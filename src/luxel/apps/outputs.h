@@ -24,6 +24,16 @@ inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
 // among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made.
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds);
 
+// Whether it is one of picture_kinds, by its ending.
+bool is_picture(const std::string& output);
+
+// The camera that the settings name; what they leave open is found.
+Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
+                 const Tracer& tracer, const Workers& workers);
+
+// radiance: W/(m² sr), tone-mapped where the ending asks for it. Throws DeviceError.
+void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone);
+
 struct Written {
   std::vector<std::string> files;
   std::optional<Camera> camera;  // of the pictures, if any was taken

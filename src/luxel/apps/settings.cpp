@@ -45,14 +45,23 @@ void SceneSettings::declare(OptionSet& set) {
               "longest edge of a patch; 0 keeps the triangles as they come");
 }
 
-void PictureSettings::declare(OptionSet& set) {
+void PictureSettings::declare_view(OptionSet& set) {
   set.heading("Picture");
   set.add_point("eye", "x,y,z m", eye, "where the camera stands");
   set.add_point("target", "x,y,z m", target, "what the middle of the picture shows");
   add_or_auto(set, "fov", "degrees", vertical_fov, automatic_fov, parse_fov, "vertical field of view");
   set.add_number("width", "pixels", render.width, 1, 32768, "width of the picture");
   set.add_number("height", "pixels", render.height, 1, 32768, "height of the picture");
+}
+
+void PictureSettings::declare(OptionSet& set) {
+  declare_view(set);
   set.add_number("samples", "count", render.samples_per_side, 1, 64, "this many by this many rays a pixel");
+}
+
+void PictureSettings::declare_gather(OptionSet& set) {
+  set.add_number("gather", "count", gather, 0, 65536,
+                 "rays a pixel that gather light anew at each point seen (instead of --samples); 0: none");
 }
 
 void PictureSettings::check() const {

@@ -50,9 +50,13 @@ struct PictureSettings {
   std::optional<Vec3> eye, target;
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
+  int gather = 0;  // rays a pixel of a final gather; 0: none
   // Throws UsageError where the camera cannot be: to be asked before hours are spent.
   void check() const;
+  // Camera and size; then how a solution is drawn.
+  void declare_view(OptionSet& set);
   void declare(OptionSet& set);
+  void declare_gather(OptionSet& set);
 };
 
 struct LookSettings {
