@@ -7,10 +7,15 @@
 #include "luxel/apps/console.h"
 #include "luxel/apps/finish.h"
 #include "luxel/apps/outputs.h"
+#include "luxel/apps/quantity.h"
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/settings.h"
+#include "luxel/apps/step_pictures.h"
 #include "luxel/apps/version.h"
+#include "luxel/patch/uncut_faces.h"
 #include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/report/memory.h"
+#include "luxel/solve/forecast.h"
 #include "luxel/transport/lamp_check.h"
 
 namespace luxel {
@@ -24,7 +29,7 @@ class Bake final : public Command {
     look_.declare(options);
     picture_.declare(options);
     run_.declare(options, all_kinds);
-    light_.declare_memory(options);
+    light_.declare_run(options);
   }
 
   int run() override {
@@ -33,6 +38,7 @@ class Bake final : public Command {
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
+    StepPictures steps(light_.each_step);
 
     // 1. The mesh, and what it is cut into.
     const auto scene =
@@ -52,8 +58,11 @@ class Bake final : public Command {
     if (interrupted()) return stopped_before_light(console);
 
     // 3. The light.
+    const auto faces = light_.joins_faces ? uncut_faces(scene, baked.patches) : std::vector<std::uint32_t>();
+    foresee(baked.patches, tracer, workers, console);
     const auto solved = record.stage("light", [&](auto& stage) {
-      auto result = solve(baked, tracer, workers, record.watch_for_light(console.monitor()));
+      auto result =
+          solve(baked, tracer, faces, workers, steps.watch(record.watch_for_light(console.monitor())));
       stage.rays = result.rays;
       return result;
     });
@@ -64,7 +73,10 @@ class Bake final : public Command {
     report_light(baked, solved, console);
 
     // 4. What was asked for.
-    const auto written = write_outputs(baked, &tracer, run_, look_, picture_, workers, console, record);
+    auto written = write_outputs(baked, &tracer, run_, look_, picture_, workers, console, record);
+    for (const auto& file :
+         steps.write(baked, tracer, written.camera, look_, picture_, workers, console, record))
+      written.files.push_back(file);
     finish({.command = options().name(),
             .baked = &baked,
             .solve = &solved,
@@ -78,17 +90,57 @@ class Bake final : public Command {
   }
 
  private:
-  SolveReport solve(Baked& baked, const Tracer& tracer, const Workers& workers,
-                    const Monitor& monitor) const {
+  SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
+                    const Workers& workers, const Monitor& monitor) const {
     const auto& patches = baked.patches;
     auto& light = baked.solution;
+    const auto& method = light_.method;
     try {
-      return light_.method == LightSettings::by_shooting
-                 ? solve_stochastic_jacobi(patches, tracer, light, light_.shooting, workers, monitor)
-                 : solve_sampled(patches, tracer, light, light_.sampled, workers, monitor);
+      if (method == LightSettings::by_shooting)
+        return solve_stochastic_jacobi(patches, tracer, light, light_.shooting, workers, monitor);
+      if (method == LightSettings::by_dense) {
+        auto options = light_.dense;
+        options.face = faces;
+        return solve_dense(patches, tracer, light, options, workers, monitor);
+      }
+      if (method == LightSettings::by_hemicube)
+        return solve_hemicube(patches, light, light_.hemicube, workers, monitor);
+      if (method == LightSettings::by_lines)
+        return solve_lines(patches, tracer, light, light_.lines, workers, monitor);
+      return solve_sampled(patches, tracer, light, light_.sampled, workers, monitor);
     } catch (const InputError& error) {
       throw InputError(scene_.file, error.what());  // it has no lamp; the solver knows no file
     }
+  }
+
+  // Says what a classical method is likely to take, and refuses what would take too much.
+  void foresee(const PatchSet& patches, const Tracer& tracer, const Workers& workers,
+               Console& console) const {
+    constexpr double most_seconds = 3600.0;
+    constexpr double most_memory = 0.8;  // of what is free
+    std::optional<Forecast> forecast;
+    if (light_.method == LightSettings::by_dense)
+      forecast = forecast_dense(patches, tracer, light_.dense, workers);
+    if (light_.method == LightSettings::by_hemicube)
+      forecast = forecast_hemicube(patches, light_.hemicube, workers);
+    if (light_.method == LightSettings::by_lines)
+      forecast = forecast_lines(patches, tracer, light_.lines, workers);
+    if (!forecast) return;
+    const auto free = free_memory();
+    const auto text =
+        fmt::format("{} for {} patch sides, about {} and {} of memory", light_.method, forecast->sides,
+                    rough_duration(forecast->seconds), rough_bytes(forecast->bytes));
+    const bool is_too_much =
+        forecast->seconds > most_seconds ||
+        (free > 0 && static_cast<double>(forecast->bytes) > most_memory * static_cast<double>(free));
+    if (is_too_much && !light_.force)
+      throw InputError(
+          scene_.file,
+          fmt::format(
+              "--method {} ({} are free): make fewer patches with a larger --max-edge, choose --method "
+              "sampled, or give --force to begin all the same",
+              text, rough_bytes(free)));
+    console.say("--method " + text);
   }
 
   std::optional<double> error_target() const {
@@ -132,6 +184,7 @@ class Bake final : public Command {
   }
 
   std::string shortfall(const SolveReport& solved) const {
+    if (!error_target() && solved.unshot_share == 1.0) return "no light had left the lamps yet";
     if (!error_target())
       return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_share);
     auto text = fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);

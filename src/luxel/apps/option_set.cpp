@@ -79,7 +79,9 @@ std::string OptionSet::value_of(const std::string& name) const {
 }
 
 bool OptionSet::is_used(const Entry& entry) const {
-  return entry.choice.empty() || value_of(entry.choice) == entry.word;
+  if (entry.choice.empty()) return true;
+  return fmt::format("|{}|", entry.word).find(fmt::format("|{}|", value_of(entry.choice))) !=
+         std::string::npos;
 }
 
 void OptionSet::check_use() const {

@@ -42,9 +42,9 @@ class OptionSet {
 
   // Options added after this stand under this heading in the help.
   void heading(std::string title) { heading_ = std::move(title); }
-  // Options added after this are used only while `choice`, an option declared before, has the value `word`:
-  // given on the command line without it they are refused, and nothing is recorded of them. No choice: always
-  // used.
+  // Options added after this are used only while `choice`, an option declared before, has the value `word`,
+  // or one of several parted by '|': given on the command line without it they are refused, and nothing is
+  // recorded of them. No choice: always used.
   void only_with(std::string choice = {}, std::string word = {});
   void add(Declaration declaration);
 

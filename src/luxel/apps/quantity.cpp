@@ -65,4 +65,18 @@ std::string as_bytes(std::uint64_t bytes) {
                            : fmt::format("{}GiB", number / gibibyte);
 }
 
+std::string rough_duration(double seconds) {
+  if (seconds < 1.0) return "1 s";
+  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  if (seconds < 172'800.0) return fmt::format("{:.0f} h", seconds / 3600.0);
+  return fmt::format("{:.0f} days", seconds / 86'400.0);
+}
+
+std::string rough_bytes(std::uint64_t bytes) {
+  const auto number = static_cast<double>(bytes);
+  return number < gibibyte ? fmt::format("{:.0f} MiB", std::ceil(number / mebibyte))
+                           : fmt::format("{:.1f} GiB", number / gibibyte);
+}
+
 }  // namespace luxel

@@ -22,4 +22,8 @@ std::string as_duration(double seconds);
 std::optional<std::uint64_t> parse_bytes(const std::string& text);
 std::string as_bytes(std::uint64_t bytes);
 
+// For a person to read: "3 s", "50 min", "7 h", "12 days"; "300 MiB", "74.5 GiB".
+std::string rough_duration(double seconds);
+std::string rough_bytes(std::uint64_t bytes);
+
 }  // namespace luxel

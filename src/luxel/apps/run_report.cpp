@@ -68,10 +68,29 @@ Json rounds_as_json(const SolveReport& report) {
   return rounds;
 }
 
+// Which error a method states.
+ErrorKind error_kind_of(const std::string& method) {
+  if (method == "dense") return ErrorKind::integration;
+  return method == "hemicube" ? ErrorKind::unknown : ErrorKind::noise;
+}
+
+std::string_view name(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::noise:
+      return "noise";
+    case ErrorKind::integration:
+      return "integration";
+    case ErrorKind::unknown:
+      return "unknown";
+  }
+  return "";
+}
+
 Json error_as_json(const SolveReport& report, const std::optional<double>& target) {
   Json error = Json::object();
   if (target) error["target"] = *target;
-  error["reached"] = report.predicted_error;
+  error["kind"] = name(report.error_kind);
+  if (report.error_kind != ErrorKind::unknown) error["reached"] = report.predicted_error;
   if (report.error_95th > 0.0) error["percentile_95"] = report.error_95th;
   error["ended_by"] = stop_name(report.stop);
   return error;
@@ -96,8 +115,13 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
 }
 
 // Noise and bias, for a person. The percentile and the unshot share stand there where there are such.
-std::string quality(double error, double error_95th, double unshot_share) {
-  auto text = fmt::format("standard error {:.2g} % (area-weighted relative RMS over patches)", 100.0 * error);
+std::string quality(ErrorKind kind, double error, double error_95th, double unshot_share) {
+  auto text =
+      kind == ErrorKind::unknown
+          ? std::string("this method knows no error of its own")
+          : fmt::format("{} {:.2g} % (area-weighted relative RMS over patches)",
+                        kind == ErrorKind::noise ? "standard error" : "error of the form factors below",
+                        100.0 * error);
   if (error_95th > 0.0) text += fmt::format(", below {:.2g} % for 95 % of the lit sides", 100.0 * error_95th);
   if (unshot_share > 0.0) text += fmt::format(", bias below {:.2g} % unshot", 100.0 * unshot_share);
   return text;
@@ -132,6 +156,8 @@ std::string_view stop_name(StopReason reason) {
       return "stopped by user";
     case StopReason::nothing_to_do:
       return "nothing to do";
+    case StopReason::step_limit:
+      return "step limit";
   }
   return "";
 }
@@ -160,10 +186,14 @@ std::string describe(const Baked& baked) {
   const auto& s = baked.solution;
   auto text = fmt::format("{} patches, {:.4g} m², {} materials, bands {}\n", patches.size(),
                           total_area(patches), patches.materials.size(), fmt::join(s.bands, " "));
-  text += fmt::format("{} with {} rays, seed {}: {}\n", s.provenance.method, s.provenance.rays,
-                      s.provenance.seed, stop_name(s.stop));
-  text += quality(s.predicted_error, s.error_95th, s.unshot_share) + "\n";
-  if (has_standard_errors(s)) text += "with the standard error of every patch side\n";
+  text += s.provenance.rays > 0 ? fmt::format("{} with {} rays, seed {}", s.provenance.method,
+                                              s.provenance.rays, s.provenance.seed)
+                                : s.provenance.method;
+  text += fmt::format(": {}\n", stop_name(s.stop));
+  text += quality(error_kind_of(s.provenance.method), s.predicted_error, s.error_95th, s.unshot_share) + "\n";
+  if (has_standard_errors(s))
+    text += fmt::format("with the {} of every patch side\n",
+                        s.provenance.method == "dense" ? "stated error" : "standard error");
   text +=
       fmt::format("scene {:016x}, luxel {}\n", s.provenance.scene_fingerprint, s.provenance.program_version);
   if (!s.provenance.command_line.empty()) text += s.provenance.command_line + "\n";
@@ -178,16 +208,20 @@ std::string describe(const SolveReport& report) {
     return emitted > 0.0 ? 100.0 * sum(part) / emitted : 0.0;
   };
   const auto n = report.rounds.empty() ? report.steps.size() : report.rounds.size();
-  const auto done = fmt::format("{} {}{}", n, report.rounds.empty() ? "bounce" : "round", n == 1 ? "" : "s");
+  auto done = n == 0
+                  ? std::string()
+                  : fmt::format("{} {}{}", n, report.rounds.empty() ? "bounce" : "round", n == 1 ? "" : "s");
+  if (report.rays > 0) done += fmt::format("{}{} rays", done.empty() ? "" : ", ", report.rays);
+  if (!done.empty()) done += "; ";
   auto text = fmt::format(
-      "{}, {} rays; emitted {:.4g} W = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + "
+      "{}emitted {:.4g} W = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + "
       "unshot "
       "{:.2g} %\n",
-      done, report.rays, emitted, percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs),
-      percent(e.unshot));
+      done, emitted, percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", stop_name(report.stop),
-                            quality(report.predicted_error, report.error_95th, report.unshot_share));
+                            quality(report.error_kind, report.predicted_error, report.error_95th,
+                                    report.unshot_share));
 }
 
 }  // namespace luxel

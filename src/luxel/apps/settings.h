@@ -10,6 +10,7 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/render/render.h"
 #include "luxel/scene/camera.h"
+#include "luxel/solve/classical.h"
 #include "luxel/solve/sampled.h"
 #include "luxel/solve/stochastic_jacobi.h"
 #include "luxel/surface/smooth_light.h"
@@ -30,16 +31,27 @@ struct SceneSettings {
 struct LightSettings {
   static constexpr const char* by_sampling = "sampled";
   static constexpr const char* by_shooting = "shooting";
+  static constexpr const char* by_dense = "dense";
+  static constexpr const char* by_hemicube = "hemicube";
+  static constexpr const char* by_lines = "lines";
   std::string method = by_sampling;
   SampledOptions sampled;
   StochasticJacobiOptions shooting;
-  // Throws UsageError where nothing would end the run.
+  DenseSolveOptions dense;
+  HemicubeSolveOptions hemicube;
+  LinesSolveOptions lines;
+  bool joins_faces = false;  // dense
+  std::string each_step;     // folder for a picture after every step; empty: none
+  bool force = false;        // begins even what will take days
+  // Throws UsageError where nothing would end the run, or options contradict each other.
   void check() const;
   void declare(OptionSet& set);
-  // Apart from the others: it does not change the light, so it stands with how a run is run.
-  void declare_memory(OptionSet& set);
+  // Apart from the others: they do not change the light, so they stand with how a run is run.
+  void declare_run(OptionSet& set);
 
  private:
+  void declare_classical(OptionSet& set);
+  void declare_tolerance(OptionSet& set);
   void declare_sampled(OptionSet& set);
   void declare_variance_reduction(OptionSet& set);
   void declare_shooting(OptionSet& set);
