@@ -42,4 +42,16 @@ double unit_irradiance(const LampTriangle& lamp, const Vec3d& x, const Vec3d& n)
   return std::max(0.0, -0.5 * sum);
 }
 
+double unit_irradiance(std::span<const Vec3d> polygon, const Vec3d& x, const Vec3d& n) {
+  if (polygon.size() < 3) return 0.0;
+  double sum = 0.0;
+  auto u = polygon.back() - x;
+  for (const auto& corner : polygon) {
+    const auto v = corner - x;
+    sum += edge_term(u, v, n);
+    u = v;
+  }
+  return -0.5 * sum;
+}
+
 }  // namespace luxel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "luxel/math/vector.h"
 #include "luxel/transport/lamps.h"
 
@@ -12,5 +14,9 @@ namespace luxel {
 // vector form of Arvo 1995. In double, relative error about 1e-15 times (distance / size of the lamp). Costs
 // about 70 ns.
 double unit_irradiance(const LampTriangle& lamp, const Vec3d& x, const Vec3d& n);
+
+// The same of a flat convex polygon that lies wholly above the horizon of x, counter-clockwise seen from x;
+// clockwise, the negative of it.
+double unit_irradiance(std::span<const Vec3d> polygon, const Vec3d& x, const Vec3d& n);
 
 }  // namespace luxel
