@@ -31,6 +31,8 @@ class Command {
 std::unique_ptr<Command> make_bake(CommandLine& line);
 std::unique_ptr<Command> make_render(CommandLine& line);
 std::unique_ptr<Command> make_export(CommandLine& line);
+std::unique_ptr<Command> make_reference(CommandLine& line);
+std::unique_ptr<Command> make_compare(CommandLine& line);
 std::unique_ptr<Command> make_info(CommandLine& line);
 
 }  // namespace luxel

@@ -114,6 +114,14 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
   return json;
 }
 
+Json to_json(const PictureRecord& picture, const std::optional<double>& target) {
+  Json error = Json::object();
+  if (target) error["target"] = *target;
+  error["reached"] = picture.error;
+  error["ended_by"] = stop_name(picture.stop);
+  return {{"paths_a_pixel", picture.paths}, {"rays", picture.rays}, {"error", std::move(error)}};
+}
+
 // Noise and bias, for a person. The percentile and the unshot share stand there where there are such.
 std::string quality(ErrorKind kind, double error, double error_95th, double unshot_share) {
   auto text =
@@ -166,6 +174,7 @@ std::string RunReport::as_json() const {
   Json json = {{"command", command}};
   if (baked) json["solution"] = to_json(*baked);
   if (solve) json["solve"] = to_json(*solve, error_target);
+  if (picture) json["picture"] = to_json(*picture, error_target);
   if (camera) json["camera"] = to_json(*camera);
   if (!outputs.empty()) json["outputs"] = outputs;
   if (options) {

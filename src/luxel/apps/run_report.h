@@ -16,6 +16,14 @@ namespace luxel {
 
 std::string_view stop_name(StopReason reason);
 
+// A picture that was traced path by path.
+struct PictureRecord {
+  std::uint64_t paths = 0;  // a pixel
+  std::uint64_t rays = 0;
+  double error = 0.0;  // of the reflected light, see PathPicture
+  StopReason stop = StopReason::nothing_to_do;
+};
+
 // A run as JSON, for machines: what --json prints and --report writes. docs/report.md lists its keys. Parts
 // that a command does not have are left out.
 struct RunReport {
@@ -23,6 +31,7 @@ struct RunReport {
   const Baked* baked = nullptr;
   const SolveReport* solve = nullptr;
   std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
+  std::optional<PictureRecord> picture = {};
   std::optional<Camera> camera = {};
   std::vector<std::string> outputs = {};
   const OptionSet* options = nullptr;

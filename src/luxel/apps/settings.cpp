@@ -32,8 +32,8 @@ float parse_fov(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-void SceneSettings::declare(OptionSet& set) {
-  set.set_positional("SCENE", file, "the mesh: an OBJ file with its MTL");
+void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
+  set.set_positional("SCENE", file, what_it_takes);
   set.heading("Scene");
   set.add_number("scale", "m", load.scale, 1e-9f, far, "metres a unit of the file");
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,

@@ -25,7 +25,7 @@ struct SceneSettings {
   std::string file;
   LoadOptions load;
   PatchOptions patches;
-  void declare(OptionSet& set);
+  void declare(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
 };
 
 struct LightSettings {
