@@ -145,15 +145,21 @@ Vec3d polygon_area_vector(std::span<const Vec3d> polygon) {
   return 0.5 * sum;
 }
 
-double polygon_exchange_area(std::span<const Vec3d> a, std::span<const Vec3d> b) {
+FacingParts facing_parts(std::span<const Vec3d> a, std::span<const Vec3d> b) {
   const auto front_a = polygon_area_vector(a), front_b = polygon_area_vector(b);
   const auto area_a = glm::length(front_a), area_b = glm::length(front_b);
-  if (!(area_a > 0.0 && area_b > 0.0)) return 0.0;
-  Polygon before_b, before_a;
-  clip_to_front(a, b, front_b / area_b, area_b, before_b);
-  clip_to_front(b, a, front_a / area_a, area_a, before_a);
-  const auto exchange = facing(before_b, before_a, most_cuts);
-  return std::clamp(exchange, 0.0, std::min(area_a, area_b));
+  FacingParts parts;
+  if (!(area_a > 0.0 && area_b > 0.0)) return parts;
+  clip_to_front(a, b, front_b / area_b, area_b, parts.a);
+  clip_to_front(b, a, front_a / area_a, area_a, parts.b);
+  if (parts.a.size() < 3 || parts.b.size() < 3) parts = {};
+  return parts;
+}
+
+double polygon_exchange_area(std::span<const Vec3d> a, std::span<const Vec3d> b) {
+  const auto parts = facing_parts(a, b);
+  const auto most = std::min(glm::length(polygon_area_vector(a)), glm::length(polygon_area_vector(b)));
+  return std::clamp(facing(parts.a, parts.b, most_cuts), 0.0, most);
 }
 
 double polygon_form_factor(std::span<const Vec3d> a, std::span<const Vec3d> b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "luxel/math/vector.h"
 
@@ -20,6 +21,13 @@ double polygon_form_factor(std::span<const Vec3d> a, std::span<const Vec3d> b);
 
 // The same times the area of a, m²: what both directions have in common.
 double polygon_exchange_area(std::span<const Vec3d> a, std::span<const Vec3d> b);
+
+// The parts of two polygons that lie before each other's plane: what can see each other. Empty where there is
+// none. Corners in the other's plane but for rounding stay as they are.
+struct FacingParts {
+  std::vector<Vec3d> a, b;
+};
+FacingParts facing_parts(std::span<const Vec3d> a, std::span<const Vec3d> b);
 
 // Half the sum of the cross products of its edges: length its area in m², direction its front. Zero for less
 // than three corners.
