@@ -34,5 +34,6 @@ std::unique_ptr<Command> make_export(CommandLine& line);
 std::unique_ptr<Command> make_reference(CommandLine& line);
 std::unique_ptr<Command> make_compare(CommandLine& line);
 std::unique_ptr<Command> make_info(CommandLine& line);
+std::unique_ptr<Command> make_viewfactors(CommandLine& line);
 
 }  // namespace luxel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/viewfactors/element_rays.h"
+#include "luxel/viewfactors/view_factors.h"
+
+namespace luxel {
+
+// Rows of elements of one side each, as counted: no more than their hits is held.
+struct PatchRows {
+  std::vector<std::uint32_t> element;  // [row]
+  std::vector<std::uint32_t> length;   // [row]: listed factors
+  std::vector<std::uint32_t> column;   // rising within a row
+  std::vector<double> factor;
+  std::vector<float> standard_error;
+  std::array<std::vector<double>, ViewFactors::sinks> sink;       // [row]
+  std::array<std::vector<float>, ViewFactors::sinks> sink_error;  // [row]
+  double error2 = 0.0;  // sum of squared standard errors of the listed factors
+};
+
+// What a worker needs beside, used again and again.
+struct PatchRowScratch {
+  std::vector<std::uint32_t> met;    // [replicate][slot][ray]
+  std::vector<std::uint32_t> place;  // [number met]: 1 + its place in `numbers`; else 0
+  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> counts;  // [place][replicate]
+};
+
+// Appends the rows of these slots, per_slot rays a replicate. keep_above: factors below are dropped.
+void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> slots, std::uint32_t per_slot,
+                       double keep_above, PatchRowScratch& scratch, PatchRows& rows);
+
+// Mean and standard error of replicates' shares from their counts out of per_replicate rays each.
+struct CountedShare {
+  double share = 0.0;
+  double standard_error = 0.0;
+};
+CountedShare counted_share(std::span<const std::uint32_t> counts, std::uint64_t per_replicate);
+
+}  // namespace luxel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/viewfactors/sample_view_factors.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
+#include "luxel/viewfactors/sampling.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t most_rays = 1u << 22;  // a side and replicate
+
+}  // namespace
+
+std::uint32_t most_per_replicate(const SampleFactorsOptions& options) {
+  if (options.rays == 0) return most_rays;
+  const auto rays = std::max<std::uint64_t>(options.rays / options.replicates, 1);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::bit_floor(rays), most_rays));
+}
+
+std::vector<std::uint32_t> slot_list(std::size_t begin, std::size_t end) {
+  std::vector<std::uint32_t> slots(end - begin);
+  std::iota(slots.begin(), slots.end(), static_cast<std::uint32_t>(begin));
+  return slots;
+}
+
+std::uint64_t predicted_bytes(double factors, const SampleFactorsOptions& options) {
+  const auto bytes = factors * static_cast<double>(options.bytes_a_factor);
+  constexpr double mib = 1024.0 * 1024.0;
+  if (options.memory > 0 && bytes > static_cast<double>(options.memory))
+    throw InputError(fmt::format(
+        "about {:.3g} million factors would be listed and take {:.0f} MiB, where {:.0f} MiB are allowed; "
+        "--keep-above drops small factors, --rays counts fewer, groups or larger patches have fewer, and "
+        "--memory allows more",
+        1e-6 * factors, bytes / mib, static_cast<double>(options.memory) / mib));
+  return static_cast<std::uint64_t>(bytes);
+}
+
+std::optional<ViewFactors> sample_view_factors(const PatchSet& patches, const Tracer& tracer,
+                                               const ViewElements& elements,
+                                               const SampleFactorsOptions& options, const Workers& workers,
+                                               const Monitor& monitor, SampleFactorsReport& report) {
+  const ElementRays rays(patches, tracer, elements, options.rows, options.seed, options.replicates, workers);
+  return elements.kind == Between::patches ? sample_patch_factors(rays, options, workers, monitor, report)
+                                           : sample_group_factors(rays, options, workers, monitor, report);
+}
+
+}  // namespace luxel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "luxel/viewfactors/element_rays.h"
+#include "luxel/viewfactors/sample_view_factors.h"
+
+namespace luxel {
+
+// The two ways of sample_view_factors(), which has the promises.
+
+// Between patches: rows are made once, with as many rays as some of them, tried before, say is enough.
+std::optional<ViewFactors> sample_patch_factors(const ElementRays& rays, const SampleFactorsOptions& options,
+                                                const Workers& workers, const Monitor& monitor,
+                                                SampleFactorsReport& report);
+// Between elements of many patches: sums over rays, which are doubled.
+std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const SampleFactorsOptions& options,
+                                                const Workers& workers, const Monitor& monitor,
+                                                SampleFactorsReport& report);
+
+// Rays a side and replicate that a limit allows, a power of two; where there is none, the most there can be.
+std::uint32_t most_per_replicate(const SampleFactorsOptions& options);
+
+// Slots [begin, end) as a list.
+std::vector<std::uint32_t> slot_list(std::size_t begin, std::size_t end);
+
+// Throws InputError where so many factors take more than the memory allowed; else gives the bytes.
+std::uint64_t predicted_bytes(double factors, const SampleFactorsOptions& options);
+
+}  // namespace luxel
