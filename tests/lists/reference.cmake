@@ -1,0 +1,7 @@
+luxel_test(truth/path_traced ROOMS reference solve LIBRARIES luxel_known_rooms)
+luxel_test(truth/path_picture ROOMS reference solve LIBRARIES luxel_truth_scenes)
+luxel_test(statistics/reference ROOMS reference solve LIBRARIES luxel_known_rooms)
+luxel_test(unit/compare ROOMS reference)
+luxel_test(unit/reference_parts ROOMS reference LIBRARIES luxel_truth_scenes)
+luxel_test(cli/reference ROOMS file image LIBRARIES nlohmann_json::nlohmann_json)
+add_dependencies(cli_reference_test luxel)
