@@ -29,7 +29,7 @@ double worst_row_sum(const ExchangeAreas& areas, const std::vector<double>& area
 void open_environment(ExchangeAreas& areas, const std::vector<double>& area) {
   auto& environment = areas.sink[ViewFactors::environment];
   for (std::size_t i = 0; i < areas.size(); ++i)
-    if (environment.variance[i] == 0.0) environment.variance[i] = 1e-12 * area[i] * area[i];
+    if (environment.variance[i] == 0.0) environment.variance[i] = 1e-6 * area[i] * area[i];
 }
 
 // The old factor from i to j, 0 where it is not listed; asked for with j rising.

@@ -24,8 +24,8 @@ struct SampleFactorsOptions {
   double error = 0.001;      // stop at this root mean square standard error of the listed factors; 0: never
   double keep_above = 0.0;   // factors below are dropped; their sum is kept
   std::uint64_t memory = 0;  // bytes that factors may take; 0: no bound
-  std::uint32_t bytes_a_factor = 24;  // that a listed factor takes, with what is done to it afterwards
-  std::vector<std::uint8_t> rows;     // [element]: whether its row is wanted; empty: all
+  std::uint32_t bytes_a_factor = 24;    // that a listed factor takes, with what is done to it afterwards
+  std::vector<std::uint8_t> rows = {};  // [element]: whether its row is wanted; empty: all
 };
 
 struct SampleFactorsReport {
