@@ -62,6 +62,19 @@ TEST(CompareSolutions, scores_against_both_error_bars) {
   EXPECT_FALSE(far.agrees().value());
 }
 
+// Many places, each a little too bright: no z-score shows it, the mean does.
+TEST(ComparePictures, do_not_agree_where_noise_cannot_explain_the_bias) {
+  const Image a(30, 30, Vec3(1.0f));
+  const Image error(30, 30, Vec3(0.03f));
+  const auto with = [&](float brighter) {
+    return compare_pictures(a, Image(30, 30, Vec3(1.0f + brighter)), &error);
+  };
+  EXPECT_NEAR(with(0.02f).bias_error, 0.03 / 30.0, 1e-6);
+  EXPECT_LT(with(0.02f).mean_z2, 1.0);
+  EXPECT_FALSE(with(0.02f).agrees().value());
+  EXPECT_TRUE(with(0.01f).agrees().value());
+}
+
 TEST(CompareSolutions, finds_a_back) {
   const auto c = compare_solutions(two_patches(1, 1, 1), two_patches(1, 1, 2));
   ASSERT_EQ(c.largest.size(), 1u);

@@ -16,7 +16,9 @@ namespace {
 
 constexpr double most_mean_z2 = 1.5;
 constexpr double least_within = 0.9;
-constexpr double floor_share = 0.01;  // of the mean light
+constexpr double most_bias = 0.5;         // of the expected RMS
+constexpr double most_bias_errors = 5.0;  // where there are so few places that this is more
+constexpr double floor_share = 0.01;      // of the mean light
 
 // The same place in two answers: [band]; errors may be empty.
 struct Pair {
@@ -30,6 +32,7 @@ class Sums {
     const auto per_band = 1.0 / static_cast<double>(bands);
     Difference place{index};
     double variance = 0.0;
+    double together = 0.0;
     for (std::size_t i = 0; i < bands; ++i) {
       const auto a = static_cast<double>(pair.a[i]);
       const auto b = static_cast<double>(pair.b[i]);
@@ -46,9 +49,11 @@ class Sums {
       const auto z2 = (b - a) * (b - a) / error2;
       ++result_.scored;
       error2_ += weight * error2;
+      together += std::sqrt(error2);
       z2_ += z2;
       within_ += z2 < 1.96 * 1.96 ? 1.0 : 0.0;
     }
+    bias_error2_ += weight * weight * together * together;
     place.error = per_band * std::sqrt(variance * static_cast<double>(bands));  // bands lie on the same rays
     if (place.a != place.b) result_.largest.push_back(place);
   }
@@ -58,6 +63,7 @@ class Sums {
     r.relative_rms = ratio(std::sqrt(bias2_), std::sqrt(light2_));
     r.expected_rms = ratio(std::sqrt(error2_), std::sqrt(light2_));
     r.mean_bias = ratio(bias_, light_);
+    r.bias_error = ratio(std::sqrt(bias_error2_), light_);
     r.mean_z2 = ratio(z2_, static_cast<double>(r.scored));
     r.within = ratio(within_, static_cast<double>(r.scored));
     const auto count = std::min(places, r.largest.size());
@@ -83,6 +89,7 @@ class Sums {
 
   Comparison result_;
   double light_ = 0.0, light2_ = 0.0, bias_ = 0.0, bias2_ = 0.0, error2_ = 0.0, z2_ = 0.0, within_ = 0.0;
+  double bias_error2_ = 0.0;  // bands lie on the same rays: their errors are added, places' squared
 };
 
 std::span<const float> at(const std::vector<float>& values, std::size_t patch, std::size_t bands) {
@@ -156,7 +163,8 @@ Pair side_pair(const Baked& a, const Baked& b, std::size_t side) {
 
 std::optional<bool> Comparison::agrees() const {
   if (scored == 0) return std::nullopt;
-  return mean_z2 <= most_mean_z2 && within >= least_within;
+  const auto bias = std::max(most_bias * expected_rms, most_bias_errors * bias_error);
+  return mean_z2 <= most_mean_z2 && within >= least_within && std::fabs(mean_bias) <= bias;
 }
 
 Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places) {

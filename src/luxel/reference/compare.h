@@ -28,10 +28,13 @@ struct Comparison {
   double mean_z2 = 0.0;               // about 1 where both tell the truth about their errors
   double within = 0.0;                // share with |z| < 1.96: about 0.95
   double expected_rms = 0.0;          // relative_rms, were the stated errors all there is
+  double bias_error = 0.0;            // standard error of mean_bias, were errors of places independent
   std::vector<Difference> largest{};  // by |b - a|, largest first
 
   // Whether the stated errors explain the difference: nothing where none are stated. Bars know their own
-  // width to a tenth and noise has tails, so this is no fine test: mean_z2 up to 1.5 and within from 0.9 on.
+  // width to a tenth, noise has tails, and a solver's errors at different places go together, so this is no
+  // fine test: mean_z2 up to 1.5, within from 0.9 on, mean_bias up to half of expected_rms or five
+  // bias_error.
   std::optional<bool> agrees() const;
 };
 
