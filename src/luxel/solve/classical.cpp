@@ -134,8 +134,7 @@ std::vector<float> integration_errors(const DenseOperator& transport, const RowL
   const auto gathered = transport.irradiance_error(light.before);
   const std::vector<float> direct(gathered.begin(), gathered.end());
   std::vector<float> reflected(direct.size(), 0.0f), error(direct.size(), 0.0f);
-  if (transport.integrated_pairs() > 0)
-    gauss_seidel(transport, direct, light.reflectance, reflected, error, {.tolerance = 0.01}, workers);
+  gauss_seidel(transport, direct, light.reflectance, reflected, error, {.tolerance = 0.01}, workers);
   for (std::size_t i = 0; i < error.size(); ++i)
     error[i] += static_cast<float>(rounding) * light.irradiance[i];
   return error;

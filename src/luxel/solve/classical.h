@@ -23,9 +23,9 @@ namespace luxel {
 //
 // Each fills everything in `solution` but its command line and options, and is the same to the bit on any
 // number of threads. The monitor hears of the stages "factors" and "light", and gets a picture
-// (Progress::light) after every step of Jacobi and at the end. Its stop ends the run with the last whole
-// step; before the first, nothing but the lamps shines, and all power counts as unshot. No lamp at all is an
-// InputError that says how to add one.
+// (Progress::light) after every step of Jacobi, or at the end of another solver. Its stop ends the run with
+// the last whole step; before the first, nothing but the lamps shines, and all power counts as unshot. No
+// lamp at all is an InputError that says how to add one.
 
 enum class DenseSolver { direct, jacobi, gauss_seidel };
 

@@ -57,7 +57,9 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
 
   // 1. Pairs of slots, from the smaller one, whose factor is the larger: then both are within the tolerance.
   const auto pairs = n * (n - 1) / 2;
-  std::vector<std::vector<Integrated>> integrated((pairs + pairs_a_chunk - 1) / pairs_a_chunk);
+  const auto chunks = (pairs + pairs_a_chunk - 1) / pairs_a_chunk;
+  std::vector<std::vector<Integrated>> integrated(chunks);
+  std::vector<double> exact_error(chunks, 0.0);
   const auto find_pairs = [&](std::size_t begin, std::size_t end) {
     Pair pair(begin);
     for (auto k = begin; k < end; ++k, pair.next()) {
@@ -68,15 +70,21 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
       const auto ratio = area(from) / area(to);
       transport.factors_[from * n + to] = static_cast<float>(factor.value);
       transport.factors_[to * n + from] = static_cast<float>(factor.value * ratio);
-      if (!factor.exact)
+      auto& error = exact_error[begin / pairs_a_chunk];
+      if (factor.exact)
+        error = std::max(error, factor.error);
+      else
         integrated[begin / pairs_a_chunk].push_back(
             {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to),
              static_cast<float>(factor.error), static_cast<float>(factor.error * ratio)});
     }
   };
   if (!for_chunks_in_turns(pairs, pairs_a_chunk, workers, monitor, find_pairs)) return {};
-  for (const auto& chunk : integrated)
-    transport.integrated_.insert(transport.integrated_.end(), chunk.begin(), chunk.end());
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    transport.integrated_.insert(transport.integrated_.end(), integrated[chunk].begin(),
+                                 integrated[chunk].end());
+    transport.exact_error_ = std::max(transport.exact_error_, exact_error[chunk]);
+  }
 
   // 2. What does not reach a slot: it ends at the backs of one-sided materials, or nowhere.
   const auto dead = dead_sides(patches);
@@ -110,7 +118,10 @@ void DenseOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& 
 
 std::vector<double> DenseOperator::irradiance_error(std::span<const float> radiosity) const {
   const auto count = bands();
-  std::vector<double> error(size() * count, 0.0);
+  std::vector<double> sum(count, 0.0);
+  for (std::size_t i = 0; i < radiosity.size(); ++i) sum[i % count] += double{radiosity[i]};
+  std::vector<double> error(size() * count);
+  for (std::size_t i = 0; i < error.size(); ++i) error[i] = exact_error_ * sum[i % count];
   for (const auto& pair : integrated_)
     for (std::size_t b = 0; b < count; ++b) {
       error[pair.slot * count + b] += double{pair.error} * double{radiosity[pair.other * count + b]};

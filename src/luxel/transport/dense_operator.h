@@ -51,6 +51,7 @@ class DenseOperator final : public RowOperator {
 
   std::vector<float> factors_;
   std::vector<Integrated> integrated_;
+  double exact_error_ = 0.0;  // the most that a factor in closed form may be off by
 };
 
 }  // namespace luxel
