@@ -23,6 +23,8 @@ struct Axes {
 constexpr std::array<Axes, 5> axes = {
     {{0, 1, 2, 1.0}, {1, 2, 0, 1.0}, {1, 2, 0, -1.0}, {0, 2, 1, 1.0}, {0, 2, 1, -1.0}}};
 
+constexpr double fronts_first = 1.0 + 1e-6;
+
 constexpr std::uint32_t below = 1u << 20;  // the horizon
 
 // Four bits a face, one for each plane of its pyramid: set where p is outside. All planes go through the eye,
@@ -134,6 +136,8 @@ void Hemicube::look(const Vec3d& eye, const Vec3d& s, const Vec3d& t, const Vec3
     const auto volume = glm::dot(a, seen.edge[1]);
     if (volume == 0.0) continue;  // edge on
     seen.nearness = (seen.edge[0] + seen.edge[1] + seen.edge[2]) / volume;
+    // Along an edge of a solid, faces turned to the eye and away from it are equally near.
+    if (volume < 0.0) seen.nearness *= fronts_first;
     if (volume < 0.0)
       for (auto& edge : seen.edge) edge = -edge;
     seen.side = static_cast<std::uint32_t>(side_of(p, volume > 0.0));

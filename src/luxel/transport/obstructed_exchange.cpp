@@ -16,8 +16,13 @@ namespace {
 
 using Triangle = std::array<Vec3d, 3>;
 
-constexpr int first_cuts = 2;       // levels before any estimate is trusted
-constexpr double unnoticed = 0.25;  // of a cell that a screen might hide unseen, times its relative width
+constexpr int first_cuts = 2;          // levels before any estimate is trusted
+constexpr double safety = 2.0;         // of the error: a bend can hide between points
+constexpr double near_rim = 0.02;      // not in it: there a screen may stand
+constexpr double rim_share = 0.25;     // of what a point of the rim sees, what the cell may
+constexpr double unseen_share = 0.25;  // of a cell, times its relative width: what a screen there may hide
+
+constexpr double best_progress = 1.0 / 16.0;  // of a quarter's error over the whole's: luck is no proof
 
 // Weights of Radon's seven points (1948): exact to the fifth degree.
 struct Orbit {
@@ -32,7 +37,7 @@ struct Cell {
   double area = 0.0;
   double open = 0.0, seen = 0.0;  // integrals over the cell
   double error = 0.0;
-  int depth = 0;
+  double unnoticed = 0.0;              // what the points may have missed
   std::vector<std::uint32_t> screens;  // that reach into its shaft
 };
 
@@ -50,7 +55,6 @@ class Integral {
     Cell cell;
     cell.corners = corners;
     cell.area = 0.5 * glm::dot(normal_, glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    cell.depth = parent ? parent->depth + 1 : 0;
     find_screens(cell, parent);
     evaluate(cell);
     return cell;
@@ -73,9 +77,8 @@ class Integral {
     const auto change = std::fabs(sum - term(cell));
     for (auto& part : parts) {
       if (part.screens.empty()) continue;
-      part.error = 0.25 * change;
-      if (part.seen == part.open)
-        part.error = std::max(part.error, unnoticed * part.open * std::sqrt(part.area / whole_));
+      part.error = std::max(0.25 * change, best_progress * cell.error);
+      part.error = std::max(part.error, part.unnoticed);
     }
     return parts;
   }
@@ -95,19 +98,43 @@ class Integral {
   void evaluate(Cell& cell) {
     near_.clear();
     for (const auto k : cell.screens) near_.push_back(screens_[k]);
+    const auto unit = cell.area / std::numbers::pi;
     const auto add = [&](const Vec3d& x, double weight) {
-      const auto open = std::max(0.0, unit_irradiance(inner_, x, normal_));
-      const auto seen = near_.empty() ? open : visible_.at(x, normal_, inner_, near_);
-      const auto scale = weight * cell.area / std::numbers::pi;
-      cell.open += scale * open;
-      // Pieces add up to the whole but for rounding: that is no shadow.
-      cell.seen += scale * (open - seen <= 1e-13 ? open : seen);
+      const auto [open, seen] = look(x);
+      cell.open += weight * unit * open;
+      cell.seen += weight * unit * seen;
     };
     const auto& t = cell.corners;
+    const auto point = [&](std::size_t k, double at) {
+      return (1.0 - 2.0 * at) * t[k] + at * (t[(k + 1) % 3] + t[(k + 2) % 3]);
+    };
     add((t[0] + t[1] + t[2]) / 3.0, centre_weight);
     for (const auto& [at, weight] : orbits)
-      for (std::size_t k = 0; k < 3; ++k)
-        add((1.0 - 2.0 * at) * t[k] + at * (t[(k + 1) % 3] + t[(k + 2) % 3]), weight);
+      for (std::size_t k = 0; k < 3; ++k) add(point(k, at), weight);
+
+    // All in the light, or all in the dark: then the rim is asked whether it is so everywhere.
+    if (cell.screens.empty() || (cell.seen > 0.0 && cell.seen < cell.open)) return;
+    const auto ask = [&](const Vec3d& x) {
+      const auto [open, seen] = look(x);
+      cell.unnoticed = std::max(cell.unnoticed, rim_share * unit * (cell.seen > 0.0 ? open - seen : seen));
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      ask(point(k, near_rim));
+      ask(point(k, 0.5 - near_rim));
+    }
+    if (cell.seen > 0.0)
+      cell.unnoticed = std::max(cell.unnoticed, unseen_share * cell.open * std::sqrt(cell.area / whole_));
+  }
+
+  struct Look {
+    double open, seen;
+  };
+  Look look(const Vec3d& x) {
+    const auto open = std::max(0.0, unit_irradiance(inner_, x, normal_));
+    const auto seen = near_.empty() ? open : visible_.at(x, normal_, inner_, near_);
+    // Pieces add up to the whole but for rounding: that is no shadow, and no light.
+    if (open - seen <= 1e-13) return {open, open};
+    return {open, seen <= 1e-13 ? 0.0 : seen};
   }
 
   std::span<const Vec3d> inner_;
@@ -151,7 +178,7 @@ Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
   std::make_heap(cells.begin(), cells.end(), less_wrong);
   auto error = 0.0;
   for (const auto& cell : cells) error += cell.error;
-  while (error > options.tolerance && cells.size() < options.most) {
+  while (safety * error > options.tolerance && cells.size() < options.most) {
     std::pop_heap(cells.begin(), cells.end(), less_wrong);
     const auto worst = std::move(cells.back());
     cells.pop_back();
@@ -167,7 +194,7 @@ Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
   auto sum = 0.0;
   for (const auto& cell : cells) {
     sum += integral.term(cell);
-    result.error += cell.error;
+    result.error += safety * cell.error;
   }
   result.value = std::clamp(hidden ? open - sum : sum, 0.0, open);
   return result;
