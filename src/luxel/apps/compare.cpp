@@ -39,8 +39,8 @@ class Compare final : public Command {
     options.add({"scale", "share", "difference that is shown in full colour, such as 10%; auto fits most",
                  [this](const std::string& text) { scale_ = parse_scale(text); },
                  [this] { return scale_ > 0.0 ? as_share(scale_) : std::string("auto"); }});
-    look_.declare(options);
     picture_.declare_view(options);
+    look_.declare_up(options);
     run_.declare(options, ".png");
   }
 
@@ -66,6 +66,8 @@ class Compare final : public Command {
       throw UsageError(fmt::format("{} and {}: expected two solutions (.vtkhdf) or two pictures", a_, b_));
     if (is_solution(a_) && !(error_a_.empty() && error_b_.empty()))
       throw UsageError("--error-a and --error-b belong to pictures: solutions hold their own errors");
+    if (!is_solution(a_) && (picture_.eye || picture_.target))
+      throw UsageError("--eye and --target belong to solutions: pictures are compared as they are");
   }
 
   void compare_baked(Console& console) const {

@@ -72,9 +72,13 @@ void PictureSettings::check() const {
     throw UsageError("--eye and --target are the same point: the camera would look nowhere");
 }
 
+void LookSettings::declare_up(OptionSet& set) {
+  set.add_choice("up", {"auto", "y", "z"}, up, "which way is up");
+}
+
 void LookSettings::declare(OptionSet& set) {
   set.heading("Look");
-  set.add_choice("up", {"auto", "y", "z"}, up, "which way is up");
+  declare_up(set);
   set.add_number("crease-angle", "degrees", smooth.crease_angle, 0.0f, 180.0f,
                  "neighbours that meet at a sharper angle are shaded apart");
   set.add({"tone", "OPERATOR", "tone mapping: maximum, clamp, reinhard or reinhard-local",

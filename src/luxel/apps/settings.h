@@ -75,6 +75,7 @@ struct LookSettings {
   std::string up = "auto";
   SmoothOptions smooth;
   ToneOptions tone;
+  void declare_up(OptionSet& set);
   void declare(OptionSet& set);
 };
 
