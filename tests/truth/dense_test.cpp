@@ -125,18 +125,19 @@ TEST(Dense, the_cube_of_quads_from_its_file_is_exact_to_six_digits) {
   expect_mesh_exact(s, M_PI);  // its Ke is meant as exitance, and read as radiance
 }
 
-// Six rooms whose light on these very patches is known, shadows and all (tests/support/known_rooms.h).
+// Rooms whose light on these very patches is known, shadows and all (tests/support/known_rooms.h): one open,
+// one coloured, two with something in the way.
 TEST(Dense, is_within_its_stated_error_of_the_truth_patch_by_patch) {
-  for (const auto& maker : truth::known_rooms()) {
-    const auto room = maker.make();
+  for (const auto make : {truth::open_plates, truth::coloured_room, truth::hung_plate, truth::l_shaped}) {
+    const auto room = make();
     const Workers workers;
     const Tracer tracer(room.patches, workers);
     Solution solution;
-    const auto report = solve_dense(room.patches, tracer, solution, {}, workers);
+    solve_dense(room.patches, tracer, solution, {}, workers);
     const auto mean =
         std::accumulate(room.truth.irradiance_front.begin(), room.truth.irradiance_front.end(), 0.0) /
         static_cast<double>(room.truth.irradiance_front.size());
-    double worst = 0.0, worst_stated = 0.0;
+    double worst = 0.0;
     for (const bool back : {false, true}) {
       const auto& truth = back ? room.truth.irradiance_back : room.truth.irradiance_front;
       const auto& found = back ? solution.irradiance_back : solution.irradiance_front;
@@ -146,12 +147,9 @@ TEST(Dense, is_within_its_stated_error_of_the_truth_patch_by_patch) {
         EXPECT_LE(std::abs(double{found[i]} - truth[i]), allowed)
             << room.name << " patch " << i / 3 << (back ? " back" : " front") << ": expected " << truth[i];
         worst = std::max(worst, std::abs(double{found[i]} - truth[i]) / mean);
-        worst_stated = std::max(worst_stated, double{stated[i]} / mean);
       }
     }
-    RecordProperty("worst_" + room.name, std::to_string(worst));
-    std::printf("%s: worst %.2e of the mean, worst stated %.2e, predicted %.2e\n", room.name.c_str(), worst,
-                worst_stated, report.predicted_error);
+    EXPECT_LT(worst, 1e-4) << room.name << ": of the mean";
   }
 }
 
