@@ -12,7 +12,8 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint64_t first_batches = 4;              // before an error is judged: 64 paths
+constexpr std::uint64_t first_batches = 2;              // what an error of any kind needs
+constexpr std::uint64_t judged_batches = 4;             // before an error is believed: 64 paths
 constexpr std::uint64_t paths_between_calls = 1 << 16;  // of the monitor
 constexpr std::size_t grain = 4;                        // elements a chunk
 constexpr double margin = 1.02;                         // the error of the error
@@ -46,6 +47,7 @@ StopReason BatchMeans::run(const ReferenceLimits& limits, const Draw& draw, cons
       if (done >= most) return StopReason::ray_limit;
       continue;
     }
+    if (done < judged_batches) continue;
     if (reached <= limits.error) return StopReason::error_reached;
     const auto ratio = reached / limits.error;
     needed = static_cast<std::uint64_t>(std::ceil(margin * ratio * ratio * static_cast<double>(done)));
