@@ -34,7 +34,7 @@ TEST(Enforce, three_long_strips_can_only_be_what_crossed_strings_say) {
   auto factors = table({3, 4, 5}, {{0, 0.30, 0.72}, {0.27, 0, 0.70}, {0.41, 0.62, 0}});
   const auto done = enforce_laws(factors, Workers(1));
   EXPECT_GT(done.worst_row_sum_before, 0.01);
-  EXPECT_LT(done.worst_row_sum, 1e-13);
+  EXPECT_LT(done.worst_row_sum, 1e-12);
   const std::vector<double> expected = {1.0 / 3, 2.0 / 3, 1.0 / 4, 3.0 / 4, 2.0 / 5, 3.0 / 5};
   ASSERT_EQ(factors.count(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(factors.factor[i], expected[i], 1e-12);
@@ -53,7 +53,7 @@ TEST(Enforce, no_factor_falls_below_zero) {
   auto factors = table(
       {1, 1, 1, 1}, {{0, 0.5, 0.7, 0.001}, {0.5, 0, 0.4, 0.3}, {0.7, 0.4, 0, 0.2}, {0.001, 0.3, 0.2, 0.6}});
   const auto done = enforce_laws(factors, Workers(1));
-  EXPECT_LT(done.worst_row_sum, 1e-13);
+  EXPECT_LT(done.worst_row_sum, 1e-12);
   const auto check = check_view_factors(factors, Workers(1));
   EXPECT_LT(check.worst_row_sum, 1e-12);
   EXPECT_EQ(check.worst_reciprocity, 0.0);

@@ -11,7 +11,7 @@ constexpr std::size_t rows_a_chunk = 256;
 constexpr int most_steps = 60;
 constexpr int most_iterations = 400;  // of conjugate gradients a step
 constexpr int most_halvings = 20;
-constexpr double enough = 2e-14;  // of a row's area
+constexpr double enough = 2e-13;  // of a row's area
 constexpr double inner_tolerance = 1e-3;
 
 using Vector = std::vector<double>;
