@@ -26,7 +26,7 @@ struct HemicubeOptions {
 // no pixel's centre sees, gets nothing).
 //
 // An object is scratch memory for one thread: make one a thread. A row depends on patches, options and side
-// alone. Cost at 10,000 patches and a resolution of 128: about 1 ms a point; memory 10 bytes a pixel and 32
+// alone. Cost at 10,000 patches and a resolution of 128: about 2 ms a point; memory 10 bytes a pixel and 32
 // bytes a patch.
 class Hemicube {
  public:
