@@ -60,6 +60,8 @@ TEST(CompareSolutions, scores_against_both_error_bars) {
   EXPECT_NEAR(c.expected_rms, 0.5 * std::sqrt(1.5 / 3.0), 1e-6);
   const auto far = compare_solutions(a, two_patches(4.0f, 1.0f));
   EXPECT_FALSE(far.agrees().value());
+  EXPECT_EQ(far.outliers, 3u);
+  EXPECT_NEAR(far.mean_z2, 18.0, 1e-9) << "six errors off is as much as counts";
 }
 
 // Many places, each a little too bright: no z-score shows it, the mean does.

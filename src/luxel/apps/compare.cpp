@@ -129,7 +129,10 @@ class Compare final : public Command {
                  {"relative_rms", c.relative_rms},
                  {"mean_bias", c.mean_bias}};
     if (c.scored > 0) {
-      json["z"] = {{"scored", c.scored}, {"mean_square", c.mean_z2}, {"within_1.96", c.within}};
+      json["z"] = {{"scored", c.scored},
+                   {"mean_square", c.mean_z2},
+                   {"within_1.96", c.within},
+                   {"beyond_6", c.outliers}};
       json["expected_rms"] = c.expected_rms;
       json["bias_error"] = c.bias_error;
       json["agree"] = *c.agrees();
@@ -152,8 +155,9 @@ class Compare final : public Command {
     if (const auto agree = c.agrees())
       text += fmt::format(
           "the stated errors explain {:.3g} % and a bias of {:.2g} %\n"
-          "z-scores of {}: mean square {:.3g} (about 1), {:.1f} % within 1.96 (about 95 %)\n{}\n",
-          100.0 * c.expected_rms, 100.0 * c.bias_error, c.scored, c.mean_z2, 100.0 * c.within,
+          "z-scores of {}: mean square {:.3g} (about 1), {:.1f} % within 1.96 (about 95 %), {} beyond "
+          "6\n{}\n",
+          100.0 * c.expected_rms, 100.0 * c.bias_error, c.scored, c.mean_z2, 100.0 * c.within, c.outliers,
           *agree ? "A and B agree within their errors" : "A and B do NOT agree within their errors");
     else
       text += "no standard errors are known, so nothing says whether this is noise\n";

@@ -18,7 +18,8 @@ constexpr double most_mean_z2 = 1.5;
 constexpr double least_within = 0.9;
 constexpr double most_bias = 0.5;         // of the expected RMS
 constexpr double most_bias_errors = 5.0;  // where there are so few places that this is more
-constexpr double floor_share = 0.01;      // of the mean light
+constexpr double most_z2 = 36.0;
+constexpr double floor_share = 0.01;  // of the mean light
 
 // The same place in two answers: [band]; errors may be empty.
 struct Pair {
@@ -50,7 +51,8 @@ class Sums {
       ++result_.scored;
       error2_ += weight * error2;
       together += std::sqrt(error2);
-      z2_ += z2;
+      z2_ += std::min(z2, most_z2);
+      if (z2 > most_z2) ++result_.outliers;
       within_ += z2 < 1.96 * 1.96 ? 1.0 : 0.0;
     }
     bias_error2_ += weight * weight * together * together;

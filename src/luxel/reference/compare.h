@@ -25,7 +25,10 @@ struct Comparison {
   double mean_bias = 0.0;     // sum of w (b - a) / sum of w a
   // z = (b - a) / sqrt(error of a² + error of b²), of the numbers where an error is known and not 0.
   std::size_t scored = 0;
-  double mean_z2 = 0.0;               // about 1 where both tell the truth about their errors
+  // About 1 where both tell the truth about their errors. |z| beyond 6 counts as 6: where one answer has met
+  // no light at all yet it states no error, and a few such places would drown all others.
+  double mean_z2 = 0.0;
+  std::size_t outliers = 0;           // with |z| beyond 6
   double within = 0.0;                // share with |z| < 1.96: about 0.95
   double expected_rms = 0.0;          // relative_rms, were the stated errors all there is
   double bias_error = 0.0;            // standard error of mean_bias, were errors of places independent
