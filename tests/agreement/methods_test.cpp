@@ -10,7 +10,9 @@
 //   dense     bound: what it states, the errors of its form factors sent on through the room
 //   sampled   error: what it states, from 32 replicates, and, as docs/theory.md states, 0.1 % for the closed
 //             form of direct light
-//   reference error: what it states, from batches of paths
+//   reference error: what it states, from batches of paths, and half a path that met the brightest there is,
+//   as
+//             lines do: where none met anything, the spread of none says nothing
 //   lines     error: what it states, multinomial
 //   shooting  error: arrivals are a Poisson count of quanta q, so sqrt(q (H + q / A) / A) at most; bound:
 //   what
@@ -169,7 +171,11 @@ class Room {
     options.bounces_from = BouncesFrom::patches;
     const auto report = trace_light(patches_, tracer_, s, options, workers_);
     EnergyBalance energy{report.emitted, report.absorbed, report.escaped, report.lost_at_backs, {}};
-    return with_stated_errors("reference", s, energy);
+    auto answer = with_stated_errors("reference", s, energy);
+    const auto brightest = *std::max_element(s.radiosity_front.begin(), s.radiosity_front.end());
+    for (auto& error : answer.error)
+      error = std::hypot(error, std::sqrt(0.5) * double{brightest} / static_cast<double>(report.paths));
+    return answer;
   }
 
   double area_of(std::size_t i) const {

@@ -15,7 +15,8 @@
 namespace luxel {
 namespace {
 
-constexpr double most_seconds = 0.3;  // of trials
+constexpr double most_seconds = 0.5;        // of trials
+constexpr std::uint64_t least_trials = 30;  // some pairs take a thousand times as long as others
 constexpr double operations_a_second = 1e9;
 constexpr double factors_a_second = 3e8;  // looked up in a sweep
 constexpr std::uint64_t trials = 0x666f7265u;
@@ -46,18 +47,19 @@ double seconds_each(std::uint64_t most, const std::function<void(std::uint64_t)>
   const auto begin = Clock::now();
   double seconds = 0.0;
   std::uint64_t done = 0;
-  while (done < most && seconds < most_seconds) {
+  while (done < most && (seconds < most_seconds || done < std::min(most, least_trials))) {
     trial(done++);
     seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
   return done > 0 ? seconds / static_cast<double>(done) : 0.0;
 }
 
-// Some front, picked at random.
-std::size_t front_of(const PatchSet& patches, std::uint64_t trial, std::size_t which) {
-  const auto share = uniform4(trials, trial)[which];
-  return side_of(static_cast<std::size_t>(static_cast<double>(share) * static_cast<double>(patches.size())),
-                 false);
+// Some side that gathers, picked at random.
+std::size_t some_side(const PatchSet& patches, std::uint64_t trial, std::size_t which) {
+  const auto u = uniform4(trials + which, trial);
+  const auto patch =
+      static_cast<std::size_t>(static_cast<double>(u[0]) * static_cast<double>(patches.size()));
+  return side_of(patch, patches.material_of(patch).two_sided && u[1] < 0.5f);
 }
 
 }  // namespace
@@ -72,12 +74,10 @@ Forecast forecast_dense(const PatchSet& patches, const Tracer& tracer, const Den
   std::uint64_t tried = 0;
   const auto a_pair = seconds_each(2000, [&](std::uint64_t k) {
     const auto factor =
-        form_factors.between(front_of(patches, k, 0), front_of(patches, k, 1), options.factors.tolerance);
+        form_factors.between(some_side(patches, k, 0), some_side(patches, k, 1), options.factors.tolerance);
     integrated += factor.exact ? 0.0 : 1.0;
     ++tried;
   });
-  // Of the pairs of sides those of two backs, or a back and a front, mostly do not face each other; taken as
-  // the fronts they are the worst case.
   const auto pairs = n * n / 2.0;
   forecast.seconds = pairs * a_pair / workers.threads();
   forecast.bytes = 4 * forecast.sides * forecast.sides +
@@ -99,7 +99,7 @@ Forecast forecast_hemicube(const PatchSet& patches, const HemicubeSolveOptions& 
   forecast.sides = gathering_sides(patches);
   Hemicube hemicube(patches, options.hemicube);
   FormFactorRow row;
-  const auto a_row = seconds_each(200, [&](std::uint64_t k) { hemicube.row(front_of(patches, k, 0), row); });
+  const auto a_row = seconds_each(200, [&](std::uint64_t k) { hemicube.row(some_side(patches, k, 0), row); });
   const auto passes = steps_of(patches, options.iteration) + 1.0;  // and once for the losses
   forecast.seconds = passes * static_cast<double>(forecast.sides) * a_row / workers.threads();
   const auto pixels = static_cast<std::uint64_t>(options.hemicube.resolution * options.hemicube.resolution);
@@ -116,7 +116,7 @@ Forecast forecast_lines(const PatchSet& patches, const Tracer& tracer, const Lin
   double entries = 0.0;
   std::uint64_t tried = 0;
   const auto a_row = seconds_each(200, [&](std::uint64_t k) {
-    count_local_lines(patches, tracer, front_of(patches, k, 0), options.lines.lines, options.lines.seed, 0,
+    count_local_lines(patches, tracer, some_side(patches, k, 0), options.lines.lines, options.lines.seed, 0,
                       counts);
     entries += static_cast<double>(counts.entries.size());
     ++tried;

@@ -17,9 +17,9 @@ struct Forecast {
   std::uint64_t bytes = 0;  // at the peak, beside patches and tracer
 };
 
-// Judged from a few form factors, hemicubes or lines that are made and timed, about a third of a second, and
-// from how fast light decays at the mean reflectance. Good to a factor of two or three: meant to tell minutes
-// from days. Depends on the machine and its load.
+// Judged from a few form factors, hemicubes or lines that are made and timed, half a second or a little more,
+// and from how fast light decays at the mean reflectance. Good to a factor of two or three: meant to tell
+// minutes from days. Depends on the machine and its load.
 Forecast forecast_dense(const PatchSet& patches, const Tracer& tracer, const DenseSolveOptions& options,
                         const Workers& workers);
 Forecast forecast_hemicube(const PatchSet& patches, const HemicubeSolveOptions& options,

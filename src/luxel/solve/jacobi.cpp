@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "luxel/transport/row_turns.h"
+
 namespace luxel {
 namespace {
 
@@ -27,10 +29,12 @@ double done_share(double unshot_share, double tolerance) {
 bool gather(const TransportOperator& transport, std::span<const float> radiosity, std::span<float> irradiance,
             const Workers& workers, const std::function<Next(double)>& has_come_so_far) {
   const auto begins = transport.row_begins();
-  const auto turn = 2 * static_cast<std::size_t>(workers.threads());
+  TurnLength turn(static_cast<std::size_t>(workers.threads()));
   for (std::size_t block = 0; block + 1 < begins.size();) {
-    const auto next = std::min(block + turn, begins.size() - 1);
+    const auto next = std::min(block + turn.length(), begins.size() - 1);
+    turn.begin();
     transport.apply(radiosity, irradiance, begins[block], begins[next], workers);
+    turn.end();
     block = next;
     if (has_come_so_far(static_cast<double>(block) / static_cast<double>(begins.size() - 1)) == Next::stop)
       return false;

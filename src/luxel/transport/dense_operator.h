@@ -13,7 +13,7 @@
 namespace luxel {
 
 struct DenseOptions {
-  double tolerance = 1e-5;  // absolute, of each form factor, where what lies between must be integrated
+  double tolerance = 1e-4;  // absolute, of each form factor, where what lies between must be integrated
 };
 
 // Transport as the whole matrix of form factors (Goral et al. 1984; closed forms of Schröder and Hanrahan

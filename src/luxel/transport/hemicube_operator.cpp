@@ -10,7 +10,7 @@ std::optional<HemicubeOperator> HemicubeOperator::make(const PatchSet& patches,
                                                        const Monitor& monitor) {
   HemicubeOperator transport(patches, options, workers);
   const bool is_whole =
-      for_chunks_in_turns(transport.size(), 4, workers, monitor, [&](std::size_t begin, std::size_t end) {
+      for_chunks_in_turns(transport.size(), 1, workers, monitor, [&](std::size_t begin, std::size_t end) {
         Hemicube hemicube(patches, options);
         FormFactorRow row;
         for (auto slot = begin; slot < end; ++slot) {

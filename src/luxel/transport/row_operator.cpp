@@ -6,7 +6,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t rows_a_block = 16;
+constexpr std::size_t rows_a_block = 4;
 
 }  // namespace
 
