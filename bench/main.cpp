@@ -25,7 +25,7 @@ constexpr Section sections[] = {
     {"limit", "solve_over_embree", against_embree},
     {"gather", "sampled_over_embree", sampled_against_embree},
     {"polygons", "time_against_polygons", against_polygons},
-    {"lamps", "lamp_of_128_over_lamp_of_2", against_lamps},
+    {"lamps", "time_against_lamps", against_lamps},
     {"threads", "thread_scaling", against_threads},
     {"error", "error_against_time", error_against_time},
     {"variance", "variance_reduction", variance_reduction},

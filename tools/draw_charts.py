@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws what luxel-bench measured: draw_charts.py BENCH.json FOLDER.
 
-One SVG a scene (error-NAME.svg: true error against processor time, each method a line) and cost-per-patch.svg, from
-those sections that the file has. Their names are printed. Both axes are logarithmic; each point says its numbers when
+One SVG a scene (error-NAME.svg: true error against processor time, each method a line), cost-per-patch.svg,
+time-against-polygons.svg and time-against-lamps.svg, from those sections that the file has. Their names are printed. Both axes are logarithmic; each point says its numbers when
 pointed at; light and dark pages are both served. The same file gives the same bytes.
 """
 import json
@@ -18,7 +18,8 @@ LEFT, RIGHT, TOP, BOTTOM = 72, 190, 56, 64
 LABEL_STEP = 38  # px between two labels in the gutter, which take two lines each
 
 # Series tell themselves apart by colour and by the shape of their points. Light page, dark page.
-COLOURS = [("#1f66d0", "#6ea8ff"), ("#b4540a", "#ffa657"), ("#2b7d3c", "#6fd083"), ("#8a3ea8", "#d49bf0")]
+COLOURS = [("#1f66d0", "#6ea8ff"), ("#b4540a", "#ffa657"), ("#2b7d3c", "#6fd083"), ("#8a3ea8", "#d49bf0"),
+           ("#b3273f", "#ff8f9d"), ("#5c636e", "#a3abb6")]
 
 
 def style():
@@ -192,6 +193,41 @@ def cost_chart(section):
                  f"times that at {rows[0]['patches']:,} patches", number, series))
 
 
+def plain(name, note, points):
+    return {"name": name, "note": note, "points": points, "beyond": None}
+
+
+def polygons_chart(rows):
+    first = rows[0]
+    measured = [(r["polygons"], r["ratio_to_first"],
+                 f"{r['polygons']:,} polygons: {number(r['nanoseconds_a_ray'])} ns a ray") for r in rows]
+    logarithm = [(r["polygons"], math.log(r["polygons"]) / math.log(first["polygons"]), "the logarithm") for r in rows]
+    return chart("Time of a ray against the number of polygons", "polygons",
+                 f"times that at {first['polygons']:,} polygons", number,
+                 [plain("measured", f"{number(rows[-1]['nanoseconds_a_ray'])} ns at the end", measured),
+                  plain("the logarithm", "of the polygons", logarithm)])
+
+
+def lamps_chart(rows):
+    points = [(r["triangles"], r["ratio"], f"{r['triangles']} triangles: {r['ratio']:.3f} ({r['ratio_low']:.3f} to "
+               f"{r['ratio_high']:.3f})") for r in rows]
+    return chart("Time of a solve against the triangles of its lamp", "triangles of the lamp, power the same",
+                 "times that with 2 triangles", number,
+                 [plain("measured", f"{rows[-1]['ratio']:.2f} at the end", points)], 1.0)
+
+
+def methods_chart(section):
+    """Every method on one mesh: {patches, methods: {name: [{setting, cpu_seconds, true_error}]}}."""
+    series = []
+    for name, runs in section["methods"].items():
+        points = [(r["cpu_seconds"], r["true_error"],
+                   f"{name}, {r['setting']}: {number(r['cpu_seconds'])} s, {percent(r['true_error'])}") for r in runs]
+        best = min(r["true_error"] for r in runs)
+        series.append(plain(name, f"down to {percent(best)}", points))
+    return chart(f"Error against time, Cornell box with {section['patches']:,} patches", "processor time, s",
+                 "true error of the light (relative RMS)", percent, series, 0.01)
+
+
 def main(words):
     if len(words) != 3:
         sys.exit(f"usage: {words[0]} BENCH.json FOLDER")
@@ -203,6 +239,10 @@ def main(words):
         charts += error_charts(bench["error_against_time"])
     if "cost_per_patch" in bench:
         charts += cost_chart(bench["cost_per_patch"])
+    if "time_against_polygons" in bench:
+        charts.append(("time-against-polygons.svg", polygons_chart(bench["time_against_polygons"])))
+    if "time_against_lamps" in bench:
+        charts.append(("time-against-lamps.svg", lamps_chart(bench["time_against_lamps"])))
     for name, svg in charts:
         path = os.path.join(words[2], name)
         with open(path, "w", encoding="utf-8", newline="\n") as file:
