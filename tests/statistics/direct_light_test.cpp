@@ -135,6 +135,24 @@ TEST(DirectLight, a_lamp_half_hidden_is_unbiased_with_every_option) {
     room.expect_truth(side_of(room.first_of("floor"), false), options);
 }
 
+// A panel that hangs askew, made of 72 triangles: one lamp, whose pieces stand in nobody's way.
+TEST(DirectLight, a_meshed_panel_half_hidden_is_unbiased_with_every_option) {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f).triangle({0, 0, 0}, {0.3f, 0, 0}, {0, 0.3f, 0});
+  builder.material("shelf", 0.5f, 0.0f).quad({0.5f, 0, 1}, {0.9f, 0, 1}, {0.9f, 2, 1}, {0.5f, 2, 1});
+  builder.material("lamp", 0.5f, 10.0f);
+  const auto at = [](int i, int j) {
+    return Vec3(0.9f, 0.8f, 2.8f) + static_cast<float>(i) / 6.0f * Vec3(0.1f, 0.9f, 0.3f) +
+           static_cast<float>(j) / 6.0f * Vec3(0.8f, -0.1f, 0.2f);
+  };
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) builder.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  const Room room(builder.scene());
+  ASSERT_EQ(room.lamps.size(), 2u);
+  for (const auto& options : all_options())
+    room.expect_truth(side_of(room.first_of("floor"), false), options);
+}
+
 TEST(DirectLight, a_side_that_sees_no_lamp_is_dark) {
   auto builder = lamp_and_floor();
   builder.material("cover", 0.5f, 0.0f).quad({0, 0, 2}, {3, 0, 2}, {3, 3, 2}, {0, 3, 2});

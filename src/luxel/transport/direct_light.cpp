@@ -208,7 +208,8 @@ DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& cho
 DirectLight::Term DirectLight::look_round(const Side& side, const LampChoices& choices,
                                           const Ray& ray) const {
   const auto hit = tracer_.nearest(ray);
-  const auto lamp = hit && !hit.back ? lamps_.lamp_of_patch(hit.patch) : Lamps::no_lamp;
+  const auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, ray.origin + hit.distance * ray.direction)
+                                     : Lamps::no_lamp;
   const auto& normal = side.emitter.normal();
   const auto cosine = static_cast<double>(glm::dot(normal, ray.direction));
   if (lamp == Lamps::no_lamp || !(cosine > 0.0)) return {.rays = 1};

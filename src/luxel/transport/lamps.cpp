@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "luxel/math/triangle.h"
+#include "luxel/transport/join_lamps.h"
 
 namespace luxel {
 namespace {
@@ -40,36 +41,74 @@ std::array<Vec3, 3> joined(const PatchSet& patches, std::size_t begin, std::size
   return {a, b, c};
 }
 
+// What the mesh has of lamps: input triangles where patches fill them, else patches.
+struct Pieces {
+  std::vector<LampPiece> pieces;
+  std::vector<std::uint32_t> patches;  // all that shine
+  std::vector<std::uint32_t> piece;    // [i], of patches[i]
+
+  explicit Pieces(const PatchSet& all) {
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      for (end = begin + 1; end < all.size() && all.triangle[end] == all.triangle[begin] &&
+                            all.material[end] == all.material[begin];)
+        ++end;
+      if (!all.material_of(begin).is_lamp()) continue;
+      const auto area = std::accumulate(all.area.data() + begin, all.area.data() + end, 0.0);
+      const auto whole = joined(all, begin, end);
+      if (std::fabs(triangle_area(whole[0], whole[1], whole[2]) - area) <= area_tolerance * area) {
+        add(all, whole, begin, end);
+      } else {
+        for (auto p = begin; p < end; ++p) add(all, all.points(p), p, p + 1);
+      }
+    }
+  }
+
+ private:
+  void add(const PatchSet& all, const std::array<Vec3, 3>& corner, std::size_t begin, std::size_t end) {
+    if (!(triangle_area(corner[0], corner[1], corner[2]) > 0.0)) return;
+    for (auto p = begin; p < end; ++p) {
+      patches.push_back(static_cast<std::uint32_t>(p));
+      piece.push_back(static_cast<std::uint32_t>(pieces.size()));
+    }
+    pieces.push_back({corner, static_cast<std::size_t>(all.material[begin])});
+  }
+};
+
 }  // namespace
 
 Lamps::Lamps(const PatchSet& patches)
     : lamp_of_patch_(patches.size(), no_lamp), bands_(patches.band_count()) {
-  for (std::size_t begin = 0, end = 0; begin < patches.size(); begin = end) {
-    for (end = begin + 1; end < patches.size() && patches.triangle[end] == patches.triangle[begin] &&
-                          patches.material[end] == patches.material[begin];)
-      ++end;
-    const auto& material = patches.material_of(begin);
-    if (!material.is_lamp()) continue;
-    const auto area = std::accumulate(patches.area.data() + begin, patches.area.data() + end, 0.0);
-    const auto whole = joined(patches, begin, end);
-    const auto newest = [this] { return static_cast<std::uint32_t>(triangles_.size() - 1); };
-    if (std::fabs(triangle_area(whole[0], whole[1], whole[2]) - area) <= area_tolerance * area) {
-      if (add(whole, material))
-        for (auto p = begin; p < end; ++p) lamp_of_patch_[p] = newest();
-    } else {
-      for (auto p = begin; p < end; ++p)
-        if (add(patches.points(p), material)) lamp_of_patch_[p] = newest();
+  const Pieces found(patches);
+  std::vector<std::uint32_t> lamp_of_piece(found.pieces.size());
+  for (const auto& lamp : join_lamps(found.pieces)) {
+    for (const auto p : lamp.pieces) lamp_of_piece[p] = static_cast<std::uint32_t>(triangles_.size());
+    const auto& material = patches.materials[found.pieces[lamp.pieces[0]].material];
+    for (std::size_t i = 2; i < lamp.corners.size(); ++i) {
+      add({lamp.corners[0], lamp.corners[i - 1], lamp.corners[i]}, material);
+      triangles_.back().fan_goes_on = i + 1 < lamp.corners.size();
     }
   }
+  for (std::size_t i = 0; i < found.patches.size(); ++i)
+    lamp_of_patch_[found.patches[i]] = lamp_of_piece[found.piece[i]];
 }
 
-bool Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material) {
+std::uint32_t Lamps::lamp_at(std::size_t patch, const Vec3& point) const {
+  auto lamp = lamp_of_patch_[patch];
+  if (lamp == no_lamp) return lamp;
+  // Past the third corner, seen from the first?
+  for (; triangles_[lamp].fan_goes_on; ++lamp) {
+    const auto& t = triangles_[lamp];
+    if (glm::dot(t.normal, area_vector2(t.corner[0], t.corner[2], point)) <= 0.0) break;
+  }
+  return lamp;
+}
+
+void Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material) {
   LampTriangle lamp;
   lamp.corner = corner;
   const auto [a, b, c] = corner;
   const auto normal2 = area_vector2(a, b, c);
   lamp.area = 0.5 * glm::length(normal2);
-  if (!(lamp.area > 0.0)) return false;
   lamp.normal = normal2 / (2.0 * lamp.area);
   lamp.longest_edge = std::max(
       {glm::length(Vec3d(b) - Vec3d(a)), glm::length(Vec3d(c) - Vec3d(b)), glm::length(Vec3d(a) - Vec3d(c))});
@@ -85,7 +124,6 @@ bool Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material)
     if (std::fabs(share - colour_[band]) > colour_tolerance) one_colour_ = false;
   }
   triangles_.push_back(lamp);
-  return true;
 }
 
 }  // namespace luxel

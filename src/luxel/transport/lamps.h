@@ -18,22 +18,24 @@ struct LampTriangle {
   double area = 0.0;           // m²
   double longest_edge = 0.0;   // m
   double weight = 0.0;         // radiance summed over bands, W/(m² sr)
+  bool fan_goes_on = false;    // the next triangle is of the same polygon, between the same first corner and
+                               // this one's third
 };
 
-// The lamps of a scene as they were before they were cut into patches. Read-only after it was made; memory
-// about 150 bytes a triangle
-// and 4 a patch.
+// The lamps of a scene as they were before they were cut into patches and meshed: flat convex ones as a few
+// large triangles, so that little has to be chosen and what they give has a closed form. Read-only after it
+// was made; memory about 150 bytes a triangle and 4 a patch.
 class Lamps {
  public:
-  // Joins the patches of each emitting input triangle; where they do not fill a triangle they stay apart.
+  // Joins the patches of each emitting input triangle, where they fill it, and what join_lamps() can.
   explicit Lamps(const PatchSet& patches);
 
   std::span<const LampTriangle> triangles() const { return triangles_; }
   std::size_t size() const { return triangles_.size(); }
   std::size_t bands() const { return bands_; }
-  // The triangle that a patch is part of, or no_lamp.
+  // The triangle that a point of a patch is part of, or no_lamp.
   static constexpr std::uint32_t no_lamp = 0xffffffffu;
-  std::uint32_t lamp_of_patch(std::size_t patch) const { return lamp_of_patch_[patch]; }
+  std::uint32_t lamp_at(std::size_t patch, const Vec3& point) const;
   // Of one triangle's front, W/(m² sr), [band].
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
@@ -43,11 +45,10 @@ class Lamps {
   std::span<const double> colour() const { return colour_; }
 
  private:
-  // Whether it has an area.
-  bool add(const std::array<Vec3, 3>& corner, const BandMaterial& material);
+  void add(const std::array<Vec3, 3>& corner, const BandMaterial& material);
 
   std::vector<LampTriangle> triangles_;
-  std::vector<std::uint32_t> lamp_of_patch_;
+  std::vector<std::uint32_t> lamp_of_patch_;  // the first of its polygon
   std::size_t bands_ = 0;
   std::vector<float> radiance_;  // [triangle][band]
   bool one_colour_ = true;
