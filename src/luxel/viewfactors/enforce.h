@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "luxel/parallel/workers.h"
+#include "luxel/report/progress.h"
 #include "luxel/viewfactors/view_factors.h"
 
 namespace luxel {
@@ -14,6 +17,9 @@ struct Enforcement {
   double worst_row_sum_before = 0.0;  // |sum - 1| after both directions were joined
   double worst_row_sum = 0.0;         // after all
   int steps = 0;                      // of Newton
+  int passes = 0;                     // over all exchange areas
+  std::uint64_t count = 0;  // listed factors after it: a pair seen from one side alone is listed twice
+  bool is_stopped = false;  // by the monitor, before all laws held
 };
 
 // Makes view factors keep their laws: all known rows sum to 1, A_i F_ij = A_j F_ji, none below 0.
@@ -29,7 +35,9 @@ struct Enforcement {
 // Weighted least squares after van Leersum 1989, Lawson 1995, Taylor and Luck 1995, and Clarksean and Solbrig
 // 1994; here with bounds, solved for the rows' multipliers by Newton's method and conjugate gradients.
 // Standard errors become those of step 1. Every row must be known, else InputError. The same bits on any
-// number of threads. Memory: about 44 bytes a listed factor more. Cost: some hundred passes over the factors.
-Enforcement enforce_laws(ViewFactors& factors, const Workers& workers);
+// number of threads. Memory: 20 bytes for each factor listed after it more, which then are the factors. Cost:
+// some tens of passes over the factors. Where the monitor says stop during step 1, factors stay as they were;
+// later, reciprocity and bounds hold and rows sum to 1 but for worst_row_sum.
+Enforcement enforce_laws(ViewFactors& factors, const Workers& workers, const Monitor& monitor = {});
 
 }  // namespace luxel

@@ -4,56 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "luxel/viewfactors/reverse_rows.h"
+
 namespace luxel {
 namespace {
 
 constexpr std::size_t rows_a_chunk = 256;
 
-// Who sees element j, rows rising, and where that factor stands.
-struct Transposed {
-  std::vector<std::uint64_t> begin;  // [element + 1]
-  std::vector<std::uint32_t> row;
-  std::vector<std::uint64_t> at;
-};
-
-Transposed transposed(const ViewFactors& f) {
-  Transposed t;
-  t.begin.assign(f.size() + 1, 0);
-  for (const auto j : f.column) ++t.begin[j + 1];
-  for (std::size_t j = 0; j < f.size(); ++j) t.begin[j + 1] += t.begin[j];
-  t.row.resize(f.count());
-  t.at.resize(f.count());
-  auto next = t.begin;
-  for (std::uint32_t i = 0; i < f.size(); ++i)
-    for (auto at = f.row_begin[i]; at < f.row_begin[i + 1]; ++at) {
-      const auto to = next[f.column[at]]++;
-      t.row[to] = i;
-      t.at[to] = at;
-    }
-  return t;
-}
-
-// Calls body(j, place of F_ij, place of F_ji) for every j of row i with either; count() where there is none.
-template <typename Body>
-void for_row(const ViewFactors& f, const Transposed& t, std::size_t i, Body body) {
-  auto a = f.row_begin[i];
-  auto b = t.begin[i];
-  while (a < f.row_begin[i + 1] || b < t.begin[i + 1]) {
-    const auto from = a < f.row_begin[i + 1] ? f.column[a] : 0xffffffffu;
-    const auto to = b < t.begin[i + 1] ? t.row[b] : 0xffffffffu;
-    const auto j = std::min(from, to);
-    body(j, from == j ? a++ : f.count(), to == j ? t.at[b++] : f.count());
-  }
-}
-
 struct Estimate {
   double value = 0.0, variance = 0.0;
 };
 
-Estimate exchange(const ViewFactors& f, std::size_t i, std::uint64_t at) {
-  if (at >= f.count()) return {};
-  const auto error = f.area[i] * static_cast<double>(f.standard_error[at]);
-  return {f.area[i] * f.factor[at], error * error};
+Estimate exchange(double area, double factor, float standard_error) {
+  const auto error = area * static_cast<double>(standard_error);
+  return {area * factor, error * error};
 }
 
 // Alike whichever is first: sums and products of two know no order.
@@ -70,11 +34,31 @@ double counted_variance(double value, double density, double full) {
   return (value + half) / density * std::max(1.0 - value / full, 0.5 / (density * full + 1.0));
 }
 
+// Calls body(run's reverse rows, its first row, its last) for all runs; false where the monitor said stop.
+template <typename Body>
+bool for_runs(const ViewFactors& f, const Workers& workers, const Monitor& monitor, double done_before,
+              Body body) {
+  const auto grain = ReverseRows::rows_a_run(f);
+  const auto turn = grain * static_cast<std::size_t>(workers.threads());
+  std::vector<ReverseRows> reverse(static_cast<std::size_t>(workers.threads()));
+  for (std::size_t from = 0; from < f.size(); from += turn) {
+    const auto done = done_before + 0.5 * static_cast<double>(from) / static_cast<double>(f.size());
+    if (tell(monitor, {"join", done}) == Next::stop) return false;
+    workers.for_chunks(std::min(turn, f.size() - from), grain,
+                       [&](std::size_t begin, std::size_t end, int worker) {
+                         auto& own = reverse[static_cast<std::size_t>(worker)];
+                         own.fill(f, from + begin, from + end);
+                         for (auto i = from + begin; i < from + end; ++i) body(own, i);
+                       });
+  }
+  return true;
+}
+
 }  // namespace
 
-ExchangeAreas join_directions(const ViewFactors& factors, const Workers& workers) {
+std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const Workers& workers,
+                                             const Monitor& monitor) {
   const auto n = factors.size();
-  const auto t = transposed(factors);
   ExchangeAreas areas;
   areas.weight.resize(n);
   for (std::size_t i = 0; i < n; ++i) areas.weight[i] = factors.rays[i] / factors.area[i];
@@ -82,35 +66,42 @@ ExchangeAreas join_directions(const ViewFactors& factors, const Workers& workers
     areas.sink[k].value.resize(n);
     areas.sink[k].variance.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto error = factors.area[i] * static_cast<double>(factors.sink[k].standard_error[i]);
-      areas.sink[k].value[i] = factors.area[i] * factors.sink[k].factor[i];
-      areas.sink[k].variance[i] = error * error;
+      const auto sink =
+          exchange(factors.area[i], factors.sink[k].factor[i], factors.sink[k].standard_error[i]);
+      areas.sink[k].value[i] = sink.value;
+      areas.sink[k].variance[i] = sink.variance;
     }
   }
   areas.row_begin.assign(n + 1, 0);
-  workers.for_chunks(n, rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = begin; i < end; ++i)
-      for_row(factors, t, i, [&](std::uint32_t, std::uint64_t, std::uint64_t) { ++areas.row_begin[i + 1]; });
-  });
+  if (!for_runs(factors, workers, monitor, 0.0, [&](const ReverseRows& reverse, std::size_t i) {
+        reverse.for_row(factors, i, [&](std::uint32_t, std::uint64_t, const ReverseRows::Entry*) {
+          ++areas.row_begin[i + 1];
+        });
+      }))
+    return {};
   for (std::size_t i = 0; i < n; ++i) areas.row_begin[i + 1] += areas.row_begin[i];
   areas.column.resize(areas.row_begin[n]);
   areas.value.resize(areas.row_begin[n]);
+  areas.standard_error.resize(areas.row_begin[n]);
   areas.variance.resize(areas.row_begin[n]);
-  workers.for_chunks(n, rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = begin; i < end; ++i) {
-      auto to = areas.row_begin[i];
-      for_row(factors, t, i, [&](std::uint32_t j, std::uint64_t own, std::uint64_t other) {
-        const auto a = exchange(factors, i, own);
-        const auto b = exchange(factors, j, other);
-        const bool is_counted = areas.weight[i] > 0.0 && areas.weight[j] > 0.0;
-        const auto both =
-            j == i ? a : joined(a, is_counted ? areas.weight[i] : 1.0, b, is_counted ? areas.weight[j] : 1.0);
-        areas.column[to] = j;
-        areas.value[to] = both.value;
-        areas.variance[to++] = static_cast<float>(both.variance);
-      });
-    }
-  });
+  if (!for_runs(factors, workers, monitor, 0.5, [&](const ReverseRows& reverse, std::size_t i) {
+        auto to = areas.row_begin[i];
+        reverse.for_row(factors, i, [&](std::uint32_t j, std::uint64_t own, const ReverseRows::Entry* other) {
+          Estimate a, b;
+          if (own < factors.count())
+            a = exchange(factors.area[i], factors.factor[own], factors.standard_error[own]);
+          if (other) b = exchange(factors.area[j], other->factor, other->standard_error);
+          const bool is_counted = areas.weight[i] > 0.0 && areas.weight[j] > 0.0;
+          const auto both =
+              j == i ? a
+                     : joined(a, is_counted ? areas.weight[i] : 1.0, b, is_counted ? areas.weight[j] : 1.0);
+          areas.column[to] = j;
+          areas.value[to] = both.value;
+          areas.standard_error[to] = static_cast<float>(std::sqrt(both.variance) / factors.area[i]);
+          areas.variance[to++] = static_cast<float>(both.variance);
+        });
+      }))
+    return {};
   return areas;
 }
 

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "luxel/parallel/workers.h"
+#include "luxel/report/progress.h"
 #include "luxel/viewfactors/view_factors.h"
 
 namespace luxel {
@@ -15,8 +17,11 @@ namespace luxel {
 struct ExchangeAreas {
   std::vector<std::uint64_t> row_begin;  // [element + 1]
   std::vector<std::uint32_t> column;
-  std::vector<double> value;    // m²
-  std::vector<float> variance;  // m⁴, measured; after smooth_variances() what weights are made of
+  std::vector<double> value;          // m²
+  std::vector<float> standard_error;  // measured, of the factor: value / area of the row
+  // m⁴, what weights are made of, see enforce_laws(). balance_rows() notes by a minus which areas it holds at
+  // 0.
+  std::vector<float> variance;
   struct SinkColumn {
     std::vector<double> value;     // [element], m²
     std::vector<double> variance;  // [element], m⁴
@@ -27,10 +32,13 @@ struct ExchangeAreas {
   std::size_t size() const { return weight.size(); }
 };
 
-// Joins the two estimates of each exchange area, see enforce_laws().
-ExchangeAreas join_directions(const ViewFactors& factors, const Workers& workers);
+// Joins the two estimates of each exchange area. Nothing where the monitor said stop. Memory: 20 bytes for
+// each that is listed.
+std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const Workers& workers,
+                                             const Monitor& monitor);
 
-// Mixes the measured variances with those of counts, half and half, so that none is 0 by chance.
+// Sets the weights' variances: the measured ones mixed with those of counts, half and half, so that none is 0
+// by chance.
 void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Workers& workers);
 
 }  // namespace luxel
