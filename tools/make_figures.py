@@ -21,10 +21,12 @@ SECTIONS = {
     "steps": (pictures.jacobi_steps, [f"jacobi-step-{n}.png" for n in pictures.STEPS]),
     "patches": (pictures.too_few_patches, [f"patches-{mesh}-{look}.png" for mesh in pictures.MESHES
                                            for look in ("flat", "smooth")] + ["patches-none.png"]),
-    "colour": (pictures.colour_noise, ["noise-shared.png", "noise-separate.png", "noise-separate-thrice.png"]),
+    "colour": (pictures.colour_noise, ["noise-shared.png", "noise-separate.png", "noise-separate-thrice.png",
+                                        "noise.svg"]),
     "methods": (pictures.beside_path_tracing,
                 ["method-path-traced.png", "method-gathered.png", "method-gathered-difference.png"] +
-                [f"method-{method}{what}.png" for method in pictures.METHODS for what in ("", "-difference", "-patches")]),
+                [f"method-{method}{what}.png" for method in pictures.METHODS
+                 for what in ("", "-difference", "-patches")]),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),
     "bench": (measured.bench, ["time-against-polygons.svg", "time-against-lamps.svg"]),

@@ -8,6 +8,9 @@ endforeach()
 add_test(NAME "house: the benchmark's charts say what was measured"
          COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/draw_charts_test.py)
 
+add_test(NAME "house: every picture of the documents is committed or made by ./dev docs"
+         COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/figures_test.py)
+
 # One source file a header with nothing before it, compiled with the outside libraries of its own room: a header that
 # leans on what others include, or lets another room's library through, fails. The programs may include everything.
 function(luxel_headers_alone room)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures that are charts and tables. Each function writes its files into `folder`, and returns what it measured."""
+"""The figures that are charts and tables. Each function makes its files in `folder`, and returns what it measured."""
 import json
 import math
 import os
@@ -14,7 +14,8 @@ SETTINGS = {
     "sampled": [("--error", e) for e in ("4%", "2%", "1%", "0.5%", "0.2%", "0.1%")],
     "shooting": [("--rays", n) for n in ("30k", "100k", "300k", "1M", "3M", "10M")],
     "lines": [("--lines", n) for n in (100, 300, 1000, 3000, 10000, 30000)],
-    "hemicube": [("--hemicube-resolution", r, "--hemicube-points", p) for r, p in ((32, 1), (128, 1), (128, 4), (256, 16))],
+    "hemicube": [("--hemicube-resolution", pixels, "--hemicube-points", points)
+                 for pixels, points in ((32, 1), (128, 1), (128, 4), (256, 16))],
     "dense": [("--factor-tolerance", t) for t in ("1e-1", "1e-2")],
 }
 PATHS = (16, 64, 256, 1024, 4096)
@@ -48,20 +49,18 @@ def error_against_time(luxel, folder):
 
 
 def furnace(luxel, folder):
-    """In a closed room whose walls all emit and reflect alike, light is the same everywhere and known: E / (1 - rho)."""
+    """In a closed room whose walls all emit and reflect alike, light is the same everywhere: E / (1 - rho)."""
     room, lit = write_furnace(luxel.place), luxel.at("furnace.ply")
-    result = []
+    exact, result = [1 / (1 - rho) for rho in FURNACE_REFLECTANCES], []
     for method in ("sampled", "shooting", "dense", "hemicube", "lines"):
         luxel.run("bake", room, "--method", method, "--max-edge", 1.0, "--crease-angle", 0, "-o", lit)
-        light = [[h / (math.pi * FURNACE_RADIANCE) for h in vertex] for vertex in ply.irradiance(lit)]
-        bands = [[v[b] for v in light] for b in range(3)]
-        result.append({"method": method, "mean": [sum(b) / len(b) for b in bands],
-                       "low": [min(b) for b in bands], "high": [max(b) for b in bands]})
-    exact = [1 / (1 - rho) for rho in FURNACE_REFLECTANCES]
+        light = [[h / (math.pi * FURNACE_RADIANCE) for h in patch] for patch in ply.irradiance(lit).values()]
+        result.append({"method": method, "mean": [sum(v[b] for v in light) / len(light) for b in range(3)],
+                       "farthest_off": [max(abs(v[b] / x - 1) for v in light) for b, x in enumerate(exact)]})
     rows = [["exact: 1 / (1 − ρ)", *(f"{x:.4f}" for x in exact)]]
-    rows += [[r["method"], *(f"{m:.4f} ({lo:.3f} to {hi:.3f})" for m, lo, hi in zip(r["mean"], r["low"], r["high"]))]
+    rows += [[r["method"], *(f"{m:.4f} ({100 * off:.4f} %)" for m, off in zip(r["mean"], r["farthest_off"]))]
              for r in result]
-    write(folder, "furnace.svg", table("A furnace: radiosity over emittance, mean (lowest to highest patch)",
+    write(folder, "furnace.svg", table("A furnace: radiosity over emittance (and how far off the worst patch is)",
                                        ["", *(f"reflectance {rho}" for rho in FURNACE_REFLECTANCES)], rows))
     return result
 

@@ -6,6 +6,7 @@ import shutil
 
 from figures import ply, png
 from figures.scenes import BOX, view
+from figures.table import table
 
 STEPS = (1, 2, 3, 10)
 MESHES = {"coarse": 0.28, "middle": 0.07, "fine": 0.018}  # longest edges, m
@@ -37,22 +38,22 @@ def too_few_patches(luxel, folder):
             luxel.run("render", solution, "--crease-angle", angle, *LOOK, *view(luxel.choose(300, 60)),
                       "-o", os.path.join(folder, f"patches-{word}-{look}.png"))
         measured[word] = {"max_edge_m": edge, "patches": report["solution"]["patches"]}
-    luxel.run("reference", BOX, "--samples", luxel.choose(256, 16), *LOOK, *view(luxel.choose(300, 60)), "-o",
+    luxel.run("reference", BOX, "--samples", luxel.choose(512, 16), *LOOK, *view(luxel.choose(300, 60)), "-o",
               os.path.join(folder, "patches-none.png"))
     return measured
 
 
 def noise(light, truth):
-    """Relative RMS over the mesh of what is wrong with (brightness, colour): the mean over bands, and what each band
-    has beside it. All bands are first held against their own mean."""
-    mean = [sum(v[b] for v in truth) / len(truth) for b in range(3)]
+    """Relative RMS over triangles of what is wrong with (brightness, colour): the mean over bands, and what each band
+    has beside it. Every band is held against its own mean."""
+    mean = [sum(v[b] for v in truth.values()) / len(truth) for b in range(3)]
     brightness = colour = 0.0
-    for seen, true in zip(light, truth):
-        off = [(s - t) / m for s, t, m in zip(seen, true, mean)]
+    for place, true in truth.items():
+        off = [(s - t) / m for s, t, m in zip(light[place], true, mean)]
         grey = sum(off) / 3
         brightness += grey**2
         colour += sum((o - grey)**2 for o in off) / 3
-    return math.sqrt(brightness / len(truth)), math.sqrt(colour / len(truth))
+    return {"brightness": math.sqrt(brightness / len(truth)), "colour": math.sqrt(colour / len(truth))}
 
 
 def colour_noise(luxel, folder):
@@ -68,15 +69,34 @@ def colour_noise(luxel, folder):
     truth = bake("noise-truth", "--error", luxel.choose("0.5%", "8%"))
     shared = bake("noise-shared", "--method", "shooting", "--rays", rays)
     shutil.copyfile(luxel.at("noise-shared.png"), os.path.join(folder, "noise-shared.png"))
-    measured = {"shared": {"rays_at_first": rays, "noise": noise(shared, truth)}}
+    measured = {"shared": {"rays_at_first": rays, "noise": noise({place: light_of(shared, place) for place in truth},
+                                                                       truth)}}
     for word, share in (("separate", rays // 3), ("separate-thrice", rays)):
         names = [f"noise-{word}-{seed}" for seed in (1, 2, 3)]
         runs = [bake(name, "--method", "shooting", "--rays", share, "--seed", seed)
                 for seed, name in enumerate(names, 1)]
         png.band_of_each(os.path.join(folder, f"noise-{word}.png"), [luxel.at(f"{name}.png") for name in names])
-        light = [tuple(one[band] for band, one in enumerate(each)) for each in zip(*runs)]
-        measured[word] = {"rays_at_first": 3 * share, "noise": noise(light, truth)}
+        measured[word] = {"rays_at_first": 3 * share,
+                          "noise": noise({place: tuple(light_of(run, place)[band] for band, run in enumerate(runs))
+                                          for place in truth}, truth)}
+    write_noise(os.path.join(folder, "noise.svg"), measured)
     return measured
+
+
+def light_of(run, place):
+    """None where no ray came."""
+    return run.get(place, (0.0, 0.0, 0.0))
+
+
+def write_noise(path, measured):
+    names = {"shared": "shared rays", "separate": "three runs, the same rays in all",
+             "separate-thrice": "three runs, as many rays each"}
+    rows = [[name, f"{measured[word]['rays_at_first']:,}", *(f"{100 * measured[word]['noise'][what]:.1f} %"
+                                                           for what in ("brightness", "colour"))]
+            for word, name in names.items()]
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        file.write(table("Noise of the pictures above", ["", "first rays", "noise of brightness", "noise of colour"],
+                         rows))
 
 
 def beside_path_tracing(luxel, folder):

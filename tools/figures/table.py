@@ -4,7 +4,7 @@ from xml.sax.saxutils import escape
 
 from draw_charts import style
 
-WIDTH, ROW, MARGIN, FIRST = 760, 28, 24, 150
+WIDTH, ROW, MARGIN, FIRST = 760, 28, 24, 190
 
 
 def table(title, heads, rows):
