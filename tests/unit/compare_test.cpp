@@ -46,6 +46,22 @@ TEST(CompareSolutions, weighs_by_area_and_signs_the_bias) {
   EXPECT_NEAR(c.largest[1].b, 0.9, 1e-6);
 }
 
+TEST(CompareSolutions, judges_by_the_errors_of_the_whole_where_one_states_no_others) {
+  auto a = two_patches(2.0f, 1.0f);
+  set_errors(a, 0.001f);
+  a.solution.predicted_error = 0.03;
+  auto near = two_patches(2.08f, 0.96f);  // relative RMS 0.040
+  EXPECT_FALSE(compare_solutions(a, near).agrees().has_value()) << "the other states no error at all";
+  near.solution.predicted_error = 0.04;
+  const auto c = compare_solutions(a, near);
+  EXPECT_EQ(c.scored, 0u);
+  EXPECT_NEAR(c.expected_rms, 0.05, 1e-12);
+  EXPECT_TRUE(c.agrees().value());
+  auto far = two_patches(2.16f, 0.92f);
+  far.solution.predicted_error = 0.04;
+  EXPECT_FALSE(compare_solutions(a, far).agrees().value());
+}
+
 TEST(CompareSolutions, scores_against_both_error_bars) {
   auto a = two_patches(2.0f, 1.0f);
   auto b = two_patches(2.5f, 1.0f);

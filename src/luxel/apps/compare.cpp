@@ -133,9 +133,11 @@ class Compare final : public Command {
                    {"mean_square", c.mean_z2},
                    {"within_1.96", c.within},
                    {"beyond_6", c.outliers}};
-      json["expected_rms"] = c.expected_rms;
       json["bias_error"] = c.bias_error;
-      json["agree"] = *c.agrees();
+    }
+    if (const auto agree = c.agrees()) {
+      json["expected_rms"] = c.expected_rms;
+      json["agree"] = *agree;
     }
     json["largest"] = Json::array();
     for (const auto& d : c.largest) {
@@ -152,15 +154,17 @@ class Compare final : public Command {
   static std::string sentences(const Comparison& c, const char* of, const Json& largest) {
     auto text = fmt::format("{} numbers ({})\nrelative RMS {:.3g} %, mean bias {:+.3g} % of A\n", c.numbers,
                             of, 100.0 * c.relative_rms, 100.0 * c.mean_bias);
-    if (const auto agree = c.agrees())
+    if (c.scored > 0)
       text += fmt::format(
           "the stated errors explain {:.3g} % and a bias of {:.2g} %\n"
-          "z-scores of {}: mean square {:.3g} (about 1), {:.1f} % within 1.96 (about 95 %), {} beyond "
-          "6\n{}\n",
-          100.0 * c.expected_rms, 100.0 * c.bias_error, c.scored, c.mean_z2, 100.0 * c.within, c.outliers,
-          *agree ? "A and B agree within their errors" : "A and B do NOT agree within their errors");
+          "z-scores of {}: mean square {:.3g} (about 1), {:.1f} % within 1.96 (about 95 %), {} beyond 6\n",
+          100.0 * c.expected_rms, 100.0 * c.bias_error, c.scored, c.mean_z2, 100.0 * c.within, c.outliers);
+    else if (c.expected_rms > 0.0)
+      text += fmt::format("the stated errors of the whole explain {:.3g} %\n", 100.0 * c.expected_rms);
+    if (const auto agree = c.agrees())
+      text += *agree ? "A and B agree within their errors\n" : "A and B do NOT agree within their errors\n";
     else
-      text += "no standard errors are known, so nothing says whether this is noise\n";
+      text += "not both state an error, so nothing says whether this is noise\n";
     if (!largest.empty()) text += "largest differences (A, B, where):\n";
     for (const auto& d : largest) {
       const auto& where = d.contains("side") ? d["side"] : d["pixel"];

@@ -14,6 +14,7 @@
 #include "luxel/reference/final_gather.h"
 #include "luxel/render/automatic_camera.h"
 #include "luxel/render/render.h"
+#include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
 namespace {
@@ -69,6 +70,23 @@ class Places {
 
 bool is_picture(const std::string& output) { return is_among(ending(output), picture_kinds); }
 
+namespace {
+
+// The light a camera is found by: the same whatever method the picture's own light comes from, and however
+// far it has got, so that pictures of one mesh can be laid beside each other.
+Solution glance(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+  Solution light;
+  const auto rays = std::clamp<std::uint64_t>(2 * patches.size(), 50'000, 250'000);
+  try {
+    solve_stochastic_jacobi(patches, tracer, light, {.rays = rays, .tolerance = 0.2}, workers);
+  } catch (const InputError&) {
+    return {};  // no lamp: all surfaces count alike
+  }
+  return light;
+}
+
+}  // namespace
+
 // What the flags leave open is found: the whole view, or the other end of it.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
                  const Tracer& tracer, const Workers& workers) {
@@ -83,7 +101,8 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
     camera.eye = *picture.eye;
     camera.target = *picture.target;
   } else {
-    camera = automatic_camera(baked.patches, baked.solution, tracer, workers, up, aspect);
+    camera =
+        automatic_camera(baked.patches, glance(baked.patches, tracer, workers), tracer, workers, up, aspect);
     if (picture.eye) camera.eye = *picture.eye;
     if (picture.target) camera.target = *picture.target;
   }

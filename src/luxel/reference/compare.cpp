@@ -164,17 +164,39 @@ Pair side_pair(const Baked& a, const Baked& b, std::size_t side) {
 }  // namespace
 
 std::optional<bool> Comparison::agrees() const {
-  if (scored == 0) return std::nullopt;
+  if (!(expected_rms > 0.0)) return std::nullopt;
   const auto bias = std::max(most_bias * expected_rms, most_bias_errors * bias_error);
-  return mean_z2 <= most_mean_z2 && within >= least_within && std::fabs(mean_bias) <= bias;
+  if (std::fabs(mean_bias) > bias) return false;
+  if (scored > 0) return mean_z2 <= most_mean_z2 && within >= least_within;
+  return relative_rms * relative_rms <= most_mean_z2 * expected_rms * expected_rms;
 }
+
+namespace {
+
+bool states_every_error(const Solution& s) {
+  return !s.standard_error_front.empty() || !s.standard_error_back.empty();
+}
+
+// Where either has no error of its places, the errors of the whole are all there is to judge by.
+void judge_as_a_whole(Comparison& c, const Solution& a, const Solution& b) {
+  c.scored = c.outliers = 0;
+  c.mean_z2 = c.within = c.bias_error = c.expected_rms = 0.0;
+  for (auto& d : c.largest) d.error = 0.0;
+  if (a.predicted_error > 0.0 && b.predicted_error > 0.0)
+    c.expected_rms = std::hypot(a.predicted_error, b.predicted_error);
+}
+
+}  // namespace
 
 Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places) {
   check_same_patches(a, b);
   Sums sums;
   for (std::size_t side = 0; side < 2 * a.patches.size(); ++side)
     sums.add(side, static_cast<double>(a.patches.area[side / 2]), side_pair(a, b, side));
-  return sums.result(places);
+  auto result = sums.result(places);
+  if (!states_every_error(a.solution) || !states_every_error(b.solution))
+    judge_as_a_whole(result, a.solution, b.solution);
+  return result;
 }
 
 Comparison compare_pictures(const Image& a, const Image& b, const Image* error_a, const Image* error_b,

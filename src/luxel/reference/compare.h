@@ -34,10 +34,11 @@ struct Comparison {
   double bias_error = 0.0;            // standard error of mean_bias, were errors of places independent
   std::vector<Difference> largest{};  // by |b - a|, largest first
 
-  // Whether the stated errors explain the difference: nothing where none are stated. Bars know their own
+  // Whether the stated errors explain the difference: nothing where either states none. Bars know their own
   // width to a tenth, noise has tails, and a solver's errors at different places go together, so this is no
   // fine test: mean_z2 up to 1.5, within from 0.9 on, mean_bias up to half of expected_rms or five
-  // bias_error.
+  // bias_error. Where one states an error of the whole only, nothing is scored, and the square of
+  // relative_rms may be 1.5 times that of expected_rms.
   std::optional<bool> agrees() const;
 };
 
