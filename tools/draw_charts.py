@@ -4,7 +4,8 @@
 
 One SVG a scene (error-NAME.svg: true error against processor time, each method a line), cost-per-patch.svg,
 time-against-polygons.svg and time-against-lamps.svg, from those sections that the file has. Their names are printed.
-Both axes are logarithmic; each point says its numbers when pointed at; light and dark pages are both served. The same file gives the same bytes.
+Both axes are logarithmic; each point says its numbers when pointed at; light and dark pages are both served. The same
+file gives the same bytes.
 """
 import json
 import math

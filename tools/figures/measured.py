@@ -15,7 +15,7 @@ SETTINGS = {
     "shooting": [("--rays", n) for n in ("30k", "100k", "300k", "1M", "3M", "10M")],
     "lines": [("--lines", n) for n in (100, 300, 1000, 3000, 10000, 30000)],
     "hemicube": [("--hemicube-resolution", pixels, "--hemicube-points", points)
-                 for pixels, points in ((32, 1), (128, 1), (128, 4), (256, 16))],
+                 for pixels, points in ((32, 1), (64, 1), (64, 4), (64, 16))],
     "dense": [("--factor-tolerance", t) for t in ("1e-1", "1e-2")],
 }
 PATHS = (16, 64, 256, 1024, 4096)
