@@ -10,7 +10,7 @@ from figures.table import table
 
 STEPS = (1, 2, 3, 10)
 MESHES = {"coarse": 0.28, "middle": 0.07, "fine": 0.018}  # longest edges, m
-METHODS = {"sampled": ("--error", "1%"), "shooting": (), "dense": ("--factor-tolerance", "1e-3"), "hemicube": (),
+METHODS = {"sampled": ("--error", "1%"), "shooting": (), "dense": (), "hemicube": (),
            "lines": ()}
 LOOK = ("--tone", "clamp", "--exposure", "1.8")  # the same for every picture, band by band
 
@@ -106,7 +106,7 @@ def beside_path_tracing(luxel, folder):
     paths, picture = luxel.at("paths.exr"), os.path.join(folder, "method-path-traced.png")
     luxel.run("reference", BOX, "--samples", luxel.choose(400, 16), *size, *LOOK, "-o", paths, "-o", picture)
     truth = luxel.at("paths.vtkhdf")
-    luxel.run("reference", BOX, "--max-edge", 0.2, "--bounces-from", "patches", "--samples", luxel.choose(8192, 16),
+    luxel.run("reference", BOX, "--max-edge", 0.2, "--bounces-from", "patches", "--samples", luxel.choose(32768, 16),
               "-o", truth)
     measured = {}
     for method, words in METHODS.items():
