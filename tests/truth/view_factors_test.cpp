@@ -169,6 +169,18 @@ TEST(ViewFactors, between_patches_agree_with_closed_forms_and_keep_the_laws) {
   EXPECT_LE(check.largest, 1.0);
 }
 
+TEST(ViewFactors, of_patches_are_counted_until_a_row_is_known_and_their_number_is_foretold) {
+  const FactorScene room(l_room(), Between::patches, ElementSides::front, 0.2f);
+  auto factors = room.counted({.error = 0.0, .row_error = 0.04, .is_enforced = true});
+  EXPECT_EQ(room.report.stop, StopReason::error_reached);
+  EXPECT_LE(room.report.row_error, 0.04);
+  EXPECT_EQ(room.report.rays_a_side, 1024u) << "1 / 0.04² is 625";
+  const auto predicted = static_cast<double>(room.report.predicted_factors);
+  const auto done = enforce_laws(factors, room.workers);
+  EXPECT_EQ(done.count, factors.count());
+  EXPECT_NEAR(predicted / static_cast<double>(factors.count()), 1.0, 0.15);
+}
+
 TEST(ViewFactors, dropped_ones_keep_their_sum) {
   const FactorScene room(l_room(), Between::patches, ElementSides::front, 1.0f);
   const auto all = room.counted({.rays = 1024, .error = 0.0});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/viewfactors/enforce.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "luxel/report/error.h"
@@ -73,6 +75,40 @@ TEST(Enforce, needs_every_row) {
   auto factors = table({1, 1}, {{0, 1.0}, {1.0, 0}});
   factors.is_known[1] = 0;
   EXPECT_THROW(enforce_laws(factors, Workers(1)), InputError);
+}
+
+TEST(Enforce, stopped_before_directions_were_joined_changes_nothing) {
+  auto factors = table({3, 4, 5}, {{0, 0.30, 0.72}, {0.27, 0, 0.70}, {0.41, 0.62, 0}});
+  const auto before = factors.factor;
+  const auto done = enforce_laws(factors, Workers(1), [](const Progress&) { return Next::stop; });
+  EXPECT_TRUE(done.is_stopped);
+  EXPECT_EQ(factors.factor, before);
+}
+
+TEST(Enforce, stopped_later_leaves_exact_reciprocity) {
+  auto factors = table({3, 4, 5}, {{0, 0.30, 0.72}, {0.27, 0, 0.70}, {0.41, 0.62, 0}});
+  const auto done = enforce_laws(factors, Workers(1), [](const Progress& progress) {
+    return progress.stage == "enforce" ? Next::stop : Next::go_on;
+  });
+  EXPECT_TRUE(done.is_stopped);
+  const auto check = check_view_factors(factors, Workers(1));
+  EXPECT_LT(check.worst_reciprocity, 1e-15);
+  EXPECT_NEAR(check.worst_row_sum, done.worst_row_sum, 1e-15);
+}
+
+TEST(CheckViewFactors, knows_pairs_that_one_side_alone_found) {
+  const auto check =
+      check_view_factors(table({1, 2, 1}, {{0.5, 0, 0.5}, {0.3, 0.7, 0}, {0.5, 0, 0.5}}), Workers(1));
+  EXPECT_NEAR(check.worst_reciprocity, 0.3, 1e-15);
+  EXPECT_EQ(check.worst_pair, (std::array<std::uint32_t, 2>{0, 1}));
+  EXPECT_NEAR(check.reciprocity, 0.3 / std::sqrt(2.0), 1e-15) << "two pairs are listed";
+}
+
+TEST(CheckViewFactors, stopped_says_so) {
+  const auto check = check_view_factors(table({1, 2}, {{0, 0.8}, {0.5, 0.45}}), Workers(1),
+                                        [](const Progress&) { return Next::stop; });
+  EXPECT_FALSE(check.is_whole);
+  EXPECT_EQ(check.rows, 0u);
 }
 
 TEST(CheckViewFactors, finds_what_breaks_the_laws) {

@@ -73,6 +73,42 @@ TEST(ViewFactorsFile, hdf5_gives_back_every_bit_and_repeats) {
   EXPECT_EQ(read_file(path), read_file(again));
 }
 
+TEST(ViewFactorsFile, compressed_or_not_gives_back_the_same) {
+  constexpr std::uint32_t n = 10000;
+  auto stored = sample();
+  auto& f = stored.factors;
+  f.row_begin = {0, 1, 1 + n};
+  f.name.resize(n, "more");
+  f.area.resize(n, 1.0);
+  f.rays.resize(n);
+  f.is_known.resize(n);
+  f.row_begin.resize(n + 1, 1 + n);
+  for (auto& sink : f.sink) {
+    sink.factor.resize(n);
+    sink.standard_error.resize(n);
+  }
+  f.column.resize(1);
+  f.factor.assign(1 + n, 1.0 / n);
+  f.standard_error.assign(1 + n, 1e-4f);
+  for (std::uint32_t j = 0; j < n; ++j) f.column.push_back(j);
+  stored.note.triangle.clear();
+  stored.note.centre.clear();
+  const auto plain = place("plain.h5"), compressed = place("compressed.h5");
+  write_view_factors_hdf5(plain, f, stored.note);
+  write_view_factors_hdf5(compressed, f, stored.note, true);
+  EXPECT_LT(2 * std::filesystem::file_size(compressed), std::filesystem::file_size(plain));
+  const auto a = read_view_factors_hdf5(plain).factors, b = read_view_factors_hdf5(compressed).factors;
+  for (const auto& back : {a, b}) {
+    EXPECT_EQ(back.column, f.column);
+    EXPECT_EQ(back.factor, f.factor);
+  }
+  // Not compressed is not unguarded: a flipped bit in the middle is found.
+  auto bytes = read_file(plain);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  write_file(plain, bytes);
+  EXPECT_NE(complaint(plain), "read without complaint");
+}
+
 TEST(ViewFactorsFile, damage_and_other_files_are_told_in_a_sentence) {
   auto stored = sample();
   const auto path = place("damaged.h5");

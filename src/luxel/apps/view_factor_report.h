@@ -22,7 +22,8 @@ struct ViewFactorReport {
   std::string between, sides;
   std::size_t patches = 0;
   std::optional<SampleFactorsReport> sampled = {};
-  double error_target = 0.0;
+  double error_target = 0.0, row_error_target = 0.0;
+  std::uint64_t predicted_memory = 0;  // of the whole program, bytes
   std::optional<ExactFactorsReport> exact = {};
   FactorCheck check = {};  // of the factors before they were enforced
   std::optional<Enforcement> enforcement = {};

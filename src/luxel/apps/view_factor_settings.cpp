@@ -13,9 +13,10 @@
 namespace luxel {
 namespace {
 
-// Bytes a listed factor takes: counted, or enforced; then the file, made in memory, and what is beside.
-constexpr std::uint32_t bytes_counted = 36;
-constexpr std::uint32_t bytes_enforced = 80;
+// A factor in an HDF5 file, which is made in memory.
+constexpr std::uint32_t bytes_in_file = 16;
+// What a row may be off by, where factors between patches are asked for without more ado.
+constexpr double usual_row_error = 0.04;
 constexpr double memory_share = 0.8;  // of what is free
 
 double parse_factor(const std::string& name, const std::string& text) {
@@ -44,7 +45,8 @@ void ViewFactorSettings::declare(OptionSet& set) {
   set.add_texts("from", "NAME", from, "rows of these elements (with * and ?) alone");
   set.add(
       {"error", "factor",
-       "stop at this root mean square standard error of the listed factors; auto: 0.001, or none with --rays",
+       "stop at this root mean square standard error of the listed factors; auto: 0.001, between patches 4 % "
+       "of a row, or none with --rays",
        [this](const std::string& text) {
          error = text == "auto" ? std::optional<double>() : parse_factor("error", text);
        },
@@ -73,6 +75,7 @@ void ViewFactorSettings::declare_memory(OptionSet& set) {
           fmt::format("--memory: expected a size such as 512MiB or 4GiB, or auto, not '{}'", text));
     sampled.memory = *bytes;
   };
+  set.add_flag("compress", compress, "compress the HDF5 file: smaller, and slower to write");
   set.add({"memory", "size", "refuse what would take more; auto: four fifths of what is free", parse,
            [this] { return sampled.memory == 0 ? std::string("auto") : as_bytes(sampled.memory); }});
 }
@@ -104,11 +107,16 @@ PatchOptions ViewFactorSettings::patch_options(PatchOptions given) const {
   return given;
 }
 
-SampleFactorsOptions ViewFactorSettings::sample_options(const ViewElements& elements) const {
+SampleFactorsOptions ViewFactorSettings::sample_options(const ViewElements& elements,
+                                                        const std::vector<std::string>& outputs) const {
   auto options = sampled;
-  options.error = error.value_or(sampled.rays > 0 ? 0.0 : sampled.error);
+  const bool is_usual = !error && sampled.rays == 0;
+  options.error = error.value_or(is_usual && kind() != Between::patches ? sampled.error : 0.0);
+  if (is_usual && kind() == Between::patches) options.row_error = usual_row_error;
   options.rows = rows(elements);
-  options.bytes_a_factor = enforce ? bytes_enforced : bytes_counted;
+  options.is_enforced = enforce;
+  for (const auto& output : outputs)
+    if (output.ends_with(".h5")) options.bytes_beside = bytes_in_file;
   if (options.memory == 0)
     options.memory = static_cast<std::uint64_t>(memory_share * static_cast<double>(free_memory()));
   return options;

@@ -24,10 +24,11 @@ struct ViewFactorSettings {
   ExactFactorsOptions exact;
   bool is_exact = false;
   bool enforce = false;
+  bool compress = false;  // HDF5
   bool force = false;
 
   void declare(OptionSet& set);
-  // Apart, to stand with how a run is run: it does not change the factors.
+  // Apart, to stand with how a run is run: these do not change the factors.
   void declare_memory(OptionSet& set);
   // Throws UsageError where options contradict each other.
   void check() const;
@@ -36,8 +37,9 @@ struct ViewFactorSettings {
   ElementSides element_sides() const;
   // Triangles as they come between patches, unless an edge is given.
   PatchOptions patch_options(PatchOptions given) const;
-  // What to count with, all said and done; memory in bytes.
-  SampleFactorsOptions sample_options(const ViewElements& elements) const;
+  // What to count with, all said and done; memory in bytes. outputs: to be written.
+  SampleFactorsOptions sample_options(const ViewElements& elements,
+                                      const std::vector<std::string>& outputs) const;
   // The rows asked for by --from, [element]; empty: all. Throws UsageError where a name fits none.
   std::vector<std::uint8_t> rows(const ViewElements& elements) const;
 };

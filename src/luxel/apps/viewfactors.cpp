@@ -10,6 +10,7 @@
 #include "luxel/apps/view_factor_report.h"
 #include "luxel/apps/view_factor_settings.h"
 #include "luxel/file/output_file.h"
+#include "luxel/report/memory.h"
 #include "luxel/viewfactors/view_factors_file.h"
 
 namespace luxel {
@@ -43,7 +44,7 @@ class ViewFactorsCommand final : public Command {
     const auto elements = make_view_elements(scene, patches, settings_.kind(), settings_.element_sides());
     console.say(fmt::format("{}: {} triangles, {} patches; view factors between {} {}", scene_.file,
                             scene.triangles.size(), patches.size(), elements.size(), settings_.between));
-    const auto options_for_sampling = settings_.sample_options(elements);
+    const auto options_for_sampling = settings_.sample_options(elements, run_.outputs);
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, workers); });
 
     // 2. The factors.
@@ -61,13 +62,14 @@ class ViewFactorsCommand final : public Command {
       return exit_stopped_early;
     }
 
-    // 3. What they must obey.
+    // 3. What they must obey. Stopped or not, what there is gets written.
     report.factors = &*factors;
-    report.check = record.stage("check", [&](auto&) { return check_view_factors(*factors, workers); });
-    if (settings_.enforce) {
-      report.enforcement = record.stage("enforce", [&](auto&) { return enforce_laws(*factors, workers); });
-      report.check_after =
-          record.stage("check", [&](auto&) { return check_view_factors(*factors, workers); });
+    const auto check = [&](auto&) { return check_view_factors(*factors, workers, console.monitor()); };
+    report.check = record.stage("check", check);
+    if (settings_.enforce && !interrupted()) {
+      report.enforcement =
+          record.stage("enforce", [&](auto&) { return enforce_laws(*factors, workers, console.monitor()); });
+      report.check_after = record.stage("check", check);
     }
     console.say(report.as_text());
     say_doubts(report, console);
@@ -96,10 +98,13 @@ class ViewFactorsCommand final : public Command {
                                      RunRecord::Stage& stage) const {
     report.sampled.emplace();
     report.error_target = how.error;
+    report.row_error_target = how.row_error;
+    const auto held = resident_memory();
     try {
       auto factors =
           sample_view_factors(patches, tracer, elements, how, workers, console.monitor(), *report.sampled);
       stage.rays = report.sampled->rays;
+      report.predicted_memory = held + report.sampled->predicted_bytes;
       return factors;
     } catch (const InputError& error) {
       throw InputError(scene_.file, error.what());
@@ -120,14 +125,25 @@ class ViewFactorsCommand final : public Command {
     }
   }
 
-  static bool fell_short(const ViewFactorReport& report) {
+  bool is_enforced(const ViewFactorReport& report) const {
+    return report.enforcement && !report.enforcement->is_stopped;
+  }
+
+  bool fell_short(const ViewFactorReport& report) const {
+    if (!report.check.is_whole || (report.check_after && !report.check_after->is_whole) ||
+        is_enforced(report) != settings_.enforce)
+      return true;
     if (!report.sampled) return false;
     return report.sampled->stop == StopReason::stopped_by_user ||
            (report.sampled->stop == StopReason::ray_limit && report.error_target > 0.0);
   }
 
   void say_doubts(const ViewFactorReport& report, Console& console) const {
-    if (fell_short(report))
+    if (settings_.enforce && !is_enforced(report))
+      warn(console.log(), "stopped before the laws were enforced: the file says so");
+    else if (!report.check.is_whole || (report.check_after && !report.check_after->is_whole))
+      warn(console.log(), "stopped before all factors were checked");
+    else if (fell_short(report) && report.sampled && report.error_target > 0.0)
       warn(console.log(),
            fmt::format("stopped before the error asked for: standard error {:.3g}, asked for {:g}",
                        report.sampled->error, report.error_target));
@@ -147,7 +163,7 @@ class ViewFactorsCommand final : public Command {
     ViewFactorsNote note;
     note.between = settings_.between;
     note.sides = settings_.sides;
-    note.enforced = settings_.enforce;
+    note.enforced = is_enforced(report);
     note.provenance = {program_version,
                        options().as_command(RunSettings::heading),
                        settings_.is_exact ? "exact" : "counted",
@@ -168,10 +184,10 @@ class ViewFactorsCommand final : public Command {
     return std::filesystem::path(output).extension().string();
   }
 
-  static void write(const std::string& output, const ViewFactors& factors, const ViewFactorsNote& note) {
+  void write(const std::string& output, const ViewFactors& factors, const ViewFactorsNote& note) const {
     if (ending_of(output) == ".csv") return write_view_factors_csv(output, factors);
     if (ending_of(output) == ".mtx") return write_view_factors_matrix_market(output, factors, note);
-    write_view_factors_hdf5(output, factors, note);
+    write_view_factors_hdf5(output, factors, note, settings_.compress);
   }
 
   SceneSettings scene_;

@@ -4,6 +4,10 @@
 #include <fstream>
 #include <string>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace luxel {
 namespace {
 
@@ -19,5 +23,11 @@ std::uint64_t kibibytes(const char* file, const std::string& key) {
 
 std::uint64_t free_memory() { return kibibytes("/proc/meminfo", "MemAvailable:"); }
 std::uint64_t resident_memory() { return kibibytes("/proc/self/status", "VmRSS:"); }
+
+void return_freed_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
 
 }  // namespace luxel

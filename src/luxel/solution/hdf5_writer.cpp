@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t largest_compact = 4096;  // bytes; such an array stands in its header (64 KiB at most)
 constexpr std::size_t chunk_size = 1 << 19;    // bytes; two fit into HDF5's default chunk cache
-constexpr unsigned deflate_level = 4;
 
 void require(bool success, const std::string& what) {
   if (!success) throw DeviceError(fmt::format("the HDF5 library failed to make {}: {}", what, hdf5_reason()));
@@ -50,16 +49,17 @@ Hdf5Handle string_type(std::size_t length, H5T_cset_t letters) {
   return type;
 }
 
-void set_storage(Hdf5Id list, std::size_t rows, std::size_t columns, std::size_t element_size) {
+void set_storage(Hdf5Id list, std::size_t rows, std::size_t columns, std::size_t element_size,
+                 unsigned deflate) {
   const auto row_size = std::max<std::size_t>(columns, 1) * element_size;
   if (rows * row_size <= largest_compact) {
     require(H5Pset_layout(list, H5D_COMPACT) >= 0, "a compact array");
     return;
   }
   const std::array<hsize_t, 2> chunk = {std::clamp<std::size_t>(chunk_size / row_size, 1, rows), columns};
-  require(H5Pset_chunk(list, columns > 0 ? 2 : 1, chunk.data()) >= 0 && H5Pset_shuffle(list) >= 0 &&
-              H5Pset_deflate(list, deflate_level) >= 0 && H5Pset_fletcher32(list) >= 0,
-          "a compressed array");
+  bool is_set = H5Pset_chunk(list, columns > 0 ? 2 : 1, chunk.data()) >= 0;
+  if (deflate > 0) is_set = is_set && H5Pset_shuffle(list) >= 0 && H5Pset_deflate(list, deflate) >= 0;
+  require(is_set && H5Pset_fletcher32(list) >= 0, "an array in chunks");
 }
 
 // The file in memory is kept when the library closes it, not copied before (H5Fget_file_image): while it is
@@ -83,7 +83,7 @@ herr_t forget_keeper(void*) { return 0; }
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer() {
+Hdf5Writer::Hdf5Writer(unsigned deflate) : deflate_(deflate) {
   constexpr std::size_t growth = 1 << 22;  // bytes
   const auto access = properties(H5P_FILE_ACCESS);
   H5FD_file_image_callbacks_t keep = {nullptr,     nullptr,       grow_image, keep_image,
@@ -145,7 +145,7 @@ void Hdf5Writer::add_strings(const std::string& name, std::span<const std::strin
 void Hdf5Writer::add_dataset(const std::string& name, Hdf5Id file_type, Hdf5Id memory_type,
                              const Hdf5Array& values) {
   const auto creation = properties_without_times(H5P_DATASET_CREATE);
-  set_storage(creation.id(), values.rows, values.columns, H5Tget_size(file_type));
+  set_storage(creation.id(), values.rows, values.columns, H5Tget_size(file_type), deflate_);
   const auto space = space_of(values.rows, values.columns);
   const auto dataset = require(
       H5Dcreate2(file_.id(), name.c_str(), file_type, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),

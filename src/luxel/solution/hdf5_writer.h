@@ -23,7 +23,8 @@ using Hdf5Image = std::unique_ptr<void, FreeHdf5Image>;
 // "VTKHDF/CellData". Throws DeviceError where the library fails (no memory).
 class Hdf5Writer {
  public:
-  Hdf5Writer();
+  // deflate: 1 (fast) to 9 (small); 0 stores large arrays as they are, still with checksums.
+  explicit Hdf5Writer(unsigned deflate = 4);
 
   void add_group(const std::string& name);
   // An attribute of a group: numbers, a number, or an ASCII word.
@@ -44,6 +45,7 @@ class Hdf5Writer {
  private:
   void add_dataset(const std::string& name, Hdf5Id file_type, Hdf5Id memory_type, const Hdf5Array& values);
 
+  unsigned deflate_;
   Hdf5Silence silence_;
   Hdf5Image image_;  // empty until the file is closed, which must be before this goes
   Hdf5Handle file_;

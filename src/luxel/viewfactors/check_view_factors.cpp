@@ -30,7 +30,10 @@ void add_pair(const ViewFactors& f, std::uint32_t i, std::uint32_t j, std::uint6
   const auto other = back ? b * static_cast<double>(back->standard_error) : 0.0;
   part.squares += difference * difference;
   part.expected += own * own + other * other;
-  part.check.worst_reciprocity = std::max(part.check.worst_reciprocity, std::fabs(difference));
+  if (std::fabs(difference) > part.check.worst_reciprocity) {
+    part.check.worst_reciprocity = std::fabs(difference);
+    part.check.worst_pair = {i, j};
+  }
   ++part.pairs;
 }
 
@@ -66,7 +69,10 @@ void join(const Part& part, Part& all) {
   check.rows += part.check.rows;
   check.smallest = std::min(check.smallest, part.check.smallest);
   check.largest = std::max(check.largest, part.check.largest);
-  check.worst_reciprocity = std::max(check.worst_reciprocity, part.check.worst_reciprocity);
+  if (part.check.worst_reciprocity > check.worst_reciprocity) {
+    check.worst_reciprocity = part.check.worst_reciprocity;
+    check.worst_pair = part.check.worst_pair;
+  }
   check.environment += part.check.environment;
   check.backs += part.check.backs;
   check.dropped += part.check.dropped;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "luxel/parallel/workers.h"
@@ -22,6 +23,7 @@ struct FactorCheck {
   // the larger element; what the standard errors let expect of it; and the largest. 0 where no pair has both
   // rows known.
   double reciprocity = 0.0, expected_reciprocity = 0.0, worst_reciprocity = 0.0;
+  std::array<std::uint32_t, 2> worst_pair = {0, 0};  // where that is
   // Shares of what leaves all rows, by area.
   double environment = 0.0, backs = 0.0, dropped = 0.0;
 };

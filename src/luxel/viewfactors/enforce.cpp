@@ -135,7 +135,7 @@ Enforcement enforce_laws(ViewFactors& factors, const Workers& workers, const Mon
     done.largest_change = changes.largest;
     done.change_in_standard_errors = std::sqrt(changes.standard_errors2 / count);
   }
-  areas.variance = {};
+  std::vector<float>().swap(areas.variance);
   close_ranks(areas);
   done.count = areas.column.size();
   factors.row_begin = std::move(areas.row_begin);

@@ -16,7 +16,8 @@ CountedShare counted_share(std::span<const std::uint32_t> counts, std::uint64_t 
   const auto n = static_cast<double>(per_replicate);
   // (r squares - sum²) / r is the sum of squared deviations, in integers until the division.
   const auto deviations = static_cast<double>(counts.size() * squares - sum * sum) / r;
-  return {static_cast<double>(sum) / (r * n), std::sqrt(deviations / (r * (r - 1.0))) / n};
+  return {static_cast<std::uint32_t>(sum), static_cast<double>(sum) / (r * n),
+          std::sqrt(deviations / (r * (r - 1.0))) / n};
 }
 
 void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> slots, std::uint32_t per_slot,
@@ -60,9 +61,9 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> s
         for (std::uint32_t r = 0; r < replicates; ++r) dropped[r] += own[r];
       } else {
         rows.column.push_back(number);
-        rows.factor.push_back(share.share);
+        rows.hits.push_back(share.hits);
         rows.standard_error.push_back(static_cast<float>(share.standard_error));
-        rows.error2 += share.standard_error * share.standard_error;
+        rows.factor_error2 += share.standard_error * share.standard_error;
       }
     }
     if (!dropped.empty()) sink[ViewFactors::dropped] = counted_share(dropped, per_slot);
@@ -71,6 +72,7 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> s
       rows.sink[k].push_back(sink[k].share);
       rows.sink_error[k].push_back(static_cast<float>(sink[k].standard_error));
     }
+    for (const auto& share : sink) rows.sink_error2 += share.standard_error * share.standard_error;
     for (const auto number : numbers) scratch.place[number] = 0;
   }
 }

@@ -10,16 +10,17 @@
 
 namespace luxel {
 
-// Rows of elements of one side each, as counted: no more than their hits is held.
+// Rows of elements of one side each, as counted: 12 bytes a listed factor.
 struct PatchRows {
   std::vector<std::uint32_t> element;  // [row]
   std::vector<std::uint32_t> length;   // [row]: listed factors
   std::vector<std::uint32_t> column;   // rising within a row
-  std::vector<double> factor;
+  std::vector<std::uint32_t> hits;     // the factor times all rays of the row
   std::vector<float> standard_error;
   std::array<std::vector<double>, ViewFactors::sinks> sink;       // [row]
   std::array<std::vector<float>, ViewFactors::sinks> sink_error;  // [row]
-  double error2 = 0.0;  // sum of squared standard errors of the listed factors
+  // Sums of squared standard errors: of the listed factors; and of sinks, in addition.
+  double factor_error2 = 0.0, sink_error2 = 0.0;
 };
 
 // What a worker needs beside, used again and again.
@@ -36,6 +37,7 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> s
 
 // Mean and standard error of replicates' shares from their counts out of per_replicate rays each.
 struct CountedShare {
+  std::uint32_t hits = 0;
   double share = 0.0;
   double standard_error = 0.0;
 };

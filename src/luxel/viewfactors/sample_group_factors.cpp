@@ -188,8 +188,9 @@ std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const S
     }
     report.rays_a_side = sampling.most_rays_a_side();
     report.rays = sampling.traced();
-    report.predicted_bytes = std::max(sampling.sums().bytes(),
-                                      predicted_bytes(static_cast<double>(sampling.sums().pairs()), options));
+    const auto pairs = static_cast<double>(sampling.sums().pairs());
+    predict(pairs, 2.0 * pairs, options, report);
+    report.predicted_bytes = std::max(report.predicted_bytes, sampling.sums().bytes());
     factors = sampling.factors(options.keep_above);
     report.error = rms_standard_error(*factors);
     if (options.error > 0.0 && report.error <= options.error) {

@@ -29,8 +29,17 @@ std::vector<std::uint32_t> slot_list(std::size_t begin, std::size_t end) {
   return slots;
 }
 
-std::uint64_t predicted_bytes(double factors, const SampleFactorsOptions& options) {
-  const auto bytes = factors * static_cast<double>(options.bytes_a_factor);
+double bytes_of_factors(double counted, double with_reverse, const SampleFactorsOptions& options) {
+  constexpr double made = 20.0, held = 16.0, exchange_area = 20.0;
+  const auto last = (options.is_enforced ? with_reverse : counted) * (held + options.bytes_beside);
+  return std::max(
+      {made * counted, last, options.is_enforced ? held * counted + exchange_area * with_reverse : 0.0});
+}
+
+void predict(double counted, double with_reverse, const SampleFactorsOptions& options,
+             SampleFactorsReport& report) {
+  const auto bytes = bytes_of_factors(counted, with_reverse, options);
+  const auto factors = options.is_enforced ? with_reverse : counted;
   constexpr double mib = 1024.0 * 1024.0;
   if (options.memory > 0 && bytes > static_cast<double>(options.memory))
     throw InputError(fmt::format(
@@ -38,7 +47,8 @@ std::uint64_t predicted_bytes(double factors, const SampleFactorsOptions& option
         "--keep-above drops small factors, --rays counts fewer, groups or larger patches have fewer, and "
         "--memory allows more",
         1e-6 * factors, bytes / mib, static_cast<double>(options.memory) / mib));
-  return static_cast<std::uint64_t>(bytes);
+  report.predicted_bytes = static_cast<std::uint64_t>(bytes);
+  report.predicted_factors = static_cast<std::uint64_t>(factors);
 }
 
 std::optional<ViewFactors> sample_view_factors(const PatchSet& patches, const Tracer& tracer,

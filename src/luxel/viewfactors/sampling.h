@@ -26,7 +26,12 @@ std::uint32_t most_per_replicate(const SampleFactorsOptions& options);
 // Slots [begin, end) as a list.
 std::vector<std::uint32_t> slot_list(std::size_t begin, std::size_t end);
 
-// Throws InputError where so many factors take more than the memory allowed; else gives the bytes.
-std::uint64_t predicted_bytes(double factors, const SampleFactorsOptions& options);
+// Bytes that so many factors take at most at one time, counted or afterwards. with_reverse: how many there
+// are once those are listed both ways that were found one way.
+double bytes_of_factors(double counted, double with_reverse, const SampleFactorsOptions& options);
+
+// Throws InputError where so many factors take more than the memory allowed; else notes what they take.
+void predict(double counted, double with_reverse, const SampleFactorsOptions& options,
+             SampleFactorsReport& report);
 
 }  // namespace luxel

@@ -26,9 +26,10 @@ struct ViewFactorsNote {
 };
 
 // HDF5, whole or not at all; docs/view-factors.md is the layout. The same input gives the same bytes. Made in
-// memory, so it costs the file's size there. Throws DeviceError where the disk fails.
+// memory, so it costs the file's size there: about 16 bytes a listed factor, less and slower where it is
+// compressed. Throws DeviceError where the disk fails.
 void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactors& factors,
-                             const ViewFactorsNote& note);
+                             const ViewFactorsNote& note, bool is_compressed = false);
 
 // What that wrote, to the bit, with all that can be checked checked: lengths, indices, finite numbers.
 // Throws InputError where there is no such file, FormatError where it is damaged, something else or newer.

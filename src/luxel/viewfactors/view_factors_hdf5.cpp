@@ -14,6 +14,7 @@
 namespace luxel {
 namespace {
 
+constexpr unsigned fast_deflate = 1;
 const std::string group = "ViewFactors";
 const std::string provenance_group = group + "/provenance";
 
@@ -96,8 +97,8 @@ void check(const Hdf5Reader& file, const ViewFactors& f) {
 }  // namespace
 
 void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactors& factors,
-                             const ViewFactorsNote& note) {
-  Hdf5Writer file;
+                             const ViewFactorsNote& note, bool is_compressed) {
+  Hdf5Writer file(is_compressed ? fast_deflate : 0);
   std::string_view bytes;
   try {
     file.add_group(group);
