@@ -16,7 +16,7 @@ SETTINGS = {
     "lines": [("--lines", n) for n in (100, 300, 1000, 3000, 10000, 30000)],
     "hemicube": [("--hemicube-resolution", pixels, "--hemicube-points", points)
                  for pixels, points in ((32, 1), (64, 1), (64, 4), (64, 16))],
-    "dense": [("--factor-tolerance", t) for t in ("1e-1", "1e-2")],
+    "dense": [("--factor-tolerance", t) for t in ("1e-1", "1e-2", "1e-3")],
 }
 PATHS = (16, 64, 256, 1024, 4096)
 SMALL = {"sampled": [("--error", "8%"), ("--error", "4%")]}
@@ -31,7 +31,7 @@ def error_against_time(luxel, folder):
     """Every method on one mesh of the Cornell box: how far off its light is, against the processor time it took."""
     mesh = ("--max-edge", luxel.choose(0.2, 0.4))
     truth, guess = luxel.at("error-truth.vtkhdf"), luxel.at("error-guess.vtkhdf")
-    luxel.run("bake", BOX, *mesh, "--method", "dense", "--factor-tolerance", luxel.choose("1e-5", "1e-1"), "-o", truth)
+    luxel.run("bake", BOX, *mesh, "--method", "dense", "--factor-tolerance", luxel.choose("1e-4", "1e-1"), "-o", truth)
 
     def measure(words, setting):
         report = luxel.run(*words, *mesh, *setting, "-o", guess)
