@@ -30,13 +30,17 @@ class SampledOperatorTest : public testing::Test {
       transport.for_each_hit(replicate, b, [&](std::uint32_t, std::uint32_t e) { hits.push_back(e); });
     return hits;
   }
+  // By one replicate, and by all.
   static std::vector<float> applied(const SampledOperator& transport, const Workers& workers) {
     const auto bands = transport.replicate(0).bands();
     std::vector<float> radiosity(transport.elements() * bands);
     for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i] = 0.01f * static_cast<float>(i % 89);
     std::vector<float> irradiance(transport.sides().size() * bands);
     transport.replicate(1).apply(radiosity, irradiance, 0, transport.sides().size(), workers);
-    return irradiance;
+    auto both = irradiance;
+    transport.all_replicates().apply(radiosity, irradiance, 0, transport.sides().size(), workers);
+    both.insert(both.end(), irradiance.begin(), irradiance.end());
+    return both;
   }
 
   Workers one_{1}, five_{5};
@@ -66,6 +70,24 @@ TEST_F(SampledOperatorTest, a_hit_is_that_of_the_ray_made_and_traced_alone) {
         ASSERT_GE(hits[i], sides.size()) << i;
     }
   }
+}
+
+TEST_F(SampledOperatorTest, all_replicates_bring_the_mean_of_what_each_brings) {
+  auto transport = make({.replicates = 3});
+  transport.double_rays(all_slots(transport), 4, one_);
+  const auto bands = transport.replicate(0).bands();
+  std::vector<float> radiosity(transport.elements() * bands);
+  for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i] = 0.01f * static_cast<float>(i % 89);
+  const auto size = transport.sides().size();
+  std::vector<double> mean(size * bands, 0.0);
+  std::vector<float> one(size * bands);
+  for (std::uint32_t r = 0; r < 3; ++r) {
+    transport.replicate(r).apply(radiosity, one, 0, size, five_);
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += static_cast<double>(one[i]) / 3.0;
+  }
+  transport.all_replicates().apply(radiosity, one, 0, size, five_);
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    ASSERT_NEAR(static_cast<double>(one[i]), mean[i], 1e-6 * mean[i]) << i;
 }
 
 TEST_F(SampledOperatorTest, streamed_or_stored_and_on_any_number_of_threads_the_sums_have_the_same_bits) {

@@ -195,8 +195,8 @@ void SampledOperator::keep(const std::vector<std::uint8_t>& kept, const Workers&
   doublings_ = std::move(smaller.doublings_);
 }
 
-void SampledOperator::Replicate::apply(std::span<const float> radiosity, std::span<float> irradiance,
-                                       std::size_t begin, std::size_t end, const Workers& workers) const {
+void SampledOperator::Replicates::apply(std::span<const float> radiosity, std::span<float> irradiance,
+                                        std::size_t begin, std::size_t end, const Workers& workers) const {
   const auto bands = whole_.patches_.band_count();
   const auto& begins = whole_.block_begins_;
   const auto block_at = [&](std::size_t row) {
@@ -208,22 +208,24 @@ void SampledOperator::Replicate::apply(std::span<const float> radiosity, std::sp
     for (auto block = first + b; block < first + e; ++block) {
       const auto slot0 = begins[block];
       sum.assign((begins[block + 1] - slot0) * bands, 0.0);
-      whole_.for_each_round(
-          index_, block,
-          [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot) {
-            if (bands == 3) {  // the rule, and sums that stay in registers
-              const auto add = radiosity.size() > cached_numbers ? add_up<true> : add_up<false>;
-              add(slots, hit, per_slot, radiosity.data(), slot0, sum);
-              return;
-            }
-            for (const auto slot : slots)
-              for (std::uint32_t k = 0; k < per_slot; ++k, ++hit)
-                for (std::size_t i = 0; i < bands; ++i)
-                  sum[bands * (slot - slot0) + i] += static_cast<double>(radiosity[bands * *hit + i]);
-          });
-      for (std::size_t i = 0; i < sum.size(); ++i) {
-        const auto rays = whole_.rays_a_slot_[slot0 + i / bands];
-        irradiance[bands * slot0 + i] = static_cast<float>(sum[i] / std::max(1u, rays));
+      const auto add = [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit,
+                           std::uint32_t per_slot) {
+        if (bands == 3) {  // the rule, and sums that stay in registers
+          const auto add_three = radiosity.size() > cached_numbers ? add_up<true> : add_up<false>;
+          add_three(slots, hit, per_slot, radiosity.data(), slot0, sum);
+          return;
+        }
+        for (const auto slot : slots)
+          for (std::uint32_t k = 0; k < per_slot; ++k, ++hit)
+            for (std::size_t i = 0; i < bands; ++i)
+              sum[bands * (slot - slot0) + i] += static_cast<double>(radiosity[bands * *hit + i]);
+      };
+      for (auto r = first_; r < end_; ++r) whole_.for_each_round(r, block, add);
+      for (auto slot = slot0; slot < begins[block + 1]; ++slot) {
+        const auto share =
+            1.0 / std::max(1.0, static_cast<double>(end_ - first_) * whole_.rays_a_slot_[slot]);
+        for (std::size_t i = 0; i < bands; ++i)
+          irradiance[bands * slot + i] = static_cast<float>(share * sum[bands * (slot - slot0) + i]);
       }
     }
   });

@@ -63,10 +63,12 @@ class SampledOperator {
   std::size_t absorbed(std::size_t material) const { return sides_.size() + 2 + material; }
   std::size_t elements() const { return sides_.size() + 2 + patches_.materials.size(); }
 
-  // F of one replicate. radiosity is of elements(), sinks and all; irradiance of the slots.
-  class Replicate final : public TransportOperator {
+  // F of the rays of some replicates together. radiosity is of elements(), sinks and all; irradiance of the
+  // slots.
+  class Replicates final : public TransportOperator {
    public:
-    Replicate(const SampledOperator& whole, std::uint32_t index) : whole_(whole), index_(index) {}
+    Replicates(const SampledOperator& whole, std::uint32_t first, std::uint32_t end)
+        : whole_(whole), first_(first), end_(end) {}
     std::size_t size() const override { return whole_.sides_.size(); }
     std::size_t bands() const override { return whole_.patches_.band_count(); }
     void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
@@ -75,9 +77,10 @@ class SampledOperator {
 
    private:
     const SampledOperator& whole_;
-    std::uint32_t index_;
+    std::uint32_t first_, end_;
   };
-  Replicate replicate(std::uint32_t index) const { return {*this, index}; }
+  Replicates replicate(std::uint32_t index) const { return {*this, index, index + 1}; }
+  Replicates all_replicates() const { return {*this, 0, options_.replicates}; }
 
   // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block.
   std::size_t blocks() const { return block_begins_.size() - 1; }
