@@ -94,14 +94,12 @@ Split best_split(std::span<const LampTriangle> lamps, const std::uint32_t* begin
   return best;
 }
 
-// The cosine of max(0, a - b) from sines and cosines.
-float cosine_of_less(float sine_a, float cosine_a, float sine_b, float cosine_b) {
-  return cosine_a >= cosine_b ? 1.0f : cosine_a * cosine_b + sine_a * sine_b;
-}
-float sine_of_less(float sine_a, float cosine_a, float sine_b, float cosine_b) {
-  return cosine_a >= cosine_b ? 0.0f : sine_a * cosine_b - cosine_a * sine_b;
-}
 float sine_of(float cosine) { return std::sqrt(std::max(0.0f, 1.0f - cosine * cosine)); }
+
+// The cosine of max(0, a - b).
+float cosine_of_less(float cosine_a, float sine_b, float cosine_b) {
+  return cosine_a >= cosine_b ? 1.0f : cosine_a * cosine_b + sine_of(cosine_a) * sine_b;
+}
 
 }  // namespace
 
@@ -157,23 +155,17 @@ float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n, floa
   const auto to = node.centre - x;
   const auto distance2 = glm::dot(to, to);
   const auto radius = node.radius + extra_radius;
-  const auto radius2 = radius * radius;
-  const auto near2 = std::max(distance2, node.radius * node.radius);
-  if (distance2 <= radius2) return node.power / near2;
-  const auto direction = to / std::sqrt(distance2);
-  const auto sphere_sine = radius / std::sqrt(distance2);
+  if (distance2 <= radius * radius) return node.power / std::max(distance2, node.radius * node.radius);
+  const auto inverse = 1.0f / std::sqrt(distance2);
+  const auto sphere_sine = radius * inverse;
   const auto sphere_cosine = sine_of(sphere_sine);
-  // At x.
-  auto here = glm::dot(n, direction);
-  here = cosine_of_less(sine_of(here), here, sphere_sine, sphere_cosine);
+  const auto here = cosine_of_less(glm::dot(n, to) * inverse, sphere_sine, sphere_cosine);
+  if (here < -rounding) return 0.0f;
   // At the lamps: away from their axis, less the spread, less the sphere.
-  const auto away = -glm::dot(node.axis, direction);
-  const auto away_sine = sine_of(away);
-  const auto less = cosine_of_less(away_sine, away, node.spread_sine, node.spread);
-  const auto less_sine = sine_of_less(away_sine, away, node.spread_sine, node.spread);
-  const auto there = cosine_of_less(less_sine, less, sphere_sine, sphere_cosine);
-  if (here < -rounding || there < -rounding) return 0.0f;
-  return node.power * std::max(here, least_cosine) * std::max(there, least_cosine) / near2;
+  const auto away = cosine_of_less(-glm::dot(node.axis, to) * inverse, node.spread_sine, node.spread);
+  const auto there = cosine_of_less(away, sphere_sine, sphere_cosine);
+  if (there < -rounding) return 0.0f;
+  return node.power * std::max(here, least_cosine) * std::max(there, least_cosine) * (inverse * inverse);
 }
 
 void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most,
@@ -214,14 +206,13 @@ void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t
   }
 }
 
-// How often the first of two children is chosen; negative where neither can light x.
-double LightTree::share_of_first(const Node* children, const Vec3& x, const Vec3& n, bool by_area) const {
+// What two children are chosen in proportion to: nothing where neither can light x.
+std::array<double, 2> LightTree::values_of(const Node* children, const Vec3& x, const Vec3& n,
+                                           bool by_area) const {
   const auto value = [&](const Node& child) {
     return static_cast<double>(by_area ? child.area : importance(child, x, n, 0.0f));
   };
-  const auto a = value(children[0]);
-  const auto b = value(children[1]);
-  return a + b > 0.0 ? a / (a + b) : -1.0;
+  return {value(children[0]), value(children[1])};
 }
 
 LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u,
@@ -230,12 +221,14 @@ LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3
   double probability = 1.0;
   while (!node->leaf) {
     const auto* children = &nodes_[node->next];
-    const auto share = share_of_first(children, x, n, by_area);
-    if (share < 0.0) return {};
-    const bool first = u < share;
+    const auto [a, b] = values_of(children, x, n, by_area);
+    if (!(a + b > 0.0)) return {};
+    const auto at = u * (a + b);
+    const bool first = at < a;
     node = first ? children : children + 1;
-    probability *= first ? share : 1.0 - share;
-    u = std::min(first ? u / share : (u - share) / (1.0 - share), 0x1.fffffffffffffp-1);
+    // Two divisions that do not wait for each other.
+    probability *= (first ? a : b) / (a + b);
+    u = std::min(first ? at / a : (at - a) / b, 0x1.fffffffffffffp-1);
   }
   return {node->next, probability, u};
 }
@@ -251,9 +244,9 @@ double LightTree::probability(const LampBranch& branch, std::uint32_t lamp, cons
   double probability = 1.0;
   for (auto at = leaf_of_[lamp]; at != branch.index; at = nodes_[at].parent) {
     const auto first = nodes_[nodes_[at].parent].next;
-    const auto share = share_of_first(&nodes_[first], x, n, by_area);
-    if (share < 0.0) return 0.0;
-    probability *= at == first ? share : 1.0 - share;
+    const auto [a, b] = values_of(&nodes_[first], x, n, by_area);
+    if (!(a + b > 0.0)) return 0.0;
+    probability *= (at == first ? a : b) / (a + b);
   }
   return probability;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -59,7 +60,7 @@ class LightTree {
     std::uint32_t parent = 0;  // of the root: itself
     bool leaf = false;
   };
-  double share_of_first(const Node* children, const Vec3& x, const Vec3& n, bool by_area) const;
+  std::array<double, 2> values_of(const Node* children, const Vec3& x, const Vec3& n, bool by_area) const;
   void build(std::uint32_t node, const Lamps& lamps, std::uint32_t* begin, std::uint32_t* end);
   static float importance(const Node& node, const Vec3& x, const Vec3& n, float extra_radius);
 
