@@ -27,8 +27,8 @@ LIBRARIES = {
 HOMES_OUTSIDE_ROOMS = {"CLI11": (r"CLI/", "apps"), "nlohmann_json": (r"nlohmann/", "apps")}
 EVERYWHERE = r"fmt/"
 # Intrinsics: embree asks each of its threads to set two bits of the SSE control register.
-SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "unistd.h", "termios.h", "sys/file.h", "sys/ioctl.h",
-          "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
+SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "unistd.h", "termios.h", "sys/file.h",
+          "sys/ioctl.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
 STANDARD = set("""algorithm any array atomic barrier bit bitset cassert ccomplex cctype cerrno cfenv cfloat charconv chrono
 cinttypes climits clocale cmath compare complex concepts condition_variable coroutine csetjmp csignal cstdarg cstddef
 cstdint cstdio cstdlib cstring ctime cuchar cwchar cwctype deque exception execution filesystem format forward_list
