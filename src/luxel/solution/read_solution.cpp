@@ -10,6 +10,7 @@
 
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/hdf5_reader.h"
+#include "luxel/solution/provenance_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
 
@@ -93,23 +94,6 @@ StopReason read_stop_reason(const Hdf5Reader& file) {
   file.refuse_as_damaged(fmt::format("the stop reason '{}' is not known", found));
 }
 
-Provenance read_provenance(const Hdf5Reader& file) {
-  const std::string group = "Luxel/provenance";
-  const auto string = [&](const std::string& name) { return file.strings(group + "/" + name, 1)[0]; };
-  Provenance provenance;
-  provenance.program_version = string("program_version");
-  provenance.command_line = string("command_line");
-  provenance.method = string("method");
-  const auto n = file.rows(group + "/option_name");
-  const auto names = file.strings(group + "/option_name", n);
-  const auto values = file.strings(group + "/option_value", n);
-  for (std::size_t i = 0; i < n; ++i) provenance.options.emplace_back(names[i], values[i]);
-  provenance.seed = file.number<std::uint64_t>(group, "seed");
-  provenance.rays = file.number<std::uint64_t>(group, "rays");
-  provenance.scene_fingerprint = file.number<std::uint64_t>(group, "scene_fingerprint");
-  return provenance;
-}
-
 Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& bands, std::size_t n) {
   Solution solution;
   solution.bands = bands;
@@ -124,7 +108,7 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   solution.unshot_share = file.number<double>("Luxel", "unshot_share");
   solution.predicted_error = file.number<double>("Luxel", "predicted_error");
   solution.stop = read_stop_reason(file);
-  solution.provenance = read_provenance(file);
+  solution.provenance = read_provenance(file, "Luxel/provenance");
   return solution;
 }
 

@@ -11,6 +11,7 @@
 #include "luxel/report/error.h"
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/hdf5_writer.h"
+#include "luxel/solution/provenance_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
 
@@ -79,27 +80,6 @@ void add_materials(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/materials/emittance", by_band(emittance), "W/m^2");
 }
 
-void add_provenance(Hdf5Writer& file, const Provenance& provenance) {
-  const std::string group = "Luxel/provenance";
-  const auto add_string = [&](const std::string& name, const std::string& value) {
-    file.add_strings(group + "/" + name, std::array{value});
-  };
-  file.add_group(group);
-  file.add_number(group, "seed", provenance.seed);
-  file.add_number(group, "rays", provenance.rays);
-  file.add_number(group, "scene_fingerprint", provenance.scene_fingerprint);
-  add_string("program_version", provenance.program_version);
-  add_string("command_line", provenance.command_line);
-  add_string("method", provenance.method);
-  std::vector<std::string> names, values;
-  for (const auto& [name, value] : provenance.options) {
-    names.push_back(name);
-    values.push_back(value);
-  }
-  file.add_strings(group + "/option_name", names);
-  file.add_strings(group + "/option_value", values);
-}
-
 void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
   file.add_group("Luxel");
   file.add_number("Luxel", "format_version", solution_format_version);
@@ -112,7 +92,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
   add_materials(file, patches);
-  add_provenance(file, solution.provenance);
+  add_provenance(file, "Luxel/provenance", solution.provenance);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -9,6 +8,7 @@
 #include "luxel/report/error.h"
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/hdf5_writer.h"
+#include "luxel/solution/provenance_file.h"
 #include "luxel/viewfactors/view_factors_file.h"
 
 namespace luxel {
@@ -24,44 +24,6 @@ template <typename T>
 void add_flat(Hdf5Writer& file, std::string_view name, const std::vector<T>& values,
               const std::string& unit = {}) {
   file.add_array(in_group(name), flat_array(std::span<const T>(values)), unit);
-}
-
-void add_provenance(Hdf5Writer& file, const Provenance& provenance) {
-  const auto add_string = [&](const std::string& name, const std::string& value) {
-    file.add_strings(provenance_group + "/" + name, std::array{value});
-  };
-  file.add_group(provenance_group);
-  file.add_number(provenance_group, "seed", provenance.seed);
-  file.add_number(provenance_group, "rays", provenance.rays);
-  file.add_number(provenance_group, "scene_fingerprint", provenance.scene_fingerprint);
-  add_string("program_version", provenance.program_version);
-  add_string("command_line", provenance.command_line);
-  add_string("method", provenance.method);
-  std::vector<std::string> names, values;
-  for (const auto& [name, value] : provenance.options) {
-    names.push_back(name);
-    values.push_back(value);
-  }
-  file.add_strings(provenance_group + "/option_name", names);
-  file.add_strings(provenance_group + "/option_value", values);
-}
-
-Provenance read_provenance(const Hdf5Reader& file) {
-  const auto read_string = [&](const std::string& name) {
-    return file.strings(provenance_group + "/" + name, 1)[0];
-  };
-  Provenance provenance;
-  provenance.seed = file.number<std::uint64_t>(provenance_group, "seed");
-  provenance.rays = file.number<std::uint64_t>(provenance_group, "rays");
-  provenance.scene_fingerprint = file.number<std::uint64_t>(provenance_group, "scene_fingerprint");
-  provenance.program_version = read_string("program_version");
-  provenance.command_line = read_string("command_line");
-  provenance.method = read_string("method");
-  const auto count = file.rows(provenance_group + "/option_name");
-  const auto names = file.strings(provenance_group + "/option_name", count);
-  const auto values = file.strings(provenance_group + "/option_value", count);
-  for (std::size_t i = 0; i < count; ++i) provenance.options.emplace_back(names[i], values[i]);
-  return provenance;
 }
 
 std::string sink_error_name(std::size_t k) {
@@ -122,7 +84,7 @@ void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactor
       add_flat(file, "triangle", note.triangle);
       file.add_array(in_group("centre"), vectors(note.centre), "m");
     }
-    add_provenance(file, note.provenance);
+    add_provenance(file, provenance_group, note.provenance);
     bytes = file.finish();
   } catch (const DeviceError& error) {
     throw DeviceError(fmt::format("cannot write {}: {}", path.string(), error.what()));
@@ -162,7 +124,7 @@ StoredViewFactors read_view_factors_hdf5(const std::filesystem::path& path) {
     note.triangle = file.array<std::uint32_t>(in_group("triangle"), n);
     note.centre = file.vectors(in_group("centre"), n);
   }
-  note.provenance = read_provenance(file);
+  note.provenance = read_provenance(file, provenance_group);
   return stored;
 }
 
