@@ -43,17 +43,13 @@ void write_light(const RowOperator& transport, const RowLight& light,
   }
 }
 
-RowEnergy energy_of(const RowOperator& transport, const RowLight& light) {
+EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
   const auto& patches = transport.patches();
   const auto bands = patches.band_count();
   const auto materials = patches.materials.size();
   const auto& losses = transport.losses();
-  RowEnergy energy;
+  EnergyAccount energy(emitted_power(patches), materials);
   auto& balance = energy.balance;
-  balance.emitted = emitted_power(patches);
-  for (auto* part : {&balance.absorbed, &balance.escaped, &balance.lost_at_backs, &balance.unshot})
-    part->assign(bands, 0.0);
-  energy.back_loss.assign(materials, 0.0);
   for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
     const auto slot = i / bands;
     const auto b = i % bands;

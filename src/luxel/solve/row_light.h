@@ -27,16 +27,11 @@ struct RowLight {
 void write_light(const RowOperator& transport, const RowLight& light,
                  const std::vector<float>& standard_error, Solution& solution);
 
-struct RowEnergy {
-  EnergyBalance balance;
-  std::vector<double> back_loss;  // [material], W summed over bands
-};
-
 // Where the power goes, each part from what it is: absorbed from the irradiance, escaped and lost at backs
 // from the losses of the rows, unshot from what the last step reflected. They add up to the emitted power as
 // well as the factors are reciprocal and their rows sum to one: to rounding for dense, within the noise for
 // lines, within the aliasing for hemicubes.
-RowEnergy energy_of(const RowOperator& transport, const RowLight& light);
+EnergyAccount energy_of(const RowOperator& transport, const RowLight& light);
 
 // Area-weighted relative RMS: sqrt(sum of A error² / sum of A H²).
 double whole_error(const RowLight& light, const std::vector<float>& standard_error);

@@ -5,7 +5,7 @@
 
 namespace luxel {
 
-SampledEnergy energy_of(const PatchSet& patches, const SampledOperator& transport, std::uint32_t replicates,
+EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport, std::uint32_t replicates,
                         const std::vector<float>& irradiance, const Workers& workers) {
   const auto& sides = transport.sides();
   const auto bands = patches.band_count();
@@ -40,12 +40,8 @@ SampledEnergy energy_of(const PatchSet& patches, const SampledOperator& transpor
     }
   });
 
-  SampledEnergy energy;
+  EnergyAccount energy(emitted_power(patches), materials);
   auto& balance = energy.balance;
-  balance.emitted = emitted_power(patches);
-  for (auto* part : {&balance.absorbed, &balance.escaped, &balance.lost_at_backs, &balance.unshot})
-    part->assign(bands, 0.0);
-  energy.back_loss.assign(materials, 0.0);
   for (std::size_t block = 0; block < transport.blocks(); ++block)
     for (std::size_t b = 0; b < bands; ++b) {
       const auto* sum = &sums[block * width];

@@ -8,14 +8,10 @@
 
 namespace luxel {
 
-struct SampledEnergy {
-  EnergyBalance balance;          // adds up to within the error of the light; nothing is unshot
-  std::vector<double> back_loss;  // [material], W summed over bands
-};
-
-// Where the light of a sampled solution goes: what slots take up, and what their rays bring to the sinks.
+// Where the light of a sampled solution goes: what slots take up, and what their rays bring to the sinks. It
+// adds up to within the error of the light; nothing is unshot.
 // irradiance: [slot * bands + band], W/m². Cost: one look-up a ray. The same bits on any number of threads.
-SampledEnergy energy_of(const PatchSet& patches, const SampledOperator& transport, std::uint32_t replicates,
+EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport, std::uint32_t replicates,
                         const std::vector<float>& irradiance, const Workers& workers);
 
 }  // namespace luxel
