@@ -149,6 +149,11 @@ std::vector<float> signed_shares(std::size_t count, const PairOf& pair) {
   return shares;
 }
 
+bool states_every_error(const Solution& s) {
+  return !s.standard_error_front.empty() || !s.standard_error_back.empty();
+}
+
+// Places are scored where both answers state an error of each.
 Pair side_pair(const Baked& a, const Baked& b, std::size_t side) {
   const auto bands = a.solution.bands.size();
   const auto of = [&](const auto& front, const auto& back) {
@@ -156,9 +161,12 @@ Pair side_pair(const Baked& a, const Baked& b, std::size_t side) {
   };
   const auto& x = a.solution;
   const auto& y = b.solution;
-  return {of(x.irradiance_front, x.irradiance_back), of(y.irradiance_front, y.irradiance_back),
-          of(x.standard_error_front, x.standard_error_back),
-          of(y.standard_error_front, y.standard_error_back)};
+  Pair pair{of(x.irradiance_front, x.irradiance_back), of(y.irradiance_front, y.irradiance_back), {}, {}};
+  if (states_every_error(x) && states_every_error(y)) {
+    pair.error_a = of(x.standard_error_front, x.standard_error_back);
+    pair.error_b = of(y.standard_error_front, y.standard_error_back);
+  }
+  return pair;
 }
 
 }  // namespace
@@ -171,23 +179,6 @@ std::optional<bool> Comparison::agrees() const {
   return relative_rms * relative_rms <= most_mean_z2 * expected_rms * expected_rms;
 }
 
-namespace {
-
-bool states_every_error(const Solution& s) {
-  return !s.standard_error_front.empty() || !s.standard_error_back.empty();
-}
-
-// Where either has no error of its places, the errors of the whole are all there is to judge by.
-void judge_as_a_whole(Comparison& c, const Solution& a, const Solution& b) {
-  c.scored = c.outliers = 0;
-  c.mean_z2 = c.within = c.bias_error = c.expected_rms = 0.0;
-  for (auto& d : c.largest) d.error = 0.0;
-  if (a.predicted_error > 0.0 && b.predicted_error > 0.0)
-    c.expected_rms = std::hypot(a.predicted_error, b.predicted_error);
-}
-
-}  // namespace
-
 Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places) {
   check_same_patches(a, b);
   Sums sums;
@@ -195,7 +186,8 @@ Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places)
     sums.add(side, static_cast<double>(a.patches.area[side / 2]), side_pair(a, b, side));
   auto result = sums.result(places);
   if (!states_every_error(a.solution) || !states_every_error(b.solution))
-    judge_as_a_whole(result, a.solution, b.solution);
+    if (a.solution.predicted_error > 0.0 && b.solution.predicted_error > 0.0)
+      result.expected_rms = std::hypot(a.solution.predicted_error, b.solution.predicted_error);
   return result;
 }
 
