@@ -153,11 +153,6 @@ class Bake final : public Command {
     return solved.stop == StopReason::stopped_by_user || (is_at_limit && error_target().value_or(0.0) > 0.0);
   }
 
-  static int stopped_before_light(Console& console) {
-    console.log()({Severity::warning, "stopped before there was any light to write: no file was written"});
-    return exit_stopped_early;
-  }
-
   // Lumens of each lamp material, so that a wrong unit shows at once, and lamps that light nothing.
   static void report_lamps(const PatchSet& patches, const std::vector<LampView>& views, Console& console) {
     for (const auto& view : views) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "luxel/apps/commands.h"
 #include "luxel/apps/streams.h"
 
 namespace luxel {
@@ -97,6 +98,11 @@ void Console::show(const Progress& progress) {
   print_note(fmt::format("\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "",
                          bar_width - filled, numbers));
   bar_shown_ = true;
+}
+
+int stopped_before_light(Console& console) {
+  warn(console.log(), "stopped before there was any light to write: no file was written");
+  return exit_stopped_early;
 }
 
 }  // namespace luxel

@@ -39,6 +39,9 @@ class Console {
   Clock::time_point last_shown_;
 };
 
+// What a command says that is stopped before it has anything to write; its exit code.
+int stopped_before_light(Console& console);
+
 // Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() answers; a second one ends the program at
 // once.
 void catch_interrupts();

@@ -74,11 +74,10 @@ namespace {
 
 // The light a camera is found by: the same whatever method the picture's own light comes from, and however
 // far it has got, so that pictures of one mesh can be laid beside each other.
-Solution glance(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
   Solution light;
-  const auto rays = std::clamp<std::uint64_t>(2 * patches.size(), 50'000, 250'000);
   try {
-    solve_stochastic_jacobi(patches, tracer, light, {.rays = rays, .tolerance = 0.2}, workers);
+    solve_stochastic_jacobi(patches, tracer, light, glance(patches), workers);
   } catch (const InputError&) {
     return {};  // no lamp: all surfaces count alike
   }
@@ -101,8 +100,8 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
     camera.eye = *picture.eye;
     camera.target = *picture.target;
   } else {
-    camera =
-        automatic_camera(baked.patches, glance(baked.patches, tracer, workers), tracer, workers, up, aspect);
+    camera = automatic_camera(baked.patches, light_at_a_glance(baked.patches, tracer, workers), tracer,
+                              workers, up, aspect);
     if (picture.eye) camera.eye = *picture.eye;
     if (picture.target) camera.target = *picture.target;
   }

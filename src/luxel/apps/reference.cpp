@@ -181,11 +181,6 @@ class Reference final : public Command {
     return picture;
   }
 
-  static int stopped_before_light(Console& console) {
-    console.log()({Severity::warning, "stopped before there was any light to write: no file was written"});
-    return exit_stopped_early;
-  }
-
   SceneSettings scene_;
   ReferenceSettings light_;
   LookSettings look_;

@@ -173,9 +173,8 @@ class ViewFactorsCommand final : public Command {
                        patches.scene_fingerprint};
     if (elements.kind != Between::patches) return note;
     for (const auto p : elements.first_patch) {
-      const auto corners = patches.points(p);
       note.triangle.push_back(patches.triangle[p]);
-      note.centre.push_back((corners[0] + corners[1] + corners[2]) / 3.0f);
+      note.centre.push_back(patches.centroid(p));
     }
     return note;
   }

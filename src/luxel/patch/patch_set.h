@@ -47,6 +47,10 @@ struct PatchSet {
     const auto& c = corners[patch];
     return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
   }
+  Vec3 centroid(std::size_t patch) const {
+    const auto p = points(patch);
+    return (p[0] + p[1] + p[2]) / 3.0f;
+  }
 };
 
 }  // namespace luxel

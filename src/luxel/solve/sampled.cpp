@@ -31,11 +31,7 @@ constexpr double aim = 0.9;              // of the squared error asked for: anot
 constexpr double weight_before_sharing = 0.3;
 // With fewer there are few fits, so the estimate of their bias is too noisy, and there is little to gain.
 constexpr std::size_t least_shared_slots = 4096;
-// The first picture: enough to see the room by.
-constexpr std::uint64_t least_first_rays = 50'000;
-constexpr std::uint64_t most_first_rays = 250'000;
-constexpr double first_tolerance = 0.2;
-constexpr double second_tolerance = 0.01;
+constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
 constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
 
 void check(const PatchSet& patches, const SampledOptions& options) {
@@ -89,8 +85,8 @@ class Run {
   // A few rays shot from the lamps: a picture of the whole. Then some more, unseen, which find their way to
   // most of what light reaches, and are where the iteration begins.
   bool show_first_light() {
-    const auto rays = std::clamp<std::uint64_t>(2 * patches_.size(), least_first_rays, most_first_rays);
-    return shoot_light(rays, first_tolerance, 0) &&
+    const auto first = glance(patches_);
+    return shoot_light(first.rays, first.tolerance, 0) &&
            tell(monitor_, {"light", 0.0, first_rays_, 0.0, &solution_}) == Next::go_on &&
            shoot_light(2 * patches_.size(), second_tolerance, 1);
   }

@@ -222,6 +222,12 @@ std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {
       std::max(100'000.0, rays_per_patch * static_cast<double>(patches.size()) * once));
 }
 
+StochasticJacobiOptions glance(const PatchSet& patches) {
+  constexpr std::uint64_t least_rays = 50'000;
+  constexpr std::uint64_t most_rays = 250'000;
+  return {.rays = std::clamp<std::uint64_t>(2 * patches.size(), least_rays, most_rays), .tolerance = 0.2};
+}
+
 SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                                     const StochasticJacobiOptions& options, const Workers& workers,
                                     const Monitor& monitor) {

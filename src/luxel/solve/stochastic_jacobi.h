@@ -38,6 +38,9 @@ SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& trace
                                     const StochasticJacobiOptions& options, const Workers& workers,
                                     const Monitor& monitor = {});
 
+// A glance: few rays, enough to see the whole scene by, in a blink.
+StochasticJacobiOptions glance(const PatchSet& patches);
+
 // The rays that `rays = 0` stands for.
 std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch);
 
