@@ -23,6 +23,15 @@ struct BandMaterial {
   bool is_lamp() const;
 };
 
+// Another surface touches this one along an edge of its patches, or passes through it there: on the side that
+// the other one stands on, light may jump across the edge though the surface goes on.
+struct Contact {
+  std::array<std::uint32_t, 2> edge{};  // vertices, the lower first
+  Vec3 into{0.0f};                      // unit, at right angles to the edge: where the other surface goes
+
+  bool operator==(const Contact&) const = default;
+};
+
 // The surfaces cut into patches of constant radiosity. Parallel arrays: entry i of each is patch i. Patches
 // stand in the order of their input triangles. Vertices at the same place are one vertex, so neighbours share
 // indices.
@@ -33,6 +42,7 @@ struct PatchSet {
   std::vector<float> area;                            // m²
   std::vector<MaterialId> material;
   std::vector<std::uint32_t> triangle;  // index of the input triangle, see Scene
+  std::vector<Contact> contacts;        // sorted by edge; a wall through a floor makes two, above and below
 
   std::vector<std::string> bands;  // names: "red", "green", "blue"
   std::vector<BandMaterial> materials;
