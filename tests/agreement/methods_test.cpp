@@ -66,7 +66,7 @@ Numbers both_sides(const std::vector<float>& front, const std::vector<float>& ba
 struct Answer {
   std::string method;
   Numbers irradiance, error, bound;
-  double out_of_balance = 0.0;  // over the emitted power
+  double out_of_balance = 0.0;  // over the power of lamps and sky
   double balance_allowed = 0.0;
 };
 
@@ -75,6 +75,9 @@ double power(const std::vector<double>& bands) {
   for (const auto watts : bands) sum += watts;
   return sum;
 }
+
+// Of lamps and sky.
+double light_of(const EnergyBalance& energy) { return power(energy.emitted) + power(energy.from_sky); }
 
 class Room {
  public:
@@ -115,8 +118,9 @@ class Room {
     const auto report =
         solve_stochastic_jacobi(patches_, tracer_, s, {.rays = 2'000'000, .tolerance = 1e-6}, workers_);
     auto answer = answer_of("shooting", s, report.energy, 1e-6);
-    const auto emitted = power(report.energy.emitted);
-    const auto quantum = emitted / static_cast<double>(report.steps[0].rays);
+    const auto emitted = light_of(report.energy);
+    // Of the second step, which shoots no sky: all steps have the same.
+    const auto quantum = report.steps[0].unshot_share * emitted / static_cast<double>(report.steps[1].rays);
     answer.error.resize(answer.irradiance.size());
     for (std::size_t i = 0; i < answer.irradiance.size(); ++i) {
       const auto area = area_of(i);
@@ -160,7 +164,7 @@ class Room {
       allowed += area_of(i) * (answer.bound[i] + 3.0 * answer.error[i]);
       light += area_of(i) * answer.irradiance[i];
     }
-    answer.balance_allowed = allowed / light * power(report.energy.absorbed) / power(report.energy.emitted);
+    answer.balance_allowed = allowed / light * power(report.energy.absorbed) / light_of(report.energy);
     return answer;
   }
 
@@ -170,11 +174,14 @@ class Room {
     options.limits.error = 0.015;
     options.bounces_from = BouncesFrom::patches;
     const auto report = trace_light(patches_, tracer_, s, options, workers_);
-    EnergyBalance energy{report.emitted, report.absorbed, report.escaped, report.lost_at_backs, {}};
+    EnergyBalance energy{report.emitted, report.from_sky,      report.absorbed,
+                         report.escaped, report.lost_at_backs, {}};
     auto answer = with_stated_errors("reference", s, energy);
-    const auto brightest = *std::max_element(s.radiosity_front.begin(), s.radiosity_front.end());
+    double brightest = *std::max_element(s.radiosity_front.begin(), s.radiosity_front.end());
+    for (std::size_t b = 0; b < patches_.band_count(); ++b)
+      brightest = std::max(brightest, patches_.sky_radiosity(b));
     for (auto& error : answer.error)
-      error = std::hypot(error, std::sqrt(0.5) * double{brightest} / static_cast<double>(report.paths));
+      error = std::hypot(error, std::sqrt(0.5) * brightest / static_cast<double>(report.paths));
     return answer;
   }
 
@@ -192,7 +199,7 @@ class Room {
     answer.irradiance = both_sides(s.irradiance_front, s.irradiance_back);
     answer.bound.assign(answer.irradiance.size(), 0.0);
     const auto went = power(e.absorbed) + power(e.escaped) + power(e.lost_at_backs) + power(e.unshot);
-    answer.out_of_balance = went / power(e.emitted) - 1.0;
+    answer.out_of_balance = went / light_of(e) - 1.0;
     answer.balance_allowed = balance_allowed;
     return answer;
   }

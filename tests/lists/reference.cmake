@@ -1,4 +1,5 @@
 luxel_test(truth/path_traced ROOMS reference solve LIBRARIES luxel_known_rooms)
+luxel_test(truth/sky ROOMS reference solve LIBRARIES luxel_truth_scenes)
 luxel_test(truth/path_picture ROOMS reference solve LIBRARIES luxel_truth_scenes)
 luxel_test(statistics/reference ROOMS reference solve LIBRARIES luxel_known_rooms)
 luxel_test(unit/compare ROOMS reference)

@@ -131,6 +131,26 @@ PatchSet turned_plates() {
   return cut(b, 0.36f);
 }
 
+// The L-shaped room in daylight: no lamp, a window in its end wall, and a blue shade before it.
+PatchSet sky_window() {
+  SceneBuilder b;
+  b.material("walls", Vec3(0.6f, 0.5f, 0.4f), Vec3(0.0f), one_sided);
+  b.quad({0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}).quad({1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0});
+  b.quad({0, 2, 1}, {1, 2, 1}, {1, 0, 1}, {0, 0, 1}).quad({1, 1, 1}, {2, 1, 1}, {2, 0, 1}, {1, 0, 1});
+  b.quad({0, 0, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 1}).quad({0, 0, 1}, {2, 0, 1}, {2, 0, 0}, {0, 0, 0});
+  b.quad({0, 2, 0}, {1, 2, 0}, {1, 2, 1}, {0, 2, 1}).quad({1, 2, 0}, {1, 1, 0}, {1, 1, 1}, {1, 2, 1});
+  b.quad({1, 1, 0}, {2, 1, 0}, {2, 1, 1}, {1, 1, 1});
+  b.quad({2, 1, 0}, {2, 0, 0}, {2, 0, 0.3f}, {2, 1, 0.3f})
+      .quad({2, 1, 0.9f}, {2, 0, 0.9f}, {2, 0, 1}, {2, 1, 1});
+  b.quad({2, 0.2f, 0.3f}, {2, 0, 0.3f}, {2, 0, 0.9f}, {2, 0.2f, 0.9f});
+  b.quad({2, 1, 0.3f}, {2, 0.8f, 0.3f}, {2, 0.8f, 0.9f}, {2, 1, 0.9f});
+  b.material("shade", Vec3(0.2f, 0.4f, 0.8f), Vec3(0.0f));
+  b.quad({2.2f, 0.1f, 0.7f}, {2.6f, 0.1f, 0.6f}, {2.6f, 0.9f, 0.6f}, {2.2f, 0.9f, 0.7f});
+  auto scene = b.scene();
+  scene.sky = Vec3(0.8f, 0.9f, 1.2f);
+  return make_patches(scene, {.max_edge = 1.1f});
+}
+
 }  // namespace
 
 const std::vector<AgreementRoom>& agreement_rooms() {
@@ -142,7 +162,8 @@ const std::vector<AgreementRoom>& agreement_rooms() {
                                                    {"many_lamps", many_lamps},
                                                    {"louvre", louvre},
                                                    {"two_rooms", two_rooms},
-                                                   {"turned_plates", turned_plates}};
+                                                   {"turned_plates", turned_plates},
+                                                   {"sky_window", sky_window}};
   return rooms;
 }
 

@@ -106,6 +106,7 @@ inline std::string difference(const PatchSet& a, const PatchSet& b) {
   if (!std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
                   same_material))
     return "materials";
+  if (a.sky != b.sky) return "sky";
   return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
 }
 

@@ -9,6 +9,7 @@
 #include "luxel/solve/stochastic_jacobi.h"
 #include "luxel/transport/shooting.h"
 #include "luxel/transport/side_power.h"
+#include "luxel/transport/sky_box.h"
 
 #include "support/truth_scenes.h"
 
@@ -43,6 +44,24 @@ TEST(Energy, is_conserved_to_the_last_unit_of_fixed_point) {
   EXPECT_EQ(arrival.rays, 300'001u);
   expect_balanced(arrival);
   EXPECT_GT(std::accumulate(arrival.absorbed.begin(), arrival.absorbed.end(), std::int64_t{0}), 0);
+}
+
+// What the sky sends past the scene, or at the backs of one-sided materials, is not shot.
+TEST(Energy, of_lamps_and_sky_is_conserved_to_the_last_unit_of_fixed_point) {
+  auto patches = leaky_scene();
+  patches.sky = {1.0f, 2.0f, 0.5f};
+  const Workers workers;
+  const Tracer tracer(patches, workers);
+  auto leaving = lamp_power(patches);
+  const auto lamps = shoot(patches, tracer, leaving, {.rays = 300'001}, workers);
+  add_sky_power(patches, SkyBox(patches), leaving);
+  const auto arrival = shoot(patches, tracer, leaving, {.rays = 300'001}, workers);
+  expect_balanced(arrival);
+  for (std::size_t b = 0; b < 3; ++b) {
+    EXPECT_GT(arrival.from_sky[b], 0);
+    EXPECT_NEAR(arrival.scale.watts(arrival.shot[b] - arrival.from_sky[b]), lamps.scale.watts(lamps.shot[b]),
+                1e-3 * lamps.scale.watts(lamps.shot[b]));
+  }
 }
 
 TEST(Energy, shot_is_what_was_asked_to_be_shot) {
@@ -153,6 +172,7 @@ TEST(Energy, a_scene_without_a_lamp_is_refused_with_advice) {
     FAIL() << "expected an InputError";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("Ke"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("--sky"), std::string::npos) << error.what();
   }
 }
 

@@ -23,7 +23,7 @@ Light iterate(const test::RandomMatrix& matrix, const JacobiOptions& options, in
   for (auto* array : {&light.before, &light.irradiance, &light.radiosity})
     array->assign(matrix.emittance.size(), -1.0f);
   const Workers workers(threads);
-  light.report = jacobi(matrix, matrix.area, matrix.emittance, matrix.reflectance, light.before,
+  light.report = jacobi(matrix, matrix.area, matrix.emittance, {}, matrix.reflectance, light.before,
                         light.irradiance, light.radiosity, options, workers, monitor, each_step);
   return light;
 }
@@ -36,6 +36,22 @@ TEST(Jacobi, converges_to_the_solution) {
   const Workers workers;
   ASSERT_TRUE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, exact, workers));
   for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(light.radiosity[i] / exact[i], 1.0, 1e-6) << i;
+}
+
+// What comes from outside is light of the first step, as that of lamps is.
+TEST(Jacobi, light_from_outside_is_as_good_as_lamps_that_send_it) {
+  const test::RandomMatrix matrix(60);
+  const Workers workers;
+  const std::vector<float> dark(matrix.emittance.size(), 0.0f);
+  std::vector<float> outside(dark.size()), before(dark.size()), irradiance(dark.size()),
+      radiosity(dark.size());
+  matrix.apply(matrix.emittance, outside, 0, matrix.size(), workers);
+  const auto lit = iterate(matrix, {.tolerance = 1e-9});
+  const auto report = jacobi(matrix, matrix.area, dark, outside, matrix.reflectance, before, irradiance,
+                             radiosity, {.tolerance = 1e-9}, workers);
+  EXPECT_EQ(report.end, JacobiEnd::converged);
+  for (std::size_t i = 0; i < dark.size(); ++i)
+    EXPECT_NEAR(irradiance[i] / lit.irradiance[i], 1.0, 1e-6) << i;
 }
 
 TEST(Jacobi, a_step_is_a_bounce) {

@@ -116,6 +116,14 @@ TEST(CheckScene, a_lamp_that_swallows_light_is_refused) {
   }
 }
 
+TEST(CheckScene, a_sky_that_swallows_light_is_refused) {
+  for (const float radiance : {-1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    auto scene = square();
+    scene.sky.g = radiance;
+    EXPECT_NE(refusal(scene).find("radiance of the sky"), std::string::npos) << radiance;
+  }
+}
+
 TEST(CheckScene, a_camera_that_looks_along_its_up_is_refused) {
   auto scene = square();
   scene.cameras.push_back({.eye = Vec3(0, 3, 0), .target = Vec3(0), .up = Vec3(0, 1, 0)});
@@ -162,6 +170,7 @@ TEST(Fingerprint, sees_all_that_light_depends_on) {
   EXPECT_TRUE(changed([](Scene& s) { s.materials[0].reflectance.r = 0.25f; }));
   EXPECT_TRUE(changed([](Scene& s) { s.materials[1].emittance.r = 3.5f; }));
   EXPECT_TRUE(changed([](Scene& s) { s.materials[0].two_sided = false; }));
+  EXPECT_TRUE(changed([](Scene& s) { s.sky.b = 1.0f; }));
 }
 
 }  // namespace

@@ -75,6 +75,14 @@ TEST(SolutionFile, standard_errors_are_read_to_the_bit) {
   }
 }
 
+TEST(SolutionFile, the_sky_is_kept) {
+  for (const std::size_t bands : {1, 3}) {
+    auto sample = sample::baked(2, bands);
+    sample.patches.sky = sample::numbers(bands, 0.5f);
+    expect_same(read_solution(write("sky.vtkhdf", sample)), sample);
+  }
+}
+
 TEST(SolutionFile, every_stop_reason_is_kept) {
   auto sample = sample::baked(2, 3);
   for (const auto stop : {StopReason::converged, StopReason::error_reached, StopReason::ray_limit,
@@ -186,6 +194,12 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
             std::string::npos);
   EXPECT_NE(with([](auto& p, auto&) { p.area.pop_back(); }).find("arrays of 4 patches"), std::string::npos);
   EXPECT_NE(with([](auto& p, auto&) { p.materials[0].reflectance[0] = 1.0f; }).find("reflectance 1"),
+            std::string::npos);
+  EXPECT_NE(with([&](auto& p, auto&) {
+              p.sky = {1.0f, infinity, 1.0f};
+            }).find("the sky has the radiance inf"),
+            std::string::npos);
+  EXPECT_NE(with([](auto& p, auto&) { p.sky = {1.0f}; }).find("the sky does not have one number"),
             std::string::npos);
   EXPECT_NE(with([](auto&, auto& s) { s.irradiance_back.pop_back(); }).find("holds 11 numbers, expected 12"),
             std::string::npos);

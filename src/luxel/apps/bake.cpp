@@ -25,6 +25,7 @@ class Bake final : public Command {
  public:
   explicit Bake(OptionSet& options) : Command(options) {
     scene_.declare(options);
+    scene_.declare_sky(options);
     light_.declare(options);
     look_.declare(options);
     picture_.declare(options);
@@ -109,7 +110,7 @@ class Bake final : public Command {
         return solve_lines(patches, tracer, light, light_.lines, workers, monitor);
       return solve_sampled(patches, tracer, light, light_.sampled, workers, monitor);
     } catch (const InputError& error) {
-      throw InputError(scene_.file, error.what());  // it has no lamp; the solver knows no file
+      throw InputError(scene_.file, error.what());  // it has no light; the solver knows no file
     }
   }
 
@@ -153,8 +154,13 @@ class Bake final : public Command {
     return solved.stop == StopReason::stopped_by_user || (is_at_limit && error_target().value_or(0.0) > 0.0);
   }
 
-  // Lumens of each lamp material, so that a wrong unit shows at once, and lamps that light nothing.
+  // Lux of the sky and lumens of each lamp material, so that a wrong unit shows at once, and lamps that light
+  // nothing.
   static void report_lamps(const PatchSet& patches, const std::vector<LampView>& views, Console& console) {
+    if (patches.has_sky())
+      console.say(
+          fmt::format("sky: {:.4g} lx in the open",
+                      lumens(patches.sky_radiosity(0), patches.sky_radiosity(1), patches.sky_radiosity(2))));
     for (const auto& view : views) {
       console.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
                               lumens(view.power[0], view.power[1], view.power[2])));
@@ -165,12 +171,14 @@ class Bake final : public Command {
 
   void report_light(const Baked& baked, const SolveReport& solved, Console& console) const {
     console.say(describe(solved));
-    const auto emitted = std::accumulate(solved.energy.emitted.begin(), solved.energy.emitted.end(), 0.0);
+    const auto& energy = solved.energy;
+    auto power = std::accumulate(energy.emitted.begin(), energy.emitted.end(), 0.0);
+    power = std::accumulate(energy.from_sky.begin(), energy.from_sky.end(), power);
     for (std::size_t m = 0; m < solved.back_loss.size(); ++m)
-      if (solved.back_loss[m] > 0.001 * emitted)
+      if (solved.back_loss[m] > 0.001 * power)
         warn(console.log(),
              fmt::format("{:.1f} % of the emitted power is lost at the backs of one-sided material '{}'",
-                         100.0 * solved.back_loss[m] / emitted, baked.patches.materials[m].name));
+                         100.0 * solved.back_loss[m] / power, baked.patches.materials[m].name));
     if (!fell_short(solved)) return;
     const auto by = solved.stop == StopReason::stopped_by_user
                         ? std::string()

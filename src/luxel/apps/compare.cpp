@@ -76,7 +76,7 @@ class Compare final : public Command {
     const auto result = compare_solutions(a, b, places_);
     const auto shares = relative_differences(a, b);
     if (a.patches.scene_fingerprint != b.patches.scene_fingerprint)
-      warn(console.log(), "the meshes are the same, but the scenes have different materials");
+      warn(console.log(), "the meshes are the same, but the scenes have different materials, or skies");
     if (!run_.outputs.empty()) {
       const Workers workers(run_.threads);
       const Tracer tracer(a.patches, workers);

@@ -33,19 +33,19 @@ void add_bounded(OptionSet& set, const char* name, const char* unit, Number& val
   set.add({name, unit, help, parse, [&value] { return fmt::format("{}", value); }});
 }
 
-Vec3 parse_point(const char* name, const std::string& text) {
-  Vec3 point;
+// "1.5,0,-2", or nothing.
+std::optional<Vec3d> three_numbers(const std::string& text) {
+  Vec3d numbers;
   std::size_t begin = 0;
   for (int i = 0; i < 3; ++i) {
     const auto end = i < 2 ? text.find(',', begin) : text.size();
     const auto number =
-        end == std::string::npos ? std::nullopt : whole_number<float>(text.substr(begin, end - begin));
-    if (!number || !std::isfinite(*number))
-      throw UsageError(fmt::format("--{}: expected three numbers such as 1.5,0,-2, not '{}'", name, text));
-    point[i] = *number;
+        end == std::string::npos ? std::nullopt : whole_number<double>(text.substr(begin, end - begin));
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    numbers[i] = *number;
     begin = end + 1;
   }
-  return point;
+  return numbers;
 }
 
 }  // namespace
@@ -110,7 +110,30 @@ void OptionSet::add_point(const char* name, const char* unit, std::optional<Vec3
   };
   const auto parse = [=, &value](const std::string& text) {
     if (text == "auto") return value.reset();
-    value = parse_point(name, text);
+    const auto point = three_numbers(text);
+    if (!point)
+      throw UsageError(fmt::format("--{}: expected three numbers such as 1.5,0,-2, not '{}'", name, text));
+    value = Vec3(*point);
+  };
+  add({name, unit, help, parse, print});
+}
+
+void OptionSet::add_colour(const char* name, const char* unit, Vec3& value, const char* help) {
+  const auto print = [&value] {
+    return value == Vec3(value.r) ? fmt::format("{}", value.r)
+                                  : fmt::format("{},{},{}", value.r, value.g, value.b);
+  };
+  const auto parse = [=, &value](const std::string& text) {
+    const auto grey = whole_number<float>(text);
+    const auto three = three_numbers(text);
+    const auto colour = grey    ? std::optional(Vec3(*grey))
+                        : three ? std::optional(Vec3(*three))
+                                : std::nullopt;
+    constexpr float most = 1e9f;
+    if (!colour || !is_finite(*colour) || *colour != glm::clamp(*colour, 0.0f, most))
+      throw UsageError(fmt::format(
+          "--{}: expected a number from 0 to {:g}, or three such as 0.8,0.9,1, not '{}'", name, most, text));
+    value = *colour;
   };
   add({name, unit, help, parse, print});
 }

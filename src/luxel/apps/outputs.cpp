@@ -79,7 +79,7 @@ Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const 
   try {
     solve_stochastic_jacobi(patches, tracer, light, glance(patches), workers);
   } catch (const InputError&) {
-    return {};  // no lamp: all surfaces count alike
+    return {};  // no light: all surfaces count alike
   }
   return light;
 }

@@ -21,6 +21,7 @@ class Reference final : public Command {
  public:
   explicit Reference(OptionSet& options) : Command(options) {
     scene_.declare(options, "the mesh: an OBJ file with its MTL; or a solution (.vtkhdf), for its patches");
+    scene_.declare_sky(options);
     light_.declare(options);
     look_.declare(options);
     picture_.declare_view(options);
@@ -82,12 +83,14 @@ class Reference final : public Command {
     }
     const SceneSettings as_it_is;
     const auto& l = scene_.load;
-    if (is_of_solution() && (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() ||
-                             l.max_reflectance != as_it_is.load.max_reflectance ||
-                             scene_.patches.max_edge != as_it_is.patches.max_edge))
+    if (is_of_solution() &&
+        (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() ||
+         l.max_reflectance != as_it_is.load.max_reflectance || l.sky != as_it_is.load.sky ||
+         scene_.patches.max_edge != as_it_is.patches.max_edge))
       throw UsageError(
-          "a solution's patches are taken as they are: --scale, --max-reflectance, --one-sided, --flip and "
-          "--max-edge belong to a scene");
+          "a solution's patches are taken as they are: --scale, --max-reflectance, --one-sided, --flip, "
+          "--sky "
+          "and --max-edge belong to a scene");
   }
 
   // A solution's own light stays, to find a view by.
@@ -103,7 +106,7 @@ class Reference final : public Command {
     return baked;
   }
 
-  // The scene has no lamp; the library knows no file.
+  // The scene has neither lamp nor sky; the library knows no file.
   template <typename Body>
   auto naming_file(Body body) const {
     try {
@@ -141,6 +144,7 @@ class Reference final : public Command {
     report.predicted_error = traced.predicted_error;
     report.error_95th = traced.error_95th;
     report.energy.emitted = traced.emitted;
+    report.energy.from_sky = traced.from_sky;
     report.energy.absorbed = traced.absorbed;
     report.energy.escaped = traced.escaped;
     report.energy.lost_at_backs = traced.lost_at_backs;

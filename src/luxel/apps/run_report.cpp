@@ -46,6 +46,7 @@ Json to_json(const Baked& baked) {
                {"program_version", s.provenance.program_version},
                {"command_line", s.provenance.command_line}};
   if (s.error_95th > 0.0) json["error_95th"] = s.error_95th;
+  if (baked.patches.has_sky()) json["sky_W_per_m2_sr"] = baked.patches.sky;
   return json;
 }
 
@@ -106,11 +107,8 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
     json["predicted_memory_bytes"] = report.memory;
   }
   const auto& e = report.energy;
-  json["power_W"] = {{"emitted", e.emitted},
-                     {"absorbed", e.absorbed},
-                     {"escaped", e.escaped},
-                     {"lost_at_backs", e.lost_at_backs},
-                     {"unshot", e.unshot}};
+  json["power_W"] = {{"emitted", e.emitted}, {"from_sky", e.from_sky},           {"absorbed", e.absorbed},
+                     {"escaped", e.escaped}, {"lost_at_backs", e.lost_at_backs}, {"unshot", e.unshot}};
   return json;
 }
 
@@ -195,6 +193,7 @@ std::string describe(const Baked& baked) {
   const auto& s = baked.solution;
   auto text = fmt::format("{} patches, {:.4g} m², {} materials, bands {}\n", patches.size(),
                           total_area(patches), patches.materials.size(), fmt::join(s.bands, " "));
+  if (patches.has_sky()) text += fmt::format("under a sky of {} W/(m² sr)\n", fmt::join(patches.sky, " "));
   text += s.provenance.rays > 0 ? fmt::format("{} with {} rays, seed {}", s.provenance.method,
                                               s.provenance.rays, s.provenance.seed)
                                 : s.provenance.method;
@@ -212,9 +211,10 @@ std::string describe(const Baked& baked) {
 std::string describe(const SolveReport& report) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
   const auto& e = report.energy;
-  const auto emitted = sum(e.emitted);
+  const auto from_sky = sum(e.from_sky);
+  const auto whole = sum(e.emitted) + from_sky;
   const auto percent = [&](const std::vector<double>& part) {
-    return emitted > 0.0 ? 100.0 * sum(part) / emitted : 0.0;
+    return whole > 0.0 ? 100.0 * sum(part) / whole : 0.0;
   };
   const auto n = report.rounds.empty() ? report.steps.size() : report.rounds.size();
   auto done = n == 0
@@ -223,10 +223,10 @@ std::string describe(const SolveReport& report) {
   if (report.rays > 0) done += fmt::format("{}{} rays", done.empty() ? "" : ", ", report.rays);
   if (!done.empty()) done += "; ";
   auto text = fmt::format(
-      "{}emitted {:.4g} W = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + "
-      "unshot "
-      "{:.2g} %\n",
-      done, emitted, percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
+      "{}emitted {:.4g} W{} = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + unshot {:.2g} "
+      "%\n",
+      done, sum(e.emitted), from_sky > 0.0 ? fmt::format(" + from the sky {:.4g} W", from_sky) : "",
+      percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", stop_name(report.stop),
                             quality(report.error_kind, report.predicted_error, report.error_95th,

@@ -45,6 +45,12 @@ void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
               "longest edge of a patch; 0 keeps the triangles as they come");
 }
 
+void SceneSettings::declare_sky(OptionSet& set) {
+  set.heading("Light");
+  set.add_colour("sky", "W/(m² sr)", load.sky,
+                 "radiance all around the scene, one number or red,green,blue: windows let it in");
+}
+
 void PictureSettings::declare_view(OptionSet& set) {
   set.heading("Picture");
   set.add_point("eye", "x,y,z m", eye, "where the camera stands");

@@ -26,6 +26,8 @@ struct SceneSettings {
   LoadOptions load;
   PatchOptions patches;
   void declare(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
+  // Of the commands that find light; where the options of light begin.
+  void declare_sky(OptionSet& set);
 };
 
 struct LightSettings {

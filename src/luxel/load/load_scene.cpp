@@ -26,6 +26,10 @@ void check_options(const LoadOptions& options) {
     throw InputError(fmt::format("expected a scale above 0 metres a unit, found {}", options.scale));
   if (!(options.max_reflectance >= 0.0f && options.max_reflectance < 1.0f))
     throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
+  for (int band = 0; band < 3; ++band)
+    if (!(options.sky[band] >= 0.0f && std::isfinite(options.sky[band])))
+      throw InputError(
+          fmt::format("expected a sky of 0 or more W/(m² sr) in each band, found {}", options.sky[band]));
 }
 
 void check_is_file(const std::filesystem::path& path) {
@@ -86,6 +90,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, 
   auto scene = reader_of(path).load(path, options, log);
   apply_one_sided(options.one_sided, scene);
   apply_flip(options.flip, scene);
+  scene.sky = options.sky;
   return scene;
 }
 

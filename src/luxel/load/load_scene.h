@@ -15,6 +15,7 @@ struct LoadOptions {
   float max_reflectance = 0.98f;            // reflectances above are lowered to it, with a warning
   std::vector<std::string> one_sided = {};  // materials (* and ? allowed) whose back absorbs
   std::vector<std::string> flip = {};       // materials (* and ? allowed) whose triangles are turned round
+  Vec3 sky = Vec3(0.0f);                    // Scene::sky, W/(m² sr): light from all around
 };
 
 // Reads a scene by the file's ending: .obj (with its .mtl and textures).

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -46,10 +47,16 @@ struct PatchSet {
 
   std::vector<std::string> bands;  // names: "red", "green", "blue"
   std::vector<BandMaterial> materials;
+  std::vector<float> sky;  // [band], W/(m² sr): radiance of what lies around the scene; empty: dark
   std::uint64_t scene_fingerprint = 0;
 
   std::size_t size() const { return corners.size(); }
   std::size_t band_count() const { return bands.size(); }
+  bool has_sky() const;
+  // Irradiance of what sees nothing but the sky, W/m²: pi times its radiance, as if it were a surface.
+  double sky_radiosity(std::size_t band) const {
+    return sky.empty() ? 0.0 : std::numbers::pi * static_cast<double>(sky[band]);
+  }
   const BandMaterial& material_of(std::size_t patch) const {
     return materials[static_cast<std::size_t>(material[patch])];
   }

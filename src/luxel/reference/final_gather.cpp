@@ -46,7 +46,7 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   const auto samples = side * side;
   constexpr std::array<double, 3> one = {1.0, 1.0, 1.0};
 
-  // What arrives at x: straight from lamps, and what the surface that the cosine ray meets reflects.
+  // What arrives at x: straight from lamps and sky, and what the surface that the cosine ray meets reflects.
   const auto gather = [&](const SurfacePoint& x, const VertexNumbers& numbers, std::uint64_t,
                           std::span<double> H) {
     const auto hit = paths.direct(x, numbers, one, H).first;

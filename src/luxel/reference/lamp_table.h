@@ -15,12 +15,13 @@ namespace luxel {
 // cleverer, on purpose: this is what cleverer ways are held against.
 class LampTable {
  public:
-  // Throws InputError, saying how to add one, where there is no lamp.
+  // Empty where there is no lamp.
   explicit LampTable(const PatchSet& patches);
 
   std::size_t size() const { return patch_.size(); }
 
-  // A point of a lamp's front. u: uniform in [0, 1), which lamp and where on it. Keeps to `density`.
+  // A point of a lamp's front; not of an empty table. u: uniform in [0, 1), which lamp and where on it. Keeps
+  // to `density`.
   SurfacePoint sample(const PatchSet& patches, const std::array<float, 3>& u) const;
   // With which `sample` gives a point of this patch's front, per m²; 0 where it is no lamp.
   double density(const PatchSet& patches, std::size_t patch) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "luxel/patch/check_light.h"
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
 
@@ -15,7 +16,9 @@ double dot(const Vec3& a, const Vec3& b) { return glm::dot(Vec3d(a), Vec3d(b)); 
 }  // namespace
 
 LightPaths::LightPaths(const PatchSet& patches, const Tracer& tracer)
-    : patches_(patches), tracer_(tracer), lamps_(patches) {}
+    : patches_(patches), tracer_(tracer), lamps_(patches) {
+  check_light(patches);
+}
 
 LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers& numbers,
                                      std::span<const double> weight, std::span<double> sum) const {
@@ -33,15 +36,17 @@ LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers&
   const auto cosine_density = [](double cosine) { return cosine / std::numbers::pi; };
 
   // 1. To a lamp. Radiance is emittance / pi, so radiance * cosine = emittance * cosine_density.
-  const auto y = lamps_.sample(patches_, numbers.lamp);
-  const auto way = Vec3d(y.position) - Vec3d(x.position);
-  const auto distance = glm::length(way);
-  const auto here = glm::dot(Vec3d(x.normal), way) / distance;
-  const auto there = -glm::dot(Vec3d(y.normal), way) / distance;
-  if (here > 0.0 && there > 0.0) {
-    ++trail.rays;
-    if (!tracer_.occluded({x.position, Vec3(way / distance)}, static_cast<float>(distance)))
-      add(y.patch, cosine_density(here) / (lamp_density(y.patch, distance, there) + cosine_density(here)));
+  if (lamps_.size() > 0) {
+    const auto y = lamps_.sample(patches_, numbers.lamp);
+    const auto way = Vec3d(y.position) - Vec3d(x.position);
+    const auto distance = glm::length(way);
+    const auto here = glm::dot(Vec3d(x.normal), way) / distance;
+    const auto there = -glm::dot(Vec3d(y.normal), way) / distance;
+    if (here > 0.0 && there > 0.0) {
+      ++trail.rays;
+      if (!tracer_.occluded({x.position, Vec3(way / distance)}, static_cast<float>(distance)))
+        add(y.patch, cosine_density(here) / (lamp_density(y.patch, distance, there) + cosine_density(here)));
+    }
   }
 
   // 2. Where the light goes that the surface itself would send.
@@ -50,6 +55,8 @@ LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers&
   ++trail.rays;
   trail.first = tracer_.nearest(ray);
   const auto& hit = trail.first;
+  if (!hit)
+    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += weight[b] * patches_.sky_radiosity(b);
   if (!hit || hit.back || !patches_.material_of(hit.patch).is_lamp()) return trail;
   const auto facing = -dot(patches_.normal[hit.patch], ray.direction);
   if (!(facing > 0.0)) return trail;

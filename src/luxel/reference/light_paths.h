@@ -27,11 +27,12 @@ struct VertexNumbers {
 
 // Paths that start at a surface and gather light (Kajiya 1986). At each vertex a shadow ray to a lamp and a
 // cosine ray: light straight from lamps comes from both, weighed by the balance heuristic (Veach and Guibas
-// 1995), so that no path carries much more than others where a lamp is near; the cosine ray carries on.
+// 1995), so that no path carries much more than others where a lamp is near; the cosine ray carries on, or
+// meets the sky, which nothing else asks.
 // Shares tracer and patches with the solvers, and no estimator.
 class LightPaths {
  public:
-  // Keeps references. Throws InputError where there is no lamp.
+  // Keeps references. Throws InputError where there is neither lamp nor sky.
   LightPaths(const PatchSet& patches, const Tracer& tracer);
 
   // What one path, or one ray, leaves behind.
@@ -40,8 +41,8 @@ class LightPaths {
     std::uint64_t rays = 0;  // traced
   };
 
-  // Adds weight * (unbiased estimate of the irradiance at x straight from lamps, W/m²) to sum. weight, sum:
-  // [band]. Returns what the cosine ray met.
+  // Adds weight * (unbiased estimate of the irradiance at x straight from lamps and sky, W/m²) to sum.
+  // weight, sum: [band]. Returns what the cosine ray met.
   Trail direct(const SurfacePoint& x, const VertexNumbers& numbers, std::span<const double> weight,
                std::span<double> sum) const;
 

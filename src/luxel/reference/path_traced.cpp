@@ -123,7 +123,8 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
 
 void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& report) {
   const auto bands = patches.band_count();
-  for (auto* part : {&report.emitted, &report.absorbed, &report.escaped, &report.lost_at_backs})
+  for (auto* part :
+       {&report.emitted, &report.from_sky, &report.absorbed, &report.escaped, &report.lost_at_backs})
     part->assign(bands, 0.0);
   for (std::size_t side = 0; side < 2 * patches.size(); ++side) {
     const auto& material = patches.material_of(side / 2);
@@ -134,6 +135,8 @@ void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& rep
           side % 2 == 0 ? sides.area(side) * static_cast<double>(material.emittance[b]) : 0.0;
       const auto leaves = emitted + sides.area(side) * rho * H;
       report.emitted[b] += emitted;
+      report.from_sky[b] +=
+          sides.area(side) * sides.means().mean(side, bands + escaped) * patches.sky_radiosity(b);
       report.absorbed[b] += sides.area(side) * (1.0 - rho) * H;
       report.escaped[b] += leaves * sides.means().mean(side, bands + escaped);
       report.lost_at_backs[b] += leaves * sides.means().mean(side, bands + lost);

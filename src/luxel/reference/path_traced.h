@@ -29,9 +29,9 @@ struct PathReport {
   double predicted_error = 0.0;
   double error_95th = 0.0;
   // W, [band]. What leaves a side escapes, or is lost at the backs of one-sided materials, in the share of
-  // its first rays that do: exact where light is constant on each patch. emitted = absorbed + escaped + lost,
-  // but for noise.
-  std::vector<double> emitted, absorbed, escaped, lost_at_backs;
+  // its first rays that do: exact where light is constant on each patch; so does the sky's light come.
+  // emitted + from_sky = absorbed + escaped + lost, but for noise.
+  std::vector<double> emitted, from_sky, absorbed, escaped, lost_at_backs;
 };
 
 // The truth that solvers are held against: the irradiance of every patch side, the mean over random points of

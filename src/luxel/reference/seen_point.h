@@ -28,14 +28,17 @@ class SeenPoints {
   };
 
   // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
-  // surface; H: of three bands, 0 at first. Adds what leaves towards the eye to radiance, and the part of it
-  // that is reflected to reflected; W/(m² sr).
+  // surface; H: of three bands, 0 at first. Adds what leaves towards the eye, or the sky, to radiance, and
+  // the part of it that is reflected to reflected; W/(m² sr).
   template <typename Irradiance>
   void look(std::size_t pixel, const Batch& batch, std::uint32_t i, std::span<double> radiance,
             std::span<double> reflected, const Irradiance& irradiance) const {
     const auto path_key = batch.path_key(i);
     const auto numbers = numbers_of(batch, i, path_key);
     const auto hit = hit_of(pixel, numbers.pixel);
+    if (!hit)
+      for (std::size_t b = 0; b < patches_.sky.size(); ++b)
+        radiance[b] += static_cast<double>(patches_.sky[b]);
     if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
     std::array<double, 3> H = {0.0, 0.0, 0.0};
     irradiance(surface_point(patches_, hit.patch, hit.back, {hit.u, hit.v}), numbers.vertex, path_key,

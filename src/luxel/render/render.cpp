@@ -37,10 +37,11 @@ struct Shot {
   const Tracer& tracer;
   const Pinhole& pinhole;
   const RenderOptions& options;
+  Vec3 sky;  // W/(m² sr)
 };
 
 Vec3 radiance_at(const Shot& shot, const Hit& hit) {
-  if (!hit) return Vec3(0.0f);
+  if (!hit) return shot.sky;
   const auto& irradiance = hit.back ? shot.light.irradiance_back : shot.light.irradiance_front;
   const auto& corners = shot.light.corners[hit.patch];
   const std::array<float, 3> weight = {1.0f - hit.u - hit.v, hit.u, hit.v};
@@ -75,7 +76,9 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
              const RenderOptions& options, const Workers& workers, const Monitor& monitor) {
   check(patches, light, options);
   const Pinhole pinhole(camera, options.width, options.height);
-  const Shot shot{patches, light, tracer, pinhole, options};
+  const auto& sky = patches.sky;
+  const Shot shot{patches, light,   tracer,
+                  pinhole, options, sky.empty() ? Vec3(0.0f) : Vec3(sky[0], sky[1], sky[2])};
   Image picture(options.width, options.height);
 
   const auto width = static_cast<std::size_t>(options.width);

@@ -66,6 +66,13 @@ void check_material(const Scene& scene, const Material& material) {
   }
 }
 
+void check_sky(const Scene& scene) {
+  for (int band = 0; band < 3; ++band)
+    if (!(scene.sky[band] >= 0.0f && std::isfinite(scene.sky[band])))
+      throw InputError(scene.source, fmt::format("expected the radiance of the sky to be 0 or more, found {}",
+                                                 scene.sky[band]));
+}
+
 void check_camera(const Scene& scene, const Camera& camera) {
   const auto view = camera.target - camera.eye;
   const bool finite = is_finite(camera.eye) && is_finite(camera.target) && is_finite(camera.up);
@@ -85,6 +92,7 @@ void check_scene(const Scene& scene) {
   check_positions(scene);
   check_triangles(scene);
   for (const auto& material : scene.materials) check_material(scene, material);
+  check_sky(scene);
   for (const auto& camera : scene.cameras) check_camera(scene, camera);
 }
 

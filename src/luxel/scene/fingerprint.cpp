@@ -53,6 +53,7 @@ std::uint64_t fingerprint(const Scene& scene) {
     hash.add(material.emittance);
     hash.add(std::uint32_t{material.two_sided} | std::uint32_t{!material.opaque} << 1);
   }
+  if (scene.sky != Vec3(0.0f)) hash.add(scene.sky);
   return hash.value();
 }
 

@@ -34,17 +34,20 @@ struct Scene {
   std::vector<std::string> objects;  // names of objects alone; empty where the file names none
   std::vector<Material> materials;   // at least one
   std::vector<Camera> cameras;       // as the file gave them; often none
+
+  Vec3 sky = Vec3(0.0f);  // radiance of what lies around the scene, the same all over, W/(m² sr)
 };
 
 // The box of all triangles; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
 
 // Throws InputError naming the source where an array's length, an index or a number breaks the promise above;
-// reflectances must lie in [0, 1), and a scene has at least one triangle.
+// reflectances must lie in [0, 1), light is not negative, and a scene has at least one triangle.
 void check_scene(const Scene& scene);
 
-// 64 bits of what the light depends on: positions, triangles, materials (not names, groups, objects, lines,
-// cameras), in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
+// 64 bits of what the light depends on: positions, triangles, materials, and the sky where it is not 0 (not
+// names, groups, objects, lines, cameras), in their order, -0 counted as +0. The same scene gives the same
+// fingerprint on every host.
 std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace luxel

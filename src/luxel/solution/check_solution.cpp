@@ -41,6 +41,15 @@ std::string fault_in_material(const BandMaterial& material, std::size_t bands) {
   return {};
 }
 
+std::string fault_in_sky(const PatchSet& patches) {
+  if (!patches.sky.empty() && patches.sky.size() != patches.band_count())
+    return fmt::format("the sky does not have one number for each of the {} bands", patches.band_count());
+  for (const auto radiance : patches.sky)
+    if (!(radiance >= 0.0f && std::isfinite(radiance)))
+      return fmt::format("the sky has the radiance {} W/(m² sr)", radiance);
+  return {};
+}
+
 std::string fault_in_patch(const PatchSet& patches, std::size_t i) {
   for (const auto corner : patches.corners[i])
     if (corner >= patches.vertices.size())
@@ -91,6 +100,7 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   if (auto fault = fault_in_lengths(patches); !fault.empty()) return fault;
   for (const auto& material : patches.materials)
     if (auto fault = fault_in_material(material, patches.band_count()); !fault.empty()) return fault;
+  if (auto fault = fault_in_sky(patches); !fault.empty()) return fault;
   for (std::size_t i = 0; i < patches.vertices.size(); ++i)
     if (!is_finite(patches.vertices[i])) return fmt::format("vertex {} is not finite", i);
   for (std::size_t i = 0; i < patches.size(); ++i)

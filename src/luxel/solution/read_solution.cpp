@@ -123,6 +123,7 @@ Baked read_solution(const std::filesystem::path& path) {
   if (patches.bands.empty()) file.refuse_as_damaged("it names no band");
   read_mesh(file, patches);
   patches.materials = read_materials(file, patches.band_count());
+  if (file.has("Luxel/sky")) patches.sky = file.array<float>("Luxel/sky", patches.band_count());
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   if (const auto fault = fault_in(patches, solution); !fault.empty()) file.refuse_as_damaged(fault);

@@ -91,6 +91,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
   add_materials(file, patches);
+  if (!patches.sky.empty()) file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "luxel/patch/check_light.h"
 #include "luxel/solve/direct_solve.h"
 #include "luxel/solve/gauss_seidel.h"
 #include "luxel/solve/line_errors.h"
@@ -22,7 +23,7 @@ class Run {
   Run(const PatchSet& patches, Solution& solution, const char* method, const Workers& workers,
       const Monitor& monitor)
       : patches_(patches), solution_(solution), workers_(workers), monitor_(monitor) {
-    check_lamps(patches);
+    check_light(patches);
     solution_ = {};
     solution_.bands = patches.bands;
     solution_.provenance.method = method;
@@ -40,7 +41,7 @@ class Run {
           patches_.material_of(i / patches_.band_count()).emittance[i % patches_.band_count()];
     auto& energy = report_.energy;
     energy.emitted = energy.unshot = emitted_power(patches_);
-    for (auto* part : {&energy.absorbed, &energy.escaped, &energy.lost_at_backs})
+    for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
       part->assign(patches_.band_count(), 0.0);
     report_.back_loss.assign(patches_.materials.size(), 0.0);
     report_.unshot_share = 1.0;
@@ -54,17 +55,19 @@ class Run {
       show_light(transport, light);
     };
     report_.unshot_share = 1.0;
-    const auto end = jacobi(transport, light.area, light.emittance, light.reflectance, light.before,
-                            light.irradiance, light.radiosity, options, workers_, monitor_, show)
-                         .end;
+    const auto end =
+        jacobi(transport, light.area, light.emittance, light.from_sky, light.reflectance, light.before,
+               light.irradiance, light.radiosity, options, workers_, monitor_, show)
+            .end;
     if (end == JacobiEnd::stopped) return StopReason::stopped_by_user;
     return end == JacobiEnd::step_limit ? StopReason::step_limit : StopReason::converged;
   }
 
-  // R = rho (F E + F R), and then B = E + R.
+  // R = rho (D + F E + F R), and then B = E + R.
   StopReason iterate_by_parts(const RowOperator& transport, RowLight& light, double tolerance) {
     std::vector<float> direct(light.irradiance.size());
     transport.apply(light.emittance, direct, 0, transport.size(), workers_);
+    for (std::size_t i = 0; i < direct.size(); ++i) direct[i] += light.from_sky[i];
     std::vector<float> reflected(direct.size(), 0.0f);
     gauss_seidel(transport, direct, light.reflectance, reflected, light.irradiance, {.tolerance = tolerance},
                  workers_);
@@ -75,9 +78,11 @@ class Run {
 
   StopReason eliminate(const DenseOperator& transport, RowLight& light) {
     report_.unshot_share = 1.0;
-    auto radiosity = light.emittance;
-    if (!solve_directly(transport.factors(), light.emittance, light.reflectance, radiosity, workers_,
-                        monitor_))
+    auto leaves_first = light.emittance;  // E + rho D
+    for (std::size_t i = 0; i < leaves_first.size(); ++i)
+      leaves_first[i] += light.reflectance[i] * light.from_sky[i];
+    auto radiosity = leaves_first;
+    if (!solve_directly(transport.factors(), leaves_first, light.reflectance, radiosity, workers_, monitor_))
       return StopReason::stopped_by_user;
     report_.unshot_share = 0.0;
     light.before = std::move(radiosity);
@@ -101,8 +106,10 @@ class Run {
   // H and B from the radiosity found.
   void close(const RowOperator& transport, RowLight& light) {
     transport.apply(light.before, light.irradiance, 0, transport.size(), workers_);
-    for (std::size_t i = 0; i < light.radiosity.size(); ++i)
+    for (std::size_t i = 0; i < light.radiosity.size(); ++i) {
+      light.irradiance[i] += light.from_sky[i];
       light.radiosity[i] = light.emittance[i] + light.reflectance[i] * light.irradiance[i];
+    }
     show_light(transport, light);
   }
 
@@ -135,8 +142,12 @@ std::vector<float> integration_errors(const DenseOperator& transport, const RowL
   const std::vector<float> direct(gathered.begin(), gathered.end());
   std::vector<float> reflected(direct.size(), 0.0f), error(direct.size(), 0.0f);
   gauss_seidel(transport, direct, light.reflectance, reflected, error, {.tolerance = 0.01}, workers);
-  for (std::size_t i = 0; i < error.size(); ++i)
-    error[i] += static_cast<float>(rounding) * light.irradiance[i];
+  // What is left free of a row is as exact as the row's sum, not as itself.
+  const auto& patches = transport.patches();
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    const auto sky = static_cast<float>(patches.sky_radiosity(i % patches.band_count()));
+    error[i] += static_cast<float>(rounding) * (light.irradiance[i] + sky);
+  }
   return error;
 }
 

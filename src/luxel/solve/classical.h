@@ -17,15 +17,15 @@
 
 namespace luxel {
 
-// The classical methods: B = E + rho F B with E in B, so light from lamps reaches its receivers through F
-// like any other. They share no code for direct light with the sampled method, which they are there to prove,
-// to measure and to explain.
+// The classical methods: B = E + rho (D + F B) with E in B, so light from lamps reaches its receivers through
+// F like any other; D, what the sky sends, comes through what F leaves free. They share no code for direct
+// light with the sampled method, which they are there to prove, to measure and to explain.
 //
 // Each fills everything in `solution` but its command line and options, and is the same to the bit on any
 // number of threads. The monitor hears of the stages "factors" and "light", and gets a picture
 // (Progress::light) after every step of Jacobi, or at the end of another solver. Its stop ends the run with
-// the last whole step; before the first, nothing but the lamps shines, and all power counts as unshot. No
-// lamp at all is an InputError that says how to add one.
+// the last whole step; before the first, nothing but the lamps shines, and all power counts as unshot.
+// Neither lamp nor sky is an InputError that says how to add one.
 
 enum class DenseSolver { direct, jacobi, gauss_seidel };
 

@@ -40,6 +40,7 @@ std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperat
       lit[s] = is_lit ? 1 : 0;
     }
   });
+  lit[transport.escaped()] = patches.has_sky() ? 1 : 0;
   const auto groups = neighbour_begins(sides, neighbours);
   // Light goes on from slot to slot. Each pass reads the one before, so threads do not matter.
   for (bool changed = true; changed;) {

@@ -45,15 +45,15 @@ bool gather(const TransportOperator& transport, std::span<const float> radiosity
 }  // namespace
 
 JacobiReport jacobi(const TransportOperator& transport, std::span<const float> area,
-                    std::span<const float> emittance, std::span<const float> reflectance,
-                    std::span<float> before, std::span<float> irradiance, std::span<float> radiosity,
-                    const JacobiOptions& options, const Workers& workers, const Monitor& monitor,
-                    const EachStep& each_step) {
+                    std::span<const float> emittance, std::span<const float> outside,
+                    std::span<const float> reflectance, std::span<float> before, std::span<float> irradiance,
+                    std::span<float> radiosity, const JacobiOptions& options, const Workers& workers,
+                    const Monitor& monitor, const EachStep& each_step) {
   std::copy(emittance.begin(), emittance.end(), radiosity.begin());
   std::fill(before.begin(), before.end(), 0.0f);
   std::fill(irradiance.begin(), irradiance.end(), 0.0f);
   std::vector<float> next(irradiance.size());
-  const auto emitted = power(emittance, {}, area, workers);
+  const auto emitted = power(emittance, {}, area, workers) + power(outside, {}, area, workers);
   JacobiReport report;
   auto unshot = emitted > 0.0 ? 1.0 : 0.0;
   while (unshot > options.tolerance) {
@@ -71,10 +71,12 @@ JacobiReport jacobi(const TransportOperator& transport, std::span<const float> a
       report.end = JacobiEnd::stopped;
       return report;
     }
-    std::copy(next.begin(), next.end(), irradiance.begin());
     std::copy(radiosity.begin(), radiosity.end(), before.begin());
     workers.for_chunks(radiosity.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-      for (auto i = begin; i < end; ++i) radiosity[i] = emittance[i] + reflectance[i] * irradiance[i];
+      for (auto i = begin; i < end; ++i) {
+        irradiance[i] = outside.empty() ? next[i] : outside[i] + next[i];
+        radiosity[i] = emittance[i] + reflectance[i] * irradiance[i];
+      }
     });
     unshot = power(radiosity, before, area, workers) / emitted;
     report.unshot_share.push_back(unshot);

@@ -19,15 +19,19 @@ std::vector<double> own_variance(const LinesOperator& transport, const RowLight&
                                  const Workers& workers) {
   const auto bands = transport.bands();
   const double lines = transport.lines();
-  std::vector<double> brightest(bands, 0.0);
+  std::vector<double> sky;
+  for (std::size_t b = 0; b < bands; ++b) sky.push_back(transport.patches().sky_radiosity(b));
+  auto brightest = sky;
   for (std::size_t i = 0; i < light.before.size(); ++i)
     brightest[i % bands] = std::max(brightest[i % bands], double{light.before[i]});
   std::vector<double> variance(light.before.size());
   workers.for_chunks(transport.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     std::vector<double> square(bands), mean(bands);
     transport.for_rows(begin, end, [&](std::size_t slot, std::span<const RowOperator::Factor> row) {
-      std::fill(square.begin(), square.end(), 0.0);
-      std::fill(mean.begin(), mean.end(), 0.0);
+      for (std::size_t b = 0; b < bands; ++b) {
+        mean[b] = transport.losses().escaped[slot] * sky[b];
+        square[b] = mean[b] * sky[b];
+      }
       for (const auto& factor : row)
         for (std::size_t b = 0; b < bands; ++b) {
           const double B = light.before[factor.slot * bands + b];

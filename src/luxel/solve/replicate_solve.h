@@ -22,8 +22,8 @@ struct ReplicateLight {
 // spread its error.
 //
 // direct: [replicate][slot * bands + band], W/m²; reflectance: [slot * bands + band]; radiosity: reflected,
-// W/m², [element * bands + band], the start and the result. The same bits on any number of threads. Cost: one
-// look-up a ray for each sweep and for each own bounce.
+// W/m², [element * bands + band], the start and the result; that of the sinks stays, so the sky is one. The
+// same bits on any number of threads. Cost: one look-up a ray for each sweep and for each own bounce.
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
                                 double tolerance, const Workers& workers);

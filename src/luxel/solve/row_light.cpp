@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/row_light.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "luxel/solve/stochastic_jacobi.h"
@@ -9,12 +10,15 @@ namespace luxel {
 
 RowLight::RowLight(const RowOperator& transport) {
   const auto& patches = transport.patches();
-  for (const auto side : transport.sides().side) {
+  for (std::size_t slot = 0; slot < transport.size(); ++slot) {
+    const auto side = transport.sides().side[slot];
     const auto& material = patches.material_of(side / 2);
+    const auto escaped = std::max(0.0, transport.losses().escaped[slot]);
     area.push_back(patches.area[side / 2]);
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
       reflectance.push_back(material.reflectance[b]);
       emittance.push_back(side % 2 == 0 ? material.emittance[b] : 0.0f);
+      from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(b)));
     }
   }
   before.assign(emittance.size(), 0.0f);
@@ -57,7 +61,10 @@ EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
     const auto sent = area * double{light.before[i]};
     balance.absorbed[b] += area * (1.0 - double{light.reflectance[i]}) * double{light.irradiance[i]};
     balance.escaped[b] += sent * losses.escaped[slot];
-    balance.unshot[b] += area * (double{light.radiosity[i]} - double{light.before[i]});
+    // The irradiance holds the sky's light from the first step on.
+    const auto on_its_way = double{light.from_sky[i]} - std::min(light.from_sky[i], light.irradiance[i]);
+    balance.from_sky[b] += area * double{light.from_sky[i]};
+    balance.unshot[b] += area * (double{light.radiosity[i]} - double{light.before[i]} + on_its_way);
     for (std::size_t m = 0; m < materials; ++m) {
       const auto lost = sent * losses.at_backs[slot * materials + m];
       balance.lost_at_backs[b] += lost;

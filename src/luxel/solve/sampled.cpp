@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/patch/check_light.h"
 #include "luxel/random/address.h"
 #include "luxel/report/error.h"
 #include "luxel/report/memory.h"
@@ -41,7 +42,7 @@ void check(const PatchSet& patches, const SampledOptions& options) {
     throw InputError(fmt::format("replicates must be 4 to 32, not {}", options.replicates));
   if (options.error == 0.0 && options.rays == 0 && options.seconds == 0.0)
     throw InputError("an error of 0 is never reached: a bound of rays or time is needed too");
-  check_lamps(patches);
+  check_light(patches);
 }
 
 double mean(std::span<const std::uint32_t> counts) {
@@ -67,6 +68,10 @@ class Run {
     sampling_.emplace(patches_, tracer_, options_, workers_);
     sampling_->start(solution_);
     prepare();
+    if (slots() == 0) {  // the sky finds no way in
+      fill();
+      return finish(StopReason::nothing_to_do);
+    }
     while (true) {
       answer();
       if (tell(monitor_, progress(&solution_)) == Next::stop) return finish(StopReason::stopped_by_user);
@@ -122,6 +127,9 @@ class Run {
         radiosity_[s * bands_ + b] = reflectance_[s * bands_ + b] * H[patch * bands_ + b];
       }
     }
+    for (std::size_t b = 0; b < bands_; ++b)
+      radiosity_[sampling_->transport().escaped() * bands_ + b] =
+          static_cast<float>(patches_.sky_radiosity(b));
     if (options_.share && slots() >= least_shared_slots)
       sharing_.emplace(patches_, sampling_->tree(), sampling_->transport().sides(), workers_);
     report_.dark_sides = sampling_->dark_sides();
@@ -334,7 +342,7 @@ class Run {
   std::uint64_t first_rays_ = 0;
   std::vector<float> area_;         // [slot], m²
   std::vector<float> reflectance_;  // [slot][band]
-  std::vector<float> radiosity_;    // reflected, W/m², [element][band]
+  std::vector<float> radiosity_;    // reflected, and of the sky, W/m², [element][band]
   std::optional<LightSharing> sharing_;
   Spread spread_;
   std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error

@@ -12,8 +12,9 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   const auto materials = patches.materials.size();
   // What a ray of the slot carries, W, [slot][band].
   std::vector<double> carried(sides.size() * bands);
-  // Per block: absorbed, escaped, and at each material's back, [band].
-  const auto width = (2 + materials) * bands;
+  std::vector<double> area_a_ray(sides.size());  // m²
+  // Per block: absorbed, escaped, and at each material's back, [band]; and the area that sees the sky, m².
+  const auto width = (2 + materials) * bands + 1;
   std::vector<double> sums(transport.blocks() * width, 0.0);
   const auto begins = transport.replicate(0).row_begins();
   workers.for_chunks(transport.blocks(), 1, [&](std::size_t first, std::size_t last, int) {
@@ -23,11 +24,12 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
         const auto& material = patches.material_of(sides.side[s] / 2);
         const double area = patches.area[sides.side[s] / 2];
         const auto rays = static_cast<double>(transport.rays_a_slot()[s]) * replicates;
+        area_a_ray[s] = area / rays;
         for (std::size_t b = 0; b < bands; ++b) {
           const double rho = material.reflectance[b];
           const double H = irradiance[s * bands + b];
           const double own = sides.side[s] % 2 == 0 ? static_cast<double>(material.emittance[b]) : 0.0;
-          carried[s * bands + b] = area * (own + rho * H) / rays;
+          carried[s * bands + b] = area_a_ray[s] * (own + rho * H);
           sum[b] += area * (1.0 - rho) * H;
         }
       }
@@ -36,6 +38,7 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
           if (element < sides.size() || element == transport.dark()) return;
           const auto sink = element == transport.escaped() ? 1 : 2 + element - transport.absorbed(0);
           for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += carried[slot * bands + b];
+          if (element == transport.escaped()) sum[width - 1] += area_a_ray[slot];
         });
     }
   });
@@ -45,6 +48,7 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   for (std::size_t block = 0; block < transport.blocks(); ++block)
     for (std::size_t b = 0; b < bands; ++b) {
       const auto* sum = &sums[block * width];
+      balance.from_sky[b] += sum[width - 1] * patches.sky_radiosity(b);
       balance.absorbed[b] += sum[b];
       balance.escaped[b] += sum[bands + b];
       for (std::size_t m = 0; m < materials; ++m) {

@@ -8,10 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "luxel/patch/check_light.h"
 #include "luxel/report/error.h"
 #include "luxel/transport/patch_emitter.h"
 #include "luxel/transport/shooting.h"
 #include "luxel/transport/side_power.h"
+#include "luxel/transport/sky_box.h"
 
 namespace luxel {
 namespace {
@@ -23,7 +25,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 void check(const PatchSet& patches, const StochasticJacobiOptions& options) {
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0))
     throw InputError(fmt::format("tolerance must be between 0 and 1, not {}", options.tolerance));
-  check_lamps(patches);
+  check_light(patches);
 }
 
 // The state of the iteration: power that arrived so far, and power that is still to be shot.
@@ -38,22 +40,24 @@ class Iteration {
         shooter_(patches, tracer, workers),
         arrived_(2 * patches.size() * bands_, 0.0),
         unshot_(lamp_power(patches)) {
-    report_.energy.emitted = emitted_power(patches);
-    emitted_ = sum(report_.energy.emitted);
-    for (auto* part : {&report_.energy.absorbed, &report_.energy.escaped, &report_.energy.lost_at_backs})
+    auto& energy = report_.energy;
+    energy.emitted = emitted_power(patches);
+    emitted_ = carried_once_ = sum(energy.emitted);
+    for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
       part->assign(bands_, 0.0);
     report_.back_loss.assign(patches.materials.size(), 0.0);
     for (const auto& material : patches.materials)
       reflectance_.insert(reflectance_.end(), material.reflectance.begin(), material.reflectance.end());
     unshot_power_ = sum(unshot_.watts);
     report_.unshot_share = 1.0;
+    if (patches.has_sky()) add_sky(patches, tracer);
   }
 
   void run(const Monitor& monitor) {
     const auto first_step_rays =
         options_.rays > 0 ? options_.rays : automatic_rays(patches_, options_.rays_per_patch);
     while (report_.unshot_share > options_.tolerance) {
-      const auto wanted = std::round(report_.unshot_share * static_cast<double>(first_step_rays));
+      const auto wanted = std::round(unshot_power_ / carried_once_ * static_cast<double>(first_step_rays));
       const auto share = step(static_cast<std::uint64_t>(std::max(1.0, wanted)), monitor);
       if (share < 1.0) return finish(StopReason::stopped_by_user);
     }
@@ -64,6 +68,17 @@ class Iteration {
   void fill(Solution& solution);
 
  private:
+  // The sky shoots with the first step. How much of it arrives is guessed, for the number of rays alone.
+  void add_sky(const PatchSet& patches, const Tracer& tracer) {
+    constexpr double least_share = 1.0 / 16.0;
+    const SkyBox box(patches);
+    add_sky_power(patches, box, unshot_);
+    const auto lamps = unshot_power_;
+    unshot_power_ = sum(unshot_.watts);
+    const auto hits = sky_hit_share(patches, tracer, box);
+    carried_once_ += (hits > 0.0 ? std::max(least_share, hits) : 1.0) * (unshot_power_ - lamps);
+  }
+
   // One bounce. Returns the share of it that was done before the monitor said stop.
   double step(std::uint64_t rays, const Monitor& monitor) {
     // The bar of the whole run: unshot power falls geometrically, and the rays follow it.
@@ -121,8 +136,12 @@ class Iteration {
         energy.lost_at_backs[b] += watts(arrival.absorbed[m * bands_ + b]);
         report_.back_loss[m] += watts(arrival.absorbed[m * bands_ + b]);
       }
+    for (std::size_t b = 0; b < bands_; ++b) {
+      energy.from_sky[b] += watts(arrival.from_sky[b]);
+      emitted_ += watts(arrival.from_sky[b]);
+    }
     unshot_power_ = sum(unshot);
-    report_.unshot_share = unshot_power_ / emitted_;
+    report_.unshot_share = emitted_ > 0.0 ? unshot_power_ / emitted_ : 0.0;
   }
 
   double guess_reflected_share() const {
@@ -135,8 +154,10 @@ class Iteration {
   void finish(StopReason reason) {
     report_.stop = reason;
     report_.energy.unshot.assign(bands_, 0.0);
+    // What the sky did not send yet is known of nobody.
     for (std::size_t i = 0; i < unshot_.watts.size(); ++i)
-      report_.energy.unshot[i % bands_] += unshot_.watts[i];
+      if (unshot_.side[i / bands_] < 2 * patches_.size())
+        report_.energy.unshot[i % bands_] += unshot_.watts[i];
   }
 
   const PatchSet& patches_;
@@ -148,7 +169,8 @@ class Iteration {
   std::vector<double> arrived_;      // W, [side][band]
   SidePower unshot_;
   double unshot_power_ = 0.0;  // W, all bands: the sum of unshot_
-  double emitted_ = 0.0;       // W, all bands
+  double emitted_ = 0.0;       // W, all bands: by lamps, and by the sky in the steps so far
+  double carried_once_ = 0.0;  // W, all bands: what the rays asked for carry once
   double variance_ = 0.0;      // sum over sides of area times the variance of the irradiance, W²/m²
   SolveReport report_;
 };
@@ -194,13 +216,6 @@ std::vector<double> emitted_power(const PatchSet& patches) {
   const auto lamps = lamp_power(patches);
   for (std::size_t i = 0; i < lamps.watts.size(); ++i) power[i % power.size()] += lamps.watts[i];
   return power;
-}
-
-void check_lamps(const PatchSet& patches) {
-  if (sum(emitted_power(patches)) > 0.0) return;
-  throw InputError(
-      "the scene has no lamp: give a material a 'Ke R G B' line (radiance, W/(m² sr)) in its MTL file, and "
-      "use that material on at least one face");
 }
 
 std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {

@@ -43,7 +43,7 @@ std::vector<std::uint32_t> dead_sides(const PatchSet& patches) {
 }  // namespace
 
 DenseOperator::DenseOperator(const PatchSet& patches, const Workers& workers)
-    : RowOperator(patches, workers), factors_(size() * size(), 0.0f) {}
+    : RowOperator(patches, workers), factors_(size() * size(), 0.0f), error_at_backs_(size(), 0.0) {}
 
 std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const Tracer& tracer,
                                                  const DenseOptions& options, const Workers& workers,
@@ -93,10 +93,11 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
       const auto* row = &transport.factors_[slot * n];
       escaped[slot] = 1.0 - std::accumulate(row, row + n, 0.0);
       for (const auto back : dead) {
-        const auto share = form_factors.between(side(slot), back, options.tolerance).value;
-        escaped[slot] -= share;
+        const auto factor = form_factors.between(side(slot), back, options.tolerance);
+        escaped[slot] -= factor.value;
+        transport.error_at_backs_[slot] += factor.error;
         transport.losses().at_backs[slot * patches.materials.size() +
-                                    static_cast<std::size_t>(patches.material[back / 2])] += share;
+                                    static_cast<std::size_t>(patches.material[back / 2])] += factor.value;
       }
     }
   };
@@ -118,14 +119,20 @@ void DenseOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& 
 
 std::vector<double> DenseOperator::irradiance_error(std::span<const float> radiosity) const {
   const auto count = bands();
+  // What a slot does not see of a surface it sees of the sky.
+  const auto contrast = [&](std::size_t slot, std::size_t b) {
+    return std::abs(double{radiosity[slot * count + b]} - patches().sky_radiosity(b));
+  };
   std::vector<double> sum(count, 0.0);
-  for (std::size_t i = 0; i < radiosity.size(); ++i) sum[i % count] += double{radiosity[i]};
+  for (std::size_t i = 0; i < radiosity.size(); ++i) sum[i % count] += contrast(i / count, i % count);
   std::vector<double> error(size() * count);
-  for (std::size_t i = 0; i < error.size(); ++i) error[i] = exact_error_ * sum[i % count];
+  for (std::size_t i = 0; i < error.size(); ++i)
+    error[i] =
+        exact_error_ * sum[i % count] + error_at_backs_[i / count] * patches().sky_radiosity(i % count);
   for (const auto& pair : integrated_)
     for (std::size_t b = 0; b < count; ++b) {
-      error[pair.slot * count + b] += double{pair.error} * double{radiosity[pair.other * count + b]};
-      error[pair.other * count + b] += double{pair.error_back} * double{radiosity[pair.slot * count + b]};
+      error[pair.slot * count + b] += double{pair.error} * contrast(pair.other, b);
+      error[pair.other * count + b] += double{pair.error_back} * contrast(pair.slot, b);
     }
   return error;
 }
@@ -146,13 +153,17 @@ void DenseOperator::join_faces(std::span<const std::uint32_t> face) {
     if (end - begin == 1) continue;
     std::fill(mean.begin(), mean.end(), 0.0);
     double area = 0.0;
+    double escaped = 0.0;
     for (auto k = begin; k < end; ++k) {
       const double own = patches().area[sides().side[order[k]] / 2];
       area += own;
+      escaped += own * losses().escaped[order[k]];
       for (std::size_t j = 0; j < n; ++j) mean[j] += own * double{factors_[order[k] * n + j]};
     }
-    for (auto k = begin; k < end; ++k)
+    for (auto k = begin; k < end; ++k) {
+      losses().escaped[order[k]] = escaped / area;
       for (std::size_t j = 0; j < n; ++j) factors_[order[k] * n + j] = static_cast<float>(mean[j] / area);
+    }
   }
 }
 

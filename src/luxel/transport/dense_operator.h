@@ -32,13 +32,13 @@ class DenseOperator final : public RowOperator {
   std::span<const float> factors() const { return factors_; }
   // Pairs whose factor is integrated, not in closed form.
   std::size_t integrated_pairs() const { return integrated_.size(); }
-  // How far the irradiance F radiosity may be off by the errors of F, should all lean the same way:
-  // [slot][band], W/m².
+  // How far the irradiance F radiosity, and with it what the sky sends through what F leaves free, may be off
+  // by the errors of F, should all lean the same way: [slot][band], W/m².
   std::vector<double> irradiance_error(std::span<const float> radiosity) const;
 
-  // Makes sides of the same face receive alike: each row becomes the mean of the rows of its face, weighted
-  // by area. The solution is then constant over each face, exactly as if faces were the elements. face:
-  // [patch]. Patches of one face lie on one plane and have one material.
+  // Makes sides of the same face receive alike: each row, and what it leaves free, becomes the mean of those
+  // of its face, weighted by area. The solution is then constant over each face, exactly as if faces were the
+  // elements. face: [patch]. Patches of one face lie on one plane and have one material.
   void join_faces(std::span<const std::uint32_t> face);
 
  private:
@@ -51,7 +51,8 @@ class DenseOperator final : public RowOperator {
 
   std::vector<float> factors_;
   std::vector<Integrated> integrated_;
-  double exact_error_ = 0.0;  // the most that a factor in closed form may be off by
+  double exact_error_ = 0.0;            // the most that a factor in closed form may be off by
+  std::vector<double> error_at_backs_;  // [slot]: how far the sum of its factors to backs may be off
 };
 
 }  // namespace luxel

@@ -23,7 +23,7 @@ struct Ledger {
   Deposits& absorbed;
   Deposits& whole;
 };
-enum Place : std::size_t { escaped, shot, whole_places };  // of Ledger::whole
+enum Place : std::size_t { escaped, shot, from_sky, whole_places };  // of Ledger::whole
 
 // As an array of all places.
 std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t places, std::size_t bands) {
@@ -37,10 +37,12 @@ std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t pla
 // counter of a block is asked for before the first is added to, so that their cache misses overlap.
 class ChunkShooter {
  public:
-  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const SidePower& leaving, const RayPlan& plan,
-               const ShootingOptions& options, const Ledger& ledger, int worker)
+  // sky: null where there is none.
+  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const SkyBox* sky, const SidePower& leaving,
+               const RayPlan& plan, const ShootingOptions& options, const Ledger& ledger, int worker)
       : patches_(patches),
         tracer_(tracer),
+        sky_(sky),
         leaving_(leaving),
         plan_(plan),
         options_(options),
@@ -60,7 +62,9 @@ class ChunkShooter {
         while (ray >= plan_.first_ray[entry + 1]);
         shooter = shooter_of(entry);
       }
-      rays_[waiting_] = shooter.emitter.ray(uniform4(shooter.key, ray - plan_.first_ray[entry]));
+      const auto u = uniform4(shooter.key, ray - plan_.first_ray[entry]);
+      rays_[waiting_] = shooter.emitter ? shooter.emitter->ray(u) : sky_->ray(shooter.face, u);
+      is_of_sky_[waiting_] = !shooter.emitter;
       std::copy_n(&quantum_[block * bands_], bands_, &quantum_[waiting_ * bands_]);
       if (++waiting_ == block) flush();
     }
@@ -69,15 +73,19 @@ class ChunkShooter {
 
  private:
   struct SideShooter {
-    PatchEmitter emitter;
+    std::optional<PatchEmitter> emitter;  // none: a face of the sky
+    std::size_t face;
     std::uint64_t key;
   };
   // Leaves what its rays carry at the end of quantum_.
   SideShooter shooter_of(std::size_t entry) {
     const auto side = leaving_.side[entry];
+    const auto sides = 2 * patches_.size();
     plan_.write_quantum(std::span(leaving_.watts).subspan(entry * bands_, bands_),
                         std::span(quantum_).subspan(block * bands_));
-    return {PatchEmitter(patches_, side), stream_key(options_.seed, options_.step, side)};
+    const auto key = stream_key(options_.seed, options_.step, side);
+    if (side >= sides) return {{}, side - sides, key};
+    return {PatchEmitter(patches_, side), 0, key};
   }
 
   void flush() {
@@ -85,20 +93,24 @@ class ChunkShooter {
     for (std::size_t i = 0; i < waiting_; ++i)
       if (hits_[i]) ledger_.arrived.prefetch(worker_, side_of(hits_[i].patch, hits_[i].back));
     for (std::size_t i = 0; i < waiting_; ++i)
-      deliver(hits_[i], std::span(quantum_).subspan(i * bands_, bands_));
+      deliver(hits_[i], is_of_sky_[i], std::span(quantum_).subspan(i * bands_, bands_));
     waiting_ = 0;
   }
 
-  void deliver(const Hit& hit, std::span<const std::int64_t> quantum) {
+  void deliver(const Hit& hit, bool is_of_sky, std::span<const std::int64_t> quantum) {
+    const bool arrives = takes_part(patches_, hit);
+    if (is_of_sky && !arrives) return;
+    if (is_of_sky) ledger_.whole.add(worker_, Place::from_sky, quantum);
     ledger_.whole.add(worker_, Place::shot, quantum);
     if (!hit) return ledger_.whole.add(worker_, Place::escaped, quantum);
-    if (hit.back && !patches_.material_of(hit.patch).two_sided)
+    if (!arrives)
       return ledger_.absorbed.add(worker_, static_cast<std::size_t>(patches_.material[hit.patch]), quantum);
     ledger_.arrived.add(worker_, side_of(hit.patch, hit.back), quantum);
   }
 
   const PatchSet& patches_;
   const Tracer& tracer_;
+  const SkyBox* sky_;
   const SidePower& leaving_;
   const RayPlan& plan_;
   const ShootingOptions& options_;
@@ -108,6 +120,7 @@ class ChunkShooter {
   std::size_t waiting_ = 0;
   std::array<Ray, block> rays_;
   std::array<Hit, block> hits_;
+  std::array<bool, block> is_of_sky_{};
   std::vector<std::int64_t> quantum_;  // [ray of the block, and then the side's own][band]
 };
 
@@ -119,7 +132,9 @@ Shooter::Shooter(const PatchSet& patches, const Tracer& tracer, const Workers& w
       workers_(workers),
       arrived_(2 * patches.size(), patches.band_count(), workers),
       absorbed_(patches.materials.size(), patches.band_count(), workers),
-      whole_(whole_places, patches.band_count(), workers) {}
+      whole_(whole_places, patches.band_count(), workers) {
+  if (patches.has_sky()) sky_.emplace(patches);
+}
 
 Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options, const Monitor& monitor) {
   const auto bands = patches_.band_count();
@@ -127,6 +142,7 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
   const auto plan = make_ray_plan(leaving, bands, options.rays, offset, workers_);
   for (auto* deposits : {&arrived_, &absorbed_, &whole_}) deposits->expect(plan.rays);
   const Ledger ledger{arrived_, absorbed_, whole_};
+  const auto* sky = sky_ ? &*sky_ : nullptr;
 
   // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
   // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
@@ -137,7 +153,8 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
   for (std::uint64_t j = 0; j < batches && plan.rays > 0; ++j) {
     const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
     workers_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
-      ChunkShooter(patches_, tracer_, leaving, plan, options, ledger, worker).run(j, batches, begin, end);
+      ChunkShooter(patches_, tracer_, sky, leaving, plan, options, ledger, worker)
+          .run(j, batches, begin, end);
     });
     traced += count;
     ++done;
@@ -158,6 +175,7 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
   };
   arrival.escaped = part(Place::escaped);
   arrival.shot = part(Place::shot);
+  arrival.from_sky = part(Place::from_sky);
   arrival.rays = traced;
   arrival.share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
   return arrival;

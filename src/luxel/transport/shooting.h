@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "luxel/parallel/workers.h"
@@ -11,16 +12,18 @@
 #include "luxel/transport/deposits.h"
 #include "luxel/transport/fixed_point.h"
 #include "luxel/transport/side_power.h"
+#include "luxel/transport/sky_box.h"
 
 namespace luxel {
 
 // What became of the power of one shot, in units of `scale`. Band by band, shot is the sum of arrived,
-// escaped and absorbed, exactly.
+// escaped and absorbed, exactly. Of the sky's rays those count that met a side that takes part.
 struct Arrival {
   FixedPoint scale;
   std::vector<std::uint32_t> side;     // that were met, rising
   std::vector<std::int64_t> arrived;   // [entry of side][band]
   std::vector<std::int64_t> shot;      // [band]
+  std::vector<std::int64_t> from_sky;  // [band]: the part of `shot` that the sky sent
   std::vector<std::int64_t> escaped;   // [band]: met nothing
   std::vector<std::int64_t> absorbed;  // [material][band]: met the back of a one-sided material
   std::uint64_t rays = 0;
@@ -58,7 +61,8 @@ class Shooter {
   const Workers& workers_;
   Deposits arrived_;   // at sides
   Deposits absorbed_;  // by materials
-  Deposits whole_;     // escaped, and shot
+  Deposits whole_;     // escaped, shot, and from the sky
+  std::optional<SkyBox> sky_;
 };
 
 // One shot.

@@ -20,6 +20,14 @@ SidePower lamp_power(const PatchSet& patches) {
   return power;
 }
 
+void add_sky_power(const PatchSet& patches, const SkyBox& box, SidePower& power) {
+  for (std::size_t face = 0; face < SkyBox::faces; ++face) {
+    power.side.push_back(static_cast<std::uint32_t>(2 * patches.size() + face));
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      power.watts.push_back(box.area(face) * patches.sky_radiosity(b));
+  }
+}
+
 EntryRange entries_between(std::span<const std::uint32_t> side, std::size_t begin, std::size_t end) {
   const auto first = std::lower_bound(side.begin(), side.end(), begin);
   const auto last = std::lower_bound(first, side.end(), end);
