@@ -35,5 +35,6 @@ std::unique_ptr<Command> make_reference(CommandLine& line);
 std::unique_ptr<Command> make_compare(CommandLine& line);
 std::unique_ptr<Command> make_info(CommandLine& line);
 std::unique_ptr<Command> make_viewfactors(CommandLine& line);
+std::unique_ptr<Command> make_check(CommandLine& line);
 
 }  // namespace luxel

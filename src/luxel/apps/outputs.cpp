@@ -33,12 +33,6 @@ bool is_among(const std::string& word, const std::string& words) {
   return false;
 }
 
-Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
-  if (look.up == "y") return {0.0f, 1.0f, 0.0f};
-  if (look.up == "z") return {0.0f, 0.0f, 1.0f};
-  return automatic_up(patches);
-}
-
 void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
                 const LookSettings& look) {
   if (ending(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution);
@@ -67,6 +61,12 @@ class Places {
 };
 
 }  // namespace
+
+Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
+  if (look.up == "y") return {0.0f, 1.0f, 0.0f};
+  if (look.up == "z") return {0.0f, 0.0f, 1.0f};
+  return automatic_up(patches);
+}
 
 bool is_picture(const std::string& output) { return is_among(ending(output), picture_kinds); }
 

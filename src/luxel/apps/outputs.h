@@ -24,6 +24,9 @@ inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
 // among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made.
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds);
 
+// The direction that is up, as the settings say or as the surfaces do.
+Vec3 up_of(const LookSettings& look, const PatchSet& patches);
+
 // Whether it is one of picture_kinds, by its ending.
 bool is_picture(const std::string& output);
 

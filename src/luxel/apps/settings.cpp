@@ -32,7 +32,7 @@ float parse_fov(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
+void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
   set.set_positional("SCENE", file, what_it_takes);
   set.heading("Scene");
   set.add_number("scale", "m", load.scale, 1e-9f, far, "metres a unit of the file");
@@ -40,6 +40,13 @@ void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
                  "higher reflectances are lowered to this");
   set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose back absorbs light");
   set.add_texts("flip", "NAME", load.flip, "materials (with * and ?) whose faces are turned round");
+  set.add_number("weld", "m", load.weld, 0.0f, static_cast<float>(far),
+                 "vertices nearer than this become one; 0: none");
+  set.add_flag("orient", load.orient, "turn faces round so that each connected piece faces one way");
+}
+
+void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
+  declare_scene(set, what_it_takes);
   set.heading("Patches");
   add_or_auto(set, "max-edge", "m", patches.max_edge, automatic_edge, parse_edge,
               "longest edge of a patch; 0 keeps the triangles as they come");

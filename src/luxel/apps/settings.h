@@ -25,6 +25,8 @@ struct SceneSettings {
   std::string file;
   LoadOptions load;
   PatchOptions patches;
+  // What is to be read, and how; then what it is cut into as well.
+  void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
   void declare(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
   // Of the commands that find light; where the options of light begin.
   void declare_sky(OptionSet& set);

@@ -10,6 +10,8 @@
 #include "luxel/load/name_list.h"
 #include "luxel/load/name_pattern.h"
 #include "luxel/load/text.h"
+#include "luxel/mesh/orient_windings.h"
+#include "luxel/mesh/weld_vertices.h"
 #include "luxel/report/error.h"
 
 namespace luxel {
@@ -26,6 +28,8 @@ void check_options(const LoadOptions& options) {
     throw InputError(fmt::format("expected a scale above 0 metres a unit, found {}", options.scale));
   if (!(options.max_reflectance >= 0.0f && options.max_reflectance < 1.0f))
     throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
+  if (!(options.weld >= 0.0f && std::isfinite(options.weld)))
+    throw InputError(fmt::format("expected a weld distance of 0 or more metres, found {}", options.weld));
   for (int band = 0; band < 3; ++band)
     if (!(options.sky[band] >= 0.0f && std::isfinite(options.sky[band])))
       throw InputError(
@@ -82,12 +86,21 @@ void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
       std::swap(scene.triangles[i][1], scene.triangles[i][2]);
 }
 
+void repair(const LoadOptions& options, Scene& scene, const LogSink& log) {
+  const auto say = [&](std::string text) {
+    if (log) log({Severity::info, std::move(text)});
+  };
+  if (options.weld != 0.0f) say(weld_vertices(scene, options.weld).as_text(options.weld));
+  if (options.orient) say(orient_windings(scene).as_text());
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log) {
   check_options(options);
   check_is_file(path);
   auto scene = reader_of(path).load(path, options, log);
+  repair(options, scene, log);
   apply_one_sided(options.one_sided, scene);
   apply_flip(options.flip, scene);
   scene.sky = options.sky;

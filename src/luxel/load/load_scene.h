@@ -15,13 +15,16 @@ struct LoadOptions {
   float max_reflectance = 0.98f;            // reflectances above are lowered to it, with a warning
   std::vector<std::string> one_sided = {};  // materials (* and ? allowed) whose back absorbs
   std::vector<std::string> flip = {};       // materials (* and ? allowed) whose triangles are turned round
+  float weld = 0.0f;                        // m; vertices nearer than this become one, see weld_vertices()
+  bool orient = false;                      // turn windings consistent piece by piece, see orient_windings()
   Vec3 sky = Vec3(0.0f);                    // Scene::sky, W/(m² sr): light from all around
 };
 
 // Reads a scene by the file's ending: .obj (with its .mtl and textures).
 // Throws InputError with file and line for anything that cannot be read; says warnings (a missing MTL or
-// texture and the default taken, turned faces, capped reflectances) to log. Cost: about a second a million
-// faces.
+// texture and the default taken, turned faces, capped reflectances) and what repairs on request changed to log.
+// Welding comes before orienting, and both before flipping, which so has the last word. Cost: about a second a
+// million faces.
 //
 // OBJ as Luxel reads it: metres, Y up or Z up as it comes; materials are two-sided; Ke is radiance in W/(m²
 // sr); Kd times the mean linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes

@@ -47,7 +47,10 @@ Material MaterialMaker::make(const NamedLine& use) {
     unknown_.push_back(use.name);
   }
   const auto capped = glm::min(material.reflectance, Vec3(options_.max_reflectance));
-  if (capped != material.reflectance) too_bright_.push_back(use.name);
+  if (capped != material.reflectance) {
+    too_bright_.push_back(use.name);
+    material.stated_reflectance = material.reflectance;
+  }
   material.reflectance = capped;
   return material;
 }

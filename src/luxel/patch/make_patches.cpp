@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "luxel/math/triangle.h"
-#include "luxel/patch/clean_triangles.h"
+#include "luxel/mesh/clean_triangles.h"
+#include "luxel/mesh/triangle_shape.h"
 #include "luxel/report/error.h"
 
 namespace luxel {
@@ -190,7 +191,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
   if (scene.sky != Vec3(0.0f)) patches.sky = {scene.sky.r, scene.sky.g, scene.sky.b};
 
   VertexWeld weld;
-  const auto triangles = clean_triangles(scene, weld, log);
+  const auto triangles = clean_triangles(scene, weld, log).kept;
   if (triangles.empty())
     throw InputError(scene.source,
                      "expected at least one triangle with area, found none: there is nothing to light");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "luxel/math/vector.h"
@@ -18,6 +19,8 @@ struct Material {
   bool two_sided = true;          // false: the back absorbs what meets it and is counted
 
   bool opaque = true;  // false: light passes as if it were not there (a pane of glass)
+
+  std::optional<Vec3> stated_reflectance = {};  // what the file said, where load lowered it
 
   bool is_lamp() const { return emittance.r > 0.0f || emittance.g > 0.0f || emittance.b > 0.0f; }
 };

@@ -79,21 +79,36 @@ std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tra
   return views;
 }
 
-std::string lamp_fault(const PatchSet& patches, const LampView& view) {
-  const auto& name = patches.materials[view.material].name;
-  const auto advice =
-      fmt::format("it seems to face the wrong way: turn its faces round with --flip {}", name);
-  if (view.front.escaped > nearly_all) {
-    const auto fact = fmt::format("lamp '{}' lights nothing: {:.0f} % of its light leaves the scene", name,
-                                  100.0 * view.front.escaped);
-    return view.back.escaped < 0.5 ? fmt::format("{}, and {}", fact, advice) : fact;
-  }
+bool turning_helps(const LampView& view) { return view.back.escaped < 0.5; }
+
+LampFault judge(const LampView& view) {
+  if (view.front.escaped > nearly_all) return LampFault::lights_nothing;
   const bool hugs_a_wall = view.front.median_distance < much_nearer * view.back.median_distance;
-  if (hugs_a_wall && view.back.escaped < 0.5)
-    return fmt::format(
-        "lamp '{}' shines at a surface {:.3g} m before it, while its back has {:.3g} m of room; {}", name,
-        view.front.median_distance, view.back.median_distance, advice);
+  return hugs_a_wall && turning_helps(view) ? LampFault::faces_wall : LampFault::none;
+}
+
+std::string lamp_fact(const PatchSet& patches, const LampView& view) {
+  const auto& name = patches.materials[view.material].name;
+  switch (judge(view)) {
+    case LampFault::none:
+      break;
+    case LampFault::lights_nothing:
+      return fmt::format("lamp '{}' lights nothing: {:.0f} % of its light leaves the scene", name,
+                         100.0 * view.front.escaped);
+    case LampFault::faces_wall:
+      return fmt::format(
+          "lamp '{}' shines at a surface {:.3g} m before it, while its back has {:.3g} m of room", name,
+          view.front.median_distance, view.back.median_distance);
+  }
   return {};
+}
+
+std::string lamp_fault(const PatchSet& patches, const LampView& view) {
+  const auto fact = lamp_fact(patches, view);
+  if (fact.empty() || !turning_helps(view)) return fact;
+  return fmt::format("{}{} it seems to face the wrong way: turn its faces round with --flip {}", fact,
+                     judge(view) == LampFault::faces_wall ? ";" : ", and",
+                     patches.materials[view.material].name);
 }
 
 }  // namespace luxel

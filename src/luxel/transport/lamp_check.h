@@ -26,8 +26,17 @@ struct LampView {
 // of a lamp, some milliseconds; the same answer each time.
 std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 
-// What is wrong with a lamp, as a sentence, or nothing: it shines out of the scene, or against a surface
-// right before it, while its back has room.
+enum class LampFault {
+  none,
+  lights_nothing,  // it shines out of the scene
+  faces_wall,      // it shines against a surface right before it, while its back has room
+};
+LampFault judge(const LampView& view);
+// Whether its back looks into the scene, so that to turn it round may be what was meant.
+bool turning_helps(const LampView& view);
+
+// What is the matter with a lamp, as a sentence, or nothing; the same with what to do about it.
+std::string lamp_fact(const PatchSet& patches, const LampView& view);
 std::string lamp_fault(const PatchSet& patches, const LampView& view);
 
 }  // namespace luxel

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/patch/clean_triangles.h"
+#include "luxel/mesh/clean_triangles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
 
-#include "luxel/math/triangle.h"
+#include "luxel/mesh/triangle_shape.h"
 
 namespace luxel {
 namespace {
-
-constexpr double smallest_area2 = 1e-34;  // m²; a float still holds it, and a power over it
 
 std::string where(const Scene& scene, std::uint32_t triangle) {
   const auto line = scene.triangle_line[triangle];
@@ -24,9 +21,10 @@ bool is_lamp(const Scene& scene, const CleanTriangle& t) {
   return scene.materials[static_cast<std::size_t>(scene.triangle_material[t.triangle])].is_lamp();
 }
 
-std::vector<CleanTriangle> with_area(const Scene& scene, VertexWeld& weld, const LogSink& log) {
-  std::vector<CleanTriangle> kept;
-  kept.reserve(scene.triangles.size());
+// Sorts the scene's triangles by whether they have area.
+CleanTriangles by_area(const Scene& scene, VertexWeld& weld) {
+  CleanTriangles result;
+  result.kept.reserve(scene.triangles.size());
   // The weld is asked once a vertex of the file, not once a corner.
   constexpr auto unknown = 0xffffffffu;
   std::vector<std::uint32_t> welded(scene.positions.size(), unknown);
@@ -34,21 +32,15 @@ std::vector<CleanTriangle> with_area(const Scene& scene, VertexWeld& weld, const
     if (welded[v] == unknown) welded[v] = weld.index_of(scene.positions[v]);
     return welded[v];
   };
-  std::size_t dropped = 0;
-  std::uint32_t first = 0;
   for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
     if (!scene.materials[static_cast<std::size_t>(scene.triangle_material[t])].opaque) continue;
     const auto& v = scene.triangles[t];
-    if (has_area(scene.positions[v[0]], scene.positions[v[1]], scene.positions[v[2]])) {
-      kept.push_back({{weld_corner(v[0]), weld_corner(v[1]), weld_corner(v[2])}, t});
-    } else if (dropped++ == 0) {
-      first = t;
-    }
+    if (has_area(scene.positions[v[0]], scene.positions[v[1]], scene.positions[v[2]]))
+      result.kept.push_back({{weld_corner(v[0]), weld_corner(v[1]), weld_corner(v[2])}, t});
+    else
+      result.without_area.push_back(t);
   }
-  if (dropped > 0)
-    warn(log, fmt::format("{} of {} triangles have no area and are left out ({})", dropped,
-                          scene.triangles.size(), where(scene, first)));
-  return kept;
+  return result;
 }
 
 // Corners rotated so that the smallest comes first: equal for equal triangles of equal winding.
@@ -91,44 +83,43 @@ std::vector<std::uint32_t> by_place(const Scene& scene, const std::vector<CleanT
 
 }  // namespace
 
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto length2 = [](const Vec3d& edge) { return glm::dot(edge, edge); };
-  const auto longest = std::sqrt(
-      std::max({length2(Vec3d(b) - Vec3d(a)), length2(Vec3d(c) - Vec3d(b)), length2(Vec3d(a) - Vec3d(c))}));
-  const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
-  const auto rounding = 0x1p-24 * std::max({largest.x, largest.y, largest.z});
-  const auto area2 = glm::length(area_vector2(a, b, c));
-  return area2 > rounding * longest && area2 > smallest_area2;
-}
-
-std::vector<CleanTriangle> clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log) {
-  auto triangles = with_area(scene, weld, log);
+CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log) {
+  auto result = by_area(scene, weld);
+  if (!result.without_area.empty())
+    warn(log, fmt::format("{} of {} triangles have no area and are left out ({})", result.without_area.size(),
+                          scene.triangles.size(), where(scene, result.without_area.front())));
 
   // Piles of triangles on the same three vertices, the one to keep first in each.
+  auto& triangles = result.kept;
   const auto order = by_place(scene, triangles, weld.positions().size());
-  std::vector<bool> drop(triangles.size(), false);
-  std::size_t dropped = 0;
-  auto first = static_cast<std::uint32_t>(scene.triangles.size());
+  constexpr auto on_none = 0xffffffffu;
+  std::vector<std::uint32_t> lies_on(triangles.size(), on_none);
   for (std::size_t i = 0, pile = 0; i < order.size(); ++i) {
     if (sorted(triangles[order[i]].corners) != sorted(triangles[order[pile]].corners)) pile = i;
     if (i == pile) continue;
+    lies_on[order[i]] = order[pile];
     auto& kept = triangles[order[pile]];
-    const auto& other = triangles[order[i]];
-    if (rotated(kept.corners) != rotated(other.corners)) kept.opposite_twin = true;
-    drop[order[i]] = true;
-    ++dropped;
-    first = std::min(first, other.triangle);
+    if (rotated(kept.corners) != rotated(triangles[order[i]].corners)) kept.opposite_twin = true;
   }
-  if (dropped == 0) return triangles;
+
+  // Close up, and say who lay on whom.
+  std::vector<std::uint32_t> place(triangles.size());
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (lies_on[i] == on_none) place[i] = count++;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (lies_on[i] != on_none)
+      result.twins.push_back({triangles[i].triangle, place[lies_on[i]],
+                              rotated(triangles[i].corners) != rotated(triangles[lies_on[i]].corners)});
+  if (result.twins.empty()) return result;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (lies_on[i] == on_none) triangles[place[i]] = triangles[i];
+  triangles.resize(count);
   warn(log, fmt::format(
                 "{} triangles lie exactly on another one and are left out ({}); the one that stays is lit on "
                 "both sides where they faced opposite ways",
-                dropped, where(scene, first)));
-  std::vector<CleanTriangle> kept;
-  kept.reserve(triangles.size() - dropped);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (!drop[i]) kept.push_back(triangles[i]);
-  return kept;
+                result.twins.size(), where(scene, result.twins.front().triangle)));
+  return result;
 }
 
 }  // namespace luxel

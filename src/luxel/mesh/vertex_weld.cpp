@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/patch/vertex_weld.h"
+#include "luxel/mesh/vertex_weld.h"
 
 #include <algorithm>
 #include <bit>

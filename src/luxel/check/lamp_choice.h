@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// Patches that emit, chosen by power (in luminance).
+class LampChoice {
+ public:
+  explicit LampChoice(const PatchSet& patches);
+  bool empty() const { return patch_.empty(); }
+  std::size_t count() const { return patch_.size(); }
+  // u in [0, 1): a patch.
+  std::size_t at(double u) const;
+
+ private:
+  std::vector<std::size_t> patch_;
+  std::vector<double> up_to_;  // power of this and those before
+};
+
+}  // namespace luxel
