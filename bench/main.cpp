@@ -32,6 +32,7 @@ constexpr Section sections[] = {
     {"patches", "cost_per_patch", cost_per_patch},
     {"order", "ray_order", ray_order},
     {"light", "time_to_first_light", time_to_first_light},
+    {"reconstruction", "reconstruction", reconstruction},
 };
 
 constexpr auto usage =

@@ -26,5 +26,6 @@ Json variance_reduction(const Settings& settings);      // each switch of the sa
 Json cost_per_patch(const Settings& settings);          // from 2,000 to a million patches
 Json ray_order(const Settings& settings);               // coherent rays against the same rays shuffled
 Json time_to_first_light(const Settings& settings);     // until a first picture is there
+Json reconstruction(const Settings& settings);          // the drawn field against the light at points
 
 }  // namespace luxel::bench

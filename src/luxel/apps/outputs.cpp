@@ -150,7 +150,8 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
     const bool is_smooth = ending(output) != ".vtkhdf" && !(is_picture(output) && picture.gather > 0);
     if (is_smooth && !light)
       light = record.stage(
-          "surface", [&](auto&) { return make_smooth_light(baked.patches, baked.solution, look.smooth); });
+          "surface",
+          [&](auto&) { return make_smooth_light(baked.patches, baked.solution, look.smooth, workers); });
     if (is_picture(output) && !radiance) {
       if (!tracer) {
         own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });

@@ -48,8 +48,8 @@ std::vector<std::string> StepPictures::write(const Baked& baked, const Tracer& t
       auto light = baked.solution;
       light.irradiance_front = step.irradiance_front;
       light.irradiance_back = step.irradiance_back;
-      return render(baked.patches, make_smooth_light(baked.patches, light, look.smooth), tracer, from,
-                    picture.render, workers);
+      return render(baked.patches, make_smooth_light(baked.patches, light, look.smooth, workers), tracer,
+                    from, picture.render, workers);
     };
     const auto curve = curve_of(draw(steps_.back()), look.tone);
     const auto monitor = console.monitor(false);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 
@@ -35,6 +36,9 @@ struct SmoothLight {
 
 // Cost: linear in the number of patches but for a sort of the few that meet at each vertex. Deterministic.
 // Throws MismatchError where the solution is not of these patches, InputError for a senseless crease angle.
+SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution, const SmoothOptions& options,
+                              const Workers& workers);
+// On the calling thread.
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options = {});
 

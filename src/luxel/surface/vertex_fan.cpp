@@ -2,6 +2,7 @@
 #include "luxel/surface/vertex_fan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -27,15 +28,19 @@ double diamond_angle(double x, double y) {
 
 }  // namespace
 
-void VertexFan::fill(std::span<const std::uint32_t> corners) {
-  corners_.assign(corners.begin(), corners.end());
-  surface_.resize(2 * corners_.size());
+void VertexFan::fill(std::span<const std::uint32_t> corners, std::span<const HangingVertex> hanging) {
+  members_.clear();
+  for (const auto c : corners) members_.push_back({c / 3, c % 3});
+  for (const auto& h : hanging) members_.push_back({h.patch, h.edge});
+  corner_count_ = corners.size();
+  surface_.resize(2 * members_.size());
   std::iota(surface_.begin(), surface_.end(), 0u);
+  if (corners.empty()) return;
+  vertex_ = patches_.corners[corners[0] / 3][corners[0] % 3];
 
   list_wings();
   for (auto first = wings_.begin(); first != wings_.end();) {
-    const auto last =
-        std::find_if(first, wings_.end(), [&](const Wing& w) { return w.other != first->other; });
+    const auto last = std::find_if(first, wings_.end(), [&](const Wing& w) { return w.edge != first->edge; });
     join_around_edge({first, last});
     first = last;
   }
@@ -44,48 +49,94 @@ void VertexFan::fill(std::span<const std::uint32_t> corners) {
 
 void VertexFan::list_wings() {
   wings_.clear();
-  for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
     const auto& ends = patches_.corners[patch(i)];
-    const auto k = corners_[i] % 3;
-    wings_.push_back({ends[(k + 1) % 3], i, true, 0.0});
-    wings_.push_back({ends[(k + 2) % 3], i, false, 0.0});
+    const auto k = members_[i].place;
+    const auto ahead = ends[(k + 1) % 3];
+    const auto behind = ends[is_hanging(i) ? k : (k + 2) % 3];
+    wings_.push_back({ahead, ahead, i, true, 0.0});
+    wings_.push_back({behind, behind, i, false, 0.0});
   }
-  std::sort(wings_.begin(), wings_.end(), [](const Wing& a, const Wing& b) {
-    return std::tuple(a.other, a.corner, a.outwards) < std::tuple(b.other, b.corner, b.outwards);
-  });
+  const auto sort = [this] {
+    std::sort(wings_.begin(), wings_.end(), [](const Wing& a, const Wing& b) {
+      return std::tuple(a.edge, a.member, a.outwards) < std::tuple(b.edge, b.member, b.outwards);
+    });
+  };
+  sort();
+  if (join_open_edges()) sort();
 }
 
-// Around an edge the patches stand like the pages of a book. Two sides see each other's light run on smoothly
-// only if they face the same gap between neighbouring pages.
-void VertexFan::join_around_edge(std::span<Wing> wings) {
+// Where one patch's edge goes on beyond its neighbours' (a T-junction), both leave this vertex on one line.
+bool VertexFan::join_open_edges() {
+  constexpr std::size_t most = 32;  // at a vertex where more edges are open nothing is sought
+  open_.clear();
+  for (std::uint32_t i = 0; i < wings_.size(); ++i)
+    if ((i == 0 || wings_[i - 1].edge != wings_[i].edge) &&
+        (i + 1 == wings_.size() || wings_[i + 1].edge != wings_[i].edge))
+      open_.push_back(i);
+  if (open_.size() > most) return false;
+  bool joined = false;
+  for (std::size_t i = 1; i < open_.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      auto& wing = wings_[open_[i]];
+      if (wing.edge != wing.other || !on_one_line(wing, wings_[open_[j]])) continue;
+      wing.edge = wings_[open_[j]].edge;
+      joined = true;
+    }
+  return joined;
+}
+
+bool VertexFan::on_one_line(const Wing& a, const Wing& b) const {
+  const auto& vertex = patches_.vertices[vertex_];
+  auto u = Vec3d(patches_.vertices[a.other]) - Vec3d(vertex);
+  auto v = Vec3d(patches_.vertices[b.other]) - Vec3d(vertex);
+  if (glm::dot(u, u) > glm::dot(v, v)) std::swap(u, v);
+  const auto length = glm::length(u), longer = glm::length(v);
+  return length > 0.0 && glm::dot(u, v) > 0.0 &&
+         glm::length(glm::cross(u, v)) / longer <= line_tolerance(vertex, length);
+}
+
+// Around an edge the patches stand like the pages of a book, and so does what only touches the edge. Two
+// sides see each other's light run on smoothly only if they face the same gap between neighbouring pages.
+void VertexFan::join_around_edge(std::span<const Wing> wings) {
   if (wings.size() < 2) return;
-  const auto vertex = patches_.corners[patch(wings[0].corner)][corners_[wings[0].corner] % 3];
-  const auto along = Vec3d(patches_.vertices[wings[0].other]) - Vec3d(patches_.vertices[vertex]);
+  const auto along = Vec3d(patches_.vertices[wings[0].other]) - Vec3d(patches_.vertices[vertex_]);
   const auto length = glm::length(along);
   if (!(length > 0.0)) return;
   const auto edge = along / length;
 
-  const auto x = into_patch(patches_.normal[patch(wings[0].corner)], edge, wings[0].outwards);
+  const auto x = into_patch(patches_.normal[patch(wings[0].member)], edge, wings[0].outwards);
   const auto y = glm::cross(edge, x);
-  for (auto& w : wings) {
-    const auto d = into_patch(patches_.normal[patch(w.corner)], edge, w.outwards);
-    w.angle = diamond_angle(glm::dot(d, x), glm::dot(d, y));
+  const auto angle_of = [&](const Vec3d& d) { return diamond_angle(glm::dot(d, x), glm::dot(d, y)); };
+  pages_.assign(wings.begin(), wings.end());
+  for (auto& w : pages_) w.angle = angle_of(into_patch(patches_.normal[patch(w.member)], edge, w.outwards));
+  const auto& contacts = patches_.contacts;
+  const auto before = [](const Contact& c, const auto& edge_ends) { return c.edge < edge_ends; };
+  for (std::size_t i = 0; i < wings.size() && !contacts.empty(); ++i) {
+    const auto other = wings[i].other;
+    if (i > 0 && other == wings[i - 1].other) continue;
+    const std::array<std::uint32_t, 2> key = {std::min(vertex_, other), std::max(vertex_, other)};
+    for (auto c = std::lower_bound(contacts.begin(), contacts.end(), key, before);
+         c != contacts.end() && c->edge == key; ++c)
+      pages_.push_back({wings[i].edge, other, no_member, false, angle_of(Vec3d(c->into))});
   }
-  std::sort(wings.begin(), wings.end(), [](const Wing& a, const Wing& b) {
-    return std::tuple(a.angle, a.corner) < std::tuple(b.angle, b.corner);
+
+  std::sort(pages_.begin(), pages_.end(), [](const Wing& a, const Wing& b) {
+    return std::tuple(a.angle, a.member) < std::tuple(b.angle, b.member);
   });
-  for (std::size_t i = 0; i < wings.size(); ++i) join_facing(wings[i], wings[(i + 1) % wings.size()]);
+  for (std::size_t i = 0; i < pages_.size(); ++i) join_facing(pages_[i], pages_[(i + 1) % pages_.size()]);
 }
 
 // Turning around the edge, a front looks forwards if its winding runs outwards: e x (n x e) = n.
 void VertexFan::join_facing(const Wing& from, const Wing& to) {
+  if (from.member == no_member || to.member == no_member) return;
   const auto from_back = !from.outwards;
   const auto to_back = to.outwards;
-  const auto n = Vec3d(patches_.normal[patch(from.corner)]) * (from_back ? -1.0 : 1.0);
-  const auto m = Vec3d(patches_.normal[patch(to.corner)]) * (to_back ? -1.0 : 1.0);
+  const auto n = Vec3d(patches_.normal[patch(from.member)]) * (from_back ? -1.0 : 1.0);
+  const auto m = Vec3d(patches_.normal[patch(to.member)]) * (to_back ? -1.0 : 1.0);
   if (!(std::min(glm::dot(n, m), 1.0) > static_cast<double>(cos_crease_))) return;
-  const auto a = root(2 * from.corner + (from_back ? 1 : 0));
-  const auto b = root(2 * to.corner + (to_back ? 1 : 0));
+  const auto a = root(2 * from.member + (from_back ? 1 : 0));
+  const auto b = root(2 * to.member + (to_back ? 1 : 0));
   surface_[std::max(a, b)] = std::min(a, b);
 }
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/field_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/random/address.h"
+#include "luxel/random/warp.h"
+#include "luxel/reference/point_irradiance.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel::bench {
+namespace {
+
+constexpr std::uint32_t place_step = 0x706c6163u;
+
+// Even over the area: the areas of all patches laid end to end are cut into as many equal pieces as there are
+// points, and each point is drawn from one piece.
+std::vector<SurfacePoint> draw_points(const PatchSet& patches, std::size_t count) {
+  std::vector<double> area_up_to;
+  double area = 0.0;
+  for (const auto a : patches.area) area_up_to.push_back(area += static_cast<double>(a));
+  std::vector<SurfacePoint> points;
+  const auto key = stream_key(1, place_step, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto u = uniform4(key, i);
+    const auto at = area * (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count);
+    const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, at);
+    const auto patch = static_cast<std::size_t>(found - area_up_to.begin());
+    points.push_back(surface_point(patches, patch, u[3] < 0.5f, uniform_triangle(u[1], u[2])));
+  }
+  return points;
+}
+
+// Of the corners b and c, at the foot of the perpendicular from p.
+Vec2 weights_at(const std::array<Vec3, 3>& corners, const Vec3& p) {
+  const auto b = Vec3d(corners[1]) - Vec3d(corners[0]);
+  const auto c = Vec3d(corners[2]) - Vec3d(corners[0]);
+  const auto d = Vec3d(p) - Vec3d(corners[0]);
+  const auto bb = glm::dot(b, b), bc = glm::dot(b, c), cc = glm::dot(c, c);
+  const auto db = glm::dot(d, b), dc = glm::dot(d, c);
+  const auto determinant = bb * cc - bc * bc;
+  return {static_cast<float>((cc * db - bc * dc) / determinant),
+          static_cast<float>((bb * dc - bc * db) / determinant)};
+}
+
+// Of the patches that a triangle of the scene was cut into, the one that a point lies on, or most nearly so.
+struct Place {
+  std::size_t patch = 0;
+  Vec2 weights{0.0f};
+};
+Place place_of(const PatchSet& patches, std::uint32_t triangle, const Vec3& point) {
+  const auto [first, last] = std::equal_range(patches.triangle.begin(), patches.triangle.end(), triangle);
+  Place best;
+  float inside = -std::numeric_limits<float>::infinity();
+  for (auto it = first; it != last; ++it) {
+    const auto patch = static_cast<std::size_t>(it - patches.triangle.begin());
+    const auto w = weights_at(patches.points(patch), point);
+    const auto least = std::min({w.x, w.y, 1.0f - w.x - w.y});
+    if (!(least > inside)) continue;
+    inside = least;
+    best = {patch, w};
+  }
+  return best;
+}
+
+}  // namespace
+
+PointTruth::PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
+                       const Workers& workers) {
+  const auto patches = make_patches(scene, {.max_edge = no_max_edge});
+  const Tracer tracer(patches, workers);
+  bands_ = patches.band_count();
+  points_ = draw_points(patches, points);
+  for (auto& p : points_) {
+    triangle_.push_back(patches.triangle[p.patch]);
+    p.normal = normal(patches, p.patch, p.position, p.normal);
+  }
+  light_ = irradiance_at(patches, tracer, points_, paths, 1, workers);
+  again_ = irradiance_at(patches, tracer, points_, paths, 2, workers);
+}
+
+PointTruth::Sums PointTruth::sums(const PatchSet& patches, const Field& field) const {
+  Sums sums;
+  std::vector<double> value(bands_);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto place = place_of(patches, triangle_[i], points_[i].position);
+    field(place.patch, points_[i].back, place.weights, value.data());
+    double product = 0.0;
+    for (std::size_t b = 0; b < bands_; ++b) {
+      const auto t = light_[i * bands_ + b], again = again_[i * bands_ + b];
+      product += (value[b] - t) * (value[b] - again);
+      sums.truth += t * again;
+    }
+    sums.product += product;
+    sums.square += product * product;
+  }
+  return sums;
+}
+
+double PointTruth::error(const PatchSet& patches, const Field& field) const {
+  const auto s = sums(patches, field);
+  return std::sqrt(std::max(0.0, s.product / s.truth));
+}
+
+double PointTruth::noise(const PatchSet& patches, const Field& field) const {
+  return std::sqrt(sums(patches, field).square) / sums(patches, field).truth;
+}
+
+}  // namespace luxel::bench

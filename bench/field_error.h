@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/reference/surface_point.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel::bench {
+
+// The unit normal that a surface has at a point where its facets only stand for something round; given are
+// the patch, the point and the facet's own normal. Both look to the same side.
+using TrueNormal = std::function<Vec3(const PatchSet&, std::size_t patch, const Vec3&, const Vec3&)>;
+
+// The light at one place of a patch side, W/m² a band. weights: barycentric, of the corners b and c.
+using Field = std::function<void(std::size_t patch, bool back, const Vec2& weights, double* light)>;
+
+// How far a field that is drawn over the patches of a scene is from the light at points, whatever the
+// patches. Points are drawn evenly over both sides of all surfaces; the light there is path-traced, twice and
+// independently.
+class PointTruth {
+ public:
+  PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
+             const Workers& workers);
+
+  // sqrt(mean of (f - t)(f - t') / mean of t t'), over points and bands: the noise of neither t is in it.
+  double error(const PatchSet& patches, const Field& field) const;
+  // Standard error of the square of it, from the spread of the points.
+  double noise(const PatchSet& patches, const Field& field) const;
+
+  std::size_t size() const { return points_.size(); }
+
+ private:
+  struct Sums {
+    double product = 0.0, truth = 0.0, square = 0.0;
+  };
+  Sums sums(const PatchSet& patches, const Field& field) const;
+
+  std::size_t bands_;
+  std::vector<SurfacePoint> points_;
+  std::vector<std::uint32_t> triangle_;  // [point]: of the scene
+  std::vector<double> light_, again_;    // [point][band], W/m²
+};
+
+}  // namespace luxel::bench

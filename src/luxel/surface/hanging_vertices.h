@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// A vertex that lies within an edge of a patch without being one of its ends: a T-junction.
+struct HangingVertex {
+  std::uint32_t vertex = 0;
+  std::uint32_t patch = 0;
+  std::uint32_t edge = 0;  // 0 to 2: from that corner of the patch to the next
+  float share = 0.0f;      // of the way along it, in (0, 1)
+};
+
+// How far off a line a vertex may lie and count as on it, m: a ten-thousandth of `length`, which no eye sees,
+// and the rounding of the coordinates.
+double line_tolerance(const Vec3& vertex, double length);
+
+// Of the edges that no other patch shares, the vertices of other such edges that hang on them; sorted by
+// vertex, patch and edge. Cost: linear in the length of open edges over
+// their mean length, and a sort of them.
+std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches);
+
+}  // namespace luxel

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/surface/side_slopes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "luxel/math/triangle.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t sides_a_chunk = 4096;
+// The hub of a great fan would make every patch of it a neighbour of every other: such nodes are passed over,
+// the patches beside each other share the node at the rim.
+constexpr std::size_t most_at_node = 64;
+// Least over greatest eigenvalue, about, of neighbours that do not stand on one line.
+constexpr double least_spread = 1e-5;
+
+Vec3d centroid(const PatchSet& patches, std::size_t patch) {
+  const auto p = patches.points(patch);
+  return (Vec3d(p[0]) + Vec3d(p[1]) + Vec3d(p[2])) / 3.0;
+}
+
+// Of differences to the side at hand, itself among them.
+struct Range {
+  double low = 0.0, high = 0.0;
+
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+class Fit {
+ public:
+  Fit(const PatchSet& patches, const SideLight& light, const SideNodes& nodes,
+      std::span<const Vec3d> centroids)
+      : patches_(patches), light_(light), nodes_(nodes), centroids_(centroids) {}
+
+  // rise: [band][corner], zero before.
+  void fill(std::size_t side, float* rise) {
+    if (!(light_.weight(side) > 0.0) || !list_sides(side)) return;
+    lay_out(side);
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+    for (const auto& n : neighbours_) {
+      xx += n.weight * n.x * n.x;
+      xy += n.weight * n.x * n.y;
+      yy += n.weight * n.y * n.y;
+    }
+    const auto determinant = xx * yy - xy * xy;
+    if (!(determinant > least_spread * (xx + yy) * (xx + yy))) return;
+
+    const auto points = patches_.points(side / 2);
+    for (std::size_t b = 0; b < light_.bands(); ++b) {
+      const auto own = static_cast<double>(light_.at(side)[b]);
+      double x = 0.0, y = 0.0, all = 0.0, explained = 0.0;
+      Range met;  // by the neighbours' values
+      for (const auto& n : neighbours_) {
+        const auto more = static_cast<double>(light_.at(n.side)[b]) - own;
+        x += n.weight * n.x * more;
+        y += n.weight * n.y * more;
+        all += n.weight * more * more;
+        met.add(more);
+      }
+      const auto slope_x = (yy * x - xy * y) / determinant, slope_y = (xx * y - xy * x) / determinant;
+      Range reached;  // by the plane at their centroids
+      for (const auto& n : neighbours_) {
+        const auto more = slope_x * n.x + slope_y * n.y;
+        explained += n.weight * more * more;
+        reached.add(more);
+      }
+      const auto trust = all > 0.0 ? std::max(0.0, 4.0 * explained / all - 3.0) : 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto way = Vec3d(points[k]) - centroids_[side / 2];
+        const auto more = slope_x * glm::dot(way, x_) + slope_y * glm::dot(way, y_);
+        rise[3 * b + k] =
+            static_cast<float>(std::clamp(more, met.low + trust * std::min(0.0, more - reached.low),
+                                          met.high + trust * std::max(0.0, more - reached.high)));
+      }
+    }
+  }
+
+ private:
+  // Another side on the plane of the one at hand, seen from that one's centroid.
+  struct Neighbour {
+    std::uint32_t side;
+    double x, y;    // m
+    double weight;  // 1/m²
+  };
+
+  // Fills sides_; one that shares an edge stands there twice and counts twice. Returns false where all is
+  // dark.
+  bool list_sides(std::size_t side) {
+    const auto is_bright = [&](std::size_t s) {
+      return std::any_of(light_.at(s), light_.at(s) + light_.bands(), [](float h) { return h != 0.0f; });
+    };
+    bool bright = is_bright(side);
+    sides_.clear();
+    const auto add_node = [&](std::uint32_t node) {
+      const auto members = nodes_.at(node);
+      if (members.size() > most_at_node) return;
+      for (const auto& m : members) {
+        if (m.side == side || !(light_.weight(m.side) > 0.0)) continue;
+        bright = bright || is_bright(m.side);
+        sides_.push_back(m.side);
+      }
+    };
+    for (const auto node : nodes_.of_side[side]) add_node(node);
+    if (!nodes_.visits.empty())
+      for (const auto& visit : nodes_.visited_by(side)) add_node(visit.node);
+    return bright;
+  }
+
+  void lay_out(std::size_t side) {
+    constexpr double steepest =
+        0.01;  // of the square of a way, along the plane: what folds back says nothing
+    const auto points = patches_.points(side / 2);
+    x_ = glm::normalize(Vec3d(points[1]) - Vec3d(points[0]));
+    y_ = glm::normalize(glm::cross(area_vector2(points[0], points[1], points[2]), x_));
+    neighbours_.clear();
+    for (const auto other : sides_) {
+      const auto way = centroids_[other / 2] - centroids_[side / 2];
+      const auto x = glm::dot(way, x_), y = glm::dot(way, y_);
+      const auto whole = glm::dot(way, way), flat = x * x + y * y;
+      if (!(flat > steepest * whole)) continue;
+      const auto unrolled = std::sqrt(whole / flat);
+      neighbours_.push_back({other, unrolled * x, unrolled * y, 1.0 / whole});
+    }
+  }
+
+  const PatchSet& patches_;
+  const SideLight& light_;
+  const SideNodes& nodes_;
+  std::span<const Vec3d> centroids_;
+  Vec3d x_{0.0}, y_{0.0};  // unit, along the plane of the side at hand
+  std::vector<std::uint32_t> sides_;
+  std::vector<Neighbour> neighbours_;
+};
+
+}  // namespace
+
+SideSlopes::SideSlopes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes,
+                       const Workers& workers)
+    : bands_(light.bands()), rise_(6 * patches.size() * bands_, 0.0f) {
+  std::vector<Vec3d> centroids(patches.size());
+  workers.for_chunks(patches.size(), sides_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p) centroids[p] = centroid(patches, p);
+  });
+  workers.for_chunks(2 * patches.size(), sides_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    Fit fit(patches, light, nodes, centroids);
+    for (auto side = begin; side < end; ++side) fit.fill(side, rise_.data() + 3 * side * bands_);
+  });
+}
+
+}  // namespace luxel
