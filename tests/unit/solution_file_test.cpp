@@ -83,6 +83,20 @@ TEST(SolutionFile, the_sky_is_kept) {
   }
 }
 
+TEST(SolutionFile, a_scene_far_from_zero_keeps_its_place) {
+  for (const std::size_t count : {4, 20'000}) {
+    const auto sample = sample::baked_far_away(count, 3);
+    const auto path = write("far.vtkhdf", sample);
+    expect_same(read_solution(path), sample);
+  }
+}
+
+TEST(SolutionFile, contacts_are_kept) {
+  auto sample = sample::baked(2, 3);
+  sample.patches.contacts = {{{0, 1}, {0, 0, 1}}, {{0, 1}, {0, 0, -1}}, {{1, 3}, {0.6f, 0.8f, 0}}};
+  expect_same(read_solution(write("contacts.vtkhdf", sample)), sample);
+}
+
 TEST(SolutionFile, every_stop_reason_is_kept) {
   auto sample = sample::baked(2, 3);
   for (const auto stop : {StopReason::converged, StopReason::error_reached, StopReason::ray_limit,
@@ -202,6 +216,14 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
   EXPECT_NE(with([](auto& p, auto&) { p.sky = {1.0f}; }).find("the sky does not have one number"),
             std::string::npos);
   EXPECT_NE(with([](auto&, auto& s) { s.irradiance_back.pop_back(); }).find("holds 11 numbers, expected 12"),
+            std::string::npos);
+  const auto with_contacts = [&](std::vector<Contact> contacts) {
+    return with([&](auto& p, auto&) { p.contacts = contacts; });
+  };
+  EXPECT_NE(with_contacts({{{1, 6}, {0, 0, 1}}}).find("contact 0 is at an edge from vertex 1 to 6 of 6"),
+            std::string::npos);
+  EXPECT_NE(with_contacts({{{1, 2}, {0, 0, 2}}}).find("contact 0 has a direction"), std::string::npos);
+  EXPECT_NE(with_contacts({{{1, 2}, {0, 0, 1}}, {{0, 2}, {0, 0, 1}}}).find("contact 1 is not in the order"),
             std::string::npos);
   EXPECT_NE(with([&](auto&, auto& s) { s.irradiance_front[3] = -infinity; }).find("not finite"),
             std::string::npos);

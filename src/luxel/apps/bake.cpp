@@ -25,6 +25,7 @@ class Bake final : public Command {
  public:
   explicit Bake(OptionSet& options) : Command(options) {
     scene_.declare(options);
+    scene_.declare_contacts(options);
     scene_.declare_sky(options);
     light_.declare(options);
     look_.declare(options);

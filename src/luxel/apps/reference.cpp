@@ -21,6 +21,7 @@ class Reference final : public Command {
  public:
   explicit Reference(OptionSet& options) : Command(options) {
     scene_.declare(options, "the mesh: an OBJ file with its MTL; or a solution (.vtkhdf), for its patches");
+    scene_.declare_contacts(options);
     scene_.declare_sky(options);
     light_.declare(options);
     look_.declare(options);

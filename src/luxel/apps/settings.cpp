@@ -52,6 +52,13 @@ void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
               "longest edge of a patch; 0 keeps the triangles as they come");
 }
 
+void SceneSettings::declare_contacts(OptionSet& set) {
+  set.add_switch("contacts", patches.contacts,
+                 "cut patches where surfaces touch or pass through each other, so that no light leaks there");
+  set.add_number("contact-gap", "m", patches.contact_gap, 0.0f, 1.0f,
+                 "surfaces no farther apart than this touch (a hundredth of their shortest edge at most)");
+}
+
 void SceneSettings::declare_sky(OptionSet& set) {
   set.heading("Light");
   set.add_colour("sky", "W/(m² sr)", load.sky,

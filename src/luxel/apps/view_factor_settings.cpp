@@ -104,6 +104,7 @@ PatchOptions ViewFactorSettings::patch_options(PatchOptions given) const {
   // Closed forms need no small patches, and factors between patches are asked of those there are.
   if (given.max_edge == automatic_edge && (kind() == Between::patches || is_exact))
     given.max_edge = no_max_edge;
+  given.contacts = false;  // surfaces count as they are described, and no light is drawn on them
   return given;
 }
 

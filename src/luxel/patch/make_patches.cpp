@@ -4,16 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "luxel/math/triangle.h"
 #include "luxel/mesh/clean_triangles.h"
-#include "luxel/mesh/triangle_shape.h"
+#include "luxel/patch/contact_lines.h"
+#include "luxel/patch/cut_contacts.h"
+#include "luxel/patch/triangle_splitter.h"
 #include "luxel/report/error.h"
 
 namespace luxel {
 namespace {
+
+constexpr std::size_t triangles_a_report = 1 << 14;
 
 // Area of a triangle whose longest edge bisection has brought between h / sqrt(2) and h, as a share of h²: a
 // right isosceles triangle on such a hypotenuse, averaged.
@@ -64,63 +70,6 @@ double edge_for_count(const std::vector<Shape>& all, double count) {
   }
   return high;
 }
-
-// Cuts one triangle until no edge is too long, and appends the parts.
-class Splitter {
- public:
-  Splitter(PatchSet& patches, VertexWeld& weld, const PatchOptions& options, double max_edge)
-      : patches_(patches), weld_(weld), max_count_(options.max_count), max_edge2_(max_edge * max_edge) {}
-
-  void add(const std::array<std::uint32_t, 3>& corners, const Vec3& normal, std::uint32_t triangle,
-           MaterialId material) {
-    normal_ = normal;
-    triangle_ = triangle;
-    material_ = material;
-    split(corners);
-  }
-
- private:
-  double length2(std::uint32_t i, std::uint32_t j) const {
-    const auto d = Vec3d(weld_.positions()[i]) - Vec3d(weld_.positions()[j]);
-    return glm::dot(d, d);
-  }
-
-  void split(const std::array<std::uint32_t, 3>& c) {
-    const std::array<double, 3> edge2 = {length2(c[0], c[1]), length2(c[1], c[2]), length2(c[2], c[0])};
-    const auto k = static_cast<std::size_t>(std::max_element(edge2.begin(), edge2.end()) - edge2.begin());
-    const auto i = c[k];
-    const auto j = c[(k + 1) % 3];
-    const auto apex = c[(k + 2) % 3];
-    if (max_edge2_ <= 0.0 || edge2[k] <= max_edge2_) return append(c);
-    // a + b is the same number as b + a: both neighbours of the edge find the same place.
-    const auto& p = weld_.positions();
-    const auto place = 0.5f * (p[i] + p[j]);
-    if (!has_area(p[i], place, p[apex]) || !has_area(place, p[j], p[apex]))
-      return append(c);  // as small as floats can tell
-    const auto middle = weld_.index_of(place);
-    split({i, middle, apex});
-    split({middle, j, apex});
-  }
-
-  void append(const std::array<std::uint32_t, 3>& c) {
-    if (patches_.size() >= max_count_)
-      throw InputError(fmt::format("more than {} patches: a longer edge is needed (--max-edge)", max_count_));
-    const auto& p = weld_.positions();
-    patches_.corners.push_back(c);
-    patches_.normal.push_back(normal_);
-    patches_.area.push_back(static_cast<float>(triangle_area(p[c[0]], p[c[1]], p[c[2]])));
-    patches_.material.push_back(material_);
-    patches_.triangle.push_back(triangle_);
-  }
-
-  PatchSet& patches_;
-  VertexWeld& weld_;
-  std::size_t max_count_;
-  double max_edge2_;
-  Vec3 normal_{0.0f};
-  std::uint32_t triangle_ = 0;
-  MaterialId material_{};
-};
 
 BandMaterial band_material(const Material& m) {
   return {m.name,
@@ -175,6 +124,29 @@ double chosen_edge(const Scene& scene, const PatchOptions& options) {
   return options.max_edge;
 }
 
+// Of each triangle the numbers of the contact lines on it, which are sorted by it.
+std::vector<std::uint32_t> lines_on(std::span<const ContactLine> lines, std::uint32_t triangle) {
+  const auto comes_before = [](const ContactLine& line, std::uint32_t t) { return line.on < t; };
+  const auto first = std::lower_bound(lines.begin(), lines.end(), triangle, comes_before);
+  std::vector<std::uint32_t> numbers;
+  for (auto line = first; line != lines.end() && line->on == triangle; ++line)
+    numbers.push_back(static_cast<std::uint32_t>(line - lines.begin()));
+  return numbers;
+}
+
+void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, const PatchSet& patches,
+                      const LogSink& log) {
+  if (!log) return;
+  std::size_t surfaces = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (i == 0 || lines[i].on != lines[i - 1].on) ++surfaces;
+  log({Severity::info,
+       fmt::format(
+           "{} of the triangles are touched or pierced by others, along {} lines: cut along these into {} "
+           "patches more",
+           surfaces, lines.size(), patches.size() - before)});
+}
+
 }  // namespace
 
 float automatic_max_edge(const Scene& scene, std::size_t target_count) {
@@ -183,7 +155,8 @@ float automatic_max_edge(const Scene& scene, std::size_t target_count) {
   return static_cast<float>(edge_for_count(all, static_cast<double>(all.size() + target_count)));
 }
 
-PatchSet make_patches(const Scene& scene, const PatchOptions& options, const LogSink& log) {
+PatchSet make_patches(const Scene& scene, const PatchOptions& options, const LogSink& log,
+                      const Monitor& monitor) {
   PatchSet patches;
   patches.bands = {"red", "green", "blue"};
   patches.scene_fingerprint = fingerprint(scene);
@@ -197,14 +170,25 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
                      "expected at least one triangle with area, found none: there is nothing to light");
 
   reserve(patches, triangles.size());
+  const auto lines = options.contacts ? find_contact_lines(triangles, weld.positions(), options.contact_gap)
+                                      : std::vector<ContactLine>();
   TwoSidedTwins twins(patches);
-  Splitter splitter(patches, weld, options, chosen_edge(scene, options));
-  for (const auto& t : triangles) {
+  TriangleSplitter splitter(patches, weld, chosen_edge(scene, options), options.max_count);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto done = static_cast<double>(i) / static_cast<double>(triangles.size());
+    if (i % triangles_a_report == 0 && tell(monitor, {.stage = "patches", .done = done}) == Next::stop)
+      return {};
+    const auto& t = triangles[i];
     const auto& p = weld.positions();
     auto material = scene.triangle_material[t.triangle];
     if (t.opposite_twin) material = twins.of(material);
     const auto normal = triangle_normal(p[t.corners[0]], p[t.corners[1]], p[t.corners[2]]);
-    splitter.add(t.corners, normal, t.triangle, material);
+    splitter.add(t.corners, normal, t.triangle, material, lines, lines_on(lines, i));
+  }
+  if (!lines.empty()) {
+    const auto before = patches.size();
+    cut_along_contacts(patches, weld, lines, splitter.lines_on_patches());
+    say_what_was_cut(lines, before, patches, log);
   }
   patches.vertices = weld.take();
   return patches;

@@ -67,6 +67,20 @@ std::string fault_in_patch(const PatchSet& patches, std::size_t i) {
   return {};
 }
 
+std::string fault_in_contacts(const PatchSet& patches) {
+  for (std::size_t i = 0; i < patches.contacts.size(); ++i) {
+    const auto& [edge, into] = patches.contacts[i];
+    if (edge[0] >= edge[1] || edge[1] >= patches.vertices.size())
+      return fmt::format("contact {} is at an edge from vertex {} to {} of {}", i, edge[0], edge[1],
+                         patches.vertices.size());
+    if (!(std::abs(glm::dot(into, into) - 1.0f) <= unit_tolerance))
+      return fmt::format("contact {} has a direction that is not of length 1", i);
+    if (i > 0 && edge < patches.contacts[i - 1].edge)
+      return fmt::format("contact {} is not in the order of edges", i);
+  }
+  return {};
+}
+
 std::string fault_in_errors(const Solution& solution, std::size_t length) {
   const auto expected =
       solution.standard_error_front.empty() && solution.standard_error_back.empty() ? 0 : length;
@@ -109,6 +123,7 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
     return fmt::format("the light is of the bands {}, the patches of {}", fmt::join(solution.bands, " "),
                        fmt::join(patches.bands, " "));
   if (solution.provenance.scene_fingerprint != patches.scene_fingerprint)
+  if (auto fault = fault_in_contacts(patches); !fault.empty()) return fault;
     return fmt::format("the light is of the scene {:016x}, the patches of {:016x}",
                        solution.provenance.scene_fingerprint, patches.scene_fingerprint);
   return fault_in_light(solution, patches.size() * patches.band_count());

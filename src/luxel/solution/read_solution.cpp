@@ -72,6 +72,16 @@ void read_mesh(const Hdf5Reader& file, PatchSet& patches) {
 
 std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t bands) {
   const auto n = file.rows("Luxel/materials/name");
+std::vector<Contact> read_contacts(const Hdf5Reader& file) {
+  if (!file.has("Luxel/contacts")) return {};
+  const auto n = file.rows("Luxel/contacts/into");
+  const auto edges = file.array<std::uint32_t>("Luxel/contacts/edge", n, 2);
+  const auto into = file.vectors("Luxel/contacts/into", n);
+  std::vector<Contact> contacts(n);
+  for (std::size_t i = 0; i < n; ++i) contacts[i] = {{edges[2 * i], edges[2 * i + 1]}, into[i]};
+  return contacts;
+}
+
   const auto names = file.strings("Luxel/materials/name", n);
   const auto two_sided = file.array<std::uint8_t>("Luxel/materials/two_sided", n);
   const auto reflectance = file.array<float>("Luxel/materials/reflectance", n, bands);
@@ -126,6 +136,7 @@ Baked read_solution(const std::filesystem::path& path) {
   if (file.has("Luxel/sky")) patches.sky = file.array<float>("Luxel/sky", patches.band_count());
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
+  patches.contacts = read_contacts(file);
   if (const auto fault = fault_in(patches, solution); !fault.empty()) file.refuse_as_damaged(fault);
   return baked;
 }

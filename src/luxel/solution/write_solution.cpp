@@ -80,6 +80,19 @@ void add_materials(Hdf5Writer& file, const PatchSet& patches) {
 }
 
 void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
+void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
+  if (patches.contacts.empty()) return;
+  std::vector<std::uint32_t> edges;
+  std::vector<Vec3> into;
+  for (const auto& contact : patches.contacts) {
+    edges.insert(edges.end(), contact.edge.begin(), contact.edge.end());
+    into.push_back(contact.into);
+  }
+  file.add_group("Luxel/contacts");
+  file.add_array("Luxel/contacts/edge", table(std::span<const std::uint32_t>(edges), into.size(), 2));
+  file.add_array("Luxel/contacts/into", vectors(into), "1");
+}
+
   file.add_group("Luxel");
   file.add_number("Luxel", "format_version", solution_format_version);
   for (const auto& [reason, word] : stop_reason_words())
@@ -92,6 +105,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
   add_materials(file, patches);
   if (!patches.sky.empty()) file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
+  add_contacts(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }
 

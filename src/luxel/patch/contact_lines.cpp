@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/patch/contact_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "luxel/math/triangle.h"
+#include "luxel/patch/flat_triangle.h"
+#include "luxel/patch/triangle_pairs.h"
+
+namespace luxel {
+namespace {
+
+constexpr double gap_of_edge = 0.01;     // of the shortest edge, at most
+constexpr double shortest_part = 32.0;   // an edge that only dips into the gap counts from so many gaps on
+constexpr double flat_sine = 1e-3;       // lower than that, a triangle lies on the other one
+constexpr double goes_on_cosine = -0.1;  // of the directions from an edge into two triangles of one surface
+constexpr double folded_cosine = 0.999;  // likewise, of two that lie on each other
+
+using Triangle = std::array<Vec3, 3>;
+
+// Which triangles meet at a vertex.
+class Neighbours {
+ public:
+  Neighbours(const std::vector<CleanTriangle>& triangles, std::size_t vertices)
+      : triangles_(triangles), begin_(vertices + 1, 0), at_(3 * triangles.size()) {
+    for (const auto& t : triangles)
+      for (const auto v : t.corners) ++begin_[v + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    auto next = begin_;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+      for (const auto v : triangles[i].corners) at_[next[v]++] = i;
+  }
+
+  // Whether a triangle other than `but` that has both vertices fits; ask(triangle, its third vertex).
+  template <typename Ask>
+  bool any_across(std::uint32_t a, std::uint32_t b, std::uint32_t but, Ask ask) const {
+    for (auto i = begin_[a]; i < begin_[a + 1]; ++i) {
+      const auto t = at_[i];
+      if (t == but) continue;
+      const auto& c = triangles_[t].corners;
+      if (c[0] != b && c[1] != b && c[2] != b) continue;
+      if (ask(c[0] != a && c[0] != b ? c[0] : (c[1] != a && c[1] != b ? c[1] : c[2]))) return true;
+    }
+    return false;
+  }
+
+ private:
+  const std::vector<CleanTriangle>& triangles_;
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> at_;
+};
+
+class Finder {
+ public:
+  Finder(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions, double gap)
+      : triangles_(triangles), positions_(positions), neighbours_(triangles, positions.size()) {
+    shapes_.reserve(triangles.size());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const auto p = points(i);
+      shapes_.push_back({glm::normalize(area_vector2(p[0], p[1], p[2])),
+                         slack_roundings * coordinate_rounding(p),
+                         std::min(gap, gap_of_edge * shortest_edge(p))});
+    }
+  }
+
+  std::vector<ContactLine> find() {
+    for_overlapping_pairs(boxes(), [this](std::uint32_t i, std::uint32_t j) { meet(i, j); });
+    std::stable_sort(lines_.begin(), lines_.end(), [](const ContactLine& a, const ContactLine& b) {
+      return std::tuple(a.on, a.other) < std::tuple(b.on, b.other);
+    });
+    return std::move(lines_);
+  }
+
+ private:
+  struct Shape {
+    Vec3d normal;         // unit
+    double slack, reach;  // m: what rounding may do; how near another one may be that touches it
+  };
+
+  // How the corners of one triangle stand to the plane of another.
+  struct Heights {
+    std::array<double, 3> of{};
+    bool all_above(double h) const { return of[0] > h && of[1] > h && of[2] > h; }
+    bool all_below(double h) const { return of[0] < h && of[1] < h && of[2] < h; }
+  };
+
+  Triangle points(std::uint32_t i) const {
+    const auto& c = triangles_[i].corners;
+    return {positions_[c[0]], positions_[c[1]], positions_[c[2]]};
+  }
+
+  std::vector<Bounds> boxes() const {
+    std::vector<Bounds> result(triangles_.size());
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      // As much as may be between two that touch; and what adding it rounds.
+      const auto& shape = shapes_[i];
+      const auto reach = static_cast<float>(1.5 * shape.slack + shape.reach);
+      for (const auto& corner : points(i)) {
+        result[i].add(corner - reach);
+        result[i].add(corner + reach);
+      }
+    }
+    return result;
+  }
+
+  static double shortest_edge(const Triangle& p) {
+    return std::min({glm::distance(Vec3d(p[0]), Vec3d(p[1])), glm::distance(Vec3d(p[1]), Vec3d(p[2])),
+                     glm::distance(Vec3d(p[2]), Vec3d(p[0]))});
+  }
+
+  // A corner that both have is in the plane, whatever rounding says.
+  Heights heights(std::uint32_t on, std::uint32_t other) const {
+    const auto& c = triangles_[on].corners;
+    const Vec3d origin(positions_[c[0]]);
+    Heights result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = triangles_[other].corners[k];
+      if (v != c[0] && v != c[1] && v != c[2])
+        result.of[k] = glm::dot(shapes_[on].normal, Vec3d(positions_[v]) - origin);
+    }
+    return result;
+  }
+
+  void meet(std::uint32_t i, std::uint32_t j) {
+    if (are_neighbours(i, j)) return;
+    const auto& a = shapes_[i];
+    const auto& b = shapes_[j];
+    const auto slack = std::max(a.slack, b.slack);
+    const auto reach = std::max(slack, std::min(a.reach, b.reach));
+    const auto of_j = heights(i, j);
+    if (of_j.all_above(reach) || of_j.all_below(-reach)) return;
+    const auto of_i = heights(j, i);
+    if (of_i.all_above(reach) || of_i.all_below(-reach)) return;
+    if (are_beside(i, j, reach) || are_beside(j, i, reach)) return;
+    Meeting(*this, i, j, of_j, slack, reach).find();
+    Meeting(*this, j, i, of_i, slack, reach).find();
+  }
+
+  // Whether they share an edge, and do not lie on each other: then they share no more than that.
+  bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
+    const auto& a = triangles_[i].corners;
+    const auto& b = triangles_[j].corners;
+    const auto apex_of = [](const std::array<std::uint32_t, 3>& c, const std::array<std::uint32_t, 3>& d) {
+      std::size_t apex = 3;  // the only corner of c that d does not have
+      for (std::size_t k = 0; k < 3; ++k)
+        if (c[k] != d[0] && c[k] != d[1] && c[k] != d[2]) apex = apex == 3 ? k : 4;
+      return apex;
+    };
+    const auto k = apex_of(a, b);
+    if (k >= 3) return false;
+    const auto l = apex_of(b, a);
+    const auto from = a[(k + 1) % 3], to = a[(k + 2) % 3];
+    return glm::dot(away(from, to, a[k]), away(from, to, b[l])) < folded_cosine;
+  }
+
+  // Whether a plane through an edge of `on` parts it from `other`, of which one corner at most may touch it.
+  bool are_beside(std::uint32_t on, std::uint32_t other, double reach) const {
+    const auto p = points(on);
+    const auto q = points(other);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto edge = Vec3d(p[(k + 1) % 3]) - Vec3d(p[k]);
+      const auto inward = glm::cross(shapes_[on].normal, edge);  // as long as the edge
+      const auto limit2 = reach * reach * glm::dot(edge, edge);
+      int near = 0;
+      for (const auto& corner : q) {
+        const auto inside = glm::dot(inward, Vec3d(corner) - Vec3d(p[k]));
+        const bool is_near = inside * inside <= limit2;
+        if (is_near || inside > 0.0) near += is_near ? 1 : 2;
+      }
+      if (near <= 1) return true;
+    }
+    return false;
+  }
+
+  // What one triangle, `other`, does on another one, `on`.
+  class Meeting {
+   public:
+    Meeting(Finder& finder, std::uint32_t on, std::uint32_t other, const Heights& heights, double slack,
+            double reach)
+        : finder_(finder),
+          on_(on),
+          other_(other),
+          height_(heights.of),
+          slack_(slack),
+          reach_(reach),
+          plane_(finder.points(on), finder.shapes_[on].normal),
+          vertex_(finder.triangles_[other].corners) {
+      for (std::size_t k = 0; k < 3; ++k) place_[k] = Vec3d(finder.positions_[vertex_[k]]);
+    }
+
+    void find() {
+      for (std::size_t k = 0; k < 3; ++k) find_touching_edge(k);
+      const bool lies_on_it =
+          std::all_of(height_.begin(), height_.end(), [this](double h) { return std::fabs(h) <= reach_; });
+      if (!lies_on_it) find_passage();
+    }
+
+   private:
+    struct Touch {
+      Vec3d p, q;
+    };
+
+    void find_touching_edge(std::size_t k) {
+      const auto l = (k + 1) % 3;
+      if (std::min(height_[k], height_[l]) > reach_ || std::max(height_[k], height_[l]) < -reach_) return;
+      const auto p = plane_.foot(place_[k]);
+      const auto q = plane_.foot(place_[l]);
+      auto stretch = stretch_on(plane_, p, q, slack_);
+      if (!stretch || !dip(k, l, *stretch)) return;
+      ContactLine line;
+      line.on = on_;
+      line.other = other_;
+      line.ends = {p + stretch->begin * (q - p), p + stretch->end * (q - p)};
+      if (glm::distance(line.ends[0], line.ends[1]) <= slack_) return;
+      touches_.push_back({line.ends[0], line.ends[1]});
+      if (stretch->begin == 0.0 && std::fabs(height_[k]) <= slack_) line.vertices[0] = vertex_[k];
+      if (stretch->end == 1.0 && std::fabs(height_[l]) <= slack_) line.vertices[1] = vertex_[l];
+      const auto inward = finder_.away(vertex_[k], vertex_[l], vertex_[(k + 2) % 3]);
+      const auto sine = glm::dot(inward, plane_.normal);
+      if (std::fabs(sine) > flat_sine && std::fabs(height_[(k + 2) % 3]) > reach_) {
+        line.into[0] = inward;
+      } else {
+        if (!is_rim(k, inward)) return;
+        const auto middle = 0.5 * (stretch->begin + stretch->end);
+        const auto lift = height_[k] + middle * (height_[l] - height_[k]);
+        line.into[0] = lift < -slack_ ? -plane_.normal : plane_.normal;
+        if (std::fabs(lift) <= slack_) line.into[1] = -plane_.normal;
+      }
+      add(line);
+    }
+
+    // Keeps of the stretch what is within reach of the plane. An edge that goes through it steeply does not
+    // lie on it; nor need one that leaves it slowly lie on it as a whole.
+    bool dip(std::size_t k, std::size_t l, Stretch& stretch) const {
+      const auto slope = height_[l] - height_[k];
+      const auto at = [&](double t) { return height_[k] + t * slope; };
+      if (std::fabs(at(stretch.begin)) <= reach_ && std::fabs(at(stretch.end)) <= reach_) return true;
+      const auto t = std::minmax((-reach_ - height_[k]) / slope, (reach_ - height_[k]) / slope);
+      stretch.begin = std::max(stretch.begin, t.first);
+      stretch.end = std::min(stretch.end, t.second);
+      return (stretch.end - stretch.begin) * glm::distance(place_[k], place_[l]) >= shortest_part * reach_;
+    }
+
+    // Whether the other one's surface ends at its edge k, or turns back there.
+    bool is_rim(std::size_t k, const Vec3d& inward) const {
+      const auto a = vertex_[k];
+      const auto b = vertex_[(k + 1) % 3];
+      return !finder_.neighbours_.any_across(a, b, other_, [&](std::uint32_t apex) {
+        return glm::dot(inward, finder_.away(a, b, apex)) < folded_cosine;
+      });
+    }
+
+    void find_passage() {
+      std::array<Vec3d, 2> ends{};
+      std::array<std::uint32_t, 2> vertices{no_vertex, no_vertex};
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < 3 && count < 2; ++k) {
+        const auto l = (k + 1) % 3;
+        if (height_[k] == 0.0) {
+          vertices[count] = vertex_[k];
+          ends[count++] = place_[k];
+        } else if (height_[l] != 0.0 && (height_[k] < 0.0) != (height_[l] < 0.0)) {
+          // From the lower vertex, so that both triangles of an edge find the same place.
+          const auto [i, j] = vertex_[k] < vertex_[l] ? std::pair(k, l) : std::pair(l, k);
+          const auto t = height_[i] / (height_[i] - height_[j]);
+          ends[count] = place_[i] + t * (place_[j] - place_[i]);
+          for (const auto v : {i, j})
+            if (std::fabs(height_[v]) <= slack_ && glm::distance(ends[count], place_[v]) <= slack_)
+              vertices[count] = vertex_[v];
+          ++count;
+        }
+      }
+      const auto above = *std::max_element(height_.begin(), height_.end());
+      const auto below = *std::min_element(height_.begin(), height_.end());
+      if (count < 2 || !(above > 0.0 && below < 0.0)) return;
+      const auto stretch = stretch_on(plane_, ends[0], ends[1], slack_);
+      if (!stretch) return;
+      ContactLine line;
+      line.on = on_;
+      line.other = other_;
+      const auto step = ends[1] - ends[0];
+      line.ends = {plane_.foot(ends[0] + stretch->begin * step), plane_.foot(ends[0] + stretch->end * step)};
+      if (stretch->begin == 0.0) line.vertices[0] = vertices[0];
+      if (stretch->end == 1.0) line.vertices[1] = vertices[1];
+      if (glm::distance(line.ends[0], line.ends[1]) <= slack_ || is_a_touch(line)) return;
+      // What goes on by no more than a hair ends here.
+      auto into = glm::normalize(glm::cross(finder_.shapes_[other_].normal, step));
+      if (glm::dot(into, plane_.normal) < 0.0) into = -into;
+      line.into[0] = above > reach_ ? into : -into;
+      if (std::min(above, -below) > reach_) line.into[1] = -into;
+      add(line);
+    }
+
+    // An edge that dips through the plane by a hair is where the other one ends, and is known as that.
+    bool is_a_touch(const ContactLine& line) const {
+      const auto is_near = [&](const Vec3d& p, const Touch& t) {
+        const auto along = t.q - t.p;
+        const auto share = std::clamp(glm::dot(p - t.p, along) / glm::dot(along, along), 0.0, 1.0);
+        return glm::distance(p, t.p + share * along) <= 2.0 * reach_;
+      };
+      return std::any_of(touches_.begin(), touches_.end(), [&](const Touch& t) {
+        return is_near(line.ends[0], t) && is_near(line.ends[1], t);
+      });
+    }
+
+    // Unless it lies on an edge, or no farther from it than what touches, where it parts no light.
+    void add(const ContactLine& line) {
+      const auto on_edge = stretch_on_edge(plane_, line.ends[0], line.ends[1], slack_);
+      if (on_edge && (on_edge->length <= slack_ || !parts(on_edge->edge))) return;
+      const auto near_edge = stretch_on_edge(plane_, line.ends[0], line.ends[1], reach_);
+      if (near_edge && near_edge->length > shortest_part * reach_ && !parts(near_edge->edge)) return;
+      finder_.lines_.push_back(line);
+    }
+
+    // Whether a surface that stands on edge k parts the light on both sides of it: not where it is a
+    // neighbour that has the edge too, and not where the surface itself ends or bends.
+    bool parts(std::size_t k) const {
+      const auto a = finder_.triangles_[on_].corners[k];
+      const auto b = finder_.triangles_[on_].corners[(k + 1) % 3];
+      const auto has = [&](std::uint32_t v) { return std::count(vertex_.begin(), vertex_.end(), v) > 0; };
+      if (has(a) && has(b)) return false;
+      return finder_.neighbours_.any_across(a, b, on_, [&](std::uint32_t apex) {
+        return glm::dot(plane_.inward[k], finder_.away(a, b, apex)) < goes_on_cosine;
+      });
+    }
+
+    Finder& finder_;
+    std::uint32_t on_, other_;
+    std::array<double, 3> height_;  // of the other one's corners
+    double slack_, reach_;          // m: what rounding may do; how near is touching
+    FlatTriangle plane_;
+    std::array<std::uint32_t, 3> vertex_;  // of the other one
+    std::array<Vec3d, 3> place_{};
+    std::vector<Touch> touches_;
+  };
+
+  // From the edge to the vertex, at right angles to the edge; unit.
+  Vec3d away(std::uint32_t a, std::uint32_t b, std::uint32_t vertex) const {
+    const Vec3d origin(positions_[a]);
+    const auto along = glm::normalize(Vec3d(positions_[b]) - origin);
+    const auto d = Vec3d(positions_[vertex]) - origin;
+    return glm::normalize(d - glm::dot(d, along) * along);
+  }
+
+  const std::vector<CleanTriangle>& triangles_;
+  const std::vector<Vec3>& positions_;
+  Neighbours neighbours_;
+  std::vector<Shape> shapes_;
+  std::vector<ContactLine> lines_;
+};
+
+}  // namespace
+
+std::vector<ContactLine> find_contact_lines(const std::vector<CleanTriangle>& triangles,
+                                            const std::vector<Vec3>& positions, double gap) {
+  return Finder(triangles, positions, gap).find();
+}
+
+}  // namespace luxel

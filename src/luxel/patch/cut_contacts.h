@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "luxel/mesh/vertex_weld.h"
+#include "luxel/patch/contact_lines.h"
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// A contact line passes over a patch, or along its edge.
+struct LineOnPatch {
+  std::uint32_t patch;
+  std::uint32_t line;  // into the contact lines
+};
+
+// Cuts patches along contact lines, and fills PatchSet::contacts: each line becomes a chain of patch edges.
+// Where a line meets an edge, all patches at that edge take the point, so that there are no T-vertices and
+// closed meshes stay closed. The pieces are Delaunay within their patch, and they stand in its place; their
+// areas sum to the patch's but for rounding. A piece that floats give no area at all is left out. Patches
+// that no line meets stay as they are.
+//
+// The vertices of `patches` are those of the weld, to which new ones are added. on: sorted by patch.
+void cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,
+                        std::span<const LineOnPatch> on);
+
+}  // namespace luxel

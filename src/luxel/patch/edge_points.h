@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "luxel/math/vector.h"
+#include "luxel/mesh/vertex_weld.h"
+
+namespace luxel {
+
+// Points that are to stand on edges of a mesh, so that all triangles at an edge take the same ones. First
+// points are asked for, from whatever triangle; then settle() joins those nearer to each other, or to an end
+// of the edge, than rounding can tell, and makes vertices of the rest.
+class EdgePoints {
+ public:
+  struct Station {
+    double share;          // of the edge's length, from its lower vertex
+    std::uint32_t vertex;  // in the weld
+  };
+
+  // Asks for a point at this share of the way from vertex a to vertex b. vertex: one that stands there
+  // already, or no_vertex. Returns the number of the request.
+  std::uint32_t ask(std::uint32_t a, std::uint32_t b, double share, std::uint32_t vertex);
+  // Cost: a sort of each edge's requests. Vertices are made in the order in which their edges were first
+  // named.
+  void settle(VertexWeld& weld);
+
+  // After settle(): what a request became: a station of its edge, or an end, whose share is 0 or 1.
+  const Station& answer(std::uint32_t request) const { return answers_[request]; }
+  // The stations between the two ends of an edge, in the order of their shares; often none.
+  std::span<const Station> on(std::uint32_t a, std::uint32_t b) const;
+  bool empty() const { return edges_.empty(); }
+
+ private:
+  struct Request {
+    double share;
+    std::uint32_t vertex;
+    std::uint32_t number;
+  };
+  struct Edge {
+    std::array<std::uint32_t, 2> ends;  // the lower first
+    std::vector<Request> requests;
+    std::vector<Station> stations;
+  };
+  void settle(Edge& edge, VertexWeld& weld);
+
+  std::unordered_map<std::uint64_t, std::uint32_t> number_;  // of an edge
+  std::vector<Edge> edges_;
+  std::vector<Station> answers_;
+  std::vector<bool> is_end_;  // [vertex]: of an edge that has requests
+};
+
+}  // namespace luxel

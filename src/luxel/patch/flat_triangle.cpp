@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/patch/flat_triangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "luxel/math/triangle.h"
+
+namespace luxel {
+
+double coordinate_rounding(const std::array<Vec3, 3>& corners) {
+  const auto largest = glm::max(glm::max(glm::abs(corners[0]), glm::abs(corners[1])), glm::abs(corners[2]));
+  return 0x1p-24 * static_cast<double>(std::max({largest.x, largest.y, largest.z}));
+}
+
+FlatTriangle::FlatTriangle(const std::array<Vec3, 3>& corners, const Vec3d& normal_direction)
+    : corner{Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])},
+      normal(glm::normalize(normal_direction)) {
+  for (std::size_t k = 0; k < 3; ++k)
+    inward[k] = glm::normalize(glm::cross(normal, corner[(k + 1) % 3] - corner[k]));
+}
+
+FlatTriangle::FlatTriangle(const std::array<Vec3, 3>& corners)
+    : FlatTriangle(corners, area_vector2(corners[0], corners[1], corners[2])) {}
+
+double FlatTriangle::along(std::size_t k, const Vec3d& p) const {
+  const auto edge = corner[(k + 1) % 3] - corner[k];
+  return glm::dot(p - corner[k], edge) / glm::dot(edge, edge);
+}
+
+std::optional<Stretch> stretch_over(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                    double slack) {
+  Stretch stretch;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = triangle.inside(k, p) + slack;
+    const auto b = triangle.inside(k, q) + slack;
+    if (a < 0.0 && b < 0.0) return std::nullopt;
+    if (a < 0.0) stretch.begin = std::max(stretch.begin, a / (a - b));
+    if (b < 0.0) stretch.end = std::min(stretch.end, a / (a - b));
+  }
+  if (!(stretch.begin <= stretch.end)) return std::nullopt;
+  return stretch;
+}
+
+std::optional<EdgeStretch> stretch_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                           double slack) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::fabs(triangle.inside(k, p)) > slack || std::fabs(triangle.inside(k, q)) > slack) continue;
+    const auto begin = std::clamp(triangle.along(k, p), 0.0, 1.0);
+    const auto end = std::clamp(triangle.along(k, q), 0.0, 1.0);
+    const auto edge = glm::distance(triangle.corner[k], triangle.corner[(k + 1) % 3]);
+    return EdgeStretch{k, {begin, end}, std::fabs(end - begin) * edge};
+  }
+  return std::nullopt;
+}
+
+std::optional<Stretch> stretch_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                  double slack) {
+  const auto at = [&](double share) { return p + share * (q - p); };
+  if (const auto over = stretch_over(triangle, p, q, 0.0);
+      over && glm::distance(at(over->begin), at(over->end)) > slack)
+    return over;
+  const auto beside = stretch_over(triangle, p, q, slack);
+  if (!beside) return std::nullopt;
+  constexpr double rounded = 1.0 + 1e-6;  // its ends may be as far out as slack to the bit
+  constexpr double shortest = 32.0;       // in slacks: less is had by any line that leaves the corner
+  const auto edge = stretch_on_edge(triangle, at(beside->begin), at(beside->end), rounded * slack);
+  return edge && edge->length > shortest * slack ? beside : std::nullopt;
+}
+
+}  // namespace luxel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "luxel/math/vector.h"
+
+namespace luxel {
+
+// Half a unit in the last place of the largest coordinate, m: how far floats round a place near these.
+double coordinate_rounding(const std::array<Vec3, 3>& corners);
+
+// A triangle with its plane, in double, to ask where points near it lie. Edge k runs from corner k to the
+// next.
+struct FlatTriangle {
+  // The normal, of any length but 0, need not be exactly that of the corners: theirs may be rounded.
+  FlatTriangle(const std::array<Vec3, 3>& corners, const Vec3d& normal);
+  explicit FlatTriangle(const std::array<Vec3, 3>& corners);
+
+  std::array<Vec3d, 3> corner;
+  Vec3d normal;                 // unit
+  std::array<Vec3d, 3> inward;  // of each edge: unit, in the plane, at right angles to it, to the inside
+
+  double height(const Vec3d& p) const { return glm::dot(normal, p - corner[0]); }
+  // Distance from edge k's line, above 0 inside.
+  double inside(std::size_t k, const Vec3d& p) const { return glm::dot(inward[k], p - corner[k]); }
+  Vec3d foot(const Vec3d& p) const { return p - height(p) * normal; }
+  // Where p stands along edge k: 0 and 1 are its ends.
+  double along(std::size_t k, const Vec3d& p) const;
+};
+
+// A stretch of a segment: shares of its length, 0 <= begin <= end <= 1.
+struct Stretch {
+  double begin = 0.0;
+  double end = 1.0;
+};
+
+// The stretch of the segment from p to q that lies above or below the triangle, or beyond its edges by no
+// more than slack (m).
+std::optional<Stretch> stretch_over(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                    double slack);
+
+// Where a segment lies on an edge: no farther from it than slack (m).
+struct EdgeStretch {
+  std::size_t edge = 0;
+  Stretch stretch;      // of the edge; from p to q, so begin may be above end
+  double length = 0.0;  // m
+};
+std::optional<EdgeStretch> stretch_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                           double slack);
+
+// What of a segment lies over the triangle, exactly; or, where that is a point at most, along an edge of it
+// but for slack. Nothing that is not longer than slack.
+std::optional<Stretch> stretch_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q, double slack);
+
+}  // namespace luxel
