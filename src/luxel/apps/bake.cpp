@@ -26,6 +26,7 @@ class Bake final : public Command {
   explicit Bake(OptionSet& options) : Command(options) {
     scene_.declare(options);
     scene_.declare_contacts(options);
+    refine_.declare(options);
     scene_.declare_sky(options);
     light_.declare(options);
     look_.declare(options);
@@ -46,10 +47,17 @@ class Bake final : public Command {
     const auto scene =
         record.stage("load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.log()); });
     Baked baked;
-    baked.patches =
-        record.stage("patches", [&](auto&) { return make_patches(scene, scene_.patches, console.log()); });
+    baked.patches = record.stage("patches", [&](auto&) {
+      auto options = scene_.patches;
+      if (refine_.is_asked()) options.target_count = RefineSettings::coarse_patches;
+      return make_patches(scene, options, console.log());
+    });
     console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),
                             baked.patches.size(), scene.materials.size()));
+    if (interrupted()) return stopped_before_light(console);
+
+    RefineReport refined;
+    if (refine_.is_asked()) refine(baked, refined, workers, record, console);
     if (interrupted()) return stopped_before_light(console);
 
     // 2. Who sees whom, and what the lamps see.
@@ -68,6 +76,7 @@ class Bake final : public Command {
       stage.rays = result.rays;
       return result;
     });
+    baked.solution.mesh_error = refined.mesh_error;
     auto& provenance = baked.solution.provenance;
     provenance.program_version = program_version;
     provenance.command_line = options().as_command(RunSettings::heading);
@@ -82,6 +91,8 @@ class Bake final : public Command {
     finish({.command = options().name(),
             .baked = &baked,
             .solve = &solved,
+            .refine = refine_.is_asked() ? &refined : nullptr,
+            .mesh_error_target = refine_.mesh_error,
             .error_target = error_target(),
             .camera = written.camera,
             .outputs = written.files,
@@ -92,6 +103,26 @@ class Bake final : public Command {
   }
 
  private:
+  // Puts the patches where the light needs them.
+  void refine(Baked& baked, RefineReport& report, const Workers& workers, RunRecord& record,
+              Console& console) const {
+    RefineOptions options{.mesh_error = refine_.mesh_error,
+                          .max_patches = refine_.max_patches,
+                          .light = light_.sampled,
+                          .smooth = look_.smooth};
+    record.stage("refine", [&](auto& stage) {
+      try {
+        baked.patches =
+            refine_to_light(std::move(baked.patches), options, report, workers, console.monitor());
+      } catch (const InputError& error) {
+        throw InputError(scene_.file, error.what());
+      }
+      for (const auto& level : report.levels) stage.rays += level.rays;
+    });
+    console.clear_bar();
+    console.say(describe(report));
+  }
+
   SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
                     const Workers& workers, const Monitor& monitor) const {
     const auto& patches = baked.patches;
@@ -197,6 +228,7 @@ class Bake final : public Command {
   }
 
   SceneSettings scene_;
+  RefineSettings refine_;
   LightSettings light_;
   LookSettings look_;
   PictureSettings picture_;

@@ -45,6 +45,7 @@ Json to_json(const Baked& baked) {
                {"scene_fingerprint", fmt::format("{:016x}", s.provenance.scene_fingerprint)},
                {"program_version", s.provenance.program_version},
                {"command_line", s.provenance.command_line}};
+  if (s.mesh_error > 0.0) json["mesh_error"] = s.mesh_error;
   if (s.error_95th > 0.0) json["error_95th"] = s.error_95th;
   if (baked.patches.has_sky()) json["sky_W_per_m2_sr"] = baked.patches.sky;
   return json;
@@ -67,6 +68,34 @@ Json rounds_as_json(const SolveReport& report) {
                       {"sweeps", round.sweeps},
                       {"residual", round.residual}});
   return rounds;
+}
+
+std::string_view name(RefineStop stop) {
+  switch (stop) {
+    case RefineStop::mesh_error_reached:
+      return "mesh error reached";
+    case RefineStop::patch_limit:
+      return "patch limit";
+    case RefineStop::level_limit:
+      return "level limit";
+    case RefineStop::drowned_in_noise:
+      return "drowned in noise";
+    case RefineStop::stopped_by_user:
+      return "stopped by user";
+  }
+  return "";
+}
+
+Json to_json(const RefineReport& report, double target) {
+  Json levels = Json::array();
+  for (const auto& level : report.levels)
+    levels.push_back({{"patches", level.patches},
+                      {"mesh_error", level.mesh_error},
+                      {"sampling_error", level.sampling_error},
+                      {"rays", level.rays}});
+  return {{"mesh_error", {{"target", target}, {"reached", report.mesh_error}}},
+          {"ended_by", name(report.stop)},
+          {"levels", std::move(levels)}};
 }
 
 // Which error a method states.
@@ -171,6 +200,7 @@ std::string_view stop_name(StopReason reason) {
 std::string RunReport::as_json() const {
   Json json = {{"command", command}};
   if (baked) json["solution"] = to_json(*baked);
+  if (refine) json["refine"] = to_json(*refine, mesh_error_target);
   if (solve) json["solve"] = to_json(*solve, error_target);
   if (picture) json["picture"] = to_json(*picture, error_target);
   if (camera) json["camera"] = to_json(*camera);
@@ -199,6 +229,7 @@ std::string describe(const Baked& baked) {
                                 : s.provenance.method;
   text += fmt::format(": {}\n", stop_name(s.stop));
   text += quality(error_kind_of(s.provenance.method), s.predicted_error, s.error_95th, s.unshot_share) + "\n";
+  if (s.mesh_error > 0.0) text += fmt::format("mesh error {:.2g} %, apart from that\n", 100.0 * s.mesh_error);
   if (has_standard_errors(s))
     text += fmt::format("with the {} of every patch side\n",
                         s.provenance.method == "dense" ? "stated error" : "standard error");
@@ -206,6 +237,17 @@ std::string describe(const Baked& baked) {
       fmt::format("scene {:016x}, luxel {}\n", s.provenance.scene_fingerprint, s.provenance.program_version);
   if (!s.provenance.command_line.empty()) text += s.provenance.command_line + "\n";
   return text;
+}
+
+std::string describe(const RefineReport& report) {
+  std::uint64_t rays = 0;
+  std::vector<std::size_t> patches;
+  for (const auto& level : report.levels) {
+    rays += level.rays;
+    patches.push_back(level.patches);
+  }
+  return fmt::format("patches put where the light needs them: {}; {} rays; {}: mesh error {:.2g} %",
+                     fmt::join(patches, " > "), rays, name(report.stop), 100.0 * report.mesh_error);
 }
 
 std::string describe(const SolveReport& report) {

@@ -8,6 +8,7 @@
 #include "luxel/apps/option_set.h"
 #include "luxel/apps/run_record.h"
 #include "luxel/apps/settings.h"
+#include "luxel/refine/refine_to_light.h"
 #include "luxel/scene/camera.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/solve_report.h"
@@ -30,6 +31,8 @@ struct RunReport {
   std::string command;
   const Baked* baked = nullptr;
   const SolveReport* solve = nullptr;
+  const RefineReport* refine = nullptr;
+  double mesh_error_target = 0.0;           // of the refinement, a share
   std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
   std::optional<PictureRecord> picture = {};
   std::optional<Camera> camera = {};
@@ -42,6 +45,8 @@ struct RunReport {
 
 // The solution and its patches as lines for a person.
 std::string describe(const Baked& baked);
+// How patches were put where the light needs them.
+std::string describe(const RefineReport& report);
 // What was done, where the power went, what ended it and how good the light is, as lines for a person.
 std::string describe(const SolveReport& report);
 

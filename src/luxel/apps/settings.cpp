@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/apps/quantity.h"
+
 namespace luxel {
 namespace {
 
@@ -63,6 +65,24 @@ void SceneSettings::declare_sky(OptionSet& set) {
   set.heading("Light");
   set.add_colour("sky", "W/(m² sr)", load.sky,
                  "radiance all around the scene, one number or red,green,blue: windows let it in");
+}
+
+void RefineSettings::declare(OptionSet& set) {
+  set.add(
+      {"mesh-error", "share",
+       "cut patches where the light needs it, until their size does no more to it than this, such as 2%; "
+       "none: they stay as they are",
+       [this](const std::string& text) {
+         const auto share = text == "none" ? std::optional(0.0) : parse_share(text);
+         if (!share || (*share == 0.0 && text != "none"))
+           throw UsageError(fmt::format(
+               "--mesh-error: expected a share above 0 and below 1, such as 2%, or none, not '{}'", text));
+         mesh_error = *share;
+       },
+       [this] { return mesh_error == 0.0 ? std::string("none") : as_share(mesh_error); }});
+  set.add({"max-patches", "count", "with --mesh-error: no more patches than this, such as 200k",
+           [this](const std::string& text) { max_patches = parse_count("max-patches", text); },
+           [this] { return fmt::format("{}", max_patches); }});
 }
 
 void PictureSettings::declare_view(OptionSet& set) {

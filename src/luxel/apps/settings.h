@@ -8,6 +8,7 @@
 #include "luxel/apps/option_set.h"
 #include "luxel/load/load_scene.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/refine/refine_to_light.h"
 #include "luxel/render/render.h"
 #include "luxel/scene/camera.h"
 #include "luxel/solve/classical.h"
@@ -31,6 +32,16 @@ struct SceneSettings {
   // Of the commands that find light; the first right after declare(), the second where the options of light begin.
   void declare_contacts(OptionSet& set);
   void declare_sky(OptionSet& set);
+};
+
+// Where the light itself says how fine patches are to be.
+struct RefineSettings {
+  double mesh_error = 0.0;  // a share; 0: the patches stay as they are
+  std::size_t max_patches = RefineOptions().max_patches;
+  // Patches to begin with, if no edge was given: enough to see where to look.
+  static constexpr std::size_t coarse_patches = 3000;
+  bool is_asked() const { return mesh_error > 0.0; }
+  void declare(OptionSet& set);
 };
 
 struct LightSettings {

@@ -90,6 +90,8 @@ std::string fault_in_errors(const Solution& solution, std::size_t length) {
     if (!std::all_of(values->begin(), values->end(), [](float x) { return x >= 0.0f && std::isfinite(x); }))
       return fmt::format("'{}' holds a number that is not finite, or below 0", name);
   }
+  if (!(solution.mesh_error >= 0.0 && std::isfinite(solution.mesh_error)))
+    return fmt::format("mesh_error is {}", solution.mesh_error);
   if (!(solution.error_95th >= 0.0 && std::isfinite(solution.error_95th)))
     return fmt::format("error_95th is {}", solution.error_95th);
   return {};

@@ -70,8 +70,6 @@ void read_mesh(const Hdf5Reader& file, PatchSet& patches) {
   patches.triangle = file.array<std::uint32_t>("VTKHDF/CellData/triangle", n);
 }
 
-std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t bands) {
-  const auto n = file.rows("Luxel/materials/name");
 std::vector<Contact> read_contacts(const Hdf5Reader& file) {
   if (!file.has("Luxel/contacts")) return {};
   const auto n = file.rows("Luxel/contacts/into");
@@ -82,6 +80,8 @@ std::vector<Contact> read_contacts(const Hdf5Reader& file) {
   return contacts;
 }
 
+std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t bands) {
+  const auto n = file.rows("Luxel/materials/name");
   const auto names = file.strings("Luxel/materials/name", n);
   const auto two_sided = file.array<std::uint8_t>("Luxel/materials/two_sided", n);
   const auto reflectance = file.array<float>("Luxel/materials/reflectance", n, bands);
@@ -115,6 +115,8 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
     if (file.has(name)) *values = file.array<float>(name, n, light_columns(bands.size()));
   if (file.has_attribute("Luxel", "error_95th"))
     solution.error_95th = file.number<double>("Luxel", "error_95th");
+  if (file.has_attribute("Luxel", "mesh_error"))
+    solution.mesh_error = file.number<double>("Luxel", "mesh_error");
   solution.unshot_share = file.number<double>("Luxel", "unshot_share");
   solution.predicted_error = file.number<double>("Luxel", "predicted_error");
   solution.stop = read_stop_reason(file);

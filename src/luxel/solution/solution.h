@@ -46,6 +46,8 @@ struct Solution {
   std::vector<float> standard_error_front, standard_error_back;  // W/m²
   double unshot_share = 0.0;     // power not yet propagated over the emitted power: the stated bias
   double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance, not widened
+  // Likewise, what the size of the patches does to the light reconstructed from them; 0: not estimated.
+  double mesh_error = 0.0;
   double error_95th = 0.0;  // 95 % of the lit sides have a smaller relative standard error; 0: not estimated
   StopReason stop = StopReason::nothing_to_do;
   Provenance provenance;

@@ -79,7 +79,6 @@ void add_materials(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/materials/emittance", by_band(emittance), "W/m^2");
 }
 
-void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
 void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
   if (patches.contacts.empty()) return;
   std::vector<std::uint32_t> edges;
@@ -93,6 +92,7 @@ void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/contacts/into", vectors(into), "1");
 }
 
+void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
   file.add_group("Luxel");
   file.add_number("Luxel", "format_version", solution_format_version);
   for (const auto& [reason, word] : stop_reason_words())
@@ -100,6 +100,7 @@ void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
   file.add_number("Luxel", "unshot_share", solution.unshot_share);
   file.add_number("Luxel", "predicted_error", solution.predicted_error);
   if (solution.error_95th > 0.0) file.add_number("Luxel", "error_95th", solution.error_95th);
+  if (solution.mesh_error > 0.0) file.add_number("Luxel", "mesh_error", solution.mesh_error);
   file.add_strings("Luxel/bands", solution.bands);
   // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");

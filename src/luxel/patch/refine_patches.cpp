@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/patch/refine_patches.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "luxel/math/triangle.h"
+#include "luxel/mesh/triangle_shape.h"
+
+namespace luxel {
+namespace {
+
+using Edge = std::array<std::uint32_t, 2>;  // the lower vertex first
+
+constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+constexpr double shortest = 0x1p-18;  // of an edge's largest coordinate
+
+Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+// The edges of a set, each once, and which of them are halved.
+class EdgeCuts {
+ public:
+  explicit EdgeCuts(const PatchSet& patches) : patches_(patches) {
+    struct Use {
+      Edge edge;
+      std::uint32_t corner;
+    };
+    std::vector<Use> uses;
+    uses.reserve(3 * patches.size());
+    for (std::uint32_t p = 0; p < patches.size(); ++p)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        uses.push_back({edge_of(patches.corners[p][k], patches.corners[p][(k + 1) % 3]), 3 * p + k});
+    std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+      return std::tie(a.edge, a.corner) < std::tie(b.edge, b.corner);
+    });
+    edge_of_corner_.resize(uses.size());
+    for (const auto& use : uses) {
+      if (edges_.empty() || edges_.back() != use.edge) {
+        edges_.push_back(use.edge);
+        begins_.push_back(static_cast<std::uint32_t>(corners_.size()));
+      }
+      edge_of_corner_[use.corner] = static_cast<std::uint32_t>(edges_.size() - 1);
+      corners_.push_back(use.corner);
+    }
+    begins_.push_back(static_cast<std::uint32_t>(corners_.size()));
+    middle_.assign(edges_.size(), none);
+  }
+
+  // Halves all edges of the marked patches, and wherever an edge of a patch is halved its longest one too.
+  void mark(std::span<const std::uint8_t> is_marked) {
+    for (std::uint32_t p = 0; p < patches_.size(); ++p)
+      if (is_marked[p] != 0)
+        for (std::uint32_t k = 0; k < 3; ++k) halve(edge(p, k));
+    while (!open_.empty()) {
+      const auto e = open_.back();
+      open_.pop_back();
+      for (auto i = begins_[e]; i < begins_[e + 1]; ++i)
+        halve(edge(corners_[i] / 3, longest(corners_[i] / 3)));
+    }
+  }
+
+  // Makes the middles of halved edges, in the order of edges.
+  void add_vertices(std::vector<Vec3>& vertices) {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (middle_[e] == none) continue;
+      middle_[e] = static_cast<std::uint32_t>(vertices.size());
+      const auto place = 0.5f * (vertices[edges_[e][0]] + vertices[edges_[e][1]]);
+      vertices.push_back(place);
+    }
+  }
+
+  // The edge from corner k of the patch to the next one.
+  std::uint32_t edge(std::uint32_t patch, std::uint32_t k) const { return edge_of_corner_[3 * patch + k]; }
+  // The vertex in its middle; none: it is not halved.
+  std::uint32_t middle(std::uint32_t edge) const { return middle_[edge]; }
+  std::uint32_t middle(const Edge& edge) const {
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge);
+    return at != edges_.end() && *at == edge ? middle_[static_cast<std::size_t>(at - edges_.begin())] : none;
+  }
+  // Which of its edges is the longest; ties go by vertices, so that all patches at an edge agree.
+  std::uint32_t longest(std::uint32_t patch) const {
+    const auto order = [&](std::uint32_t k) {
+      const auto& e = edges_[edge(patch, k)];
+      return std::pair(length2(e), e);
+    };
+    std::uint32_t best = 0;
+    for (std::uint32_t k = 1; k < 3; ++k)
+      if (order(best) < order(k)) best = k;
+    return best;
+  }
+
+ private:
+  double length2(const Edge& e) const {
+    const auto d = Vec3d(patches_.vertices[e[1]]) - Vec3d(patches_.vertices[e[0]]);
+    return glm::dot(d, d);
+  }
+
+  void halve(std::uint32_t e) {
+    if (middle_[e] != none) return;
+    const auto a = glm::abs(patches_.vertices[edges_[e][0]]);
+    const auto b = glm::abs(patches_.vertices[edges_[e][1]]);
+    const auto largest = shortest * static_cast<double>(std::max({a.x, a.y, a.z, b.x, b.y, b.z}));
+    if (length2(edges_[e]) <= largest * largest) return;
+    middle_[e] = 0;  // numbered later
+    open_.push_back(e);
+  }
+
+  const PatchSet& patches_;
+  std::vector<Edge> edges_;                    // rising
+  std::vector<std::uint32_t> begins_;          // [edge], into corners_
+  std::vector<std::uint32_t> corners_;         // 3 * patch + corner that the edge begins at
+  std::vector<std::uint32_t> edge_of_corner_;  // [3 * patch + corner]
+  std::vector<std::uint32_t> middle_;          // [edge]
+  std::vector<std::uint32_t> open_;            // halved, and their patches not yet looked at
+};
+
+class Refiner {
+ public:
+  Refiner(const PatchSet& old, std::span<const std::uint8_t> is_marked) : old_(old), cuts_(old) {
+    cuts_.mark(is_marked);
+    auto& set = result_.patches;
+    set.vertices = old.vertices;
+    cuts_.add_vertices(set.vertices);
+    set.bands = old.bands;
+    set.materials = old.materials;
+    set.scene_fingerprint = old.scene_fingerprint;
+    set.sky = old.sky;
+    for (std::uint32_t p = 0; p < old.size(); ++p) cut(p);
+    inherit_contacts();
+  }
+
+  RefinedPatches take() { return std::move(result_); }
+
+ private:
+  void cut(std::uint32_t p) {
+    const auto k = cuts_.longest(p);
+    const auto m = cuts_.middle(cuts_.edge(p, k));
+    const auto& c = old_.corners[p];
+    if (m == none) return append(c, p);
+    const auto i = c[k];
+    const auto j = c[(k + 1) % 3];
+    const auto apex = c[(k + 2) % 3];
+    cut_half({i, m, apex}, cuts_.middle(cuts_.edge(p, (k + 2) % 3)), p);
+    cut_half({apex, m, j}, cuts_.middle(cuts_.edge(p, (k + 1) % 3)), p);
+  }
+
+  // middle: that of the edge from the last corner to the first.
+  void cut_half(const std::array<std::uint32_t, 3>& c, std::uint32_t middle, std::uint32_t p) {
+    if (middle == none) return append(c, p);
+    append({c[0], c[1], middle}, p);
+    append({middle, c[1], c[2]}, p);
+  }
+
+  void append(const std::array<std::uint32_t, 3>& c, std::uint32_t p) {
+    auto& set = result_.patches;
+    const auto& v = set.vertices;
+    // What floats cannot tell from a line carries no light; its neighbours share its corners all the same.
+    if (c != old_.corners[p] && !has_area(v[c[0]], v[c[1]], v[c[2]])) return;
+    set.corners.push_back(c);
+    set.normal.push_back(old_.normal[p]);
+    set.area.push_back(static_cast<float>(triangle_area(v[c[0]], v[c[1]], v[c[2]])));
+    set.material.push_back(old_.material[p]);
+    set.triangle.push_back(old_.triangle[p]);
+    result_.parent.push_back(p);
+  }
+
+  void inherit_contacts() {
+    auto& contacts = result_.patches.contacts;
+    for (const auto& contact : old_.contacts) {
+      const auto m = cuts_.middle(contact.edge);
+      if (m == none) {
+        contacts.push_back(contact);
+        continue;
+      }
+      contacts.push_back({edge_of(contact.edge[0], m), contact.into});
+      contacts.push_back({edge_of(contact.edge[1], m), contact.into});
+    }
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const Contact& a, const Contact& b) { return a.edge < b.edge; });
+  }
+
+  const PatchSet& old_;
+  EdgeCuts cuts_;
+  RefinedPatches result_;
+};
+
+}  // namespace
+
+RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked) {
+  return Refiner(patches, is_marked).take();
+}
+
+}  // namespace luxel

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/refine/level_difference.h"
+
+#include <array>
+#include <numeric>
+
+namespace luxel {
+namespace {
+
+// Standard errors in a solution are those of eight replicates, widened as Student's t is; the square of that.
+constexpr double widening2 = 1.45;
+// The value of a field at a point is a mean over the patches at three vertices: its share of their variance.
+constexpr double field_noise = 0.2;
+
+// Of a point in the plane of the triangle.
+Vec3d barycentric(const std::array<Vec3, 3>& triangle, const Vec3& point) {
+  const auto u = Vec3d(triangle[1]) - Vec3d(triangle[0]);
+  const auto v = Vec3d(triangle[2]) - Vec3d(triangle[0]);
+  const auto w = Vec3d(point) - Vec3d(triangle[0]);
+  const auto uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v);
+  const auto wu = glm::dot(w, u), wv = glm::dot(w, v);
+  const auto d = uu * vv - uv * uv;
+  if (!(d > 0.0)) return Vec3d(1.0 / 3.0);
+  const auto s = (vv * wu - uv * wv) / d;
+  const auto t = (uu * wv - uv * wu) / d;
+  return {1.0 - s - t, s, t};
+}
+
+double variance(const std::vector<float>& error, std::size_t at) {
+  if (error.empty()) return 0.0;
+  return static_cast<double>(error[at]) * static_cast<double>(error[at]) / widening2;
+}
+
+// difference(side, band) and noise(side, band) of each patch, squared and summed.
+template <typename Difference, typename Noise>
+FieldDifference summed(const PatchSet& patches, const Workers& workers, const Difference& difference,
+                       const Noise& noise) {
+  constexpr std::size_t chunk = 4096;
+  FieldDifference result;
+  result.squared.resize(patches.size());
+  result.noise.resize(patches.size());
+  workers.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p) {
+      double d2 = 0.0;
+      double n2 = 0.0;
+      for (const bool back : {false, true}) {
+        if (back && !patches.material_of(p).two_sided) continue;
+        for (std::size_t b = 0; b < patches.band_count(); ++b) {
+          const double d = difference(p, back, b);
+          d2 += d * d;
+          n2 += noise(p, back, b);
+        }
+      }
+      const double area = patches.area[p];
+      result.noise[p] = area * n2;
+      result.squared[p] = area * (d2 - n2);
+    }
+  });
+  return result;
+}
+
+const std::vector<float>& irradiance(const Solution& s, bool back) {
+  return back ? s.irradiance_back : s.irradiance_front;
+}
+const std::vector<float>& error(const Solution& s, bool back) {
+  return back ? s.standard_error_back : s.standard_error_front;
+}
+
+double field_at(const LevelLight& level, std::size_t patch, const Vec3d& weights, bool back,
+                std::size_t band) {
+  const auto& light = back ? level.smooth.irradiance_back : level.smooth.irradiance_front;
+  const auto bands = level.patches.band_count();
+  const auto& corners = level.smooth.corners[patch];
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+    sum += weights[k] * static_cast<double>(light[corners[static_cast<std::size_t>(k)] * bands + band]);
+  return sum;
+}
+
+}  // namespace
+
+FieldDifference difference_of_levels(const LevelLight& coarse, const LevelLight& fine,
+                                     std::span<const std::uint32_t> parent, const Workers& workers) {
+  const auto bands = fine.patches.band_count();
+  return summed(
+      fine.patches, workers,
+      [&](std::size_t p, bool back, std::size_t b) {
+        const auto weights = barycentric(coarse.patches.points(parent[p]), fine.patches.centroid(p));
+        return static_cast<double>(irradiance(fine.solution, back)[p * bands + b]) -
+               field_at(coarse, parent[p], weights, back, b);
+      },
+      [&](std::size_t p, bool back, std::size_t b) {
+        return variance(error(fine.solution, back), p * bands + b) +
+               field_noise * variance(error(coarse.solution, back), parent[p] * bands + b);
+      });
+}
+
+FieldDifference difference_of_reconstruction(const LevelLight& level, const Workers& workers) {
+  const auto bands = level.patches.band_count();
+  return summed(
+      level.patches, workers,
+      [&](std::size_t p, bool back, std::size_t b) {
+        return static_cast<double>(irradiance(level.solution, back)[p * bands + b]) -
+               field_at(level, p, Vec3d(1.0 / 3.0), back, b);
+      },
+      [&](std::size_t p, bool back, std::size_t b) {
+        return (1.0 - field_noise) * variance(error(level.solution, back), p * bands + b);
+      });
+}
+
+double squared_light(const PatchSet& patches, const Solution& solution) {
+  const auto bands = patches.band_count();
+  double sum = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t b = 0; b < bands; ++b)
+      for (const auto* light : {&solution.irradiance_front, &solution.irradiance_back}) {
+        const double H = (*light)[p * bands + b];
+        sum += static_cast<double>(patches.area[p]) * H * H;
+      }
+  return sum;
+}
+
+}  // namespace luxel
