@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/plane_parts.h"
 #include "luxel/random/address.h"
 
 #include "support/truth_scenes.h"
@@ -294,6 +295,27 @@ TEST(Contacts, a_soup_of_tetrahedra_is_parted_everywhere_stays_closed_and_keeps_
   const auto again = make_patches(b.scene(), options);
   EXPECT_EQ(again.corners, patches.corners);
   EXPECT_EQ(again.contacts, patches.contacts);
+}
+
+TEST(Contacts, the_floor_in_a_closed_hut_is_a_plane_of_its_own_beside_a_wall_it_is_not) {
+  SceneBuilder b;
+  floor(b);
+  const std::array corners{Vec3(1.1f, 1, 0), Vec3(3, 1.2f, 0), Vec3(2.8f, 2, 0), Vec3(1, 1.9f, 0)};
+  for (std::size_t i = 0; i < 4; ++i) wall(b, corners[i], corners[(i + 1) % 4], 0.0f, 1.0f);
+  wall(b, Vec3(0.5f, 3, 0), Vec3(3.5f, 3.3f, 0), 0.0f, 1.0f);
+  const auto patches = make_patches(b.scene(), {.max_edge = 0.3f});
+  const auto parts = plane_parts(patches);
+  const auto part_at = [&](const Vec3& p) {
+    std::uint32_t nearest = 0;
+    for (std::uint32_t i = 0; i < patches.size(); ++i)
+      if (patches.triangle[i] < 2 &&
+          glm::distance(patches.centroid(i), p) < glm::distance(patches.centroid(nearest), p))
+        nearest = i;
+    return parts[nearest];
+  };
+  EXPECT_NE(part_at(Vec3(2, 1.5f, 0)), part_at(Vec3(2, 0.5f, 0)));
+  EXPECT_EQ(part_at(Vec3(1.4f, 1.3f, 0)), part_at(Vec3(2.6f, 1.7f, 0)));
+  EXPECT_EQ(part_at(Vec3(2, 2.6f, 0)), part_at(Vec3(2, 3.6f, 0)));
 }
 
 TEST(Contacts, what_only_meets_at_its_own_edges_stays_as_it_is) {

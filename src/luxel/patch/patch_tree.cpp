@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "luxel/patch/plane_parts.h"
+
 namespace luxel {
 namespace {
 
@@ -15,7 +17,6 @@ constexpr float cone_cosine = 0.9f;        // normals of a region lie within 26 
 constexpr float cone_width = 0.9f;         // so no two ends of them are farther apart: 2 sin(26 degrees)
 constexpr float thickness_exact = 1e-3f;   // of a plane region's extent: rounding of a modeller
 constexpr std::uint32_t large_plane = 32;  // patches
-constexpr float plane_step = 1e-3f;        // of a normal's components, and of the scene's size
 constexpr std::uint32_t region_unit = 64;
 constexpr float normal_weight = 0.5f;  // metres a unit of normal, over the node's extent
 
@@ -73,31 +74,6 @@ std::uint32_t aligned_half(std::uint32_t count) {
   return (count / 2 + unit / 2) / unit * unit;
 }
 
-// The plane of each patch's input triangle: rounded, so that triangles that a modeller put on one plane
-// agree.
-std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
-  float size = 0.0f;
-  for (const auto& v : patches.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const auto rounded = [](float x, float step) {
-    return static_cast<std::int64_t>(std::floor(x / step + 0.5f));
-  };
-  std::vector<std::uint64_t> planes(patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    if (p > 0 && patches.triangle[p] == patches.triangle[p - 1]) {
-      planes[p] = planes[p - 1];
-      continue;
-    }
-    const auto& n = patches.normal[p];
-    const auto offset = glm::dot(n, patches.points(p)[0]);
-    std::uint64_t key = 0;
-    for (const auto part : {rounded(n.x, plane_step), rounded(n.y, plane_step), rounded(n.z, plane_step),
-                            rounded(offset, plane_step * size)})
-      key = (key ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u + (key >> 29);
-    planes[p] = key;
-  }
-  return planes;
-}
-
 class Builder {
  public:
   Builder(const PatchSet& patches, PatchTree& tree) : tree_(tree), items_(patches.size()) {
@@ -107,7 +83,7 @@ class Builder {
       const auto& n = patches.normal[p];
       items_[p] = {static_cast<std::uint32_t>(p), {centre.x, centre.y, centre.z, n.x, n.y, n.z}};
     }
-    group(planes_of(patches));
+    group(plane_parts(patches));
   }
 
   void build(const Workers& workers) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// For each patch a number that those on one plane share: the plane of their input triangles, rounded, so that
+// triangles that a modeller put on one plane agree. Where contacts run all the way round a part of a plane,
+// the part has a number of its own: the floor in a hut that stands on a larger floor. Cost: linear, and a
+// sort of the edges of planes that have contacts.
+std::vector<std::uint64_t> plane_parts(const PatchSet& patches);
+
+}  // namespace luxel
