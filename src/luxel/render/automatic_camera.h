@@ -21,7 +21,8 @@ inline constexpr float largest_aspect = 100.0f;
 // from outside are traced at thumbnail size, the best are moved a little, and the best of all is kept
 // (bright, much of the light in view, furnished, little emptiness, no surface in front of the nose, the
 // horizon level). Where the solution has no light, or is empty because nothing was solved yet, every side
-// counts as lit. The target is as far as what is seen. Deterministic, and the same in any unit of length.
+// counts as lit; under a sky sides count by how far they are shut in (indoor_light). The target is as far as
+// what is seen. Deterministic, and the same in any unit of length.
 //
 // up: any length, not zero. aspect: width / height, within the bounds above. Throws InputError where they are
 // not, or where there are no patches. Cost: a million rays.

@@ -9,6 +9,7 @@
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
 #include "luxel/render/pinhole.h"
+#include "luxel/render/side_point.h"
 
 namespace luxel {
 namespace {
@@ -48,23 +49,11 @@ std::vector<std::size_t> draw_sides(const Subject& subject, std::size_t count, b
   return drawn;
 }
 
-Vec3 normal_of(const Subject& subject, std::size_t side) {
-  return side % 2 == 0 ? subject.patches.normal[side / 2] : -subject.patches.normal[side / 2];
-}
-
-// A uniform point of the side, lifted off it.
-Vec3 point_before(const Subject& subject, std::size_t side, float u1, float u2) {
-  const auto points = subject.patches.points(side / 2);
-  const auto where = uniform_triangle(u1, u2);
-  return (1.0f - where.x - where.y) * points[0] + where.x * points[1] + where.y * points[2] +
-         2.0f * origin_lift(points) * normal_of(subject, side);
-}
-
 // Somewhere between the side and what it faces, then raised or lowered to eye level.
 Vec3 place_before(const Subject& subject, std::size_t side, std::uint64_t sample) {
   const auto random = uniform4({.seed = 0, .step = 0, .element = 0, .sample = sample});
-  const auto point = point_before(subject, side, random[0], random[1]);
-  const auto normal = normal_of(subject, side);
+  const auto point = point_before(subject.patches, side, random[0], random[1]);
+  const auto normal = side_normal(subject.patches, side);
   const auto free = std::min(subject.tracer.nearest({point, normal}).distance, 0.5f * subject.diagonal);
   const auto eye = point + (0.08f + 0.84f * random[2]) * free * normal;
 
@@ -107,9 +96,9 @@ double openness(const Subject& subject) {
   std::size_t free = 0;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto random = uniform4({.seed = 0, .step = 1, .element = 0, .sample = i});
-    const auto start = point_before(subject, sides[i], random[0], random[1]);
+    const auto start = point_before(subject.patches, sides[i], random[0], random[1]);
     const auto direction =
-        Frame(normal_of(subject, sides[i])).to_world(cosine_hemisphere(random[2], random[3]));
+        Frame(side_normal(subject.patches, sides[i])).to_world(cosine_hemisphere(random[2], random[3]));
     if (!subject.tracer.nearest({start, direction})) ++free;
   }
   return sides.empty() ? 1.0 : static_cast<double>(free) / static_cast<double>(sides.size());

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// What views of a scene under a sky are judged by in the place of its light. The sky lights houses from
+// outside first, and yet they are looked at from inside: so a side counts by how far it is shut in, the
+// square of the share of its view that other surfaces fill, and a hundredth; where any light of `light`
+// reaches it or a neighbour. Things in the open, which nothing shuts in, all count alike.
+//
+// Gives a Solution with that as irradiance. Deterministic. Cost: some hundred thousand rays, and more where
+// patches are more than a million.
+Solution indoor_light(const PatchSet& patches, const Solution& light, const Tracer& tracer,
+                      const Workers& workers);
+
+}  // namespace luxel
