@@ -87,6 +87,22 @@ TEST(AutomaticCamera, an_open_box_is_seen_through_its_opening) {
   EXPECT_GE(lit_share(lit, camera_for(lit)), 0.8);
 }
 
+// The sky lights the box from outside first.
+TEST(AutomaticCamera, under_a_sky_it_looks_into_a_box_and_at_a_thing_alone) {
+  const Workers workers(2);
+  auto box = room({4.0f, 2.5f, 3.0f}, true);
+  LitPatches thing;
+  test::add_box(thing, Vec3(0.0f), Vec3(1.0f), Facing::outwards, 1.0f);
+  for (auto* lit : {&box, &thing}) {
+    lit->patches.sky = {1.0f, 1.0f, 1.0f};
+    const auto camera = camera_for(*lit);
+    const Tracer tracer(lit->patches, workers);
+    const auto seen = tracer.nearest({camera.eye, glm::normalize(camera.target - camera.eye)});
+    ASSERT_TRUE(seen);
+    EXPECT_FALSE(seen.back) << "the outside of a box, or the inside of a thing";
+  }
+}
+
 TEST(AutomaticCamera, of_two_rooms_it_chooses_the_lit_one) {
   LitPatches lit;
   test::add_box(lit, Vec3(0.0f), {4.0f, 3.0f, 4.0f}, Facing::inwards, 0.0f);

@@ -75,6 +75,7 @@ namespace {
 // The light a camera is found by: the same whatever method the picture's own light comes from, and however
 // far it has got, so that pictures of one mesh can be laid beside each other.
 Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+  if (patches.has_sky()) return {};  // views are judged by what is shut in
   Solution light;
   try {
     solve_stochastic_jacobi(patches, tracer, light, glance(patches), workers);

@@ -113,8 +113,8 @@ Bounds bounds_of(const PatchSet& patches) {
 Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
                         const Workers& workers, const Vec3& up, float aspect) {
   check(patches, up, aspect);
-  const auto sides = make_lit_sides(
-      patches, patches.has_sky() ? indoor_light(patches, solution, tracer, workers) : solution);
+  const auto sides =
+      make_lit_sides(patches, patches.has_sky() ? indoor_light(patches, tracer, workers) : solution);
   const auto box = bounds_of(patches);
   Subject subject{patches, sides, tracer, box, glm::length(box.size()), glm::normalize(up), aspect};
   subject.openness = openness(subject);

@@ -2,6 +2,7 @@
 #include "luxel/render/indoor_light.h"
 
 #include <algorithm>
+#include <span>
 
 #include "luxel/patch/patch_tree.h"
 #include "luxel/random/address.h"
@@ -12,60 +13,104 @@ namespace {
 
 constexpr std::uint32_t neighbours = 64;  // positions that are judged together
 constexpr std::size_t rays = 64;          // of such a group, of its fronts and of its backs
-constexpr float least = 0.01f;            // what nothing shuts in counts all the same
 constexpr std::uint32_t stream = 2;       // the first two are the candidates'
+constexpr float indoors = 0.3f;           // shut in by more than that
+constexpr double many = 0.05;             // of the lit area
 
-// Where groups of neighbours begin in the tree's order, and its end.
-std::vector<std::size_t> group_begins(const PatchTree& tree) {
-  std::vector<std::size_t> begins;
-  for (std::size_t i = 0; i < tree.order.size(); ++i)
-    if (i == 0 || tree.position[i] / neighbours != tree.position[i - 1] / neighbours) begins.push_back(i);
-  begins.push_back(tree.order.size());
-  return begins;
-}
+// The sides of neighbouring patches: those of group g from the front are faces 2 g, from the back 2 g + 1.
+class Faces {
+ public:
+  static constexpr std::uint32_t sky = 0xffffffffu;
 
-// The share of what leaves these patches, from their fronts or backs, that meets something.
-float shut_in(const PatchSet& patches, const Tracer& tracer, const std::uint32_t* patch, std::size_t count,
-              bool back) {
-  std::size_t met = 0;
-  const auto key = stream_key(0, stream, 2 * patch[0] + (back ? 1 : 0));
-  for (std::size_t i = 0; i < rays; ++i) {
-    const auto side = 2 * std::size_t{patch[i * count / rays]} + (back ? 1 : 0);
-    const auto u = uniform4(key, i);
-    const auto direction = Frame(side_normal(patches, side)).to_world(cosine_hemisphere(u[2], u[3]));
-    if (tracer.nearest({point_before(patches, side, u[0], u[1]), direction})) ++met;
+  Faces(const PatchSet& patches, const Workers& workers)
+      : patches_(patches), tree_(make_patch_tree(patches, workers)), group_of_(patches.size()) {
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      if (i == 0 || tree_.position[i] / neighbours != tree_.position[i - 1] / neighbours)
+        begins_.push_back(i);
+      group_of_[tree_.order[i]] = static_cast<std::uint32_t>(begins_.size() - 1);
+    }
+    begins_.push_back(patches.size());
   }
-  return static_cast<float>(met) / static_cast<float>(rays);
+
+  std::size_t size() const { return 2 * (begins_.size() - 1); }
+  std::span<const std::uint32_t> patches(std::size_t face) const {
+    return std::span(tree_.order).subspan(begins_[face / 2], begins_[face / 2 + 1] - begins_[face / 2]);
+  }
+
+  // The faces that rays of each meet, or the sky: [face * rays + ray].
+  std::vector<std::uint32_t> look_round(const Tracer& tracer, const Workers& workers) const {
+    std::vector<std::uint32_t> met(size() * rays);
+    workers.for_chunks(size(), 16, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin * rays; i < end * rays; ++i) met[i] = met_by(tracer, i / rays, i % rays);
+    });
+    return met;
+  }
+
+ private:
+  std::uint32_t met_by(const Tracer& tracer, std::size_t face, std::size_t ray) const {
+    const auto own = patches(face);
+    const auto side = 2 * std::size_t{own[ray * own.size() / rays]} + face % 2;
+    const auto u = uniform4(stream_key(0, stream, static_cast<std::uint32_t>(face)), ray);
+    const auto direction = Frame(side_normal(patches_, side)).to_world(cosine_hemisphere(u[2], u[3]));
+    const auto hit = tracer.nearest({point_before(patches_, side, u[0], u[1]), direction});
+    return hit ? 2 * group_of_[hit.patch] + (hit.back ? 1 : 0) : sky;
+  }
+
+  const PatchSet& patches_;
+  PatchTree tree_;
+  std::vector<std::uint32_t> group_of_;  // [patch]
+  std::vector<std::size_t> begins_;      // [group + 1], into the tree's order
+};
+
+// Which faces light reaches: from lamps, from the sky, or from a face that it reaches.
+std::vector<bool> lit_faces(const PatchSet& patches, const Faces& faces,
+                            const std::vector<std::uint32_t>& met) {
+  std::vector<bool> lit(faces.size(), false);
+  for (std::size_t f = 0; f < lit.size(); f += 2) {
+    const auto own = faces.patches(f);
+    lit[f] = std::any_of(own.begin(), own.end(), [&](auto p) { return patches.material_of(p).is_lamp(); });
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < met.size(); ++i)
+      if (!lit[i / rays] && (met[i] == Faces::sky || lit[met[i]])) lit[i / rays] = changed = true;
+  }
+  return lit;
 }
 
 }  // namespace
 
-Solution indoor_light(const PatchSet& patches, const Solution& light, const Tracer& tracer,
-                      const Workers& workers) {
+Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+  const Faces faces(patches, workers);
+  const auto met = faces.look_round(tracer, workers);
+  const auto lit = lit_faces(patches, faces, met);
+
+  // How far each face is shut in, and whether there is an indoors at all.
+  std::vector<float> share(faces.size(), 0.0f);
+  double lit_area = 0.0;
+  double inside = 0.0;
+  for (std::size_t f = 0; f < share.size(); ++f) {
+    const auto first = met.begin() + static_cast<std::ptrdiff_t>(f * rays);
+    share[f] = 1.0f - static_cast<float>(std::count(first, first + rays, Faces::sky)) / rays;
+    for (const auto p : faces.patches(f)) {
+      if (!lit[f]) continue;
+      lit_area += static_cast<double>(patches.area[p]);
+      if (share[f] > indoors) inside += static_cast<double>(patches.area[p]);
+    }
+  }
+  const bool has_indoors = inside > many * lit_area;
+
   const auto bands = patches.band_count();
-  if (light.irradiance_front.size() != patches.size() * bands) return light;
-  const auto tree = make_patch_tree(patches, workers);
-  const auto begins = group_begins(tree);
   Solution result;
-  result.bands = light.bands;
+  result.bands = patches.bands;
   for (auto* array : {&result.irradiance_front, &result.irradiance_back})
     array->assign(patches.size() * bands, 0.0f);
-  workers.for_chunks(begins.size() - 1, 16, [&](std::size_t begin, std::size_t end, int) {
-    for (auto g = begin; g < end; ++g)
-      for (const bool back : {false, true}) {
-        const auto* patch = &tree.order[begins[g]];
-        const auto count = begins[g + 1] - begins[g];
-        const auto& from = back ? light.irradiance_back : light.irradiance_front;
-        auto& to = back ? result.irradiance_back : result.irradiance_front;
-        const bool is_lit = std::any_of(patch, patch + count, [&](std::uint32_t p) {
-          return std::any_of(&from[p * bands], &from[p * bands] + bands, [](float x) { return x > 0.0f; });
-        });
-        if (!is_lit) continue;
-        const auto share = shut_in(patches, tracer, patch, count, back);
-        for (std::size_t i = 0; i < count; ++i)
-          std::fill_n(&to[patch[i] * bands], bands, least + share * share);
-      }
-  });
+  for (std::size_t f = 0; f < share.size(); ++f) {
+    if (!lit[f] || (has_indoors && share[f] <= indoors)) continue;
+    auto& irradiance = f % 2 == 0 ? result.irradiance_front : result.irradiance_back;
+    for (const auto p : faces.patches(f))
+      std::fill_n(&irradiance[p * bands], bands, has_indoors ? share[f] * share[f] : 1.0f);
+  }
   return result;
 }
 

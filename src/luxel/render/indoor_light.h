@@ -10,12 +10,11 @@ namespace luxel {
 
 // What views of a scene under a sky are judged by in the place of its light. The sky lights houses from
 // outside first, and yet they are looked at from inside: so a side counts by how far it is shut in, the
-// square of the share of its view that other surfaces fill, and a hundredth; where any light of `light`
-// reaches it or a neighbour. Things in the open, which nothing shuts in, all count alike.
+// square of the share of its view that other surfaces fill, where light finds a way to it; what is nearly
+// open counts nothing. Where there is next to no indoors, all that is lit counts alike. Neighbours count
+// alike.
 //
-// Gives a Solution with that as irradiance. Deterministic. Cost: some hundred thousand rays, and more where
-// patches are more than a million.
-Solution indoor_light(const PatchSet& patches, const Solution& light, const Tracer& tracer,
-                      const Workers& workers);
+// Gives a Solution with that as irradiance. Deterministic. Cost: 2 rays a patch or a little more.
+Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 
 }  // namespace luxel
