@@ -18,7 +18,6 @@ LIBRARIES = {
     "PNG": r"png(conf)?\.h$",
     "OpenEXR": r"(OpenEXR/|Imath/|Imf|Imath|half\.h$)",
     "stb": r"(stb/|stb_)",
-    "tinyobjloader": r"tiny_obj_loader\.h$",
     "embree": r"embree[34]/",
     "luxel_hdf5": r"(H5\w*|hdf5(_hl)?)\.h$",
     "TinyGLTF": r"tiny_gltf\.h$",

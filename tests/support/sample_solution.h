@@ -83,6 +83,13 @@ inline Baked baked_with_errors(std::size_t count, std::size_t bands) {
   return sample;
 }
 
+// The same far from its file's zero.
+inline Baked baked_far_away(std::size_t count, std::size_t bands) {
+  auto sample = baked(count, bands);
+  sample.patches.origin = {100'000.0, 0.0, -1'000'000.0};
+  return sample;
+}
+
 // To the bit: == would call 0 and -0 the same.
 template <typename T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -97,6 +104,7 @@ inline bool same_material(const BandMaterial& a, const BandMaterial& b) {
 // The first member that differs, or nothing.
 inline std::string difference(const PatchSet& a, const PatchSet& b) {
   if (!same_bits(a.vertices, b.vertices)) return "vertices";
+  if (a.origin != b.origin) return "origin";
   if (a.corners != b.corners) return "corners";
   if (!same_bits(a.normal, b.normal)) return "normal";
   if (!same_bits(a.area, b.area)) return "area";

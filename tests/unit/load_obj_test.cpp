@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "luxel/math/triangle.h"
@@ -245,6 +246,52 @@ TEST(LoadObj, faces_before_any_usemtl_are_grey) {
 TEST(LoadObj, materials_no_face_uses_do_not_appear) {
   SceneFiles files;
   EXPECT_EQ(files.load_text(square + "usemtl a\nusemtl b\nf 1 2 3\n").materials.size(), 1u);
+}
+
+// Where a vertex is in the file.
+Vec3d in_file(const Scene& scene, std::size_t vertex) {
+  return scene.origin + Vec3d(scene.positions[vertex]);
+}
+
+TEST(LoadObj, coordinates_far_from_zero_keep_their_micrometres) {
+  SceneFiles files;
+  const auto scene = files.load_text(
+      "v 100000.123456 -999999.000001 4.5\nv 100005.000001 -999998.999 4.5\nv 100000.5 -999995.25 7\n"
+      "f 1 2 3\n");
+  EXPECT_EQ(scene.origin, Vec3d(100'000.0, -1'000'000.0, 8.0));  // multiples of 8, the power of two above 5
+  const std::vector<Vec3d> expected = {
+      {100000.123456, -999999.000001, 4.5}, {100005.000001, -999998.999, 4.5}, {100000.5, -999995.25, 7.0}};
+  for (std::size_t v = 0; v < 3; ++v) EXPECT_LT(glm::distance(in_file(scene, v), expected[v]), 1e-6);
+  check_scene(scene);
+}
+
+TEST(LoadObj, a_scene_has_an_origin_from_eight_times_its_size_on) {
+  SceneFiles files;
+  const auto at = [&](double x) {
+    return files.load_text(fmt::format("v {0} 0 0\nv {1} 0 0\nv {0} 1 0\nv 1e9 0 0\nf 1 2 3\n", x - 1.0, x));
+  };
+  EXPECT_EQ(at(8.0).origin, Vec3d(0.0));
+  EXPECT_EQ(at(8.001).origin, Vec3d(8.0, 0.0, 0.0)) << "a vertex that no face uses does not count";
+  EXPECT_EQ(at(-100.0).origin, Vec3d(-100.0, 0.0, 0.0));
+}
+
+TEST(LoadObj, the_scale_of_a_scene_far_from_zero_is_exact) {
+  SceneFiles files;
+  const auto scene =
+      files.load_text("v 1e8 0 0\nv 100001000.5 0 0\nv 1e8 1000 0\nf 1 2 3\n", {.scale = 0.001});
+  EXPECT_NEAR(in_file(scene, 0).x, 100'000.0, 1e-9);
+  EXPECT_NEAR(in_file(scene, 1).x, 100'001.0005, 1e-7);
+}
+
+TEST(LoadObj, loading_can_be_stopped) {
+  SceneFiles files;
+  files.write("room.obj", square + "f 1 2 3\n");
+  for (const std::string stage : {"load", "triangles"}) {
+    const auto scene = load_scene(files.path("room.obj"), {}, {}, [&](const Progress& progress) {
+      return progress.stage == stage ? Next::stop : Next::go_on;
+    });
+    EXPECT_TRUE(scene.triangles.empty()) << stage;
+  }
 }
 
 }  // namespace

@@ -45,7 +45,6 @@ TEST(Words, are_taken_one_after_the_other) {
   EXPECT_EQ(take_word(text), "a");
   EXPECT_EQ(take_word(text), "b");
   EXPECT_EQ(take_word(text), "");
-  EXPECT_EQ(after_first_word("  newmtl \t a b  "), "a b");
 }
 
 TEST(Numbers, are_read_whole_and_rounded_to_the_nearest_float) {

@@ -170,6 +170,7 @@ TEST(Fingerprint, sees_all_that_light_depends_on) {
   EXPECT_TRUE(changed([](Scene& s) { s.materials[0].reflectance.r = 0.25f; }));
   EXPECT_TRUE(changed([](Scene& s) { s.materials[1].emittance.r = 3.5f; }));
   EXPECT_TRUE(changed([](Scene& s) { s.materials[0].two_sided = false; }));
+  EXPECT_TRUE(changed([](Scene& s) { s.origin.z = 1e6; }));
   EXPECT_TRUE(changed([](Scene& s) { s.sky.b = 1.0f; }));
 }
 

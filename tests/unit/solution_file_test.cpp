@@ -206,6 +206,8 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
             std::string::npos);
   EXPECT_NE(with([&](auto& p, auto&) { p.vertices[5].z = infinity; }).find("vertex 5 is not finite"),
             std::string::npos);
+  EXPECT_NE(with([&](auto& p, auto&) { p.origin.y = infinity; }).find("the origin is not finite"),
+            std::string::npos);
   EXPECT_NE(with([](auto& p, auto&) { p.area.pop_back(); }).find("arrays of 4 patches"), std::string::npos);
   EXPECT_NE(with([](auto& p, auto&) { p.materials[0].reflectance[0] = 1.0f; }).find("reflectance 1"),
             std::string::npos);
@@ -215,8 +217,6 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
             std::string::npos);
   EXPECT_NE(with([](auto& p, auto&) { p.sky = {1.0f}; }).find("the sky does not have one number"),
             std::string::npos);
-  EXPECT_NE(with([](auto&, auto& s) { s.irradiance_back.pop_back(); }).find("holds 11 numbers, expected 12"),
-            std::string::npos);
   const auto with_contacts = [&](std::vector<Contact> contacts) {
     return with([&](auto& p, auto&) { p.contacts = contacts; });
   };
@@ -224,6 +224,8 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
             std::string::npos);
   EXPECT_NE(with_contacts({{{1, 2}, {0, 0, 2}}}).find("contact 0 has a direction"), std::string::npos);
   EXPECT_NE(with_contacts({{{1, 2}, {0, 0, 1}}, {{0, 2}, {0, 0, 1}}}).find("contact 1 is not in the order"),
+            std::string::npos);
+  EXPECT_NE(with([](auto&, auto& s) { s.irradiance_back.pop_back(); }).find("holds 11 numbers, expected 12"),
             std::string::npos);
   EXPECT_NE(with([&](auto&, auto& s) { s.irradiance_front[3] = -infinity; }).find("not finite"),
             std::string::npos);

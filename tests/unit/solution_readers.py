@@ -21,6 +21,7 @@ except ImportError as error:
     sys.exit(77)
 
 LIGHT = {"radiosity_front": 2000, "radiosity_back": 3000, "irradiance_front": 1, "irradiance_back": 1000}
+FAR = (100000, 0, -1000000)
 ERRORS = {"standard_error_front": 4000, "standard_error_back": 5000}
 
 
@@ -32,7 +33,7 @@ def check(found, expected, what):
     assert found == expected, f"{what}: found {found}, expected {expected}"
 
 
-def check_with_vtk(path, patches, bands, arrays):
+def check_with_vtk(path, patches, bands, arrays, origin):
     reader = vtkHDFReader()
     check(reader.CanReadFile(path), 1, "VTK's opinion of the file")
     reader.SetFileName(path)
@@ -43,7 +44,8 @@ def check_with_vtk(path, patches, bands, arrays):
     check({grid.GetCellType(i) for i in range(patches)}, {5}, "types of cells")
     corners = grid.GetCell(1).GetPointIds()
     check([corners.GetId(i) for i in range(3)], [1, 2, 3], "corners of patch 1")
-    check(grid.GetPoint(3), tuple(float(numpy.float32(x)) for x in (3 / 7, 1, 0.1)), "vertex 3")
+    vertex = tuple(o + float(numpy.float32(x)) for o, x in zip(origin, (3 / 7, 1, 0.1)))
+    check(grid.GetPoint(3), vertex, "vertex 3")
     cells = grid.GetCellData()
     names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
     check(names, {*arrays, "area", "triangle", "material"}, "names of cell arrays")
@@ -57,7 +59,7 @@ def check_with_vtk(path, patches, bands, arrays):
     check(cells.GetArray("material").GetComponent(1, 0), 1, "material of patch 1")
 
 
-def check_with_h5py(path, patches, bands, arrays):
+def check_with_h5py(path, patches, bands, arrays, origin):
     with h5py.File(path, "r") as file:
         check(file["Luxel"].attrs["format_version"], 1, "format version")
         has_errors = len(arrays) > len(LIGHT)
@@ -77,6 +79,8 @@ def check_with_h5py(path, patches, bands, arrays):
             check(array[...].flat[-1], value(first, patches * bands - 1), f"last value of {name}")
         check(file["VTKHDF/CellData/area"].attrs["unit"], b"m^2", "unit of area")
         check(file["VTKHDF/Points"].attrs["unit"], b"m", "unit of points")
+        check(file["VTKHDF/Points"].dtype, "float64" if any(origin) else "float32", "type of points")
+        check(tuple(file.get("Luxel/origin", (0, 0, 0))), origin, "origin")
 
 
 def main():
@@ -85,9 +89,10 @@ def main():
         path = os.path.join(folder, "sample.vtkhdf")
         for patches in (4, 60000):
             for bands in (1, 3, 7):
-                for errors in ([], ["errors"]):
-                    subprocess.run([sys.argv[2], path, str(patches), str(bands), *errors], check=True)
-                    look(path, patches, bands, LIGHT | ERRORS if errors else LIGHT)
+                for kind in ([], ["errors"], ["far"]):
+                    subprocess.run([sys.argv[2], path, str(patches), str(bands), *kind], check=True)
+                    arrays = LIGHT | ERRORS if kind == ["errors"] else LIGHT
+                    look(path, patches, bands, arrays, FAR if kind == ["far"] else (0, 0, 0))
                 print(f"{patches} patches of {bands} bands: {sys.argv[1]} agrees")
 
 

@@ -44,17 +44,19 @@ class Bake final : public Command {
     StepPictures steps(light_.each_step);
 
     // 1. The mesh, and what it is cut into.
-    const auto scene =
-        record.stage("load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.log()); });
+    const auto scene = record.stage("load", [&](auto&) {
+      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
+    });
+    if (interrupted()) return stopped_before_light(console);
     Baked baked;
     baked.patches = record.stage("patches", [&](auto&) {
       auto options = scene_.patches;
       if (refine_.is_asked()) options.target_count = RefineSettings::coarse_patches;
-      return make_patches(scene, options, console.log());
+      return make_patches(scene, options, console.log(), console.monitor());
     });
+    if (interrupted()) return stopped_before_light(console);
     console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),
                             baked.patches.size(), scene.materials.size()));
-    if (interrupted()) return stopped_before_light(console);
 
     RefineReport refined;
     if (refine_.is_asked()) refine(baked, refined, workers, record, console);
@@ -95,6 +97,7 @@ class Bake final : public Command {
             .mesh_error_target = refine_.mesh_error,
             .error_target = error_target(),
             .camera = written.camera,
+            .origin = baked.patches.origin,
             .outputs = written.files,
             .options = &options(),
             .record = &record},

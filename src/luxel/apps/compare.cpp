@@ -105,7 +105,7 @@ class Compare final : public Command {
   }
 
   static Json place_of(const Baked& baked, std::size_t side) {
-    const auto middle = baked.patches.centroid(side / 2);
+    const auto middle = baked.patches.in_file(baked.patches.centroid(side / 2));
     return {{"patch", side / 2},
             {"side", side % 2 == 0 ? "front" : "back"},
             {"material", baked.patches.material_of(side / 2).name},

@@ -36,6 +36,7 @@ class FromSolution final : public Command {
     finish({.command = options().name(),
             .baked = &baked,
             .camera = written.camera,
+            .origin = baked.patches.origin,
             .outputs = written.files,
             .options = &options(),
             .record = &record},

@@ -40,7 +40,7 @@ class Info final : public Command {
 
   std::string of_scene() const {
     Console console(false);
-    const auto scene = load_scene(file_, {}, console.log());
+    const auto scene = load_scene(file_, {}, console.log(), console.monitor());
     const auto box = bounds(scene);
     std::vector<std::size_t> triangles(scene.materials.size(), 0);
     for (const auto m : scene.triangle_material) ++triangles[static_cast<std::size_t>(m)];
@@ -48,8 +48,7 @@ class Info final : public Command {
     auto text =
         fmt::format("{}: a scene\n{} triangles, {} vertices, {} groups, fingerprint {:016x}\n", file_,
                     scene.triangles.size(), scene.positions.size(), scene.groups.size(), fingerprint(scene));
-    text += fmt::format("from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m\n", box.low.x, box.low.y,
-                        box.low.z, box.high.x, box.high.y, box.high.z);
+    text += extent(scene, box);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
       const auto& m = scene.materials[i];
       text += fmt::format("  {:<24} {:>8} triangles  reflectance {:.3f} {:.3f} {:.3f}", m.name, triangles[i],
@@ -63,10 +62,21 @@ class Info final : public Command {
     return text;
   }
 
+  static std::string extent(const Scene& scene, const Bounds& box) {
+    const auto low = scene.origin + Vec3d(box.low);
+    const auto high = scene.origin + Vec3d(box.high);
+    if (scene.origin == Vec3d(0.0))
+      return fmt::format("from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m\n", low.x, low.y, low.z,
+                         high.x, high.y, high.z);
+    return fmt::format(
+        "from ({}, {}, {}) to ({}, {}, {}) m\nfar from zero: counted inside from ({}, {}, {})\n", low.x,
+        low.y, low.z, high.x, high.y, high.z, scene.origin.x, scene.origin.y, scene.origin.z);
+  }
+
   std::string scene_as_json(const Scene& scene, const Bounds& box,
                             const std::vector<std::size_t>& triangles) const {
     using Json = nlohmann::ordered_json;
-    const auto triple = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
+    const auto triple = [](const auto& v) { return Json{v.x, v.y, v.z}; };
     Json materials = Json::array();
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
       const auto& m = scene.materials[i];
@@ -80,8 +90,8 @@ class Info final : public Command {
     const Json json = {{"command", "info"},
                        {"triangles", scene.triangles.size()},
                        {"vertices", scene.positions.size()},
-                       {"low_m", triple(box.low)},
-                       {"high_m", triple(box.high)},
+                       {"low_m", triple(scene.origin + Vec3d(box.low))},
+                       {"high_m", triple(scene.origin + Vec3d(box.high))},
                        {"fingerprint", fmt::format("{:016x}", fingerprint(scene))},
                        {"materials", materials}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -104,7 +104,7 @@ void OptionSet::add_texts(const char* name, const char* unit, std::vector<std::s
   add(std::move(declaration));
 }
 
-void OptionSet::add_point(const char* name, const char* unit, std::optional<Vec3>& value, const char* help) {
+void OptionSet::add_point(const char* name, const char* unit, std::optional<Vec3d>& value, const char* help) {
   const auto print = [&value] {
     return value ? fmt::format("{},{},{}", value->x, value->y, value->z) : "auto";
   };
@@ -113,7 +113,7 @@ void OptionSet::add_point(const char* name, const char* unit, std::optional<Vec3
     const auto point = three_numbers(text);
     if (!point)
       throw UsageError(fmt::format("--{}: expected three numbers such as 1.5,0,-2, not '{}'", name, text));
-    value = Vec3(*point);
+    value = *point;
   };
   add({name, unit, help, parse, print});
 }

@@ -58,7 +58,7 @@ class OptionSet {
   void add_count(const char* name, std::uint64_t& value, const char* help);  // 50M, 2e6, 1000
   void add_text(const char* name, const char* unit, std::string& value, const char* help);
   void add_texts(const char* name, const char* unit, std::vector<std::string>& values, const char* help);
-  void add_point(const char* name, const char* unit, std::optional<Vec3>& value, const char* help);  // x,y,z
+  void add_point(const char* name, const char* unit, std::optional<Vec3d>& value, const char* help);  // x,y,z
   // One number for all three bands, or red,green,blue; 0 to 1e9.
   void add_colour(const char* name, const char* unit, Vec3& value, const char* help);
   void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);

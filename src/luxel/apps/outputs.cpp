@@ -97,15 +97,11 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
                  smallest_aspect, largest_aspect);
   Camera camera;
   camera.up = up;
-  if (picture.eye && picture.target) {
-    camera.eye = *picture.eye;
-    camera.target = *picture.target;
-  } else {
+  if (!picture.eye || !picture.target)
     camera = automatic_camera(baked.patches, light_at_a_glance(baked.patches, tracer, workers), tracer,
                               workers, up, aspect);
-    if (picture.eye) camera.eye = *picture.eye;
-    if (picture.target) camera.target = *picture.target;
-  }
+  if (picture.eye) camera.eye = Vec3(*picture.eye - baked.patches.origin);
+  if (picture.target) camera.target = Vec3(*picture.target - baked.patches.origin);
   if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
   // A plan is drawn with what lies to the north (-z where y is up) at its top.
   const Vec3d view = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));

@@ -30,7 +30,7 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches);
 // Whether it is one of picture_kinds, by its ending.
 bool is_picture(const std::string& output);
 
-// The camera that the settings name; what they leave open is found.
+// The camera that the settings name, counted from the patches' origin; what they leave open is found.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
                  const Tracer& tracer, const Workers& workers);
 
@@ -39,7 +39,7 @@ void write_picture(const std::string& output, const Image& radiance, const ToneO
 
 struct Written {
   std::vector<std::string> files;
-  std::optional<Camera> camera;  // of the pictures, if any was taken
+  std::optional<Camera> camera;  // of the pictures, if any was taken; from the patches' origin
   bool stopped = false;          // Ctrl-C came while a picture was drawn: there is none
 };
 

@@ -40,7 +40,10 @@ class Reference final : public Command {
     if (interrupted()) return stopped_before_light(console);
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
 
-    RunReport report{.command = options().name(), .options = &options(), .record = &record};
+    RunReport report{.command = options().name(),
+                     .origin = baked.patches.origin,
+                     .options = &options(),
+                     .record = &record};
     // 1. The light of every patch, where a file is asked for that holds it.
     auto meshes = run_;
     std::erase_if(meshes.outputs, is_picture);
@@ -97,11 +100,15 @@ class Reference final : public Command {
   // A solution's own light stays, to find a view by.
   Baked read(Console& console, RunRecord& record) const {
     if (is_of_solution()) return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
-    const auto scene =
-        record.stage("load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.log()); });
+    const auto scene = record.stage("load", [&](auto&) {
+      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
+    });
+    if (interrupted()) return {};
     Baked baked;
-    baked.patches =
-        record.stage("patches", [&](auto&) { return make_patches(scene, scene_.patches, console.log()); });
+    baked.patches = record.stage("patches", [&](auto&) {
+      return make_patches(scene, scene_.patches, console.log(), console.monitor());
+    });
+    if (interrupted()) return {};
     console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),
                             baked.patches.size(), scene.materials.size()));
     return baked;

@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json to_json(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-Json to_json(const Camera& c) {
-  return {{"eye", to_json(c.eye)},
-          {"target", to_json(c.target)},
-          {"up", to_json(c.up)},
+Json to_json(const Camera& c, const Vec3d& origin) {
+  return {{"eye", to_json(origin + Vec3d(c.eye))},
+          {"target", to_json(origin + Vec3d(c.target))},
+          {"up", to_json(Vec3d(c.up))},
           {"fov_degrees", c.vertical_fov}};
 }
 
@@ -203,7 +203,7 @@ std::string RunReport::as_json() const {
   if (refine) json["refine"] = to_json(*refine, mesh_error_target);
   if (solve) json["solve"] = to_json(*solve, error_target);
   if (picture) json["picture"] = to_json(*picture, error_target);
-  if (camera) json["camera"] = to_json(*camera);
+  if (camera) json["camera"] = to_json(*camera, origin);
   if (!outputs.empty()) json["outputs"] = outputs;
   if (options) {
     for (const auto& [key, value] : options->values()) json["options"][key] = value;

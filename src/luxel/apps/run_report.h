@@ -36,6 +36,7 @@ struct RunReport {
   std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
   std::optional<PictureRecord> picture = {};
   std::optional<Camera> camera = {};
+  Vec3d origin = Vec3d(0.0);  // that the camera counts from
   std::vector<std::string> outputs = {};
   const OptionSet* options = nullptr;
   const RunRecord* record = nullptr;

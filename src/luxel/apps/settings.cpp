@@ -37,7 +37,7 @@ float parse_fov(const std::string& name, const std::string& text) {
 void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
   set.set_positional("SCENE", file, what_it_takes);
   set.heading("Scene");
-  set.add_number("scale", "m", load.scale, 1e-9f, far, "metres a unit of the file");
+  set.add_number("scale", "m", load.scale, 1e-9, far, "metres a unit of the file");
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,
                  "higher reflectances are lowered to this");
   set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose back absorbs light");
@@ -106,7 +106,7 @@ void PictureSettings::declare_gather(OptionSet& set) {
 
 void PictureSettings::check() const {
   for (const auto& point : {eye, target})
-    if (point && glm::length(Vec3d(*point)) > far)
+    if (point && glm::length(*point) > far)
       throw UsageError(fmt::format("--eye and --target: expected points within {:g} m of the origin", far));
   if (eye && target && *eye == *target)
     throw UsageError("--eye and --target are the same point: the camera would look nowhere");

@@ -75,7 +75,7 @@ struct LightSettings {
 
 struct PictureSettings {
   static constexpr float automatic_fov = 0.0f;
-  std::optional<Vec3> eye, target;
+  std::optional<Vec3d> eye, target;    // m, in the file's coordinates
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays a pixel of a final gather; 0: none

@@ -36,11 +36,14 @@ class ViewFactorsCommand final : public Command {
     RunRecord record;
 
     // 1. The surfaces, and what the factors are between.
-    const auto scene =
-        record.stage("load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.log()); });
-    const auto patches = record.stage("patches", [&](auto&) {
-      return make_patches(scene, settings_.patch_options(scene_.patches), console.log());
+    const auto scene = record.stage("load", [&](auto&) {
+      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
     });
+    if (interrupted()) return stopped_before_factors(console);
+    const auto patches = record.stage("patches", [&](auto&) {
+      return make_patches(scene, settings_.patch_options(scene_.patches), console.log(), console.monitor());
+    });
+    if (interrupted()) return stopped_before_factors(console);
     const auto elements = make_view_elements(scene, patches, settings_.kind(), settings_.element_sides());
     console.say(fmt::format("{}: {} triangles, {} patches; view factors between {} {}", scene_.file,
                             scene.triangles.size(), patches.size(), elements.size(), settings_.between));
@@ -57,10 +60,7 @@ class ViewFactorsCommand final : public Command {
                  ? exact(patches, tracer, elements, workers, console, report)
                  : sampled(patches, tracer, elements, options_for_sampling, workers, console, report, stage);
     });
-    if (!factors) {
-      warn(console.log(), "stopped before there were any factors to write: no file was written");
-      return exit_stopped_early;
-    }
+    if (!factors) return stopped_before_factors(console);
 
     // 3. What they must obey. Stopped or not, what there is gets written.
     report.factors = &*factors;
@@ -158,6 +158,11 @@ class ViewFactorsCommand final : public Command {
                                       report.enforcement->worst_row_sum));
   }
 
+  static int stopped_before_factors(Console& console) {
+    warn(console.log(), "stopped before there were any factors to write: no file was written");
+    return exit_stopped_early;
+  }
+
   ViewFactorsNote note_of(const PatchSet& patches, const ViewElements& elements,
                           const ViewFactorReport& report) const {
     ViewFactorsNote note;
@@ -172,6 +177,7 @@ class ViewFactorsCommand final : public Command {
                        report.sampled ? report.sampled->rays : 0,
                        patches.scene_fingerprint};
     if (elements.kind != Between::patches) return note;
+    note.origin = patches.origin;
     for (const auto p : elements.first_patch) {
       note.triangle.push_back(patches.triangle[p]);
       note.centre.push_back(patches.centroid(p));

@@ -17,7 +17,8 @@ struct ExportOptions {
 // A lit mesh anyone can look at: one primitive a material and side, POSITION, NORMAL and COLOR_0 (tone-mapped
 // light, linear, 16-bit normalised RGBA), KHR_materials_unlit. A back side is written, as triangles of its
 // own, only where light fell on it. glTF is Y up: a scene whose up is Z is turned by its root node. Valid by
-// the Khronos validator. The same input gives the same bytes. Whole or not at all; throws DeviceError.
+// the Khronos validator. A scene far from its file's zero is put there by the same node, and its accessors
+// stay as exact as near zero. The same input gives the same bytes. Whole or not at all; throws DeviceError.
 // Throws MismatchError where the light is not of these patches or not plain colour, InputError where up has
 // no length or the mesh is beyond the 4 GiB of a GLB. A front without light is written black, so that nothing
 // disappears. The asset's extras say how the light was made. Cost: linear; the file is made in memory.
@@ -25,7 +26,7 @@ void export_glb(const std::filesystem::path& path, const PatchSet& patches, cons
                 const SmoothLight& light, const Vec3& up, const ExportOptions& options = {});
 
 // Binary PLY with the same triangles: x y z, nx ny nz, red green blue (8-bit sRGB), and irradiance_<band> as
-// float.
+// float. x y z are doubles where the patches have an origin.
 void export_ply(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                 const SmoothLight& light, const ExportOptions& options = {});
 

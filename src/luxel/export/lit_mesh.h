@@ -23,7 +23,7 @@ struct LitPart {
 
 // What a vertex of a part shows.
 struct LitVertex {
-  Vec3 position;            // m
+  Vec3 position;            // m, counted from the patches' origin
   Vec3 normal;              // unit
   Vec3 colour;              // linear, display-referred, [0, 1]
   const float* irradiance;  // [band], W/m², of the side shown

@@ -7,6 +7,7 @@
 #include "luxel/load/make_triangles.h"
 #include "luxel/load/material_library.h"
 #include "luxel/load/name_list.h"
+#include "luxel/load/place_positions.h"
 #include "luxel/load/read_obj.h"
 #include "luxel/load/text.h"
 #include "luxel/report/error.h"
@@ -32,26 +33,29 @@ void say(const Tally& tally, const char* noun, const char* what, const char* con
 
 }  // namespace
 
-Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log) {
+Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
+               const Monitor& monitor) {
   const auto source = path.string();
   const auto text = read_text(path, source);
-  auto mesh = read_obj(text, source, options.scale);
-  expect_faces(mesh, text, source);
+  const auto mesh = read_obj(text, source, options.scale, monitor);
+  if (!mesh) return {};
+  expect_faces(*mesh, text, source);
 
   Scene scene;
   scene.source = source;
-  scene.positions = std::move(mesh.positions);
-  scene.groups = std::move(mesh.groups);
-  scene.objects = mesh.objects;
-  const auto turned = make_triangles(mesh, scene);
-  const auto library = read_libraries(mesh.libraries, path, log);
-  scene.materials = make_materials(mesh.materials, library, source, options, log);
+  place_positions(*mesh, options.scale, scene);
+  scene.groups = mesh->groups;
+  scene.objects = mesh->objects;
+  const auto turned = make_triangles(*mesh, scene, monitor);
+  if (!turned) return {};
+  const auto library = read_libraries(mesh->libraries, path, log);
+  scene.materials = make_materials(mesh->materials, library, source, options, log);
 
-  say(mesh.short_faces, "face", "of fewer than three corners", "dropped", source, log);
-  say(mesh.faces_without_material, "face", "before any usemtl", "the material 'default' is taken", source,
+  say(mesh->short_faces, "face", "of fewer than three corners", "dropped", source, log);
+  say(mesh->faces_without_material, "face", "before any usemtl", "the material 'default' is taken", source,
       log);
-  say(mesh.unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source, log);
-  say(turned, "triangle", "wound against the vertex normals", "turned round", source, log);
+  say(mesh->unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source, log);
+  say(*turned, "triangle", "wound against the vertex normals", "turned round", source, log);
   return scene;
 }
 

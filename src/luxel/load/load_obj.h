@@ -5,7 +5,8 @@
 
 namespace luxel {
 
-// load_scene() for OBJ, without the options that need no file format (one_sided and flip).
-Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log);
+// load_scene() for OBJ, without the options that need no file format.
+Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
+               const Monitor& monitor);
 
 }  // namespace luxel

@@ -19,12 +19,12 @@ namespace {
 
 struct Reader {
   std::string_view ending;
-  Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&);
+  Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&, const Monitor&);
 };
 constexpr auto readers = std::to_array<Reader>({{".obj", load_obj}});
 
 void check_options(const LoadOptions& options) {
-  if (!(options.scale > 0.0f && std::isfinite(options.scale)))
+  if (!(options.scale > 0.0 && std::isfinite(options.scale)))
     throw InputError(fmt::format("expected a scale above 0 metres a unit, found {}", options.scale));
   if (!(options.max_reflectance >= 0.0f && options.max_reflectance < 1.0f))
     throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
@@ -96,10 +96,12 @@ void repair(const LoadOptions& options, Scene& scene, const LogSink& log) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log) {
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
+                 const Monitor& monitor) {
   check_options(options);
   check_is_file(path);
-  auto scene = reader_of(path).load(path, options, log);
+  auto scene = reader_of(path).load(path, options, log, monitor);
+  if (scene.triangles.empty()) return scene;  // stopped
   repair(options, scene, log);
   apply_one_sided(options.one_sided, scene);
   apply_flip(options.flip, scene);

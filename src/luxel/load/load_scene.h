@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "luxel/report/log.h"
+#include "luxel/report/progress.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {
 
 struct LoadOptions {
-  float scale = 1.0f;                       // metres a file unit
+  double scale = 1.0;                       // metres a file unit
   float max_reflectance = 0.98f;            // reflectances above are lowered to it, with a warning
   std::vector<std::string> one_sided = {};  // materials (* and ? allowed) whose back absorbs
   std::vector<std::string> flip = {};       // materials (* and ? allowed) whose triangles are turned round
@@ -22,13 +23,20 @@ struct LoadOptions {
 
 // Reads a scene by the file's ending: .obj (with its .mtl and textures).
 // Throws InputError with file and line for anything that cannot be read; says warnings (a missing MTL or
-// texture and the default taken, turned faces, capped reflectances) and what repairs on request changed to log.
-// Welding comes before orienting, and both before flipping, which so has the last word. Cost: about a second a
-// million faces.
+// texture and the default taken, turned faces, capped reflectances) and what repairs on request changed to
+// log. Welding comes before orienting, and both before flipping, which so has the last word. Cost: about half
+// a second a million faces, and what decoding its textures takes.
 //
 // OBJ as Luxel reads it: metres, Y up or Z up as it comes; materials are two-sided; Ke is radiance in W/(m²
 // sr); Kd times the mean linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes
 // freely through what has d below 0.5; vertex normals, where given, say which side of a face is its front.
-Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {}, const LogSink& log = {});
+//
+// Coordinates are read in doubles. A scene that reaches farther from the file's zero than eight times its own
+// size (the longest side of its box) gets an origin in its midst, and positions count from there: a room of 5
+// m at coordinates of 1e6 m is as exact as one at zero. See Scene::origin.
+//
+// The monitor is told of the stages "load" and "triangles"; after its stop the scene has no triangles.
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {}, const LogSink& log = {},
+                 const Monitor& monitor = {});
 
 }  // namespace luxel

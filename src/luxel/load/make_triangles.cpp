@@ -9,6 +9,8 @@
 namespace luxel {
 namespace {
 
+constexpr std::size_t faces_a_report = 1 << 14;
+
 bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 3>& corners,
                          const Scene& scene) {
   Vec3d normals(0.0);
@@ -21,13 +23,25 @@ bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 
   return glm::dot(front, normals) < 0.0;
 }
 
+void reserve(Scene& scene, std::size_t count, bool has_objects) {
+  scene.triangles.reserve(count);
+  scene.triangle_material.reserve(count);
+  scene.triangle_line.reserve(count);
+  scene.triangle_group.reserve(count);
+  if (has_objects) scene.triangle_object.reserve(count);
+}
+
 }  // namespace
 
-Tally make_triangles(const ObjMesh& mesh, Scene& scene) {
+std::optional<Tally> make_triangles(const ObjMesh& mesh, Scene& scene, const Monitor& monitor) {
   Tally turned;
   std::vector<Vec3> polygon;
   std::vector<std::array<std::uint32_t, 3>> parts;
+  reserve(scene, mesh.corners.size() - 2 * mesh.faces.size(), !mesh.objects.empty());
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const auto done = static_cast<double>(i) / static_cast<double>(mesh.faces.size());
+    if (i % faces_a_report == 0 && tell(monitor, {.stage = "triangles", .done = done}) == Next::stop)
+      return std::nullopt;
     const auto& face = mesh.faces[i];
     const auto end = i + 1 < mesh.faces.size() ? mesh.faces[i + 1].first_corner : mesh.corners.size();
     const auto corners = std::span(mesh.corners).subspan(face.first_corner, end - face.first_corner);

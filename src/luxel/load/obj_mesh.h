@@ -42,8 +42,8 @@ struct ObjMesh {
     std::uint32_t object = 0;
   };
 
-  std::vector<Vec3> positions;  // m
-  std::vector<Vec3> normals;    // any length; zero where the file's cannot be read
+  std::vector<Vec3d> positions;  // as the file has them
+  std::vector<Vec3> normals;     // any length; zero where the file's cannot be read
   std::vector<Corner> corners;
   std::vector<Face> faces;
   std::vector<std::string> groups;   // those that hold faces

@@ -4,21 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <istream>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include "luxel/load/numbers.h"
-#include "luxel/load/statement_stream.h"
+#include "luxel/load/text.h"
 #include "luxel/report/error.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {
 namespace {
+
+constexpr std::size_t statements_a_report = 1 << 14;
 
 // The indices of a corner as the file counts them; 0 where there is none.
 struct CornerIndices {
@@ -42,76 +41,91 @@ std::optional<CornerIndices> read_corner(std::string_view word) {
   return std::nullopt;
 }
 
-// Names in the order they first count, with their numbers.
-class Numbering {
+// Names that faces use, numbered in the order in which they first do. The one in force is asked for once a
+// face, so its number is kept.
+class NamesInUse {
  public:
-  // The number of a name, and whether it is new.
-  std::pair<std::uint32_t, bool> number(const std::string& name) {
-    const auto [place, is_new] = numbers_.try_emplace(name, static_cast<std::uint32_t>(numbers_.size()));
-    return {place->second, is_new};
+  explicit NamesInUse(std::vector<std::string>& names) : names_(names) {}
+
+  const std::string& now() const { return now_; }
+  void set(std::string name) {
+    now_ = std::move(name);
+    number_ = unknown;
+  }
+  std::uint32_t number() {
+    if (number_ == unknown) {
+      number_ = numbers_.try_emplace(now_, static_cast<std::uint32_t>(names_.size())).first->second;
+      if (number_ == names_.size()) names_.push_back(now_);
+    }
+    return number_;
   }
 
  private:
+  static constexpr std::uint32_t unknown = 0xffffffff;
+  std::vector<std::string>& names_;
   std::map<std::string, std::uint32_t> numbers_;
+  std::string now_ = default_name;
+  std::uint32_t number_ = unknown;
 };
 
-// tinyobjloader tells the statements apart and calls back here. The numbers it brings along are not used but
-// read again from the statement's text: to it "abc" and nan are 0, an index too long for an int is -1, and
-// the normal of the first corner in "1// 2// 3//" is 2.
-class ObjReader : private tinyobj::MaterialReader {
+class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& source, float scale)
-      : statements_(text), source_(source), scale_(scale) {}
+  ObjReader(std::string_view text, const std::string& source, double scale)
+      : text_(text), statements_(text), source_(source), scale_(scale) {}
 
-  ObjMesh read();
+  std::optional<ObjMesh> read(const Monitor& monitor);
 
  private:
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError(source_, statements_.line(), message);
   }
-  // What stands behind the keyword; a number may be followed by a comment, while a name may hold a #.
-  std::string_view operands() const { return after_first_word(statements_.text()); }
-  std::string_view numbers() const { return operands().substr(0, operands().find('#')); }
-  static ObjReader& reader(void* me) { return *static_cast<ObjReader*>(me); }
+  // A number may be followed by a comment, while a name may hold a #.
+  std::string_view numbers() const { return operands_.substr(0, operands_.find('#')); }
+  std::string name() const { return operands_.empty() ? default_name : std::string(operands_); }
 
+  void take_statement();
   void add_position();
   void add_normal();
   void add_face();
   std::uint32_t resolve(int index, std::size_t count, const char* what) const;
   void use_material();
-  void use_group();
   void use_object();
   std::uint32_t current_material();
-  static std::uint32_t current(const std::string& name, Numbering& numbers, std::vector<std::string>& names);
   void check_ranges() const;
 
-  // Called by tinyobjloader at each mtllib. Its own reading of MTL files knows no lines and casts what it
-  // finds unseen, so the operands are only noted here; to say yes ends its search for files.
-  bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
-                  std::string*, std::string*) override {
-    mesh_.libraries.push_back({std::string(operands()), statements_.line()});
-    return true;
-  }
-
-  StatementStream statements_;
+  std::string_view text_;
+  Statements statements_;
+  std::string_view operands_;  // of the statement: what stands behind its first word
   const std::string& source_;
-  float scale_;
+  double scale_;
   ObjMesh mesh_;
-  Numbering material_numbers_, group_numbers_, object_numbers_;
-  NamedLine material_{default_name, 0};  // of the last usemtl
-  std::string group_ = default_name;     // of the last g or o
-  std::string object_ = default_name;    // of the last o
+  std::vector<std::string> material_names_;
+  NamesInUse materials_{material_names_};  // of the last usemtl
+  NamesInUse groups_{mesh_.groups};        // of the last g or o
+  NamesInUse objects_{mesh_.objects};      // of the last o
+  std::size_t material_line_ = 0;          // of the last usemtl; 0: none
   bool has_objects_ = false;
 };
 
+void ObjReader::take_statement() {
+  operands_ = trim(statements_.text());
+  const auto keyword = take_word(operands_);
+  if (keyword == "v") return add_position();
+  if (keyword == "vn") return add_normal();
+  if (keyword == "f") return add_face();
+  if (keyword == "usemtl") return use_material();
+  if (keyword == "g") return groups_.set(name());
+  if (keyword == "o") return use_object();
+  if (keyword == "mtllib") mesh_.libraries.push_back({std::string(operands_), statements_.line()});
+}
+
 void ObjReader::add_position() {
-  const auto p = read_three_numbers(numbers());
-  if (!p) refuse(fmt::format("expected three finite numbers after v, found '{}'", excerpt(operands())));
-  const Vec3 scaled = *p * scale_;
-  if (const auto distance = glm::abs(scaled); std::max({distance.x, distance.y, distance.z}) > farthest)
+  const auto p = read_three_precise_numbers(numbers());
+  if (!p) refuse(fmt::format("expected three finite numbers after v, found '{}'", excerpt(operands_)));
+  if (const auto distance = scale_ * glm::abs(*p); std::max({distance.x, distance.y, distance.z}) > farthest)
     refuse(fmt::format("expected coordinates up to {:g} m, found '{}' at {} m a unit", farthest,
-                       excerpt(operands()), scale_));
-  mesh_.positions.push_back(scaled);
+                       excerpt(operands_), scale_));
+  mesh_.positions.push_back(*p);
 }
 
 // Exporters do write nan for the normal of a face without area; it only fails to say which side is the front.
@@ -138,8 +152,7 @@ void ObjReader::add_face() {
     return mesh_.short_faces.add(statements_.line());
   }
   mesh_.faces.push_back({first_corner, static_cast<std::uint32_t>(statements_.line()), current_material(),
-                         current(group_, group_numbers_, mesh_.groups),
-                         current(object_, object_numbers_, mesh_.objects)});
+                         groups_.number(), objects_.number()});
 }
 
 // From OBJ's counting (from 1, or backwards from -1) to ours. Positive indices may name what the file gives
@@ -154,30 +167,20 @@ std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what)
 }
 
 void ObjReader::use_material() {
-  material_ = operands().empty() ? NamedLine{default_name, 0}
-                                 : NamedLine{std::string(operands()), statements_.line()};
+  materials_.set(name());
+  material_line_ = operands_.empty() ? 0 : statements_.line();
 }
 
-void ObjReader::use_group() { group_ = operands().empty() ? default_name : std::string(operands()); }
-
 void ObjReader::use_object() {
-  use_group();
-  object_ = group_;
+  groups_.set(name());
+  objects_.set(name());
   has_objects_ = true;
 }
 
 std::uint32_t ObjReader::current_material() {
-  if (material_.line == 0) mesh_.faces_without_material.add(statements_.line());
-  const auto [number, is_new] = material_numbers_.number(material_.name);
-  if (is_new) mesh_.materials.push_back(material_);
-  return number;
-}
-
-// The number of the name that holds for the face at hand.
-std::uint32_t ObjReader::current(const std::string& name, Numbering& numbers,
-                                 std::vector<std::string>& names) {
-  const auto [number, is_new] = numbers.number(name);
-  if (is_new) names.push_back(name);
+  if (material_line_ == 0) mesh_.faces_without_material.add(statements_.line());
+  const auto number = materials_.number();
+  if (number == mesh_.materials.size()) mesh_.materials.push_back({materials_.now(), material_line_});
   return number;
 }
 
@@ -197,19 +200,14 @@ void ObjReader::check_ranges() const {
   }
 }
 
-ObjMesh ObjReader::read() {
-  using tinyobj::real_t;
-  tinyobj::callback_t on;
-  on.vertex_cb = [](void* me, real_t, real_t, real_t, real_t) { reader(me).add_position(); };
-  on.normal_cb = [](void* me, real_t, real_t, real_t) { reader(me).add_normal(); };
-  on.index_cb = [](void* me, tinyobj::index_t*, int) { reader(me).add_face(); };
-  on.usemtl_cb = [](void* me, const char*, int) { reader(me).use_material(); };
-  on.group_cb = [](void* me, const char**, int) { reader(me).use_group(); };
-  on.object_cb = [](void* me, const char*) { reader(me).use_object(); };
-
-  std::istream stream(&statements_);
-  stream.exceptions(std::ios::badbit);  // or it would swallow what the buffer throws
-  tinyobj::LoadObjWithCallback(stream, on, this, this);
+std::optional<ObjMesh> ObjReader::read(const Monitor& monitor) {
+  for (std::size_t i = 0; statements_.next(); ++i) {
+    if (i % statements_a_report == 0) {
+      const auto left = static_cast<double>(statements_.left()) / static_cast<double>(text_.size());
+      if (tell(monitor, {.stage = "load", .done = 1.0 - left}) == Next::stop) return std::nullopt;
+    }
+    take_statement();
+  }
   check_ranges();
   if (!has_objects_) mesh_.objects.clear();
   return std::move(mesh_);
@@ -217,8 +215,9 @@ ObjMesh ObjReader::read() {
 
 }  // namespace
 
-ObjMesh read_obj(std::string_view text, const std::string& source, float scale) {
-  return ObjReader(text, source, scale).read();
+std::optional<ObjMesh> read_obj(std::string_view text, const std::string& source, double scale,
+                                const Monitor& monitor) {
+  return ObjReader(text, source, scale).read(monitor);
 }
 
 }  // namespace luxel

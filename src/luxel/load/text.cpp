@@ -51,23 +51,23 @@ bool Statements::next() {
   if (rest_.empty()) return false;
   text_ = take_line();
   line_ = lines_taken_;
-  if (trim(text_).starts_with('#')) return true;
-  while (text_.ends_with('\\') && !rest_.empty()) {
-    text_.back() = ' ';
-    text_ += take_line();
-  }
+  if (text_.ends_with('\\') && !trim(text_).starts_with('#')) join_lines();
   return true;
+}
+
+void Statements::join_lines() {
+  joined_ = text_;
+  while (joined_.ends_with('\\') && !rest_.empty()) {
+    joined_.back() = ' ';
+    joined_ += take_line();
+  }
+  text_ = joined_;
 }
 
 std::string_view trim(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
-}
-
-std::string_view after_first_word(std::string_view text) {
-  take_word(text);
-  return trim(text);
 }
 
 std::string_view take_word(std::string_view& text) {

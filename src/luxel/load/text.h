@@ -16,25 +16,27 @@ std::string read_text(const std::filesystem::path& path, const std::string& sour
 // the end of a line joins the next one to it (not in comments: "# made in C:\" must not swallow a line).
 class Statements {
  public:
+  // The text must outlive it.
   explicit Statements(std::string_view text) : rest_(text) {}
 
   // Goes to the next one, false at the end. Empty lines and comments come too.
   bool next();
-  const std::string& text() const { return text_; }  // without its line end
+  std::string_view text() const { return text_; }    // without its line end; until next()
   std::size_t line() const { return line_; }         // where it begins
+  std::size_t left() const { return rest_.size(); }  // characters behind it
 
  private:
   std::string_view take_line();
+  void join_lines();
 
   std::string_view rest_;
-  std::string text_;
+  std::string_view text_;
+  std::string joined_;  // what text_ shows of a statement of several lines
   std::size_t line_ = 0;
   std::size_t lines_taken_ = 0;
 };
 
 std::string_view trim(std::string_view text);
-// What stands behind the first word, trimmed: the operands of a statement.
-std::string_view after_first_word(std::string_view text);
 // Removes the first word (blanks around it too) from text and returns it; empty where there is none.
 std::string_view take_word(std::string_view& text);
 // As much of a text as a person needs to recognise a line by.

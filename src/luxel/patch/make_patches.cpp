@@ -160,6 +160,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
   PatchSet patches;
   patches.bands = {"red", "green", "blue"};
   patches.scene_fingerprint = fingerprint(scene);
+  patches.origin = scene.origin;
   for (const auto& m : scene.materials) patches.materials.push_back(band_material(m));
   if (scene.sky != Vec3(0.0f)) patches.sky = {scene.sky.r, scene.sky.g, scene.sky.b};
 

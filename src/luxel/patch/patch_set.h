@@ -37,7 +37,7 @@ struct Contact {
 // stand in the order of their input triangles. Vertices at the same place are one vertex, so neighbours share
 // indices.
 struct PatchSet {
-  std::vector<Vec3> vertices;                         // m
+  std::vector<Vec3> vertices;                         // m, counted from `origin`
   std::vector<std::array<std::uint32_t, 3>> corners;  // counter-clockwise seen from the front
   std::vector<Vec3> normal;                           // unit, front side
   std::vector<float> area;                            // m²
@@ -49,6 +49,7 @@ struct PatchSet {
   std::vector<BandMaterial> materials;
   std::vector<float> sky;  // [band], W/(m² sr): radiance of what lies around the scene; empty: dark
   std::uint64_t scene_fingerprint = 0;
+  Vec3d origin = Vec3d(0.0);  // m, as in Scene
 
   std::size_t size() const { return corners.size(); }
   std::size_t band_count() const { return bands.size(); }
@@ -68,6 +69,8 @@ struct PatchSet {
     const auto p = points(patch);
     return (p[0] + p[1] + p[2]) / 3.0f;
   }
+  // A point in the file's coordinates, for a person to read.
+  Vec3d in_file(const Vec3& point) const { return origin + Vec3d(point); }
 };
 
 }  // namespace luxel

@@ -126,6 +126,7 @@ class Refiner {
     set.bands = old.bands;
     set.materials = old.materials;
     set.scene_fingerprint = old.scene_fingerprint;
+    set.origin = old.origin;
     set.sky = old.sky;
     for (std::uint32_t p = 0; p < old.size(); ++p) cut(p);
     inherit_contacts();

@@ -110,7 +110,8 @@ void check_same_patches(const Baked& a, const Baked& b) {
   if (a.solution.bands != b.solution.bands)
     throw MismatchError(fmt::format("the solutions have different bands, {} and {}",
                                     fmt::join(a.solution.bands, " "), fmt::join(b.solution.bands, " ")));
-  if (a.patches.corners != b.patches.corners || a.patches.vertices != b.patches.vertices)
+  if (a.patches.corners != b.patches.corners || a.patches.vertices != b.patches.vertices ||
+      a.patches.origin != b.patches.origin)
     throw MismatchError(
         fmt::format("the solutions are of different meshes, though both have {} patches: only solutions of "
                     "the same mesh can be compared",

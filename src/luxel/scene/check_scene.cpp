@@ -44,7 +44,7 @@ void check_triangles(const Scene& scene) {
 
 void check_positions(const Scene& scene) {
   for (std::size_t i = 0; i < scene.positions.size(); ++i)
-    if (const auto distance = glm::abs(scene.positions[i]);  // written so that NaN fails too
+    if (const auto distance = glm::abs(scene.origin + Vec3d(scene.positions[i]));  // so that NaN fails too
         !(distance.x <= farthest && distance.y <= farthest && distance.z <= farthest))
       throw InputError(scene.source,
                        fmt::format("vertex {} is not finite, or lies beyond {:g} m", i, farthest));

@@ -25,6 +25,11 @@ class WordHash {
     add(v.y);
     add(v.z);
   }
+  void add(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);  // -0 becomes +0
+    add(static_cast<std::uint32_t>(bits));
+    add(static_cast<std::uint32_t>(bits >> 32));
+  }
   // The length goes before the array: words cannot wander from one array to the next.
   void add_length(std::size_t length) {
     add(static_cast<std::uint32_t>(length));
@@ -54,6 +59,8 @@ std::uint64_t fingerprint(const Scene& scene) {
     hash.add(std::uint32_t{material.two_sided} | std::uint32_t{!material.opaque} << 1);
   }
   if (scene.sky != Vec3(0.0f)) hash.add(scene.sky);
+  if (scene.origin != Vec3d(0.0))
+    for (int axis = 0; axis < 3; ++axis) hash.add(scene.origin[axis]);
   return hash.value();
 }
 

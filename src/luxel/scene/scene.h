@@ -23,7 +23,7 @@ inline constexpr float farthest = 1e12f;
 struct Scene {
   std::string source;  // the file, as the user named it
 
-  std::vector<Vec3> positions;                          // m
+  std::vector<Vec3> positions;                          // m, counted from `origin`
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from the front
   std::vector<MaterialId> triangle_material;
   std::vector<std::uint32_t> triangle_line;    // line in the source file, from 1; 0 where unknown
@@ -35,19 +35,24 @@ struct Scene {
   std::vector<Material> materials;   // at least one
   std::vector<Camera> cameras;       // as the file gave them; often none
 
+  // m, in the file's coordinates: what positions and cameras are counted from. 0 but in a scene so far from
+  // the file's zero that floats would round its surfaces, see load_scene(). What a person gives or reads
+  // stays in the file's coordinates, origin + position.
+  Vec3d origin = Vec3d(0.0);
+
   Vec3 sky = Vec3(0.0f);  // radiance of what lies around the scene, the same all over, W/(m² sr)
 };
 
-// The box of all triangles; a vertex that no triangle uses does not count.
+// The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
 
 // Throws InputError naming the source where an array's length, an index or a number breaks the promise above;
 // reflectances must lie in [0, 1), light is not negative, and a scene has at least one triangle.
 void check_scene(const Scene& scene);
 
-// 64 bits of what the light depends on: positions, triangles, materials, and the sky where it is not 0 (not
-// names, groups, objects, lines, cameras), in their order, -0 counted as +0. The same scene gives the same
-// fingerprint on every host.
+// 64 bits of what the light depends on: positions, triangles, materials, and the sky and the origin where
+// they are not 0 (not names, groups, objects, lines, cameras), in their order, -0 counted as +0. The same
+// scene gives the same fingerprint on every host.
 std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace luxel

@@ -117,6 +117,8 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   for (const auto& material : patches.materials)
     if (auto fault = fault_in_material(material, patches.band_count()); !fault.empty()) return fault;
   if (auto fault = fault_in_sky(patches); !fault.empty()) return fault;
+  if (const auto& o = patches.origin; !(std::isfinite(o.x) && std::isfinite(o.y) && std::isfinite(o.z)))
+    return "the origin is not finite";
   for (std::size_t i = 0; i < patches.vertices.size(); ++i)
     if (!is_finite(patches.vertices[i])) return fmt::format("vertex {} is not finite", i);
   for (std::size_t i = 0; i < patches.size(); ++i)

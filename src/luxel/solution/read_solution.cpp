@@ -10,6 +10,7 @@
 
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/hdf5_reader.h"
+#include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
@@ -59,7 +60,8 @@ void check_cells(const Hdf5Reader& file, std::size_t n) {
 void read_mesh(const Hdf5Reader& file, PatchSet& patches) {
   const auto n = file.rows("VTKHDF/Types");
   check_cells(file, n);
-  patches.vertices = file.vectors("VTKHDF/Points", file.rows("VTKHDF/Points"));
+  patches.origin = read_origin(file, "Luxel/origin");
+  patches.vertices = read_places(file, "VTKHDF/Points", file.rows("VTKHDF/Points"), patches.origin);
   patches.corners = read_corners(file, n);
   check_count(file, "VTKHDF/NumberOfPoints", patches.vertices.size());
   check_count(file, "VTKHDF/NumberOfCells", n);

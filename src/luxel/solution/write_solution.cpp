@@ -10,6 +10,7 @@
 #include "luxel/report/error.h"
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/hdf5_writer.h"
+#include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
@@ -35,7 +36,7 @@ void add_mesh(Hdf5Writer& file, const PatchSet& patches) {
   add_count(file, "VTKHDF/NumberOfPoints", patches.vertices.size());
   add_count(file, "VTKHDF/NumberOfCells", n);
   add_count(file, "VTKHDF/NumberOfConnectivityIds", 3 * n);
-  file.add_array("VTKHDF/Points", vectors(patches.vertices), "m");
+  add_places(file, "VTKHDF/Points", patches.vertices, patches.origin);
   std::vector<std::int64_t> connectivity;
   connectivity.reserve(3 * n);
   for (const auto& corners : patches.corners)
@@ -105,6 +106,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
   add_materials(file, patches);
+  add_origin(file, "Luxel/origin", patches.origin);
   if (!patches.sky.empty()) file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
   add_contacts(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);

@@ -22,7 +22,8 @@ struct ViewFactorsNote {
   Provenance provenance;  // method: "counted" or "exact"
   // Of elements that are patches; else empty.
   std::vector<std::uint32_t> triangle;  // [element]: of the scene file
-  std::vector<Vec3> centre;             // [element], m
+  std::vector<Vec3> centre;             // [element], m, counted from the origin of the patches
+  Vec3d origin = Vec3d(0.0);
 };
 
 // HDF5, whole or not at all; docs/view-factors.md is the layout. The same input gives the same bytes. Made in

@@ -8,6 +8,7 @@
 #include "luxel/report/error.h"
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/hdf5_writer.h"
+#include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
 #include "luxel/viewfactors/view_factors_file.h"
 
@@ -82,7 +83,8 @@ void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactor
     }
     if (!note.triangle.empty()) {
       add_flat(file, "triangle", note.triangle);
-      file.add_array(in_group("centre"), vectors(note.centre), "m");
+      add_places(file, in_group("centre"), note.centre, note.origin);
+      add_origin(file, in_group("origin"), note.origin);
     }
     add_provenance(file, provenance_group, note.provenance);
     bytes = file.finish();
@@ -122,7 +124,8 @@ StoredViewFactors read_view_factors_hdf5(const std::filesystem::path& path) {
   note.enforced = file.number<std::uint8_t>(group, "enforced") != 0;
   if (file.has(in_group("triangle"))) {
     note.triangle = file.array<std::uint32_t>(in_group("triangle"), n);
-    note.centre = file.vectors(in_group("centre"), n);
+    note.origin = read_origin(file, in_group("origin"));
+    note.centre = read_places(file, in_group("centre"), n, note.origin);
   }
   note.provenance = read_provenance(file, provenance_group);
   return stored;
