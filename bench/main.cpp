@@ -33,6 +33,7 @@ constexpr Section sections[] = {
     {"order", "ray_order", ray_order},
     {"light", "time_to_first_light", time_to_first_light},
     {"reconstruction", "reconstruction", reconstruction},
+    {"load", "load_to_files", load_to_files},
 };
 
 constexpr auto usage =

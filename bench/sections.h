@@ -27,5 +27,6 @@ Json cost_per_patch(const Settings& settings);          // from 2,000 to a milli
 Json ray_order(const Settings& settings);               // coherent rays against the same rays shuffled
 Json time_to_first_light(const Settings& settings);     // until a first picture is there
 Json reconstruction(const Settings& settings);          // the drawn field against the light at points
+Json load_to_files(const Settings& settings);           // all steps but the light
 
 }  // namespace luxel::bench
