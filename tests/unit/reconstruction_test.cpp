@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the smooth light makes of the means of patches: linear fields, jumps, extremes, noise.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -194,6 +195,39 @@ TEST(Reconstruction, the_jump_closes_where_the_wall_ends) {
     at_the_end += p.y == 2.0f;
   }
   EXPECT_EQ(at_the_end, 1u);
+}
+
+// Below y = 0 cells one wide, above it cells half as wide that share every second vertex with them.
+TEST(Reconstruction, no_seam_shows_where_small_cells_stand_on_large_ones) {
+  constexpr int n = 4;
+  LitPatches lit;
+  const auto vertex = [&](float x, float y) {
+    const Vec3 p(x, y, 0.0f);
+    const auto& v = lit.patches.vertices;
+    const auto found = std::find(v.begin(), v.end(), p);
+    return found != v.end() ? static_cast<std::uint32_t>(found - v.begin()) : lit.vertex(p);
+  };
+  const auto add = [&](float x, float y, float width) {
+    const auto a = vertex(x, y), b = vertex(x + width, y), c = vertex(x + width, y + width),
+               d = vertex(x, y + width);
+    const auto light = [](float at) { return 10.0f + at * at; };
+    lit.patch({a, b, c}, light(x + 2.0f * width / 3.0f));
+    lit.patch({a, c, d}, light(x + width / 3.0f));
+  };
+  for (int x = 0; x < n; ++x) add(static_cast<float>(x), -1.0f, 1.0f);
+  for (int x = 0; x < 2 * n; ++x) add(0.5f * static_cast<float>(x), 0.0f, 0.5f);
+
+  const auto light = make_smooth_light(lit.patches, lit.solution);
+  ASSERT_EQ(light.size(), lit.patches.vertices.size());  // joined: one smooth vertex at each
+  std::array<float, 2 * n + 1> seam{};
+  for (std::size_t s = 0; s < light.size(); ++s) {
+    const auto& p = lit.patches.vertices[light.vertex[s]];
+    if (p.y == 0.0f) seam[static_cast<std::size_t>(2.0f * p.x)] = light.irradiance_front[3 * s];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_NEAR(seam[2 * i + 1], 0.5f * (seam[2 * i] + seam[2 * i + 2]), 1e-5f);
+    EXPECT_NEAR(seam[2 * i], 10.0f + static_cast<float>(i * i), 0.5f);
+  }
 }
 
 // Noise of one unit on every patch, far from zero, and no error stated: the spread at vertices, over 40

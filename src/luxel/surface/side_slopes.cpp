@@ -70,7 +70,7 @@ class Fit {
         explained += n.weight * more * more;
         reached.add(more);
       }
-      const auto trust = all > 0.0 ? std::max(0.0, 4.0 * explained / all - 3.0) : 0.0;
+      const auto trust = all > 0.0 ? trust_in(explained / all) : 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         const auto way = Vec3d(points[k]) - centroids_[side / 2];
         const auto more = slope_x * glm::dot(way, x_) + slope_y * glm::dot(way, y_);
@@ -102,6 +102,7 @@ class Fit {
       if (members.size() > most_at_node) return;
       for (const auto& m : members) {
         if (m.side == side || !(light_.weight(m.side) > 0.0)) continue;
+        if (std::find(sides_.begin(), sides_.end(), m.side) != sides_.end()) continue;
         bright = bright || is_bright(m.side);
         sides_.push_back(m.side);
       }
@@ -110,6 +111,16 @@ class Fit {
     if (!nodes_.visits.empty())
       for (const auto& visit : nodes_.visited_by(side)) add_node(visit.node);
     return bright;
+  }
+
+  // How far the plane may lead beyond all the neighbours, given what share of their squares it explains: in
+  // full where it explains all, not at all where it leaves a quarter or more. A slope has two numbers, so
+  // that of few neighbours much is explained by chance.
+  double trust_in(double explained) const {
+    constexpr double least_explained = 0.75;
+    const auto count = static_cast<double>(neighbours_.size());
+    if (!(count > 2.0)) return 0.0;
+    return std::max(0.0, 1.0 - (1.0 - explained) * count / (count - 2.0) / (1.0 - least_explained));
   }
 
   void lay_out(std::size_t side) {

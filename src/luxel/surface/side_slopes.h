@@ -20,9 +20,9 @@ namespace luxel {
 //
 // A corner is then held between the least and the greatest of those values (Barth and Jespersen 1989), and
 // beyond them only by what it lies beyond all the centroids on the plane, in full where the plane explains
-// all the neighbours have and not at all where it explains three quarters of their squares or less. So linear
-// light is left alone at a border too, a step or mere noise is not drawn out there, and inside a surface,
-// where centroids stand all around, no corner is beyond the values nearby.
+// all the neighbours have and not at all where it explains three quarters of their squares or less, the fewer
+// they are the less. So linear light is left alone at a border too, a step or mere noise is not drawn out
+// there, and inside a surface, where centroids stand all around, no corner is beyond the values nearby.
 //
 // Cost: about a microsecond a side on one thread.
 class SideSlopes {
