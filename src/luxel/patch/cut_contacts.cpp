@@ -126,7 +126,8 @@ class Cutter {
     auto shares = line.shares;
     for (std::size_t i = 0; i < 2; ++i)
       if (line.requests[i]) shares[i] = edge_points_.answer(*line.requests[i]).share;
-    const auto [begin, end] = std::minmax(shares[0], shares[1]);
+    const auto begin = std::min(shares[0], shares[1]);
+    const auto end = std::max(shares[0], shares[1]);
     EdgePoints::Station last{0.0, line.edge[0]};
     const auto step_to = [&](const EdgePoints::Station& next) {
       if (last.share >= begin && next.share <= end) note(last.vertex, next.vertex, line.line);

@@ -189,6 +189,11 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
   if (!lines.empty()) {
     const auto before = patches.size();
     cut_along_contacts(patches, weld, lines, splitter.lines_on_patches());
+    if (patches.size() > options.max_count)
+      throw InputError(
+          fmt::format("more than {} patches where surfaces touch: a longer edge is needed (--max-edge), or "
+                      "--contacts off",
+                      options.max_count));
     say_what_was_cut(lines, before, patches, log);
   }
   patches.vertices = weld.take();

@@ -31,7 +31,7 @@ struct PatchOptions {
 //
 // Then the patches are cut along the lines where other surfaces touch or pass through theirs
 // (contact_lines.h), which become edges and PatchSet::contacts; see cut_contacts.h. Patches that no such line
-// meets stay as they are. About a second for a million triangles, and 20 us a line.
+// meets stay as they are. About two seconds for a million triangles, and 20 us a line.
 //
 // The monitor is told of the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const LogSink& log = {},
