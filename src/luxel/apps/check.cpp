@@ -38,11 +38,8 @@ class Check final : public Command {
       return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
     });
     if (interrupted()) return stopped_before_light(console);
-    const auto report = record.stage("check", [&](auto& stage) {
-      auto result = diagnose(scene, {.places = places_}, workers, console.monitor());
-      stage.rays = result.rays;
-      return result;
-    });
+    const auto report = record.stage(
+        "check", [&](auto&) { return diagnose(scene, {.places = places_}, workers, console.monitor()); });
     console.clear_bar();
     for (const auto& output : run_.outputs)
       record.stage("write glb", [&](auto&) { write(output, scene, report); });

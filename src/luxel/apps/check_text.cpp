@@ -54,7 +54,8 @@ std::string at(const Vec3d& p, const CheckReport& report) {
 std::string line_of(const Scene& scene, const Place& place, const CheckReport& report) {
   auto text = std::filesystem::path(scene.source).filename().string();
   if (place.line > 0) text += fmt::format(":{}", place.line);
-  text += fmt::format("  {}  '{}' of '{}'", at(place.at, report), place.group, place.material);
+  text += fmt::format("  {}  '{}'", at(place.at, report), place.group);
+  if (place.material != place.group) text += fmt::format(" of '{}'", place.material);
   if (!place.detail.empty()) text += ": " + place.detail;
   return text;
 }

@@ -27,7 +27,8 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const W
   if (tell(monitor, {.stage = "hierarchy"}) == Next::stop) return false;
   const Tracer tracer(patches, workers);
   const auto views = view_from_lamps(patches, tracer, workers);
-  report.walks = walk_light(patches, tracer, options.paths, options.seed, workers, monitor);
+  const auto paths = options.paths > 0 ? options.paths : std::max<std::size_t>(16'384, patches.size() / 4);
+  report.walks = walk_light(patches, tracer, paths, options.seed, workers, monitor);
   const auto openings = find_openings(mesh, report.walks.lost, workers);
   find_bad_lamps(mesh, patches, views, report.walks, options.places, report.findings);
   find_lost_light(mesh, patches, report.walks, openings, options.places, report.findings);
@@ -38,7 +39,7 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const W
                  {.has_sky = patches.has_sky(), .seed = options.seed, .is_known_lit = report.walks.is_met},
                  workers, monitor);
   report.rays += unlit.rays;
-  report.looks = unlit.looks;
+  report.dark_walks = unlit.walks;
   if (!unlit.is_whole) return false;
   find_dark_surfaces(mesh, patches, unlit, options.places, report.findings);
   return true;

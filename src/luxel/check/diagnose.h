@@ -7,8 +7,9 @@
 namespace luxel {
 
 struct CheckOptions {
-  std::size_t places = 5;      // to tell of each finding
-  std::size_t paths = 16'384;  // of light, for the estimate of what is lost
+  std::size_t places = 5;  // to tell of each finding
+  std::size_t paths = 0;   // of light, for the estimate of what is lost; 0: a quarter of the triangles, but
+                           // at least 16,384
   std::uint64_t seed = 1;
 };
 
@@ -21,7 +22,7 @@ struct CheckReport {
   double area = 0.0;  // m²
   Bounds box;         // m, counted from the scene's origin
   LightWalks walks;
-  std::size_t looks = 0;  // random walks from each surface that no light was found from
+  std::size_t dark_walks = 0;  // random walks from each side that no light was found from
   std::uint64_t rays = 0;
   bool is_whole = true;  // false: stopped by the monitor, and findings may be missing
 

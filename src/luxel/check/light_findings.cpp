@@ -2,6 +2,7 @@
 #include "luxel/check/light_findings.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -205,11 +206,12 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
   for (const auto t : patches.triangle) ++patches_of[t];
   for (const auto p : unlit.patches) --patches_of[patches.triangle[p]];
 
+  // Told by what a person would call one thing: connected, of one group and one material.
   struct Part {
     std::uint32_t triangles = 0, largest = 0;
     double area = 0.0, largest_area = -1.0;
   };
-  std::vector<Part> parts(mesh.pieces.pieces.size());
+  std::map<std::array<std::uint32_t, 3>, Part> parts;
   Finding finding{FindingKind::unlit, Gravity::doubt};
   double dark = 0.0;
   double all = 0.0;
@@ -222,7 +224,8 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
       continue;
     dark += size;
     finding.triangles.push_back(in_scene);
-    auto& part = parts[mesh.pieces.of[t]];
+    auto& part = parts[{mesh.pieces.of[t], scene.triangle_group[in_scene],
+                        static_cast<std::uint32_t>(scene.triangle_material[in_scene])}];
     ++part.triangles;
     part.area += size;
     if (size > part.largest_area) {
@@ -233,13 +236,12 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
   if (finding.triangles.empty()) return;
   finding.count = finding.triangles.size();
   std::vector<Candidate> candidates;
-  for (const auto& part : parts)
-    if (part.triangles > 0)
-      candidates.push_back({part.largest, centroid(scene, part.largest), part.area, part.triangles});
+  for (const auto& [key, part] : parts)
+    candidates.push_back({part.largest, centroid(scene, part.largest), part.area, part.triangles});
   finding.fact = fmt::format("no light was found from {} ({:.3g} m², {} of the area) in {}",
                              counted_things(finding.count, "triangle"), dark, percent(dark / all),
-                             counted_things(candidates.size(), "piece"));
-  finding.fact += fmt::format(", by {} random walks from each: an estimate", unlit.looks);
+                             counted_things(candidates.size(), "part"));
+  finding.fact += fmt::format(", by {} random walks from each side: an estimate", unlit.walks);
   finding.consequence = "leaves them black, on both sides";
   finding.remedy =
       "no flag needed if they are hidden for good; else open what shuts them in, or --flip its lamp";

@@ -11,6 +11,7 @@
 #include "luxel/math/bounds.h"
 #include "luxel/random/address.h"
 #include "luxel/random/sobol.h"
+#include "luxel/transport/patch_emitter.h"
 
 namespace luxel {
 namespace {
@@ -23,7 +24,7 @@ constexpr double too_faint = 0.002;  // of what set out
 struct Path {
   double escaped = 0.0, escaped_at_once = 0.0, lost = 0.0;
   std::uint32_t hits = 0, backs = 0;
-  std::array<std::uint32_t, most_bounces + 1> met{};  // patches, one a hit
+  std::array<std::uint32_t, most_bounces + 1> met{};  // sides, one a hit
   float reach = 0.0f;
   std::uint32_t lamp = 0, back_material = 0;  // materials
   Ray last;
@@ -55,7 +56,7 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampChoice& 
       break;
     }
     path.reach = std::max(path.reach, glm::distance(start, ray.origin + hit.distance * ray.direction));
-    path.met[path.hits++] = hit.patch;
+    path.met[path.hits++] = static_cast<std::uint32_t>(side_of(hit.patch, hit.back));
     path.backs += hit.back ? 1 : 0;
     const auto& material = patches.material_of(hit.patch);
     if (hit.back && !material.two_sided) {
@@ -169,7 +170,7 @@ LightWalks walk_light(const PatchSet& patches, const Tracer& tracer, std::size_t
   for (const auto& p : patches.vertices) box.add(p);
   walks.near = near_share * glm::length(box.size());
   walks.set_out.assign(patches.materials.size(), 0);
-  walks.is_met.assign(patches.size(), 0);
+  walks.is_met.assign(2 * patches.size(), 0);
   const LampChoice lamps(patches);
   const auto inside = lamps.empty() ? points_inside(patches, tracer, seed, workers) : std::vector<Vec3>();
   if (lamps.empty() && inside.empty()) return walks;

@@ -25,7 +25,7 @@ struct LightWalks {
   float near = 0.0f;              // m, three hundredths of the scene's diagonal
   std::vector<std::size_t>
       got_away;  // [material]: paths from it that got farther than `near` from their start
-  std::vector<std::uint8_t> is_met;  // [patch]: light of a lamp fell on it
+  std::vector<std::uint8_t> is_met;  // [side], see side_of(): light of a lamp fell on it
   std::vector<std::size_t> set_out;  // [material]: paths from it
 };
 

@@ -41,7 +41,7 @@ std::string rounded(double number) {
 std::string in_metres(double length) {
   if (length > 0.0 && length < 1e-3) return fmt::format("{:.2g} mm", 1e3 * length);
   if (length < 0.1) return fmt::format("{:.3g} mm", 1e3 * length);
-  if (length < 1e4) return fmt::format("{:.3g} m", length);
+  if (length < 1e4) return rounded(length) + " m";
   return fmt::format("{} km", rounded(1e-3 * length));
 }
 
