@@ -126,8 +126,8 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   if (solution.bands != patches.bands)
     return fmt::format("the light is of the bands {}, the patches of {}", fmt::join(solution.bands, " "),
                        fmt::join(patches.bands, " "));
-  if (solution.provenance.scene_fingerprint != patches.scene_fingerprint)
   if (auto fault = fault_in_contacts(patches); !fault.empty()) return fault;
+  if (solution.provenance.scene_fingerprint != patches.scene_fingerprint)
     return fmt::format("the light is of the scene {:016x}, the patches of {:016x}",
                        solution.provenance.scene_fingerprint, patches.scene_fingerprint);
   return fault_in_light(solution, patches.size() * patches.band_count());
