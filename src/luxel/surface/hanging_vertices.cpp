@@ -114,19 +114,21 @@ std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches) {
 
   std::vector<HangingVertex> hanging;
   for (const auto& e : open) {
-    const auto [ia, ib] = ends_of(patches, e);
-    const auto a = Vec3d(patches.vertices[ia]), b = Vec3d(patches.vertices[ib]);
+    const auto ends = ends_of(patches, e);
+    const auto a = Vec3d(patches.vertices[ends[0]]), b = Vec3d(patches.vertices[ends[1]]);
     const auto along = b - a;
     const auto edge = glm::length(along);
-    const auto tolerance =
-        std::max(line_tolerance(patches.vertices[ia], edge), line_tolerance(patches.vertices[ib], edge));
+    // Of a very long edge no more than of one of ten thousand steps, so that boxes stay small.
+    const auto counted = std::min(edge, 1e4 * step);
+    const auto tolerance = std::max(line_tolerance(patches.vertices[ends[0]], counted),
+                                    line_tolerance(patches.vertices[ends[1]], counted));
     // Piece by piece, so that the box around a slanting edge does not hold half the scene.
     const auto pieces = static_cast<int>(std::ceil(edge / step));
     for (int i = 0; i < pieces; ++i) {
       const auto p = a + along * (static_cast<double>(i) / pieces);
       const auto q = a + along * (static_cast<double>(i + 1) / pieces);
       cells.for_each_in(glm::min(p, q) - tolerance, glm::max(p, q) + tolerance, [&](std::uint32_t v) {
-        if (v == ia || v == ib) return;
+        if (v == ends[0] || v == ends[1]) return;
         const auto d = Vec3d(patches.vertices[v]) - a;
         const auto share = glm::dot(d, along) / (edge * edge);
         const auto off = glm::length(d - share * along);

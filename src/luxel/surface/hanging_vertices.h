@@ -21,8 +21,7 @@ struct HangingVertex {
 double line_tolerance(const Vec3& vertex, double length);
 
 // Of the edges that no other patch shares, the vertices of other such edges that hang on them; sorted by
-// vertex, patch and edge. Cost: linear in the length of open edges over
-// their mean length, and a sort of them.
+// vertex, patch and edge. Cost: a sort of the open edges.
 std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches);
 
 }  // namespace luxel

@@ -16,15 +16,17 @@ struct SmoothOptions {
                                // surfaces. 0: every patch is, and keeps its own value
 };
 
-// Light that runs smoothly over each surface: patch values averaged to the vertices, area-weighted over the
-// neighbours of the same smooth surface, so that a corner between walls does not smear. Irradiance, not
-// radiosity, is averaged: surface colour and emission are put on afterwards, per patch, and stay sharp at
-// material borders. One smooth vertex for each vertex and each smooth surface that meets there.
+// Light that runs smoothly over each surface: values at the vertices such that what runs linearly between
+// them comes near the patches' means (node_light.h), exactly so where light is linear, at borders too. Only
+// patches of one smooth surface have a say in each other's light, so that a corner between walls does not
+// smear. It is the irradiance, not the radiosity: surface colour and emission are put on afterwards, per
+// patch, and stay sharp at material borders. One smooth vertex for each vertex and each smooth surface that
+// meets there.
 //
 // Sides are joined, not patches: a neighbour that is wound the other way goes on with its back, and a wall
 // that stands on a floor parts the light in front of the floor but not behind it. So where windings differ
 // two smooth vertices mirror each other, each with the front of its own patches. The back of a one-sided
-// material has no light of its own and no say in a mean.
+// material has no light of its own and no say in others'.
 struct SmoothLight {
   std::vector<std::uint32_t> vertex;                     // [smooth vertex]: index into PatchSet::vertices
   std::vector<Vec3> normal;                              // [smooth vertex]: unit, front side, area-weighted
@@ -34,7 +36,8 @@ struct SmoothLight {
   std::size_t size() const { return vertex.size(); }
 };
 
-// Cost: linear in the number of patches but for a sort of the few that meet at each vertex. Deterministic.
+// Cost: linear in the number of patches but for sorts of the few that meet at each vertex and of the edges
+// that no other patch shares. The same on any number of threads.
 // Throws MismatchError where the solution is not of these patches, InputError for a senseless crease angle.
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution, const SmoothOptions& options,
                               const Workers& workers);
