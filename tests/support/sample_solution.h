@@ -115,6 +115,7 @@ inline std::string difference(const PatchSet& a, const PatchSet& b) {
                   same_material))
     return "materials";
   if (a.sky != b.sky) return "sky";
+  if (a.contacts != b.contacts) return "contacts";
   return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
 }
 
@@ -123,7 +124,6 @@ inline std::string difference(const Provenance& a, const Provenance& b) {
   if (a.command_line != b.command_line) return "command_line";
   if (a.method != b.method) return "method";
   if (a.options != b.options) return "options";
-  if (a.contacts != b.contacts) return "contacts";
   if (a.seed != b.seed) return "seed";
   if (a.rays != b.rays) return "rays";
   return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
