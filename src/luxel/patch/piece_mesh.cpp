@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/patch/piece_mesh.h"
 
+#include <algorithm>
+
 namespace luxel {
 
 PieceMesh::PieceMesh()
