@@ -87,8 +87,7 @@ TEST(Weld, makes_a_cube_of_loose_faces_closed_again_and_says_so) {
 TEST(Weld, tells_the_triangles_it_takes_the_area_of) {
   SceneFiles files;
   files.load_text("v 0 0 0\nv 1 0 0\nv 1 0.0005 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n", {.weld = 0.001f});
-  EXPECT_NE(files.all_warnings().find("1 triangles lost their area"), std::string::npos)
-      << files.all_warnings();
+  EXPECT_NE(files.all_warnings().find("1 triangle lost its area"), std::string::npos) << files.all_warnings();
 }
 
 TEST(Orient, makes_a_closed_piece_face_outwards_and_says_what_it_turned) {

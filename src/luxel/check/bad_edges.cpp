@@ -5,7 +5,6 @@
 
 #include "luxel/check/mesh_findings.h"
 #include "luxel/check/words.h"
-#include "luxel/math/bounds.h"
 #include "luxel/mesh/orient_windings.h"
 #include "luxel/mesh/weld_vertices.h"
 
@@ -96,9 +95,7 @@ std::size_t closed_by(const ScannedMesh& mesh, double distance) {
 // The shortest of a few distances that closes nearly all that the longest does: rounding of the file's
 // digits, and a gap that a modeller would not see.
 WeldTrial try_weld(const ScannedMesh& mesh) {
-  Bounds box;
-  for (const auto& p : mesh.places) box.add(p);
-  const auto size = box.size();
+  const auto size = mesh.box.size();
   const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
   // One digit, as a person would write it.
   const auto one_digit = [](double x) { return std::stod(fmt::format("{:.0e}", x)); };

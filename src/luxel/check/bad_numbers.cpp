@@ -6,7 +6,6 @@
 
 #include "luxel/check/mesh_findings.h"
 #include "luxel/check/words.h"
-#include "luxel/math/bounds.h"
 
 namespace luxel {
 namespace {
@@ -72,9 +71,7 @@ double away_from_a_room(double extent) { return std::max(extent / room, room / e
 
 void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
   if (mesh.clean.kept.empty()) return;
-  Bounds box;
-  for (const auto& p : mesh.places) box.add(p);
-  const auto size = box.size();
+  const auto size = mesh.box.size();
   const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
   if (extent >= smallest && extent <= largest) return;
   const auto* likely = &units[0];
@@ -88,7 +85,7 @@ void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Finding
   finding.remedy = fmt::format("if these are {}, --scale {:g} makes it {} long", likely->name, likely->metres,
                                in_metres(extent * likely->metres));
   tell_places(
-      *mesh.scene, {{mesh.in_scene(0), box.center()}}, places,
+      *mesh.scene, {{mesh.in_scene(0), mesh.box.center()}}, places,
       [&](const Candidate&) {
         return fmt::format("the middle of {} x {} x {}", in_metres(size.x), in_metres(size.y),
                            in_metres(size.z));

@@ -42,6 +42,10 @@ void find_no_area(const ScannedMesh& mesh, std::size_t places, std::vector<Findi
       fmt::format("{} no area: {} corners lie on one line or in one place",
                   counted_have(triangles.size(), "triangle"), triangles.size() == 1 ? "its" : "their");
   finding.consequence = "leaves them out; no light is lost, but the vertices they joined no longer meet";
+  if (mesh.clean.kept.empty()) {
+    finding.gravity = Gravity::fault;
+    finding.consequence = "refuses to bake: there is nothing else to light";
+  }
   finding.remedy =
       "no flag needed; if an open edge or a T-junction stays in their place, --weld may close it";
   tell_places(

@@ -17,7 +17,7 @@ void summarise(const ScannedMesh& mesh, CheckReport& report) {
     report.area += piece.area;
     if (piece.is_closed) ++report.closed_pieces;
   }
-  for (const auto& p : mesh.places) report.box.add(p);
+  report.box = mesh.box;
 }
 
 // What rays tell. False: stopped.
@@ -30,7 +30,7 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const W
   const auto paths = options.paths > 0 ? options.paths : std::max<std::size_t>(16'384, patches.size() / 4);
   report.walks = walk_light(patches, tracer, paths, options.seed, workers, monitor);
   const auto openings = find_openings(mesh, report.walks.lost, workers);
-  find_bad_lamps(mesh, patches, views, report.walks, options.places, report.findings);
+  find_bad_lamps(mesh, patches, views, report.walks, report.findings);
   find_lost_light(mesh, patches, report.walks, openings, options.places, report.findings);
   report.rays = report.walks.rays + 2000 * views.size();
   if (views.empty() && !patches.has_sky()) return true;  // no light at all: not worth a list

@@ -13,7 +13,6 @@ class LampChoice {
  public:
   explicit LampChoice(const PatchSet& patches);
   bool empty() const { return patch_.empty(); }
-  std::size_t count() const { return patch_.size(); }
   // u in [0, 1): a patch.
   std::size_t at(double u) const;
 

@@ -73,7 +73,7 @@ void find_no_lamp(const ScannedMesh& mesh, std::vector<Finding>& findings) {
 }  // namespace
 
 void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
-                    const LightWalks& walks, std::size_t, std::vector<Finding>& findings) {
+                    const LightWalks& walks, std::vector<Finding>& findings) {
   if (views.empty()) return find_no_lamp(mesh, findings);
   for (const auto& view : views) {
     const auto material = scene_material(mesh, patches, view.material);

@@ -12,7 +12,7 @@ namespace luxel {
 // What is the matter with lamps: none at all, one that shines out of the scene or at a wall, one whose light
 // never gets away from it.
 void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
-                    const LightWalks& walks, std::size_t places, std::vector<Finding>& findings);
+                    const LightWalks& walks, std::vector<Finding>& findings);
 
 // Light that leaves the scene, by the holes through which it does, and light that one-sided backs take.
 void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const LightWalks& walks,

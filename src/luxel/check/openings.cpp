@@ -75,14 +75,12 @@ std::vector<Opening> find_openings(const ScannedMesh& mesh, const std::vector<Lo
   const auto lids = make_lids(mesh);
   std::optional<Tracer> tracer;
   if (lids.size() > 0) tracer.emplace(lids, workers);
-  Bounds box;
-  for (const auto& p : mesh.places) box.add(p);
 
   std::vector<Crossing> crossings(lost.size());
   workers.for_chunks(lost.size(), 256, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       if (tracer) crossings[i] = last_lid(lids, *tracer, lost[i].ray);
-      if (crossings[i].rim == Opening::no_rim) crossings[i] = through_box(box, lost[i].ray);
+      if (crossings[i].rim == Opening::no_rim) crossings[i] = through_box(mesh.box, lost[i].ray);
     }
   });
 

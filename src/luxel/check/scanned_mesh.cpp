@@ -29,6 +29,7 @@ ScannedMesh scan_mesh(const Scene& scene, const Monitor& monitor, bool& is_whole
   VertexWeld weld;
   mesh.clean = clean_triangles(scene, weld);
   mesh.places = weld.take();
+  for (const auto& p : mesh.places) mesh.box.add(p);
   if (stops(0.35)) return mesh;
   mesh.edges = find_edges(mesh.clean.kept, mesh.places.size());
   if (stops(0.6)) return mesh;

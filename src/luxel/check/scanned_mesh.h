@@ -22,6 +22,7 @@ struct ScannedMesh {
   Pieces pieces;
   TJunctions junctions;
   std::vector<Rim> rims;
+  Bounds box;  // of the places, m
 
   // Of a clean triangle.
   std::array<Vec3, 3> points(std::size_t triangle) const;

@@ -52,11 +52,6 @@ std::string percent(double share) {
   return value < 10.0 ? fmt::format("{:.1f} %", value) : fmt::format("{:.0f} %", value);
 }
 
-std::string point(const Vec3& p) {
-  // -0 is 0 to a person.
-  return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x + 0.0f, p.y + 0.0f, p.z + 0.0f);
-}
-
 std::string lies_on(const Scene& scene, std::uint32_t triangle) {
   const auto& material = scene.materials[static_cast<std::size_t>(scene.triangle_material[triangle])].name;
   const auto line = scene.triangle_line[triangle];

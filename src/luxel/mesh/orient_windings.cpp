@@ -89,15 +89,13 @@ OrientReport orient_windings(Scene& scene) {
 }
 
 std::string OrientReport::as_text() const {
-  auto text =
-      plan.turned == 0
-          ? fmt::format("--orient: each of {} connected pieces faces one way already; nothing was turned",
-                        all_pieces)
-          : fmt::format(
-                "--orient: {} triangles turned round in {} of {} connected pieces ({} closed, now "
-                "facing outwards; {} that follow their lamps; {} by the greater area)",
-                plan.turned, plan.pieces, all_pieces, plan.closed, plan.lamps,
-                plan.pieces - plan.closed - plan.lamps);
+  auto text = plan.turned == 0
+                  ? fmt::format("--orient: {} connected pieces looked at; nothing was turned", all_pieces)
+                  : fmt::format(
+                        "--orient: {} triangles turned round in {} of {} connected pieces ({} closed, now "
+                        "facing outwards; {} that follow their lamps; {} by the greater area)",
+                        plan.turned, plan.pieces, all_pieces, plan.closed, plan.lamps,
+                        plan.pieces - plan.closed - plan.lamps);
   if (plan.not_orientable > 0)
     text += fmt::format("; {} pieces have no consistent side and stay as they are", plan.not_orientable);
   if (plan.stubborn_lamps > 0)

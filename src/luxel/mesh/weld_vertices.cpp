@@ -139,7 +139,10 @@ std::string WeldReport::as_text(double distance) const {
     return fmt::format("--weld {:g}: no two vertices are that near; nothing was changed", distance);
   auto text = fmt::format("--weld {:g}: {} of {} vertices moved onto another one, by {:.2g} m at most",
                           distance, moved, places, farthest);
-  if (collapsed > 0) text += fmt::format("; {} triangles lost their area by it", collapsed);
+  if (collapsed > 0)
+    text += fmt::format("; {} lost {} area by it",
+                        collapsed == 1 ? "1 triangle" : fmt::format("{} triangles", collapsed),
+                        collapsed == 1 ? "its" : "their");
   return text;
 }
 
