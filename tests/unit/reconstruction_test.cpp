@@ -230,6 +230,15 @@ TEST(Reconstruction, no_seam_shows_where_small_cells_stand_on_large_ones) {
   }
 }
 
+TEST(Reconstruction, any_number_of_threads_gives_the_same_bytes) {
+  const Lattice lattice{.n = 80};  // more than one chunk of vertices, sides and nodes
+  const auto lit = lattice.lit([](const Vec3d& p) { return 1.0 / (1.0 + p.x * p.y); });
+  const auto one = make_smooth_light(lit.patches, lit.solution, {}, Workers(1));
+  const auto three = make_smooth_light(lit.patches, lit.solution, {}, Workers(3));
+  EXPECT_EQ(one.irradiance_front, three.irradiance_front);
+  EXPECT_EQ(one.corners, three.corners);
+}
+
 // Noise of one unit on every patch, far from zero, and no error stated: the spread at vertices, over 40
 // draws of the whole floor. Chance moves these figures by about 2 %.
 TEST(Reconstruction, noise_is_less_inside_than_on_a_patch_and_a_fifth_more_at_a_border_at_most) {
