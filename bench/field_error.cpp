@@ -106,7 +106,8 @@ double PointTruth::error(const PatchSet& patches, const Field& field) const {
 }
 
 double PointTruth::noise(const PatchSet& patches, const Field& field) const {
-  return std::sqrt(sums(patches, field).square) / sums(patches, field).truth;
+  const auto s = sums(patches, field);
+  return std::sqrt(s.square) / s.truth;
 }
 
 }  // namespace luxel::bench

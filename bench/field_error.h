@@ -33,8 +33,6 @@ class PointTruth {
   // Standard error of the square of it, from the spread of the points.
   double noise(const PatchSet& patches, const Field& field) const;
 
-  std::size_t size() const { return points_.size(); }
-
  private:
   struct Sums {
     double product = 0.0, truth = 0.0, square = 0.0;

@@ -24,7 +24,7 @@ class VertexFan {
 
   // corners: 3 * patch + corner (0, 1, 2) of every patch that has the vertex, ascending; hanging: the patches
   // on whose edges it hangs. Kept as copies; members stand in this order. Cost: one sort of the members.
-  void fill(std::span<const std::uint32_t> corners, std::span<const HangingVertex> hanging = {});
+  void fill(std::span<const std::uint32_t> corners, std::span<const HangingVertex> hanging);
 
   std::size_t size() const { return members_.size(); }
   std::size_t corner_count() const { return corner_count_; }
