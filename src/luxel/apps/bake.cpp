@@ -63,7 +63,9 @@ class Bake final : public Command {
     if (interrupted()) return stopped_before_light(console);
 
     // 2. Who sees whom, and what the lamps see.
+    console.announce("hierarchy");
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
+    console.announce("lamps");
     const auto views =
         record.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, workers); });
     report_lamps(baked.patches, views, console);

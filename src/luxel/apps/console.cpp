@@ -65,6 +65,12 @@ Monitor Console::monitor(bool heeds_interrupt) {
   };
 }
 
+void Console::announce(const std::string& stage) {
+  if (quiet_ || !terminal_) return;
+  print_note(fmt::format("\r\033[K{} ...", stage));
+  bar_shown_ = true;
+}
+
 void Console::clear_bar() {
   if (!bar_shown_) return;
   print_note("\r\033[K");

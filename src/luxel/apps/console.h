@@ -24,6 +24,8 @@ class Console {
   // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
   // there is), give heeds_interrupt = false.
   Monitor monitor(bool heeds_interrupt = true);
+  // On a terminal: names a stage that cannot say how far it has come, until the next word or bar.
+  void announce(const std::string& stage);
   // Takes the bar off the screen.
   void clear_bar();
 

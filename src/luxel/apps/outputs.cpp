@@ -145,12 +145,15 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
   std::exception_ptr failure;  // one file that cannot be written does not cost the others
   for (const auto& output : outputs) {
     const bool is_smooth = ending(output) != ".vtkhdf" && !(is_picture(output) && picture.gather > 0);
-    if (is_smooth && !light)
-      light = record.stage(
-          "surface",
-          [&](auto&) { return make_smooth_light(baked.patches, baked.solution, look.smooth, workers); });
+    if (is_smooth && !light) {
+      console.announce("surface");
+      light = record.stage("surface", [&](auto&) {
+        return make_smooth_light(baked.patches, baked.solution, look.smooth, workers);
+      });
+    }
     if (is_picture(output) && !radiance) {
       if (!tracer) {
+        console.announce("hierarchy");
         own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
         tracer = &*own_tracer;
       }
@@ -183,10 +186,13 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
       continue;
     }
     try {
-      record.stage("write " + ending(output).substr(1), [&](auto&) {
+      const auto stage = "write " + ending(output).substr(1);
+      console.announce(stage);
+      record.stage(stage, [&](auto&) {
         if (is_picture(output)) return write_picture(output, *radiance, look.tone);
         write_mesh(output, baked, light, look);
       });
+      console.clear_bar();
       written.files.push_back(output);
     } catch (const DeviceError& error) {
       if (failure)

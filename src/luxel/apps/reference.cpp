@@ -38,6 +38,7 @@ class Reference final : public Command {
     RunRecord record;
     auto baked = read(console, record);
     if (interrupted()) return stopped_before_light(console);
+    console.announce("hierarchy");
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
 
     RunReport report{.command = options().name(),

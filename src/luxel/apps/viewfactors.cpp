@@ -48,6 +48,7 @@ class ViewFactorsCommand final : public Command {
     console.say(fmt::format("{}: {} triangles, {} patches; view factors between {} {}", scene_.file,
                             scene.triangles.size(), patches.size(), elements.size(), settings_.between));
     const auto options_for_sampling = settings_.sample_options(elements, run_.outputs);
+    console.announce("hierarchy");
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, workers); });
 
     // 2. The factors.
