@@ -13,6 +13,7 @@
 #include "luxel/load/load_scene.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/solution/solution_file.h"
 #include "luxel/solve/stochastic_jacobi.h"
 #include "luxel/transport/lamp_check.h"
 
