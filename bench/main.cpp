@@ -34,6 +34,7 @@ constexpr Section sections[] = {
     {"light", "time_to_first_light", time_to_first_light},
     {"reconstruction", "reconstruction", reconstruction},
     {"load", "load_to_files", load_to_files},
+    {"mesh", "error_against_patches", error_against_patches},
 };
 
 constexpr auto usage =

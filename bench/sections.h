@@ -28,5 +28,6 @@ Json ray_order(const Settings& settings);               // coherent rays against
 Json time_to_first_light(const Settings& settings);     // until a first picture is there
 Json reconstruction(const Settings& settings);          // the drawn field against the light at points
 Json load_to_files(const Settings& settings);           // all steps but the light
+Json error_against_patches(const Settings& settings);   // patches of one size, and where light needs them
 
 }  // namespace luxel::bench

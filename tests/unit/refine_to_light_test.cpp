@@ -89,19 +89,15 @@ TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {
   EXPECT_LE(error, 1.15 * report.mesh_error);
   EXPECT_GE(error, 0.4 * report.mesh_error);
 
-  // As good as that, patches of one size are many times as many.
+  // More patches of one size do worse.
   float edge = 0.3f;
   PatchSet uniform;
   do {
     edge *= 0.7f;
     uniform = make_patches(scene, {.max_edge = edge});
-  } while (uniform.size() < 2 * patches.size());
+  } while (uniform.size() <= patches.size());
   const Tracer through(uniform, workers);
-  EXPECT_GT(true_error(uniform, through, workers), error);
-  printf("adaptive %zu %.4f stated %.4f uniform %zu\n", patches.size(), error, report.mesh_error,
-         uniform.size());
-  for (const auto& l : report.levels)
-    printf("  %zu mesh %.4f sampling %.4f\n", l.patches, l.mesh_error, l.sampling_error);
+  EXPECT_GT(true_error(uniform, through, workers), 1.2 * error);
 }
 
 TEST(RefineToLight, light_that_is_the_same_everywhere_needs_no_more_patches) {
