@@ -9,8 +9,8 @@ namespace {
 
 // Standard errors in a solution are those of eight replicates, widened as Student's t is; the square of that.
 constexpr double widening2 = 1.45;
-// The value of a field at a point is a mean over the patches at three vertices: its share of their variance.
-constexpr double field_noise = 0.2;
+// Of a patch's variance, what a point of the field drawn over it has: not much is averaged out.
+constexpr double field_noise = 0.7;
 
 // Of a point in the plane of the triangle.
 Vec3d barycentric(const std::array<Vec3, 3>& triangle, const Vec3& point) {
@@ -31,9 +31,9 @@ double variance(const std::vector<float>& error, std::size_t at) {
   return static_cast<double>(error[at]) * static_cast<double>(error[at]) / widening2;
 }
 
-// difference(side, band) and noise(side, band) of each patch, squared and summed.
-template <typename Difference, typename Noise>
-FieldDifference summed(const PatchSet& patches, const Workers& workers, const Difference& difference,
+// squared(side, band) and noise(side, band) of each patch, summed.
+template <typename Squared, typename Noise>
+FieldDifference summed(const PatchSet& patches, const Workers& workers, const Squared& squared,
                        const Noise& noise) {
   constexpr std::size_t chunk = 4096;
   FieldDifference result;
@@ -46,8 +46,7 @@ FieldDifference summed(const PatchSet& patches, const Workers& workers, const Di
       for (const bool back : {false, true}) {
         if (back && !patches.material_of(p).two_sided) continue;
         for (std::size_t b = 0; b < patches.band_count(); ++b) {
-          const double d = difference(p, back, b);
-          d2 += d * d;
+          d2 += squared(p, back, b);
           n2 += noise(p, back, b);
         }
       }
@@ -86,8 +85,9 @@ FieldDifference difference_of_levels(const LevelLight& coarse, const LevelLight&
       fine.patches, workers,
       [&](std::size_t p, bool back, std::size_t b) {
         const auto weights = barycentric(coarse.patches.points(parent[p]), fine.patches.centroid(p));
-        return static_cast<double>(irradiance(fine.solution, back)[p * bands + b]) -
-               field_at(coarse, parent[p], weights, back, b);
+        const auto d = static_cast<double>(irradiance(fine.solution, back)[p * bands + b]) -
+                       field_at(coarse, parent[p], weights, back, b);
+        return d * d;
       },
       [&](std::size_t p, bool back, std::size_t b) {
         return variance(error(fine.solution, back), p * bands + b) +
@@ -95,16 +95,23 @@ FieldDifference difference_of_levels(const LevelLight& coarse, const LevelLight&
       });
 }
 
-FieldDifference difference_of_reconstruction(const LevelLight& level, const Workers& workers) {
+FieldDifference difference_within_patches(const LevelLight& level, const Workers& workers) {
   const auto bands = level.patches.band_count();
   return summed(
       level.patches, workers,
       [&](std::size_t p, bool back, std::size_t b) {
-        return static_cast<double>(irradiance(level.solution, back)[p * bands + b]) -
-               field_at(level, p, Vec3d(1.0 / 3.0), back, b);
+        const double mean = irradiance(level.solution, back)[p * bands + b];
+        double sum = 0.0;
+        for (int corner = 0; corner < 3; ++corner) {
+          Vec3d weights(0.0);
+          weights[corner] = 1.0;
+          const auto d = field_at(level, p, weights, back, b) - mean;
+          sum += d * d;
+        }
+        return sum / 12.0;  // the variance of a linear function over a triangle
       },
       [&](std::size_t p, bool back, std::size_t b) {
-        return (1.0 - field_noise) * variance(error(level.solution, back), p * bands + b);
+        return 0.25 * variance(error(level.solution, back), p * bands + b);
       });
 }
 

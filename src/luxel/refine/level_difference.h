@@ -31,9 +31,9 @@ struct FieldDifference {
 FieldDifference difference_of_levels(const LevelLight& coarse, const LevelLight& fine,
                                      std::span<const std::uint32_t> parent, const Workers& workers);
 
-// How far the light of patches lies from what is reconstructed from it on the very same ones: nothing where
-// light runs linearly, half the jump where it jumps. Here the noise of both is one.
-FieldDifference difference_of_reconstruction(const LevelLight& level, const Workers& workers);
+// How far the reconstructed light of patches lies from the one value that each has: its variance over the
+// patch. All there is to go by where there is but one mesh; it says more than is wrong.
+FieldDifference difference_within_patches(const LevelLight& level, const Workers& workers);
 
 // Sum over sides and bands of area times squared irradiance.
 double squared_light(const PatchSet& patches, const Solution& solution);

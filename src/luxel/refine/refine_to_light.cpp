@@ -51,7 +51,7 @@ class Refinement {
 
   PatchSet go() {
     if (!solve(now_)) return end(RefineStop::stopped_by_user);
-    difference_ = difference_of_reconstruction(now_.light(), workers_);
+    difference_ = difference_within_patches(now_.light(), workers_);
     note_level();
     auto marks = marked_by_difference();
     mark_large(marks);
@@ -114,7 +114,7 @@ class Refinement {
     const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
     const auto all = light2();
     const auto share = all > 0.0 ? std::max(0.0, sum) / all : 0.0;
-    // The first level differs from itself, the second from the first: two ratios of unlike things.
+    // What the first level says of itself is of another kind.
     if (report_.levels.size() >= 2 && share_before_ > 0.0) {
       const auto ratio = std::clamp(share / share_before_, least_ratio, most_ratio);
       left_over_ = ratio / (1.0 - ratio);
