@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/math/barycentric.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
@@ -34,18 +35,6 @@ std::vector<SurfacePoint> draw_points(const PatchSet& patches, std::size_t count
   return points;
 }
 
-// Of the corners b and c, at the foot of the perpendicular from p.
-Vec2 weights_at(const std::array<Vec3, 3>& corners, const Vec3& p) {
-  const auto b = Vec3d(corners[1]) - Vec3d(corners[0]);
-  const auto c = Vec3d(corners[2]) - Vec3d(corners[0]);
-  const auto d = Vec3d(p) - Vec3d(corners[0]);
-  const auto bb = glm::dot(b, b), bc = glm::dot(b, c), cc = glm::dot(c, c);
-  const auto db = glm::dot(d, b), dc = glm::dot(d, c);
-  const auto determinant = bb * cc - bc * bc;
-  return {static_cast<float>((cc * db - bc * dc) / determinant),
-          static_cast<float>((bb * dc - bc * db) / determinant)};
-}
-
 // Of the patches that a triangle of the scene was cut into, the one that a point lies on, or most nearly so.
 struct Place {
   std::size_t patch = 0;
@@ -57,7 +46,8 @@ Place place_of(const PatchSet& patches, std::uint32_t triangle, const Vec3& poin
   float inside = -std::numeric_limits<float>::infinity();
   for (auto it = first; it != last; ++it) {
     const auto patch = static_cast<std::size_t>(it - patches.triangle.begin());
-    const auto w = weights_at(patches.points(patch), point);
+    const auto all = barycentric(patches.points(patch), point);
+    const Vec2 w(all.y, all.z);
     const auto least = std::min({w.x, w.y, 1.0f - w.x - w.y});
     if (!(least > inside)) continue;
     inside = least;
@@ -67,6 +57,18 @@ Place place_of(const PatchSet& patches, std::uint32_t triangle, const Vec3& poin
 }
 
 }  // namespace
+
+Field drawn_field(const SmoothLight& smooth, std::size_t bands) {
+  return [&smooth, bands](std::size_t patch, bool back, const Vec2& w, double* light) {
+    const auto& h = back ? smooth.irradiance_back : smooth.irradiance_front;
+    const auto& c = smooth.corners[patch];
+    const std::array<float, 3> weight = {1.0f - w.x - w.y, w.x, w.y};
+    for (std::size_t b = 0; b < bands; ++b) {
+      light[b] = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) light[b] += static_cast<double>(weight[k] * h[c[k] * bands + b]);
+    }
+  };
+}
 
 PointTruth::PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
                        const Workers& workers) {

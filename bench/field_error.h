@@ -10,6 +10,7 @@
 #include "luxel/patch/patch_set.h"
 #include "luxel/reference/surface_point.h"
 #include "luxel/scene/scene.h"
+#include "luxel/surface/smooth_light.h"
 
 namespace luxel::bench {
 
@@ -19,6 +20,9 @@ using TrueNormal = std::function<Vec3(const PatchSet&, std::size_t patch, const 
 
 // The light at one place of a patch side, W/m² a band. weights: barycentric, of the corners b and c.
 using Field = std::function<void(std::size_t patch, bool back, const Vec2& weights, double* light)>;
+
+// The field that is drawn: linear between the vertices. Keeps a reference.
+Field drawn_field(const SmoothLight& smooth, std::size_t bands);
 
 // How far a field that is drawn over the patches of a scene is from the light at points, whatever the
 // patches. Points are drawn evenly over both sides of all surfaces; the light there is path-traced, twice and

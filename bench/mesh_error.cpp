@@ -68,7 +68,7 @@ class Subject {
                       {"how", how},
                       {"cpu_seconds", seconds}});
     };
-    for (std::size_t target = 2000; target <= (settings_.small ? 2000u : 256'000u); target *= 2)
+    for (std::size_t target = 2000; target <= (settings_.small ? 2000u : 128'000u); target *= 2)
       add("one size", of(make_patches(uncut_.scene, {.target_count = target})), 0.0, 0.0);
     for (double error = 0.16; error >= (settings_.small ? 0.16 : 0.01); error *= 0.5) {
       RefineReport report;
@@ -88,14 +88,7 @@ class Subject {
     Solution solution;
     solve_sampled(patches, tracer, solution, {.error = settings_.small ? 0.1 : 0.004}, workers_);
     const auto smooth = make_smooth_light(patches, solution, {}, workers_);
-    const auto bands = patches.band_count();
-    const Field field = [&](std::size_t patch, bool back, const Vec2& w, double* light) {
-      const auto& h = back ? smooth.irradiance_back : smooth.irradiance_front;
-      const auto& c = smooth.corners[patch];
-      for (std::size_t b = 0; b < bands; ++b)
-        light[b] = static_cast<double>((1.0f - w.x - w.y) * h[c[0] * bands + b] + w.x * h[c[1] * bands + b] +
-                                       w.y * h[c[2] * bands + b]);
-    };
+    const auto field = drawn_field(smooth, patches.band_count());
     const auto error = truth_.error(patches, field);
     return {patches.size(), error, 0.5 * truth_.noise(patches, field) / error};
   }
@@ -113,11 +106,11 @@ Json error_against_patches(const Settings& settings) {
   fmt::print("\nError of the drawn field at points against the number of patches, relative RMS\n");
   fmt::print("{:>24} {:>8} {:>9} {:>10} {:>8} {:>8} {:>7}\n", "scene", "patches", "number", "error", "+-",
              "stated", "CPU s");
-  auto subjects = reconstruction_scenes();
-  subjects.insert(subjects.begin(), subjects.front());
+  const auto all = reconstruction_scenes();
+  std::vector<UncutScene> subjects = {all[0]};
   subjects.front().name = "Cornell box, small lamp";
   subjects.front().scene = with_small_lamp(subjects.front().scene);
-  if (settings.small) subjects.resize(1);
+  if (!settings.small) subjects.insert(subjects.end(), {all[2], all[3]});  // two rooms, wall on floor
   Json scenes = Json::array();
   for (const auto& subject : subjects) scenes.push_back(Subject(settings, subject, workers).measure());
   return {{"scenes", scenes}};

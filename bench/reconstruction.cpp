@@ -24,18 +24,6 @@ Field flat(const Solution& solution) {
   };
 }
 
-Field interpolated(const SmoothLight& smooth, std::size_t bands) {
-  return [&smooth, bands](std::size_t patch, bool back, const Vec2& w, double* light) {
-    const auto& h = back ? smooth.irradiance_back : smooth.irradiance_front;
-    const auto& c = smooth.corners[patch];
-    const std::array<float, 3> weight = {1.0f - w.x - w.y, w.x, w.y};
-    for (std::size_t b = 0; b < bands; ++b) {
-      light[b] = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) light[b] += static_cast<double>(weight[k] * h[c[k] * bands + b]);
-    }
-  };
-}
-
 // What the vertices would have if each took the area-weighted mean of its patches, and contacts parted
 // nothing: the simplest that can be done, and what is to be beaten.
 SmoothLight mean_light(PatchSet patches, const Solution& solution) {
@@ -73,8 +61,8 @@ Json row_of(const UncutScene& subject, const PointTruth& truth, std::size_t targ
   const auto time = cost([&] { smooth = make_smooth_light(patches, solution, {}, workers); });
 
   const auto off = truth.error(patches, as_it_is);
-  const auto off_means = truth.error(patches, interpolated(by_means, bands));
-  const auto now = interpolated(smooth, bands);
+  const auto off_means = truth.error(patches, drawn_field(by_means, bands));
+  const auto now = drawn_field(smooth, bands);
   const auto off_now = truth.error(patches, now);
   const auto plus_minus = 0.5 * truth.noise(patches, now) / off_now;
   fmt::print("{:>16} {:>9} {:>8.2f} % {:>8.2f} % {:>8.2f} % {:>6.2f} %\n", subject.name, patches.size(),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/refine/level_difference.h"
 
-#include <array>
-#include <numeric>
+#include "luxel/math/barycentric.h"
 
 namespace luxel {
 namespace {
@@ -11,20 +10,6 @@ namespace {
 constexpr double widening2 = 1.45;
 // Of a patch's variance, what a point of the field drawn over it has: not much is averaged out.
 constexpr double field_noise = 0.7;
-
-// Of a point in the plane of the triangle.
-Vec3d barycentric(const std::array<Vec3, 3>& triangle, const Vec3& point) {
-  const auto u = Vec3d(triangle[1]) - Vec3d(triangle[0]);
-  const auto v = Vec3d(triangle[2]) - Vec3d(triangle[0]);
-  const auto w = Vec3d(point) - Vec3d(triangle[0]);
-  const auto uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v);
-  const auto wu = glm::dot(w, u), wv = glm::dot(w, v);
-  const auto d = uu * vv - uv * uv;
-  if (!(d > 0.0)) return Vec3d(1.0 / 3.0);
-  const auto s = (vv * wu - uv * wv) / d;
-  const auto t = (uu * wv - uv * wu) / d;
-  return {1.0 - s - t, s, t};
-}
 
 double variance(const std::vector<float>& error, std::size_t at) {
   if (error.empty()) return 0.0;
