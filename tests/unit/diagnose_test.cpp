@@ -24,11 +24,11 @@ const std::string room = corners + ceiling + floor_face + left + right + rear + 
 class Diagnose : public testing::Test {
  protected:
   CheckReport of(const std::string& obj, const LoadOptions& options = {}, int threads = 2) {
-    files.write("room.mtl", mtl);
-    return diagnose(files.load_text(obj, options), {}, Workers(threads));
+    files_.write("room.mtl", mtl_);
+    return diagnose(files_.load_text(obj, options), {}, Workers(threads));
   }
-  std::string mtl = "newmtl wall\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n";
-  SceneFiles files;
+  std::string mtl_ = "newmtl wall\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n";
+  SceneFiles files_;
 };
 
 const Finding& found(const CheckReport& report, FindingKind kind) {
@@ -144,7 +144,7 @@ TEST_F(Diagnose, says_which_weld_closes_a_gap) {
 }
 
 TEST_F(Diagnose, tells_what_the_file_said_of_a_reflectance_above_one) {
-  mtl += "newmtl snow\nKd 1.2 0.5 0.5\n";
+  mtl_ += "newmtl snow\nKd 1.2 0.5 0.5\n";
   const auto report = of(corners + ceiling + left + right + rear + front + "usemtl snow\n" + floor_face);
   EXPECT_EQ(kinds(report), "reflectance ");
   EXPECT_EQ(found(report, FindingKind::reflectance).places[0].detail, "the file says 1.2 0.5 0.5, on 4 m²");
@@ -205,9 +205,9 @@ TEST_F(Diagnose, gives_the_same_report_on_any_number_of_threads) {
 }
 
 TEST_F(Diagnose, ends_where_the_monitor_says_stop) {
-  files.write("room.mtl", mtl);
+  files_.write("room.mtl", mtl_);
   const auto report =
-      diagnose(files.load_text(room), {}, Workers(1), [](const Progress&) { return Next::stop; });
+      diagnose(files_.load_text(room), {}, Workers(1), [](const Progress&) { return Next::stop; });
   EXPECT_FALSE(report.is_whole);
 }
 

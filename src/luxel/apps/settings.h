@@ -29,7 +29,8 @@ struct SceneSettings {
   // What is to be read, and how; then what it is cut into as well.
   void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
   void declare(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
-  // Of the commands that find light; the first right after declare(), the second where the options of light begin.
+  // Of the commands that find light; the first right after declare(), the second where the options of light
+  // begin.
   void declare_contacts(OptionSet& set);
   void declare_sky(OptionSet& set);
 };
