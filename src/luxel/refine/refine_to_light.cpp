@@ -20,7 +20,7 @@ namespace {
 constexpr double light_share = 0.7;   // of the mesh error: how well the light is solved that decides
 constexpr double left_alone = 0.3;    // of the squared error allowed: what patches that stay may have
 constexpr double large_patch = 5e-4;  // of the whole area: cut once whatever it says
-constexpr double least_ratio = 1.0 / 16.0, most_ratio = 0.5;  // that halving leaves of a squared error
+constexpr double least_ratio = 0.25, most_ratio = 0.5;  // that halving leaves of a squared error
 constexpr double parts = 4.0;  // of a marked patch; neighbours are cut too, others not at all
 
 void check(const RefineOptions& options) {

@@ -48,7 +48,7 @@ struct RefineReport {
 // field reconstructed from them (surface/smooth_light.h) does not stand for it; the light is solved again,
 // and what the parts say of the field on the whole is what the whole had wrong, d² in squares. Where halving
 // leaves the share r of a squared error, what the parts still have wrong is d² r / (1 - r). r is taken from
-// the last two levels, between a half, which is what a jump leaves, and a sixteenth, of smooth light. Cut
+// the last two levels, between a half, which is what a jump leaves, and a quarter. Cut
 // first is what differs most, until what is left alone is a third of what is allowed (Dörfler 1996). Patches
 // that are large beside the scene are cut once whatever they say: what lies wholly inside of one cannot be
 // seen from outside.
