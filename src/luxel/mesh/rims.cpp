@@ -1,36 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/mesh/rims.h"
 
-#include <numeric>
+#include "luxel/math/disjoint_sets.h"
 
 namespace luxel {
 namespace {
 
 constexpr auto none = 0xffffffffu;
 
-// Sets that grow together (union by the lower number, path halving).
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = of(i);
-    j = of(j);
-    if (i != j) parent_[i < j ? j : i] = i < j ? i : j;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 std::vector<Rim> find_rims(std::span<const Vec3> places, const Edges& edges, const TJunctions& junctions) {
   const auto counts = [&](std::size_t e) { return edges.is_open(e) && junctions.is_sewn[e] == 0; };
-  Sets sets(places.size());
+  DisjointSets sets(places.size());
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (counts(e)) sets.join(edges.ends[e][0], edges.ends[e][1]);
 

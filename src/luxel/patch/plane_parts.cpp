@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 #include <unordered_set>
+
+#include "luxel/math/disjoint_sets.h"
 
 namespace luxel {
 namespace {
@@ -42,8 +43,7 @@ std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
 class Parts {
  public:
   Parts(const PatchSet& patches, const std::vector<std::uint64_t>& planes)
-      : patches_(patches), planes_(planes), root_(patches.size()), touched_(patches.size(), false) {
-    std::iota(root_.begin(), root_.end(), 0u);
+      : patches_(patches), planes_(planes), sets_(patches.size()), touched_(patches.size(), false) {
     auto edges = edges_of_touched_planes();
     std::sort(edges.begin(), edges.end(), [](const Use& a, const Use& b) {
       return std::tuple(a.edge, a.patch) < std::tuple(b.edge, b.patch);
@@ -51,14 +51,14 @@ class Parts {
     for (std::size_t i = 1; i < edges.size(); ++i)
       if (edges[i].edge == edges[i - 1].edge && planes_[edges[i].patch] == planes_[edges[i - 1].patch] &&
           !is_contact(edges[i].edge))
-        join(edges[i - 1].patch, edges[i].patch);
+        sets_.join(edges[i - 1].patch, edges[i].patch);
     for (std::uint32_t p = 0; p < patches.size(); ++p)
-      if (touched_[p]) touched_[root(p)] = true;
+      if (touched_[p]) touched_[sets_.of(p)] = true;
   }
 
   // The part's first patch, where it has contacts.
   std::uint64_t of(std::uint32_t patch) {
-    const auto first = root(patch);
+    const auto first = sets_.of(patch);
     return touched_[first] ? first + 1ull : 0;
   }
 
@@ -101,20 +101,9 @@ class Parts {
     return edges;
   }
 
-  std::uint32_t root(std::uint32_t patch) {
-    while (root_[patch] != patch) patch = root_[patch] = root_[root_[patch]];
-    return patch;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    root_[std::max(a, b)] = std::min(a, b);
-  }
-
   const PatchSet& patches_;
   const std::vector<std::uint64_t>& planes_;
-  std::vector<std::uint32_t> root_;
+  DisjointSets sets_;
   std::vector<bool> touched_;  // has a contact
 };
 

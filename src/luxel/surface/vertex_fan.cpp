@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace luxel {
@@ -33,8 +32,7 @@ void VertexFan::fill(std::span<const std::uint32_t> corners, std::span<const Han
   for (const auto c : corners) members_.push_back({c / 3, c % 3});
   for (const auto& h : hanging) members_.push_back({h.patch, h.edge});
   corner_count_ = corners.size();
-  surface_.resize(2 * members_.size());
-  std::iota(surface_.begin(), surface_.end(), 0u);
+  sets_.reset(2 * members_.size());
   if (corners.empty()) return;
   vertex_ = patches_.corners[corners[0] / 3][corners[0] % 3];
 
@@ -44,7 +42,8 @@ void VertexFan::fill(std::span<const std::uint32_t> corners, std::span<const Han
     join_around_edge({first, last});
     first = last;
   }
-  for (auto& side : surface_) side = root(side);
+  surface_.resize(2 * members_.size());
+  for (std::uint32_t side = 0; side < surface_.size(); ++side) surface_[side] = sets_.of(side);
 }
 
 void VertexFan::list_wings() {
@@ -135,14 +134,7 @@ void VertexFan::join_facing(const Wing& from, const Wing& to) {
   const auto n = Vec3d(patches_.normal[patch(from.member)]) * (from_back ? -1.0 : 1.0);
   const auto m = Vec3d(patches_.normal[patch(to.member)]) * (to_back ? -1.0 : 1.0);
   if (!(std::min(glm::dot(n, m), 1.0) > static_cast<double>(cos_crease_))) return;
-  const auto a = root(2 * from.member + (from_back ? 1 : 0));
-  const auto b = root(2 * to.member + (to_back ? 1 : 0));
-  surface_[std::max(a, b)] = std::min(a, b);
-}
-
-std::uint32_t VertexFan::root(std::uint32_t side) {
-  while (surface_[side] != side) side = surface_[side] = surface_[surface_[side]];
-  return side;
+  sets_.join(2 * from.member + (from_back ? 1 : 0), 2 * to.member + (to_back ? 1 : 0));
 }
 
 }  // namespace luxel

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/math/disjoint_sets.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/hanging_vertices.h"
 
@@ -56,14 +57,14 @@ class VertexFan {
   bool on_one_line(const Wing& a, const Wing& b) const;
   void join_around_edge(std::span<const Wing> wings);
   void join_facing(const Wing& from, const Wing& to);
-  std::uint32_t root(std::uint32_t side);
 
   const PatchSet& patches_;
   float cos_crease_;
   std::uint32_t vertex_ = 0;
   std::size_t corner_count_ = 0;
   std::vector<Member> members_;
-  std::vector<std::uint32_t> surface_;  // union-find parents while filling
+  DisjointSets sets_;                   // of sides, while filling
+  std::vector<std::uint32_t> surface_;  // of each side
   std::vector<Wing> wings_;
   std::vector<Wing> pages_;          // of one edge
   std::vector<std::uint32_t> open_;  // wings that no other member shares
