@@ -36,6 +36,7 @@ struct Level {
   Solution solution;
   SmoothLight smooth;
   std::uint64_t rays = 0;
+  double light2 = 0.0;  // see squared_light()
 
   LevelLight light() const { return {patches, solution, smooth}; }
 };
@@ -76,7 +77,6 @@ class Refinement {
   }
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
-  double light2() const { return squared_light(now_.patches, now_.solution); }
 
   bool solve(Level& level) {
     const Tracer tracer(level.patches, workers_);
@@ -87,6 +87,7 @@ class Refinement {
         solve_sampled(level.patches, tracer, level.solution, options_.light, workers_, on_the_way);
     level.rays = solved.rays;
     rays_before_ += solved.rays;
+    level.light2 = squared_light(level.patches, level.solution);
     level.smooth = make_smooth_light(level.patches, level.solution, options_.smooth, workers_);
     return solved.stop != StopReason::stopped_by_user;
   }
@@ -112,8 +113,7 @@ class Refinement {
 
   void note_level() {
     const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
-    const auto all = light2();
-    const auto share = all > 0.0 ? std::max(0.0, sum) / all : 0.0;
+    const auto share = now_.light2 > 0.0 ? std::max(0.0, sum) / now_.light2 : 0.0;
     // What the first level says of itself is of another kind.
     if (report_.levels.size() >= 2 && share_before_ > 0.0) {
       const auto ratio = std::clamp(share / share_before_, least_ratio, most_ratio);
@@ -135,7 +135,7 @@ class Refinement {
       left += difference_.squared[p];
     }
     sort_by_difference(order);
-    const auto allowed = left_alone * options_.mesh_error * options_.mesh_error * light2() / left_over_;
+    const auto allowed = left_alone * options_.mesh_error * options_.mesh_error * now_.light2 / left_over_;
     std::vector<std::uint8_t> marks(now_.patches.size(), 0);
     for (const auto p : order) {
       if (left <= allowed) break;
