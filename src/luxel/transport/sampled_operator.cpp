@@ -3,6 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {
@@ -60,10 +66,22 @@ std::uint32_t SampledOperator::element_of(const Hit& hit) const {
   return static_cast<std::uint32_t>(dark());
 }
 
-SampledOperator::Round SampledOperator::make_round(std::vector<std::uint32_t> slots, std::uint32_t level,
-                                                   std::uint32_t per_replicate) const {
-  auto begins = places_of(block_begins_, slots);
-  return {level, per_replicate, std::move(slots), std::move(begins), {}};
+SampledOperator::Round SampledOperator::make_round(HitRound round) const {
+  auto begins = places_of(block_begins_, round.slots);
+  return {std::move(round), std::move(begins)};
+}
+
+void SampledOperator::make_room(Round& round) const {
+  round.hits =
+      std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * round.hits_a_replicate());
+}
+
+void SampledOperator::add(Round round) {
+  for (const auto s : round.slots) {
+    rays_a_slot_[s] += round.per_replicate;
+    ++doublings_[s];
+  }
+  rounds_.push_back(std::move(round));
 }
 
 void SampledOperator::trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
@@ -106,12 +124,10 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
   const auto so_far = rays_a_slot_[slots[0]];
   const auto per_replicate = so_far > 0 ? so_far : first;
   const auto level = doublings_[slots[0]];
-  auto round = make_round(std::move(slots), level, per_replicate);
+  auto round = make_round({level, per_replicate, std::move(slots), nullptr});
   const auto whole = std::uint64_t{options_.replicates} * per_replicate * round.slots.size();
   if (!is_streamed_) {
-    for (std::uint32_t r = 0; r < options_.replicates; ++r)
-      round.hits.push_back(
-          std::make_unique_for_overwrite<std::uint32_t[]>(round.slots.size() * per_replicate));
+    make_room(round);
     // In turns, between which the monitor is asked: some tenths of a second each.
     const auto rows = std::size_t{options_.replicates} * per_replicate;
     const auto groups = places_of(traced_together(per_replicate), round.slots);
@@ -125,8 +141,7 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
         for (auto job = from + begin; job < from + end; ++job) {
           const auto* group = &groups[job / jobs_a_group];
           const auto row = job % jobs_a_group * rows_a_job;
-          for (std::size_t r = 0; r < places.size(); ++r)
-            places[r] = round.hits[r].get() + std::size_t{group[0]} * per_replicate;
+          for (std::uint32_t r = 0; r < options_.replicates; ++r) places[r] = round.hits_of(r, group[0]);
           trace(round, std::span(round.slots).subspan(group[0], group[1] - group[0]), row,
                 std::min(rows, row + rows_a_job), places);
         }
@@ -136,23 +151,45 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
       if (tell(monitor, {"light", share, rays}) == Next::stop) return {};
     }
   }
-  for (const auto s : round.slots) {
-    rays_a_slot_[s] += per_replicate;
-    ++doublings_[s];
-  }
-  rounds_.push_back(std::move(round));
+  add(std::move(round));
   return whole;
+}
+
+void SampledOperator::take_up(std::vector<HitRound> rounds) {
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw MismatchError(fmt::format("the kept rays do not belong to these patches: {}", what));
+  };
+  for (auto& given : rounds) {
+    auto round = make_round(std::move(given));
+    const auto& slots = round.slots;
+    require(std::is_sorted(slots.begin(), slots.end(), std::less_equal<>()) &&
+                (slots.empty() || slots.back() < sides_.size()),
+            "their sides are not in order");
+    require(std::has_single_bit(round.per_replicate), "a round's number of rays is no power of two");
+    for (const auto s : slots)
+      require(round.level == doublings_[s] && (round.level == 0 || round.per_replicate == rays_a_slot_[s]),
+              "a round is missing");
+    if (round.hits) {
+      const auto count = options_.replicates * round.hits_a_replicate();
+      require(std::all_of(round.hits.get(), round.hits.get() + count,
+                          [&](std::uint32_t element) { return element < elements(); }),
+              "a hit is on no element");
+    } else {
+      is_streamed_ = true;
+    }
+    add(std::move(round));
+  }
+  if (is_streamed_) stream();
 }
 
 void SampledOperator::stream() {
   is_streamed_ = true;
-  for (auto& round : rounds_) round.hits.clear();
+  for (auto& round : rounds_) round.hits.reset();
 }
 
 std::uint64_t SampledOperator::bytes() const {
   std::uint64_t count = 0;
-  for (const auto& round : rounds_)
-    count += std::uint64_t{options_.replicates} * round.per_replicate * round.slots.size();
+  for (const auto& round : rounds_) count += options_.replicates * round.hits_a_replicate();
   return is_streamed_ ? 0 : sizeof(std::uint32_t) * count;
 }
 
@@ -164,29 +201,24 @@ void SampledOperator::keep(const std::vector<std::uint8_t>& kept, const Workers&
     name[e] = e >= sides_.size() ? static_cast<std::uint32_t>(e - sides_.size() + smaller.sides_.size())
               : kept[e]          ? smaller.sides_.slot_of_side[sides_.side[e]]
                                  : static_cast<std::uint32_t>(smaller.dark());
-  for (std::size_t s = 0; s < kept.size(); ++s)
-    if (kept[s]) {
-      smaller.rays_a_slot_[name[s]] = rays_a_slot_[s];
-      smaller.doublings_[name[s]] = doublings_[s];
-    }
   for (const auto& round : rounds_) {
     std::vector<std::uint32_t> slots;
     for (const auto s : round.slots)
       if (kept[s]) slots.push_back(name[s]);
-    smaller.rounds_.push_back(smaller.make_round(std::move(slots), round.level, round.per_replicate));
-    if (is_streamed_) continue;
-    auto& fewer = smaller.rounds_.back();
-    const std::size_t n = round.per_replicate;
-    for (std::uint32_t r = 0; r < options_.replicates; ++r)
-      fewer.hits.push_back(std::make_unique_for_overwrite<std::uint32_t[]>(fewer.slots.size() * n));
-    workers.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
-      for (auto r = begin; r < end; ++r) {
-        auto* to = fewer.hits[r].get();
-        for (std::size_t i = 0; i < round.slots.size(); ++i)
-          if (kept[round.slots[i]])
-            for (std::size_t k = 0; k < n; ++k) *to++ = name[round.hits[r][i * n + k]];
-      }
-    });
+    auto fewer = smaller.make_round({round.level, round.per_replicate, std::move(slots), nullptr});
+    if (!is_streamed_) {
+      smaller.make_room(fewer);
+      const std::size_t n = round.per_replicate;
+      workers.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
+        for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
+          auto* to = fewer.hits_of(r, 0);
+          for (std::size_t i = 0; i < round.slots.size(); ++i)
+            if (kept[round.slots[i]])
+              for (std::size_t k = 0; k < n; ++k) *to++ = name[round.hits_of(r, i)[k]];
+        }
+      });
+    }
+    smaller.add(std::move(fewer));
   }
   sides_ = std::move(smaller.sides_);
   block_begins_ = std::move(smaller.block_begins_);

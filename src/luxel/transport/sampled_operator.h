@@ -8,6 +8,7 @@
 
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
+#include "luxel/solution/sample_state.h"
 #include "luxel/trace/tracer.h"
 #include "luxel/transport/gather_rays.h"
 #include "luxel/transport/gather_sides.h"
@@ -57,6 +58,12 @@ class SampledOperator {
   // Leaves out the slots that are not kept: rays to them end in the dark.
   void keep(const std::vector<std::uint8_t>& kept, const Workers& workers);
 
+  // All rounds so far; copies share the hits.
+  std::vector<HitRound> rounds() const { return {rounds_.begin(), rounds_.end()}; }
+  // Goes on where an operator over the same slots was, whose rounds these are. Throws MismatchError where
+  // they cannot be: slots and elements in range and rising, each slot's rounds one after the other.
+  void take_up(std::vector<HitRound> rounds);
+
   // Sinks, from size() on.
   std::size_t escaped() const { return sides_.size(); }
   std::size_t dark() const { return sides_.size() + 1; }
@@ -99,21 +106,22 @@ class SampledOperator {
   std::vector<std::uint32_t> traced_together(std::uint32_t per_replicate) const;
 
  private:
-  // Slots that got rays together.
-  struct Round {
-    std::uint32_t level = 0;  // the doublings of these slots before this one
-    std::uint32_t per_replicate = 0;
-    std::vector<std::uint32_t> slots;   // rising
+  struct Round : HitRound {
     std::vector<std::uint32_t> begins;  // [block + 1], into slots
-    // [replicate], elements: [place in slots][sample]. Not zeroed: a thread that writes also gets the pages.
-    std::vector<std::unique_ptr<std::uint32_t[]>> hits;
 
     std::span<const std::uint32_t> slots_of(std::size_t block) const {
       return std::span(slots).subspan(begins[block], begins[block + 1] - begins[block]);
     }
+    std::uint32_t* hits_of(std::uint32_t replicate, std::size_t place) const {
+      return hits.get() + replicate * hits_a_replicate() + place * per_replicate;
+    }
   };
 
-  Round make_round(std::vector<std::uint32_t> slots, std::uint32_t level, std::uint32_t per_replicate) const;
+  Round make_round(HitRound round) const;
+  // Not zeroed: a thread that writes also gets the pages.
+  void make_room(Round& round) const;
+  // Counts the round's rays, and keeps it.
+  void add(Round round);
   // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
   // where the samples of the first slot go.
   void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
@@ -132,7 +140,7 @@ class SampledOperator {
         to[replicate] = traced.data();
         trace(round, slots, replicate * n, (replicate + 1) * n, to);
       }
-      body(slots, is_streamed_ ? traced.data() : &round.hits[replicate][round.begins[block] * n],
+      body(slots, is_streamed_ ? traced.data() : round.hits_of(replicate, round.begins[block]),
            round.per_replicate);
     }
   }
