@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/load/name_list.h"
-#include "luxel/load/name_pattern.h"
+#include "luxel/scene/name_pattern.h"
 #include "luxel/load/numbers.h"
 #include "luxel/load/text.h"
 

@@ -29,6 +29,8 @@ class Command {
 };
 
 std::unique_ptr<Command> make_bake(CommandLine& line);
+std::unique_ptr<Command> make_resume(CommandLine& line);
+std::unique_ptr<Command> make_relight(CommandLine& line);
 std::unique_ptr<Command> make_render(CommandLine& line);
 std::unique_ptr<Command> make_export(CommandLine& line);
 std::unique_ptr<Command> make_reference(CommandLine& line);

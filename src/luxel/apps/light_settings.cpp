@@ -58,12 +58,7 @@ void LightSettings::declare(OptionSet& set) {
   set.add_choice("method", {by_sampling, by_shooting, by_dense, by_hemicube, by_lines}, method,
                  "sampled stops at the error asked for; the others are classics: see docs/methods.md");
   set.only_with("method", fmt::format("{}|{}", by_sampling, by_shooting));
-  set.add({"rays", "count",
-           "sampled: trace no more than this; shooting: rays that carry the lamps' power once. Such as 50M",
-           [this](const std::string& text) {
-             sampled.rays = shooting.rays = text == "auto" ? 0 : parse_count("rays", text);
-           },
-           [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});
+  declare_rays(set);
   set.only_with("method", fmt::format("{}|{}|{}", by_sampling, by_shooting, by_lines));
   set.add({"seed", "count", "another seed gives another, independent answer",
            [this](const std::string& text) {
@@ -79,6 +74,22 @@ void LightSettings::declare(OptionSet& set) {
 void LightSettings::declare_sampled(OptionSet& set) {
   set.heading("Light by --method sampled");
   set.only_with("method", by_sampling);
+  declare_error_and_time(set);
+  set.add_number("replicates", "count", sampled.replicates, 4u, 32u,
+                 "independent answers whose spread is the error bar");
+  declare_variance_reduction(set);
+}
+
+void LightSettings::declare_rays(OptionSet& set) {
+  set.add({"rays", "count",
+           "sampled: trace no more than this; shooting: rays that carry the lamps' power once. Such as 50M",
+           [this](const std::string& text) {
+             sampled.rays = shooting.rays = text == "auto" ? 0 : parse_count("rays", text);
+           },
+           [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});
+}
+
+void LightSettings::declare_error_and_time(OptionSet& set) {
   set.add({"error", "share",
            "stop at this standard error of the whole, such as 1% or 0.01; 0: never for that",
            [this](const std::string& text) {
@@ -91,9 +102,19 @@ void LightSettings::declare_sampled(OptionSet& set) {
            [this] { return sampled.error == 0.0 ? std::string("0") : as_share(sampled.error); }});
   set.add(quantity("time", "duration", sampled.seconds, "none", parse_duration, as_duration,
                    "a time such as 30s, 5min or 2h", "solve no longer than this, such as 30s, 5min or 2h"));
-  set.add_number("replicates", "count", sampled.replicates, 4u, 32u,
-                 "independent answers whose spread is the error bar");
-  declare_variance_reduction(set);
+}
+
+void LightSettings::declare_memory(OptionSet& set) {
+  set.add(quantity(
+      "memory", "size", sampled.memory, "auto", parse_bytes, as_bytes, "a size such as 512MiB or 4GiB",
+      "what the sampled solver may hold, such as 4GiB; with less it is slower and gives the same "
+      "answer; auto is half of what is free"));
+}
+
+void LightSettings::declare_bounds(OptionSet& set) {
+  set.heading("Light");
+  declare_rays(set);
+  declare_error_and_time(set);
 }
 
 void LightSettings::declare_variance_reduction(OptionSet& set) {
@@ -170,10 +191,7 @@ void LightSettings::declare_classical(OptionSet& set) {
 void LightSettings::declare_run(OptionSet& set) {
   set.heading(RunSettings::heading);
   set.only_with("method", by_sampling);
-  set.add(quantity(
-      "memory", "size", sampled.memory, "auto", parse_bytes, as_bytes, "a size such as 512MiB or 4GiB",
-      "what the sampled solver may hold, such as 4GiB; with less it is slower and gives the same "
-      "answer; auto is half of what is free"));
+  declare_memory(set);
   set.only_with("method", by_rows);
   set.add_text("each-step", "DIR", each_step,
                "after every bounce a picture, DIR/step-001.png and so on, all with the exposure of the last");

@@ -34,7 +34,11 @@ void add_bounded(OptionSet& set, const char* name, const char* unit, Number& val
 }
 
 // "1.5,0,-2", or nothing.
-std::optional<Vec3d> three_numbers(const std::string& text) {
+}  // namespace
+
+std::optional<float> parse_number(const std::string& text) { return whole_number<float>(text); }
+std::optional<double> parse_double(const std::string& text) { return whole_number<double>(text); }
+std::optional<Vec3d> parse_three(const std::string& text) {
   Vec3d numbers;
   std::size_t begin = 0;
   for (int i = 0; i < 3; ++i) {
@@ -47,11 +51,6 @@ std::optional<Vec3d> three_numbers(const std::string& text) {
   }
   return numbers;
 }
-
-}  // namespace
-
-std::optional<float> parse_number(const std::string& text) { return whole_number<float>(text); }
-std::optional<double> parse_double(const std::string& text) { return whole_number<double>(text); }
 
 std::uint64_t parse_count(const std::string& name, const std::string& text) {
   auto digits = text;
@@ -110,7 +109,7 @@ void OptionSet::add_point(const char* name, const char* unit, std::optional<Vec3
   };
   const auto parse = [=, &value](const std::string& text) {
     if (text == "auto") return value.reset();
-    const auto point = three_numbers(text);
+    const auto point = parse_three(text);
     if (!point)
       throw UsageError(fmt::format("--{}: expected three numbers such as 1.5,0,-2, not '{}'", name, text));
     value = *point;
@@ -125,7 +124,7 @@ void OptionSet::add_colour(const char* name, const char* unit, Vec3& value, cons
   };
   const auto parse = [=, &value](const std::string& text) {
     const auto grey = whole_number<float>(text);
-    const auto three = three_numbers(text);
+    const auto three = parse_three(text);
     const auto colour = grey    ? std::optional(Vec3(*grey))
                         : three ? std::optional(Vec3(*three))
                                 : std::nullopt;

@@ -72,6 +72,23 @@ std::vector<std::pair<std::string, std::string>> OptionSet::used_values(const st
   return result;
 }
 
+std::vector<std::pair<std::string, std::string>> OptionSet::given() const {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& e : entries_)
+    if (e.origin != Origin::by_default) result.emplace_back(e.declaration.name, e.declaration.print());
+  return result;
+}
+
+void OptionSet::take_up(const std::vector<std::pair<std::string, std::string>>& values) {
+  for (const auto& [name, value] : values)
+    for (auto& e : entries_)
+      if (e.declaration.name == name && value != e.declaration.print()) {
+        e.origin = Origin::from_file;
+        for (const auto& text : e.declaration.many ? lines(value) : std::vector{value})
+          e.declaration.parse(text);
+      }
+}
+
 std::string OptionSet::value_of(const std::string& name) const {
   const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& e) { return e.declaration.name == name; });
@@ -99,7 +116,8 @@ std::string OptionSet::as_command(const std::string& without) const {
   for (const auto& e : entries_) {
     if (e.declaration.print() == e.default_value || e.heading == without || !is_used(e)) continue;
     for (const auto& value : lines(e.declaration.print()))
-      text += fmt::format(" --{} {}", e.declaration.name, quoted(value));
+      text += fmt::format(" --{}{}{}", e.declaration.name, e.declaration.is_flag ? "" : " ",
+                          e.declaration.is_flag ? "" : quoted(value));
   }
   return text;
 }

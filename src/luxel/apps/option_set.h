@@ -74,6 +74,11 @@ class OptionSet {
   std::vector<std::pair<std::string, std::string>> values() const;
   // The same of those that are used, but those under the heading `without`.
   std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
+  // Those that a person gave, with their values: on the command line or in a file.
+  std::vector<std::pair<std::string, std::string>> given() const;
+  // Sets the options of these names to these values, as values() or given() of another set has them; names
+  // that this set does not know are passed over. Throws UsageError.
+  void take_up(const std::vector<std::pair<std::string, std::string>>& values);
   // What to type to get the same result: the positionals, and the options that are used and not at their
   // defaults, but those under the heading `without`.
   std::string as_command(const std::string& without) const;
@@ -114,5 +119,6 @@ std::uint64_t parse_count(const std::string& name, const std::string& text);
 // The whole text as a number, or nothing.
 std::optional<float> parse_number(const std::string& text);
 std::optional<double> parse_double(const std::string& text);
+std::optional<Vec3d> parse_three(const std::string& text);  // "1.5,0,-2", finite
 
 }  // namespace luxel

@@ -34,8 +34,8 @@ bool is_among(const std::string& word, const std::string& words) {
 }
 
 void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
-                const LookSettings& look) {
-  if (ending(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution);
+                const LookSettings& look, const SampleState* samples) {
+  if (ending(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution, samples);
   if (ending(output) == ".ply")
     return export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
   export_glb(output, baked.patches, baked.solution, *light, up_of(look, baked.patches), {.tone = look.tone});
@@ -116,8 +116,9 @@ void write_picture(const std::string& output, const Image& radiance, const ToneO
   write_png(output, tone_map(radiance, tone));
 }
 
-void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds) {
-  if (run.outputs.empty())
+void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
+                       const std::string& checkpoint) {
+  if (run.outputs.empty() && checkpoint.empty())
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
   Places places;
   for (const auto& output : run.outputs) {
@@ -126,12 +127,13 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
     places.add("-o", output);
   }
   if (!run.report.empty()) places.add("--report", run.report);
+  if (!checkpoint.empty()) places.add("--checkpoint", checkpoint);
   picture.check();
 }
 
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record) {
+                      Console& console, RunRecord& record, const SampleState* samples) {
   // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
   const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : ending(o) == ".vtkhdf" ? 0 : 1; };
@@ -190,7 +192,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
       console.announce(stage);
       record.stage(stage, [&](auto&) {
         if (is_picture(output)) return write_picture(output, *radiance, look.tone);
-        write_mesh(output, baked, light, look);
+        write_mesh(output, baked, light, look, samples);
       });
       console.clear_bar();
       written.files.push_back(output);

@@ -21,8 +21,10 @@ inline constexpr const char* mesh_kinds = ".glb .ply .vtkhdf";
 inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
 
 // What can be refused before hours are spent. Throws UsageError where there is no output, one's ending is not
-// among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made.
-void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds);
+// among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made. A
+// checkpoint is an output as well.
+void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
+                       const std::string& checkpoint = {});
 
 // The direction that is up, as the settings say or as the surfaces do.
 Vec3 up_of(const LookSettings& look, const PatchSet& patches);
@@ -44,9 +46,10 @@ struct Written {
 };
 
 // Writes each output. Builds what it needs once: the smooth light, and a tracer when there is a picture and
-// none is given. After an interrupt that came before, what there is still gets written.
+// none is given. After an interrupt that came before, what there is still gets written. samples: kept in
+// solutions.
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record);
+                      Console& console, RunRecord& record, const SampleState* samples = nullptr);
 
 }  // namespace luxel

@@ -65,8 +65,13 @@ struct LightSettings {
   void declare(OptionSet& set);
   // Apart from the others: they do not change the light, so they stand with how a run is run.
   void declare_run(OptionSet& set);
+  // When a sampled run ends, and what it may hold: what may change when it goes on.
+  void declare_bounds(OptionSet& set);
+  void declare_memory(OptionSet& set);
 
  private:
+  void declare_rays(OptionSet& set);
+  void declare_error_and_time(OptionSet& set);
   void declare_classical(OptionSet& set);
   void declare_tolerance(OptionSet& set);
   void declare_sampled(OptionSet& set);

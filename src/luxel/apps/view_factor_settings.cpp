@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "luxel/apps/quantity.h"
-#include "luxel/load/name_pattern.h"
 #include "luxel/report/memory.h"
+#include "luxel/scene/name_pattern.h"
 
 namespace luxel {
 namespace {

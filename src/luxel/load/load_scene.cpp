@@ -8,7 +8,7 @@
 
 #include "luxel/load/load_obj.h"
 #include "luxel/load/name_list.h"
-#include "luxel/load/name_pattern.h"
+#include "luxel/scene/name_pattern.h"
 #include "luxel/load/text.h"
 #include "luxel/mesh/orient_windings.h"
 #include "luxel/mesh/weld_vertices.h"

@@ -20,6 +20,7 @@ struct BandMaterial {
   bool two_sided = true;
   std::vector<float> reflectance;  // [band], [0, 1)
   std::vector<float> emittance;    // [band], W/m², front side
+  std::uint32_t light_group = 0;   // of PatchSet::light_groups; counts for lamps only
 
   bool is_lamp() const;
 };
@@ -48,11 +49,15 @@ struct PatchSet {
   std::vector<std::string> bands;  // names: "red", "green", "blue"
   std::vector<BandMaterial> materials;
   std::vector<float> sky;  // [band], W/(m² sr): radiance of what lies around the scene; empty: dark
+  // Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
+  // sky. Empty: all light is one.
+  std::vector<std::string> light_groups;
   std::uint64_t scene_fingerprint = 0;
   Vec3d origin = Vec3d(0.0);  // m, as in Scene
 
   std::size_t size() const { return corners.size(); }
   std::size_t band_count() const { return bands.size(); }
+  std::size_t group_count() const { return light_groups.empty() ? 1 : light_groups.size(); }
   bool has_sky() const;
   // Irradiance of what sees nothing but the sky, W/m²: pi times its radiance, as if it were a surface.
   double sky_radiosity(std::size_t band) const {

@@ -41,6 +41,14 @@ std::string fault_in_material(const BandMaterial& material, std::size_t bands) {
   return {};
 }
 
+std::string fault_in_light_groups(const PatchSet& patches) {
+  for (const auto& material : patches.materials)
+    if (material.light_group >= patches.group_count())
+      return fmt::format("material '{}' names light group {} of {}", material.name, material.light_group,
+                         patches.light_groups.size());
+  return {};
+}
+
 std::string fault_in_sky(const PatchSet& patches) {
   if (!patches.sky.empty() && patches.sky.size() != patches.band_count())
     return fmt::format("the sky does not have one number for each of the {} bands", patches.band_count());
@@ -117,6 +125,7 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   for (const auto& material : patches.materials)
     if (auto fault = fault_in_material(material, patches.band_count()); !fault.empty()) return fault;
   if (auto fault = fault_in_sky(patches); !fault.empty()) return fault;
+  if (auto fault = fault_in_light_groups(patches); !fault.empty()) return fault;
   if (const auto& o = patches.origin; !(std::isfinite(o.x) && std::isfinite(o.y) && std::isfinite(o.z)))
     return "the origin is not finite";
   for (std::size_t i = 0; i < patches.vertices.size(); ++i)

@@ -25,6 +25,8 @@ class Hdf5Writer {
  public:
   // deflate: 1 (fast) to 9 (small); 0 stores large arrays as they are, still with checksums.
   explicit Hdf5Writer(unsigned deflate = 4);
+  // For the arrays that follow.
+  void set_deflate(unsigned deflate) { deflate_ = deflate; }
 
   void add_group(const std::string& name);
   // An attribute of a group: numbers, a number, or an ASCII word.

@@ -12,6 +12,7 @@
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
+#include "luxel/solution/sample_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
 
@@ -94,7 +95,7 @@ std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t ban
     const auto end = begin + static_cast<std::ptrdiff_t>(bands);
     materials.push_back({names[i], two_sided[i] != 0,
                          std::vector(reflectance.begin() + begin, reflectance.begin() + end),
-                         std::vector(emittance.begin() + begin, emittance.begin() + end)});
+                         std::vector(emittance.begin() + begin, emittance.begin() + end), 0});
   }
   return materials;
 }
@@ -126,10 +127,15 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   return solution;
 }
 
-}  // namespace
+// Which light group each material's lamps are in.
+void read_light_groups(const Hdf5Reader& file, PatchSet& patches) {
+  if (!file.has("Luxel/light_groups")) return;
+  patches.light_groups = file.strings("Luxel/light_groups", file.rows("Luxel/light_groups"));
+  const auto of = file.array<std::uint32_t>("Luxel/materials/light_group", patches.materials.size());
+  for (std::size_t m = 0; m < of.size(); ++m) patches.materials[m].light_group = of[m];
+}
 
-Baked read_solution(const std::filesystem::path& path) {
-  const Hdf5Reader file(path);
+Baked read_baked(const Hdf5Reader& file) {
   check_version(file);
   Baked baked;
   auto& [patches, solution] = baked;
@@ -137,12 +143,25 @@ Baked read_solution(const std::filesystem::path& path) {
   if (patches.bands.empty()) file.refuse_as_damaged("it names no band");
   read_mesh(file, patches);
   patches.materials = read_materials(file, patches.band_count());
+  read_light_groups(file, patches);
   if (file.has("Luxel/sky")) patches.sky = file.array<float>("Luxel/sky", patches.band_count());
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   patches.contacts = read_contacts(file);
   if (const auto fault = fault_in(patches, solution); !fault.empty()) file.refuse_as_damaged(fault);
   return baked;
+}
+
+}  // namespace
+
+Baked read_solution(const std::filesystem::path& path) { return read_baked(Hdf5Reader(path)); }
+
+KeptRun read_kept_run(const std::filesystem::path& path) {
+  const Hdf5Reader file(path);
+  KeptRun run{read_baked(file), nullptr};
+  if (file.has("Luxel/samples"))
+    run.samples = std::make_shared<SampleState>(read_samples(file, run.baked.patches));
+  return run;
 }
 
 }  // namespace luxel

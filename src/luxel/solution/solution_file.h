@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {
@@ -21,11 +23,20 @@ struct Baked {
 // docs/solution-file.md is the whole layout. The same input gives the same bytes. Made in memory, so it costs
 // the file's size there. Whole or not at all; throws DeviceError where the disk fails, MismatchError where
 // patches and solution do not fit together or a number is not finite.
-void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution);
+// samples: what the run that made it needs to go on, and what relighting needs; kept in the file as well.
+void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
+                    const SampleState* samples = nullptr);
 
 // What write_solution wrote, to the bit. Everything is checked: arrays are of one length, indices in range,
 // numbers finite, normals unit, areas above zero. Throws InputError where there is no such file, FormatError
 // where it is damaged, is not a solution, or is of a newer format version.
 Baked read_solution(const std::filesystem::path& path);
+
+// The same, and the samples that its run knew: none where they were not kept.
+struct KeptRun {
+  Baked baked;
+  std::shared_ptr<const SampleState> samples;
+};
+KeptRun read_kept_run(const std::filesystem::path& path);
 
 }  // namespace luxel

@@ -12,6 +12,7 @@
 #include "luxel/solution/hdf5_writer.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
+#include "luxel/solution/sample_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
 
@@ -64,11 +65,13 @@ void add_materials(Hdf5Writer& file, const PatchSet& patches) {
   std::vector<std::string> names;
   std::vector<std::uint8_t> two_sided;
   std::vector<float> reflectance, emittance;
+  std::vector<std::uint32_t> light_group;
   for (const auto& material : patches.materials) {
     names.push_back(material.name);
     two_sided.push_back(material.two_sided ? 1 : 0);
     reflectance.insert(reflectance.end(), material.reflectance.begin(), material.reflectance.end());
     emittance.insert(emittance.end(), material.emittance.begin(), material.emittance.end());
+    light_group.push_back(material.light_group);
   }
   const auto by_band = [&](const std::vector<float>& values) {
     return table(std::span(values), patches.materials.size(), patches.band_count());
@@ -78,6 +81,9 @@ void add_materials(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/materials/two_sided", flat(two_sided));
   file.add_array("Luxel/materials/reflectance", by_band(reflectance), "1");
   file.add_array("Luxel/materials/emittance", by_band(emittance), "W/m^2");
+  if (patches.light_groups.empty()) return;
+  file.add_strings("Luxel/light_groups", patches.light_groups);
+  file.add_array("Luxel/materials/light_group", flat(light_group));
 }
 
 void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
@@ -114,7 +120,8 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
 
 }  // namespace
 
-void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution) {
+void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
+                    const SampleState* samples) {
   if (const auto fault = fault_in(patches, solution); !fault.empty())
     throw MismatchError(fmt::format("cannot write {}: {}", path.string(), fault));
   Hdf5Writer file;
@@ -123,6 +130,7 @@ void write_solution(const std::filesystem::path& path, const PatchSet& patches, 
     add_mesh(file, patches);
     add_cells(file, patches, solution);
     add_luxel(file, patches, solution);
+    if (samples) add_samples(file, *samples);
     bytes = file.finish();
   } catch (const DeviceError& error) {
     throw DeviceError(fmt::format("cannot write {}: {}", path.string(), error.what()));

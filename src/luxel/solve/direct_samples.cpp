@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/direct_samples.h"
 
+#include <algorithm>
 #include <numeric>
+
+#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {
@@ -11,11 +14,11 @@ constexpr std::size_t grain = 256;  // slots a chunk
 }  // namespace
 
 DirectSamples::DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
-                             std::size_t bands)
+                             std::size_t width)
     : light_(light),
       sides_(&sides),
-      bands_(bands),
-      mean_(replicates, std::vector<float>(sides.size() * bands, 0.0f)),
+      width_(width),
+      mean_(replicates, std::vector<float>(sides.size() * width, 0.0f)),
       samples_(sides.size(), 0),
       doublings_(sides.size(), 0) {}
 
@@ -23,7 +26,7 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
                                             const Workers& workers) {
   std::vector<std::uint64_t> traced((slots.size() + grain - 1) / grain, 0);
   workers.for_chunks(slots.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-    std::vector<float> estimate(mean_.size() * bands_);
+    std::vector<float> estimate(mean_.size() * width_);
     for (auto i = begin; i < end; ++i) {
       const auto s = slots[i];
       const auto more = samples_[s] > 0 ? samples_[s] : first;
@@ -31,15 +34,26 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
       traced[begin / grain] +=
           light_.estimate(sides_->side[s], sides_->position[s], doublings_[s], more, estimate);
       for (std::size_t r = 0; r < mean_.size(); ++r)
-        for (std::size_t b = 0; b < bands_; ++b) {
-          auto& mean = mean_[r][s * bands_ + b];
-          mean += share * (estimate[r * bands_ + b] - mean);
+        for (std::size_t b = 0; b < width_; ++b) {
+          auto& mean = mean_[r][s * width_ + b];
+          mean += share * (estimate[r * width_ + b] - mean);
         }
       samples_[s] += more;
       ++doublings_[s];
     }
   });
   return std::accumulate(traced.begin(), traced.end(), std::uint64_t{0});
+}
+
+void DirectSamples::take_up(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
+                            std::vector<std::uint32_t> doublings) {
+  const auto fits = [&](const std::vector<float>& values) { return values.size() == mean_[0].size(); };
+  if (irradiance.size() != mean_.size() || !std::all_of(irradiance.begin(), irradiance.end(), fits) ||
+      samples.size() != samples_.size() || doublings.size() != doublings_.size())
+    throw MismatchError("the kept direct light does not belong to these patches");
+  mean_ = std::move(irradiance);
+  samples_ = std::move(samples);
+  doublings_ = std::move(doublings);
 }
 
 void DirectSamples::keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides) {
@@ -50,7 +64,7 @@ void DirectSamples::keep(const std::vector<std::uint8_t>& kept, const GatherSide
         for (std::size_t i = 0; i < width; ++i) values[to++] = values[s * width + i];
     values.resize(to);
   };
-  for (auto& m : mean_) close_up(m, bands_);
+  for (auto& m : mean_) close_up(m, width_);
   close_up(samples_, 1);
   close_up(doublings_, 1);
   sides_ = &sides;

@@ -14,9 +14,9 @@ namespace luxel {
 // Direct light of every slot, replicate by replicate, and the samples it is the mean of.
 class DirectSamples {
  public:
-  // Keeps references to both.
+  // Keeps references to both. width: light groups times bands.
   DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
-                std::size_t bands);
+                std::size_t width);
 
   // Doubles the samples of these slots; where there are none yet, takes `first` a replicate. Returns the
   // shadow rays traced. The same bits on any number of threads.
@@ -25,8 +25,13 @@ class DirectSamples {
 
   // Samples of each slot, of one replicate.
   std::span<const std::uint32_t> samples_a_slot() const { return samples_; }
-  // [replicate][slot * bands + band], W/m².
+  // [replicate][(slot * groups + group) * bands + band], W/m².
   const std::vector<std::vector<float>>& irradiance() const { return mean_; }
+
+  std::span<const std::uint32_t> doublings_a_slot() const { return doublings_; }
+  // Goes on where other samples of the same slots were: each as its function above gives it.
+  void take_up(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
+               std::vector<std::uint32_t> doublings);
 
   // Goes on with the slots that are kept; they are those of `sides` now.
   void keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides);
@@ -34,7 +39,7 @@ class DirectSamples {
  private:
   const DirectLight& light_;
   const GatherSides* sides_;
-  std::size_t bands_;
+  std::size_t width_;
   std::vector<std::vector<float>> mean_;
   std::vector<std::uint32_t> samples_, doublings_;  // [slot]
 };

@@ -14,11 +14,10 @@
 #include "luxel/report/error.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/replicate_solve.h"
-#include "luxel/solve/replicate_spread.h"
 #include "luxel/solve/sample_plan.h"
 #include "luxel/solve/sampled_energy.h"
 #include "luxel/solve/sampling.h"
-#include "luxel/solve/share_light.h"
+#include "luxel/solve/slot_light.h"
 #include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
@@ -29,9 +28,6 @@ constexpr double shadow_ray_cost = 0.6;  // of a gather ray and its share of the
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
 constexpr double aim = 0.9;              // of the squared error asked for: another round costs more than that
-constexpr double weight_before_sharing = 0.3;
-// With fewer there are few fits, so the estimate of their bias is too noisy, and there is little to gain.
-constexpr std::size_t least_shared_slots = 4096;
 constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
 constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
 
@@ -54,26 +50,35 @@ double mean(std::span<const std::uint32_t> counts) {
 class Run {
  public:
   Run(const PatchSet& patches, const Tracer& tracer, Solution& solution, const SampledOptions& options,
-      const Workers& workers, const Monitor& monitor)
+      const Workers& workers, const Monitor& monitor, const SampleKeeping& keeping)
       : patches_(patches),
         tracer_(tracer),
         solution_(solution),
         options_(options),
         workers_(workers),
         monitor_(monitor),
+        keeping_(keeping),
         bands_(patches.band_count()) {}
 
   SolveReport go() {
-    if (!show_first_light()) return finish(StopReason::stopped_by_user);
-    sampling_.emplace(patches_, tracer_, options_, workers_);
-    sampling_->start(solution_);
-    prepare();
+    if (keeping_.from) {
+      take_up(*keeping_.from);
+    } else {
+      if (!show_first_light()) return finish(StopReason::stopped_by_user);
+      sampling_.emplace(patches_, tracer_, options_, workers_);
+      sampling_->start(solution_);
+      prepare();
+      begin_iteration();
+    }
     if (slots() == 0) {  // the sky finds no way in
-      fill();
+      light_->write(spread_, solution_);
+      sign();
       return finish(StopReason::nothing_to_do);
     }
     while (true) {
+      keep_state();
       answer();
+      if (kept_) keeping_.keep(kept_);
       if (tell(monitor_, progress(&solution_)) == Next::stop) return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
@@ -113,25 +118,44 @@ class Run {
     return shot.stop != StopReason::stopped_by_user;
   }
 
-  void prepare() {
-    const auto count = slots() * bands_;
-    area_.resize(slots());
-    reflectance_.resize(count);
+  // Where the iteration begins: with what the shot light says.
+  void begin_iteration() {
     radiosity_.assign(sampling_->transport().elements() * bands_, 0.0f);
     for (std::size_t s = 0; s < slots(); ++s) {
       const auto patch = side(s) / 2;
       const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
-      area_[s] = patches_.area[patch];
-      for (std::size_t b = 0; b < bands_; ++b) {
-        reflectance_[s * bands_ + b] = patches_.material_of(patch).reflectance[b];
-        radiosity_[s * bands_ + b] = reflectance_[s * bands_ + b] * H[patch * bands_ + b];
-      }
+      for (std::size_t b = 0; b < bands_; ++b)
+        radiosity_[s * bands_ + b] = patches_.material_of(patch).reflectance[b] * H[patch * bands_ + b];
     }
     for (std::size_t b = 0; b < bands_; ++b)
       radiosity_[sampling_->transport().escaped() * bands_ + b] =
           static_cast<float>(patches_.sky_radiosity(b));
-    if (options_.share && slots() >= least_shared_slots)
-      sharing_.emplace(patches_, sampling_->tree(), sampling_->transport().sides(), workers_);
+  }
+
+  void take_up(const SampleState& state) {
+    sampling_.emplace(patches_, tracer_, options_, workers_);
+    sampling_->take_up(state);
+    prepare();
+    if (state.radiosity.size() != sampling_->transport().elements() * bands_)
+      throw MismatchError("the kept radiosities are not of these patches");
+    radiosity_ = state.radiosity;
+    rounds_before_ = state.rounds_done;
+    first_rays_ = state.first_rays;
+  }
+
+  // Before the answer, so that who takes it up finds the answer itself.
+  void keep_state() {
+    if (!keeping_.keep) return;
+    auto state = std::make_shared<SampleState>(sampling_->state());
+    state->radiosity = radiosity_;
+    state->rounds_done = rounds_before_ + static_cast<std::uint32_t>(report_.rounds.size());
+    state->first_rays = first_rays_;
+    kept_ = std::move(state);
+  }
+
+  void prepare() {
+    const auto& sides = sampling_->transport().sides();
+    light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_);
     report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;
   }
@@ -142,37 +166,22 @@ class Run {
   // ---- The answer ----
 
   void answer() {
-    auto direct = sampling_->direct().irradiance();
-    auto light =
-        solve_replicates(sampling_->transport(), direct, reflectance_, radiosity_, tolerance, workers_);
-    auto& gathered = light.gathered;
-
-    // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
-    // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
+    auto direct =
+        sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
+    auto solved = solve_replicates(sampling_->transport(), direct, light_->reflectance(), radiosity_,
+                                   tolerance, workers_);
+    auto& gathered = solved.gathered;
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
-    std::vector<float> bias(slots() * bands_, 0.0f);
-    std::size_t families = 1;  // of replicates, each with a mean of its own: sharing makes two
-    const auto guide = [&](double weight) {
-      add_squared_errors(direct, bands_, area_, weight, direct_error2_, workers_);
-      add_squared_errors(gathered, bands_, area_, weight, gathered_error2_, workers_);
-    };
-    guide(1.0);
-    // Sharing only where it is needed: the patches' own rays make no assumption.
-    if (sharing_ && error_of(direct, gathered) > options_.error) {
-      for (auto* error2 : {&direct_error2_, &gathered_error2_})
-        for (auto& e : *error2) e *= weight_before_sharing;
-      families = 2;
-      sharing_->share(direct, bias, workers_);
-      sharing_->share(gathered, bias, workers_);
-      guide(1.0 - weight_before_sharing);
-    }
-    spread_ = spread_of_sum(direct, gathered, bias, bands_, area_, workers_, families);
+    spread_ = light_->spread(direct, gathered, options_.error, workers_, [&](double weight) {
+      add_squared_errors(direct, bands_, light_->area(), weight, direct_error2_, workers_);
+      add_squared_errors(gathered, bands_, light_->area(), weight, gathered_error2_, workers_);
+    });
     error_ = error_of(spread_);
 
     RoundRecord round;
-    round.sweeps = static_cast<int>(light.iteration.change.size());
-    round.residual = light.iteration.distance;
+    round.sweeps = static_cast<int>(solved.iteration.change.size());
+    round.residual = solved.iteration.distance;
     round.gather_rays =
         static_cast<std::uint32_t>(options_.replicates * mean(sampling_->transport().rays_a_slot()));
     round.shadow_rays =
@@ -182,36 +191,7 @@ class Run {
     report_.rounds.push_back(round);
     report_.streamed = sampling_->transport().is_streamed();
     report_.predicted_error = error_;
-    fill();
-  }
-
-  static double error_of(const Spread& spread) {
-    return spread.light2 > 0.0 ? std::sqrt(std::max(0.0, spread.error2) / spread.light2) : 0.0;
-  }
-  // Without bias.
-  double error_of(Replicates direct, Replicates gathered) const {
-    const std::vector<float> none(slots() * bands_, 0.0f);
-    return error_of(spread_of_sum(direct, gathered, none, bands_, area_, workers_));
-  }
-
-  void fill() {
-    const auto count = patches_.size() * bands_;
-    auto& s = solution_;
-    for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back,
-                        &s.standard_error_front, &s.standard_error_back})
-      array->assign(count, 0.0f);
-    for (std::size_t p = 0; p < patches_.size(); ++p)
-      for (std::size_t b = 0; b < bands_; ++b)
-        s.radiosity_front[p * bands_ + b] = patches_.material_of(p).emittance[b];
-    for (std::size_t i = 0; i < slots() * bands_; ++i) {
-      const bool back = side(i / bands_) % 2 == 1;
-      const auto at = side(i / bands_) / 2 * bands_ + i % bands_;
-      const auto H = std::max(0.0f, spread_.mean[i]);
-      (back ? s.irradiance_back : s.irradiance_front)[at] = H;
-      (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
-      (back ? s.standard_error_back : s.standard_error_front)[at] = spread_.standard_error[i];
-    }
-    s.error_95th = spread_.percentile_95;
+    light_->write(spread_, solution_);
     sign();
   }
 
@@ -219,7 +199,8 @@ class Run {
 
   // An error of nothing after one round is an estimate that failed, or light that is exact.
   bool is_good_enough() const {
-    return options_.error > 0.0 && error_ <= options_.error && (error_ > 0.0 || report_.rounds.size() > 1);
+    return options_.error > 0.0 && error_ <= options_.error &&
+           (error_ > 0.0 || rounds_before_ + report_.rounds.size() > 1);
   }
   double aimed_error2() const { return aim * options_.error * options_.error * spread_.light2; }
 
@@ -336,14 +317,15 @@ class Run {
   const SampledOptions& options_;
   const Workers& workers_;
   const Monitor& monitor_;
+  const SampleKeeping& keeping_;
   std::size_t bands_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<Sampling> sampling_;
   std::uint64_t first_rays_ = 0;
-  std::vector<float> area_;         // [slot], m²
-  std::vector<float> reflectance_;  // [slot][band]
-  std::vector<float> radiosity_;    // reflected, and of the sky, W/m², [element][band]
-  std::optional<LightSharing> sharing_;
+  std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
+  std::shared_ptr<const SampleState> kept_;
+  std::optional<SlotLight> light_;
+  std::vector<float> radiosity_;  // reflected, and of the sky, W/m², [element][band]
   Spread spread_;
   std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error
   double error_ = 0.0;                                   // of the whole
@@ -354,9 +336,10 @@ class Run {
 }  // namespace
 
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                          const SampledOptions& options, const Workers& workers, const Monitor& monitor) {
+                          const SampledOptions& options, const Workers& workers, const Monitor& monitor,
+                          const SampleKeeping& keeping) {
   check(patches, options);
-  return Run(patches, tracer, solution, options, workers, monitor).go();
+  return Run(patches, tracer, solution, options, workers, monitor, keeping).go();
 }
 
 }  // namespace luxel

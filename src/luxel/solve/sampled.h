@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
+#include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/solve_report.h"
 #include "luxel/trace/tracer.h"
@@ -35,6 +38,15 @@ struct SampledOptions {
   bool share = true;
 };
 
+// How a run survives: it hands out what it knows, and takes up what an earlier one knew.
+struct SampleKeeping {
+  // Where to go on: a state of the same patches, options but for the bounds, and light groups. None: afresh.
+  std::shared_ptr<const SampleState> from;
+  // Called with every answer, the solution filled: what a run needs to go on from it. Its hits are shared
+  // with the run, the rest is a copy. Empty: none is made.
+  std::function<void(std::shared_ptr<const SampleState>)> keep;
+};
+
 // The production solver: direct light D from Owen-scrambled points on patch and lamp; transport F as a
 // sampled operator, 2^k cosine rays a patch side whose first hits are stored; the reflected light R = rho (D
 // + F R) solved to 1e-6, B = E + R; every number with a standard error from independent replicates; samples
@@ -47,8 +59,11 @@ struct SampledOptions {
 // Fills everything in `solution` but its command line and options. The same input, options and seed give the
 // same bits on any number of threads, stored or streamed, as long as time does not end it. The monitor gets a
 // first picture of the whole scene (Progress::light) after a blink, and one after every doubling; its stop
-// ends the run with the last of them. No lamp at all is an InputError that says how to add one.
+// ends the run with the last of them. No lamp at all is an InputError that says how to add one; a state that
+// is not of these patches and options a MismatchError. A run that was stopped and taken up again gives the
+// same bits as one that was not.
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                          const SampledOptions& options, const Workers& workers, const Monitor& monitor = {});
+                          const SampledOptions& options, const Workers& workers, const Monitor& monitor = {},
+                          const SampleKeeping& keeping = {});
 
 }  // namespace luxel

@@ -5,8 +5,12 @@
 #include <map>
 #include <numeric>
 
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/dark_sides.h"
+#include "luxel/solve/slot_light.h"
 
 namespace luxel {
 namespace {
@@ -40,14 +44,18 @@ Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledO
                      .control_variate = options.control_variate,
                      .multiple_importance = options.multiple_importance}) {}
 
-void Sampling::start(const Solution& first_picture) {
+void Sampling::lay_out() {
   tree_ = make_patch_tree(patches_, workers_);
   transport_.emplace(patches_, all_gather_sides(patches_, tree_), tracer_,
                      SampledOperatorOptions{.seed = options_.seed,
                                             .replicates = options_.replicates,
                                             .low_discrepancy = options_.low_discrepancy,
                                             .stratified = options_.stratified});
-  direct_.emplace(direct_light_, transport_->sides(), options_.replicates, patches_.band_count());
+  direct_.emplace(direct_light_, transport_->sides(), options_.replicates, direct_width());
+}
+
+void Sampling::start(const Solution& first_picture) {
+  lay_out();
   std::vector<std::uint32_t> all(transport_->sides().size());
   std::iota(all.begin(), all.end(), 0u);
   const auto first = first_samples(all.size(), options_.replicates);
@@ -58,8 +66,52 @@ void Sampling::start(const Solution& first_picture) {
   units_ = neighbour_begins(transport_->sides(), unit_positions);
 }
 
+void Sampling::take_up(const SampleState& state) {
+  if (state.replicates != options_.replicates)
+    throw MismatchError(
+        fmt::format("the kept samples have {} replicates, not {}", state.replicates, options_.replicates));
+  lay_out();
+  const auto all = transport_->sides().size();
+  std::vector<std::uint8_t> kept(all, 0);
+  for (const auto side : state.sides) {
+    const auto slot = side < transport_->sides().slot_of_side.size() ? transport_->sides().slot_of_side[side]
+                                                                     : GatherSides::none;
+    if (slot == GatherSides::none)
+      throw MismatchError("the kept samples are not of these patches: a side of theirs gathers no light");
+    kept[slot] = 1;
+  }
+  dark_sides_ = all - static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 1));
+  if (dark_sides_ > 0) {
+    transport_->keep(kept, workers_);
+    direct_->keep(kept, transport_->sides());
+  }
+  if (transport_->sides().side != state.sides)
+    throw MismatchError("the kept samples are not of these patches: their sides stand in another order");
+  transport_->take_up(state.rounds);
+  direct_->take_up(state.direct, state.direct_samples, state.direct_doublings);
+  if (bytes_of_state() + bytes_of_hits() > memory_) transport_->stream();
+  rays_ = state.rays;
+  units_ = neighbour_begins(transport_->sides(), unit_positions);
+}
+
+SampleState Sampling::state() const {
+  SampleState state;
+  state.replicates = options_.replicates;
+  state.rays = rays_;
+  state.sides = transport_->sides().side;
+  state.rounds = transport_->rounds();
+  state.direct = direct_->irradiance();
+  const auto samples = direct_->samples_a_slot();
+  const auto doublings = direct_->doublings_a_slot();
+  state.direct_samples = {samples.begin(), samples.end()};
+  state.direct_doublings = {doublings.begin(), doublings.end()};
+  return state;
+}
+
 void Sampling::leave_out_dark_sides(const Solution& first_picture) {
-  const auto lit = lit_slots(patches_, *transport_, first_picture, direct_->irradiance(), workers_);
+  const auto direct =
+      sum_of_groups(direct_->irradiance(), patches_.group_count(), patches_.band_count(), {}, workers_);
+  const auto lit = lit_slots(patches_, *transport_, first_picture, direct, workers_);
   dark_sides_ = static_cast<std::uint64_t>(std::count(lit.begin(), lit.end(), 0));
   if (dark_sides_ == 0) return;
   transport_->keep(lit, workers_);
@@ -96,11 +148,13 @@ void Sampling::make_room(std::uint64_t more_rays) {
 }
 
 std::uint64_t Sampling::bytes_of_state() const {
+  const auto groups = patches_.light_groups.empty() ? 1 : 2 * patches_.group_count();
   const std::uint64_t numbers = transport_->sides().size() * patches_.band_count();
-  // Direct and gathered light of each replicate, and one more copy of direct light, for sharing; the
-  // iteration's vectors; mean, error, bias, reflectance; what is kept by slot; the tree; and the solution.
-  return sizeof(float) * numbers * (3 * options_.replicates + 12 + 6) + 64 * transport_->sides().size() +
-         patches_.size() * (60 + sizeof(float) * 6 * patches_.band_count());
+  // Direct and gathered light of each replicate, and of direct light that of each group and a copy of it for
+  // who keeps the state; the iteration's vectors; mean, error, bias, reflectance; what is kept by slot; the
+  // tree; and the solution.
+  return sizeof(float) * numbers * ((2 + groups) * options_.replicates + 12 + 6) +
+         64 * transport_->sides().size() + patches_.size() * (60 + sizeof(float) * 6 * patches_.band_count());
 }
 
 }  // namespace luxel

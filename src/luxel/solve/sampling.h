@@ -26,6 +26,11 @@ class Sampling {
   // The first samples of every side; then those that no light reaches are left out. first_picture: any light
   // that is known to arrive somewhere.
   void start(const Solution& first_picture);
+  // In place of start(): goes on where another was. Throws MismatchError where the state is not of these
+  // patches and options.
+  void take_up(const SampleState& state);
+  // What take_up() needs, and the rays traced; the rest is the caller's.
+  SampleState state() const;
 
   const PatchTree& tree() const { return tree_; }
   const SampledOperator& transport() const { return *transport_; }
@@ -47,7 +52,10 @@ class Sampling {
  private:
   // Hits that would not fit are not stored.
   void make_room(std::uint64_t more_rays);
+  // The samples of all sides: none yet.
+  void lay_out();
   void leave_out_dark_sides(const Solution& first_picture);
+  std::size_t direct_width() const { return patches_.group_count() * patches_.band_count(); }
 
   const PatchSet& patches_;
   const Tracer& tracer_;

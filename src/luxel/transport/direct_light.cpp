@@ -95,7 +95,7 @@ void correct(const LampChoices& choices, const Lamps& lamps, std::span<const Tal
 struct Workspace {
   LampChoices choices;
   std::vector<Tally> tally;          // [replicate][lamp that stands alone]
-  std::vector<double> sum;           // [replicate][band]
+  std::vector<double> sum;           // [replicate][group][band]
   std::vector<Tally> whole, others;  // [lamp that stands alone]
   std::vector<double> value;
 };
@@ -105,8 +105,11 @@ std::size_t branches_for(std::uint32_t samples) {
   return std::min<std::size_t>(LampChoices::few_lamps, 16 + samples);
 }
 
-void add_radiance(std::span<double> out, double value, std::span<const float> radiance) {
-  for (std::size_t b = 0; b < out.size(); ++b) out[b] += value * static_cast<double>(radiance[b]);
+// sum: of one replicate, [group][band].
+void add_radiance(double* sum, double value, const Lamps& lamps, std::uint32_t lamp) {
+  const auto radiance = lamps.radiance(lamp);
+  auto* out = sum + lamps.group(lamp) * radiance.size();
+  for (std::size_t b = 0; b < radiance.size(); ++b) out[b] += value * static_cast<double>(radiance[b]);
 }
 
 }  // namespace
@@ -141,11 +144,11 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
 
   // 1. Rays. Lamps that stand alone are tallied, the others added as they come.
   const auto known = choices.lamps().size();
-  const auto bands = lamps_.bands();
+  const auto width = lamps_.groups() * lamps_.bands();
   const auto replicates = options_.replicates;
   const auto per_sample = 1.0 / static_cast<double>(per_replicate);
   work.tally.assign(replicates * known, {});
-  work.sum.assign(replicates * bands, 0.0);
+  work.sum.assign(replicates * width, 0.0);
   std::uint64_t rays = 0;
   for (std::uint32_t r = 0; r < replicates; ++r) {
     const Numbers numbers(options_, side_index, position, round, per_replicate, r);
@@ -154,8 +157,7 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
       if (term.choice < known)
         own[term.choice] += {term.given, term.seen ? term.given : 0.0};
       else if (term.seen)
-        add_radiance(std::span(work.sum).subspan(r * bands, bands), term.given * per_sample,
-                     lamps_.radiance(term.lamp));
+        add_radiance(&work.sum[r * width], term.given * per_sample, lamps_, term.lamp);
       rays += term.rays;
     };
     for (std::uint32_t k = 0; k < per_replicate; ++k) {
@@ -182,8 +184,7 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
     }
     if (control_variate) correct(choices, lamps_, own, work.others, per_sample, work.value);
     for (std::size_t i = 0; i < known; ++i)
-      add_radiance(std::span(work.sum).subspan(r * bands, bands), work.value[i],
-                   lamps_.radiance(choices.lamps()[i].lamp));
+      add_radiance(&work.sum[r * width], work.value[i], lamps_, choices.lamps()[i].lamp);
   }
   std::transform(work.sum.begin(), work.sum.end(), out.begin(),
                  [](double v) { return static_cast<float>(v); });

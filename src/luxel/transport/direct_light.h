@@ -42,7 +42,8 @@ class DirectLight {
   DirectLight(const PatchSet& patches, const Tracer& tracer, const Lamps& lamps,
               const DirectOptions& options);
 
-  // W/m² from all lamps, each replicate apart: out[replicate * bands + band]. Round `round` takes
+  // W/m² from the lamps of each light group, each replicate apart: out[(replicate * groups + group) * bands +
+  // band]. Round `round` takes
   // per_replicate new samples a replicate; rounds are independent. position: the patch's place in an order in
   // which neighbours are near. side: 2p front, 2p + 1 back. Returns the number of shadow rays, at most
   // replicates * per_replicate

@@ -77,7 +77,7 @@ struct Pieces {
 }  // namespace
 
 Lamps::Lamps(const PatchSet& patches)
-    : lamp_of_patch_(patches.size(), no_lamp), bands_(patches.band_count()) {
+    : lamp_of_patch_(patches.size(), no_lamp), bands_(patches.band_count()), groups_(patches.group_count()) {
   const Pieces found(patches);
   std::vector<std::uint32_t> lamp_of_piece(found.pieces.size());
   for (const auto& lamp : join_lamps(found.pieces)) {
@@ -124,6 +124,7 @@ void Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material)
     if (std::fabs(share - colour_[band]) > colour_tolerance) one_colour_ = false;
   }
   triangles_.push_back(lamp);
+  group_.push_back(groups_ > 1 ? material.light_group : 0);
 }
 
 }  // namespace luxel

@@ -33,6 +33,7 @@ class Lamps {
   std::span<const LampTriangle> triangles() const { return triangles_; }
   std::size_t size() const { return triangles_.size(); }
   std::size_t bands() const { return bands_; }
+  std::size_t groups() const { return groups_; }
   // The triangle that a point of a patch is part of, or no_lamp.
   static constexpr std::uint32_t no_lamp = 0xffffffffu;
   std::uint32_t lamp_at(std::size_t patch, const Vec3& point) const;
@@ -40,6 +41,8 @@ class Lamps {
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
   }
+  // Its light group.
+  std::size_t group(std::size_t triangle) const { return group_[triangle]; }
   // Whether all shine in one colour: radiance = weight * colour, [band], but for the rounding of floats.
   bool one_colour() const { return one_colour_; }
   std::span<const double> colour() const { return colour_; }
@@ -50,7 +53,9 @@ class Lamps {
   std::vector<LampTriangle> triangles_;
   std::vector<std::uint32_t> lamp_of_patch_;  // the first of its polygon
   std::size_t bands_ = 0;
-  std::vector<float> radiance_;  // [triangle][band]
+  std::size_t groups_ = 1;
+  std::vector<float> radiance_;       // [triangle][band]
+  std::vector<std::uint32_t> group_;  // [triangle]
   bool one_colour_ = true;
   std::vector<double> colour_;  // of the first lamp, sums to 1
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/load/name_pattern.h"
+#include "luxel/scene/name_pattern.h"
 
 namespace luxel {
 

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/apps/light_run.h"
+
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/apps/commands.h"
+#include "luxel/apps/finish.h"
+#include "luxel/apps/outputs.h"
+#include "luxel/apps/quantity.h"
+#include "luxel/apps/run_report.h"
+#include "luxel/apps/step_pictures.h"
+#include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/report/memory.h"
+#include "luxel/solve/forecast.h"
+#include "luxel/solve/relight.h"
+
+namespace luxel {
+
+LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionSet& options,
+                   const Workers& workers, Console& console, RunRecord& record)
+    : settings_(settings),
+      name_(std::move(name)),
+      options_(options),
+      workers_(workers),
+      console_(console),
+      record_(record) {}
+
+int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<std::uint32_t>& faces,
+                  std::shared_ptr<const SampleState> from) {
+  StepPictures steps(settings_.light.each_step);
+  Checkpoint checkpoint(settings_.keep);
+
+  // Who sees whom, and what the lamps see.
+  console_.announce("hierarchy");
+  const auto tracer = record_.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers_); });
+  console_.announce("lamps");
+  const auto views =
+      record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, workers_); });
+  report_lamps(baked.patches, views);
+  if (interrupted()) return stopped_before_light(console_);
+
+  // The light.
+  foresee(baked.patches, tracer);
+  const auto keeping = checkpoint.keeping(baked, std::move(from), console_);
+  const auto solved = record_.stage("light", [&](auto& stage) {
+    auto result =
+        solve(baked, tracer, faces, steps.watch(record_.watch_for_light(console_.monitor())), keeping);
+    stage.rays = result.rays;
+    return result;
+  });
+  report_light(baked, solved);
+
+  // What was asked for.
+  auto samples = settings_.keep.transport ? checkpoint.state() : nullptr;
+  if (samples) {
+    console_.announce("light groups");
+    samples = record_.stage("light groups", [&](auto&) {
+      return with_group_light(baked.patches, tracer, samples, settings_.light.sampled, workers_);
+    });
+    console_.clear_bar();
+  }
+  auto written = write_outputs(baked, &tracer, settings_.run, settings_.look, settings_.picture, workers_,
+                               console_, record_, samples.get());
+  for (const auto& file : steps.write(baked, tracer, written.camera, settings_.look, settings_.picture,
+                                      workers_, console_, record_))
+    written.files.push_back(file);
+  checkpoint.finish(baked);
+  finish({.command = options_.name(),
+          .baked = &baked,
+          .solve = &solved,
+          .refine = refined,
+          .mesh_error_target = settings_.refine.mesh_error,
+          .error_target = error_target(),
+          .camera = written.camera,
+          .origin = baked.patches.origin,
+          .outputs = written.files,
+          .options = &options_,
+          .record = &record_},
+         settings_.run, console_);
+  return written.stopped || fell_short(solved) ? exit_stopped_early : exit_fine;
+}
+
+SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
+                            const Monitor& monitor, const SampleKeeping& keeping) const {
+  const auto& patches = baked.patches;
+  auto& light = baked.solution;
+  const auto& method = settings_.light.method;
+  try {
+    if (method == LightSettings::by_shooting)
+      return solve_stochastic_jacobi(patches, tracer, light, settings_.light.shooting, workers_, monitor);
+    if (method == LightSettings::by_dense) {
+      auto options = settings_.light.dense;
+      options.face = faces;
+      return solve_dense(patches, tracer, light, options, workers_, monitor);
+    }
+    if (method == LightSettings::by_hemicube)
+      return solve_hemicube(patches, light, settings_.light.hemicube, workers_, monitor);
+    if (method == LightSettings::by_lines)
+      return solve_lines(patches, tracer, light, settings_.light.lines, workers_, monitor);
+    return solve_sampled(patches, tracer, light, settings_.light.sampled, workers_, monitor, keeping);
+  } catch (const InputError& error) {
+    throw InputError(name_, error.what());  // it has no light; the solver knows no file
+  }
+}
+
+// Says what a classical method is likely to take, and refuses what would take too much.
+void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
+  constexpr double most_seconds = 3600.0;
+  constexpr double most_memory = 0.8;  // of what is free
+  std::optional<Forecast> forecast;
+  if (settings_.light.method == LightSettings::by_dense)
+    forecast = forecast_dense(patches, tracer, settings_.light.dense, workers_);
+  if (settings_.light.method == LightSettings::by_hemicube)
+    forecast = forecast_hemicube(patches, settings_.light.hemicube, workers_);
+  if (settings_.light.method == LightSettings::by_lines)
+    forecast = forecast_lines(patches, tracer, settings_.light.lines, workers_);
+  if (!forecast) return;
+  const auto free = free_memory();
+  const auto text =
+      fmt::format("{} for {} patch sides, about {} and {} of memory", settings_.light.method, forecast->sides,
+                  rough_duration(forecast->seconds), rough_bytes(forecast->bytes));
+  const bool is_too_much =
+      forecast->seconds > most_seconds ||
+      (free > 0 && static_cast<double>(forecast->bytes) > most_memory * static_cast<double>(free));
+  if (is_too_much && !settings_.light.force)
+    throw InputError(
+        name_,
+        fmt::format("--method {} ({} are free): make fewer patches with a larger --max-edge, choose --method "
+                    "sampled, or give --force to begin all the same",
+                    text, rough_bytes(free)));
+  console_.say("--method " + text);
+}
+
+std::optional<double> LightRun::error_target() const {
+  return settings_.light.method == LightSettings::by_sampling ? std::optional(settings_.light.sampled.error)
+                                                              : std::nullopt;
+}
+
+// Whether it ended before it was as good as asked. Without a target, a limit is what was asked for.
+bool LightRun::fell_short(const SolveReport& solved) const {
+  const bool is_at_limit = solved.stop == StopReason::ray_limit || solved.stop == StopReason::time_limit;
+  return solved.stop == StopReason::stopped_by_user || (is_at_limit && error_target().value_or(0.0) > 0.0);
+}
+
+// Lux of the sky and lumens of each lamp material, so that a wrong unit shows at once, and lamps that light
+// nothing.
+void LightRun::report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const {
+  if (patches.has_sky())
+    console_.say(
+        fmt::format("sky: {:.4g} lx in the open",
+                    lumens(patches.sky_radiosity(0), patches.sky_radiosity(1), patches.sky_radiosity(2))));
+  for (const auto& view : views) {
+    console_.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
+                             lumens(view.power[0], view.power[1], view.power[2])));
+    const auto fault = lamp_fault(patches, view);
+    if (!fault.empty()) warn(console_.log(), fault);
+  }
+}
+
+void LightRun::report_light(const Baked& baked, const SolveReport& solved) const {
+  console_.say(describe(solved));
+  const auto& energy = solved.energy;
+  auto power = std::accumulate(energy.emitted.begin(), energy.emitted.end(), 0.0);
+  power = std::accumulate(energy.from_sky.begin(), energy.from_sky.end(), power);
+  for (std::size_t m = 0; m < solved.back_loss.size(); ++m)
+    if (solved.back_loss[m] > 0.001 * power)
+      warn(console_.log(),
+           fmt::format("{:.1f} % of the emitted power is lost at the backs of one-sided material '{}'",
+                       100.0 * solved.back_loss[m] / power, baked.patches.materials[m].name));
+  if (!fell_short(solved)) return;
+  const auto by = solved.stop == StopReason::stopped_by_user
+                      ? std::string()
+                      : fmt::format(" by the {}", stop_name(solved.stop));
+  warn(console_.log(), fmt::format("stopped{}: {}; writing the light there is", by, shortfall(solved)));
+}
+
+std::string LightRun::shortfall(const SolveReport& solved) const {
+  if (!error_target() && solved.unshot_share == 1.0) return "no light had left the lamps yet";
+  if (!error_target())
+    return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_share);
+  auto text = fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);
+  if (*error_target() > 0.0) text += fmt::format(", asked for {:.2g} %", 100.0 * *error_target());
+  return text;
+}
+
+}  // namespace luxel

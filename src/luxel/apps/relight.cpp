@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/relight.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "luxel/apps/bake_settings.h"
+#include "luxel/apps/colour_text.h"
+#include "luxel/apps/commands.h"
+#include "luxel/apps/console.h"
+#include "luxel/apps/finish.h"
+#include "luxel/apps/outputs.h"
+#include "luxel/scene/name_pattern.h"
+
+namespace luxel {
+namespace {
+
+// NAME=VALUE, given several times.
+struct NamedValue {
+  std::string name, text;
+};
+
+Declaration named_values(const char* name, const char* unit, const char* expected, const char* help,
+                         std::vector<NamedValue>& values) {
+  return {.name = name,
+          .unit = unit,
+          .help = help,
+          .parse =
+              [=, &values](const std::string& text) {
+                const auto [key, value] = parse_named(name, text, expected);
+                values.push_back({key, value});
+              },
+          .print =
+              [&values] {
+                std::vector<std::string> lines;
+                for (const auto& v : values) lines.push_back(v.name + "=" + v.text);
+                return fmt::format("{}", fmt::join(lines, "\n"));
+              },
+          .many = true};
+}
+
+// `relight`: lamps and colours change, no ray is traced.
+class Relight final : public Command {
+ public:
+  explicit Relight(OptionSet& options) : Command(options) {
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake --keep-transport' wrote");
+    options.heading("Light");
+    options.add(named_values("light", "GROUP=FACTOR", "GROUP=FACTOR, such as desk=0.3",
+                             "the lamps of a light group shine so many times as bright", lights_));
+    options.add(named_values("tint", "GROUP=COLOUR", "GROUP=COLOUR, such as ceiling=#ffd0a0",
+                             "their light is coloured: #rrggbb, or linear red,green,blue", tints_));
+    options.add_texts("off", "GROUP", off_, "they are off");
+    options.add(named_values("reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
+                             "another reflectance: #rrggbb, linear red,green,blue or one number",
+                             reflectances_));
+    look_.declare(options);
+    picture_.declare(options);
+    picture_.declare_gather(options);
+    run_.declare(options, all_kinds);
+  }
+
+  int run() override {
+    check_before_work(run_, picture_, all_kinds);
+    Console console(run_.quiet);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    auto kept = record.stage("read", [&](auto&) { return read_kept_run(file_); });
+    if (!kept.samples)
+      throw InputError(file_, "it keeps no transport to relight with: bake with --keep-transport");
+    const auto& patches = kept.baked.patches;
+    const auto changes_lamps = !lights_.empty() || !tints_.empty() || !off_.empty();
+    const auto weight = lamp_weights(patches);
+    const auto reflectance = new_reflectances(patches);
+
+    console.announce("hierarchy");
+    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, workers); });
+    console.announce("transport");
+    const auto options_then = sampled_options(kept.baked.solution.provenance);
+    Relighter relighter(patches, tracer, kept.samples, options_then, workers);
+    console.announce("light");
+    auto solution = record.stage("light", [&](auto&) {
+      if (changes_lamps) relighter.set_lamps(weight);
+      if (!reflectances_.empty()) relighter.set_reflectance(reflectance);
+      return relighter.light();
+    });
+    console.clear_bar();
+    Baked relit{relighter.patches(), std::move(solution)};
+    relit.patches.light_groups.clear();  // what was kept for each apart is not in the new file
+    for (auto& material : relit.patches.materials) material.light_group = 0;
+    sign(relit, kept.baked.solution);
+    console.say(fmt::format("{} light groups, {} patches, standard error {:.2g} %", patches.group_count(),
+                            patches.size(), 100.0 * relit.solution.predicted_error));
+
+    const auto written = write_outputs(relit, &tracer, run_, look_, picture_, workers, console, record);
+    finish({.command = options().name(),
+            .baked = &relit,
+            .camera = written.camera,
+            .origin = relit.patches.origin,
+            .outputs = written.files,
+            .options = &options(),
+            .record = &record},
+           run_, console);
+    return written.stopped ? exit_stopped_early : exit_fine;
+  }
+
+ private:
+  // The indices of what is called so; throws where there is none.
+  std::vector<std::size_t> called(const std::string& option, const std::string& pattern,
+                                  const std::vector<std::string>& names, const char* what) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (matches(pattern, names[i])) found.push_back(i);
+    if (found.empty())
+      throw InputError(file_, fmt::format("--{}: there is no {} '{}', but {}", option, what, pattern,
+                                          fmt::join(names, ", ")));
+    return found;
+  }
+
+  // [group * bands + band].
+  std::vector<float> lamp_weights(const PatchSet& patches) const {
+    const auto bands = patches.band_count();
+    std::vector<float> weight(patches.group_count() * bands, 1.0f);
+    const auto names = patches.light_groups.empty() ? std::vector<std::string>{"all"} : patches.light_groups;
+    const auto scale = [&](const std::string& option, const std::string& pattern,
+                           const std::vector<float>& by) {
+      for (const auto g : called(option, pattern, names, "light group"))
+        for (std::size_t b = 0; b < bands; ++b) weight[g * bands + b] *= by[b];
+    };
+    for (const auto& [name, text] : lights_) {
+      const auto factor = parse_number(text);
+      if (!factor || !(*factor >= 0.0f && *factor <= 1e9f))
+        throw UsageError(fmt::format("--light {}: expected a number from 0 to 1e9, not '{}'", name, text));
+      scale("light", name, std::vector(bands, *factor));
+    }
+    for (const auto& [name, text] : tints_)
+      scale("tint", name, colour_of_bands(fmt::format("--tint {}", name), text, bands, 1e9f));
+    for (const auto& name : off_) scale("off", name, std::vector(bands, 0.0f));
+    return weight;
+  }
+
+  // [material * bands + band].
+  std::vector<float> new_reflectances(const PatchSet& patches) const {
+    constexpr float most = 0.999f;
+    std::vector<std::string> names;
+    std::vector<float> reflectance;
+    for (const auto& material : patches.materials) {
+      names.push_back(material.name);
+      reflectance.insert(reflectance.end(), material.reflectance.begin(), material.reflectance.end());
+    }
+    const auto bands = patches.band_count();
+    for (const auto& [name, text] : reflectances_) {
+      const auto colour = colour_of_bands(fmt::format("--reflectance {}", name), text, bands, most);
+      for (const auto m : called("reflectance", name, names, "material"))
+        std::copy(colour.begin(), colour.end(), reflectance.begin() + static_cast<std::ptrdiff_t>(m * bands));
+    }
+    return reflectance;
+  }
+
+  // How the run sampled.
+  static SampledOptions sampled_options(const Provenance& provenance) {
+    BakeSettings settings;
+    OptionSet all("bake", "");
+    settings.declare(all);
+    all.take_up(provenance.options);
+    return settings.light.sampled;
+  }
+
+  // What it came from, and what was changed.
+  void sign(Baked& relit, const Solution& before) const {
+    auto& solution = relit.solution;
+    const auto rays = solution.provenance.rays;
+    const auto fingerprint = solution.provenance.scene_fingerprint;
+    solution.provenance = before.provenance;
+    solution.provenance.rays = rays;
+    solution.provenance.scene_fingerprint = fingerprint;
+    solution.provenance.command_line += fmt::format("; {}", options().as_command(RunSettings::heading));
+    for (const auto& [name, value] : options().given())
+      if (name == "light" || name == "tint" || name == "off" || name == "reflectance")
+        solution.provenance.options.emplace_back(name, value);
+    solution.mesh_error = before.mesh_error;
+    solution.stop = before.stop;
+  }
+
+  std::string file_;
+  std::vector<NamedValue> lights_, tints_, reflectances_;
+  std::vector<std::string> off_;
+  LookSettings look_;
+  PictureSettings picture_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_relight(CommandLine& line) {
+  return std::make_unique<Relight>(
+      line.command("relight", "other lamps and colours for a solution, without tracing a ray"));
+}
+
+}  // namespace luxel

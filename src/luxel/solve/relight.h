@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/sample_state.h"
+#include "luxel/solution/solution.h"
+#include "luxel/solve/sampled.h"
+#include "luxel/solve/sampling.h"
+#include "luxel/solve/slot_light.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// What each light group's lamps give, once the light is solved for it alone: the part `gathered` of a state.
+// Cost: a solve for each group, some ten look-ups a ray; memory: one number a slot, band, group and
+// replicate. The same bits on any number of threads.
+std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
+                                                    std::shared_ptr<const SampleState> state,
+                                                    const SampledOptions& options, const Workers& workers);
+
+// Lights a scene anew from the samples of a run that kept them, without tracing a ray (but where hits were
+// streamed): what arrives is linear in what lamps emit, and the light of other reflectances is solved from
+// the hits there are. Every replicate goes the same way, so the errors are those of the new light.
+//
+// Not for several threads at once; the calls themselves take the workers'.
+class Relighter {
+ public:
+  // Keeps references to the tracer and the workers. patches, options: of the run. Without group light in the
+  // state, that is solved for first. Throws MismatchError where the state is not of these patches.
+  Relighter(PatchSet patches, const Tracer& tracer, std::shared_ptr<const SampleState> state,
+            const SampledOptions& options, const Workers& workers);
+  Relighter(const Relighter&) = delete;
+  Relighter& operator=(const Relighter&) = delete;
+
+  // As they are now: with the emittances, the reflectances and the fingerprint of the scene so changed.
+  const PatchSet& patches() const { return patches_; }
+
+  // How much brighter each light group is than in the run, at least 0: [group * bands + band]. Cost at 50,000
+  // patches: tens of milliseconds.
+  void set_lamps(std::vector<float> weight);
+  // [material * bands + band], in [0, 1). Costs a solve: as many look-ups as there are rays, some ten times.
+  void set_reflectance(const std::vector<float>& reflectance);
+
+  // The light as it is now, with its errors. method, options and command line are the caller's.
+  Solution light() const;
+
+ private:
+  PatchSet patches_;                           // as they are now
+  std::vector<std::vector<float>> emittance_;  // [material], in the run
+  std::vector<float> sky_;                     // in the run
+  std::uint64_t fingerprint_;                  // of the run's scene
+  const Workers& workers_;
+  std::shared_ptr<const SampleState> state_;
+  SampledOptions options_;
+  Sampling sampling_;
+  std::optional<SlotLight> slots_;
+  std::vector<float> weight_;
+  // Of the run's reflectances, [replicate][(slot * groups + group) * bands + band]; empty with others.
+  std::vector<std::vector<float>> gathered_;
+};
+
+}  // namespace luxel

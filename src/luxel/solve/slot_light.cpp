@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/slot_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t grain = 4096;  // slots a chunk
+constexpr double weight_before_sharing = 0.3;
+// With fewer there are few fits, so the estimate of their bias is too noisy, and there is little to gain.
+constexpr std::size_t least_shared_slots = 4096;
+
+}  // namespace
+
+SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool shares,
+                     const Workers& workers)
+    : patches_(patches), sides_(sides) {
+  const auto bands = patches.band_count();
+  area_.resize(sides.size());
+  reflectance_.resize(sides.size() * bands);
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto patch = sides.side[s] / 2;
+    area_[s] = patches.area[patch];
+    const auto& reflectance = patches.material_of(patch).reflectance;
+    std::copy(reflectance.begin(), reflectance.end(), &reflectance_[s * bands]);
+  }
+  if (shares && sides.size() >= least_shared_slots) sharing_.emplace(patches, tree, sides, workers);
+}
+
+Spread SlotLight::spread(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
+                         double error, const Workers& workers, const Guide& guide) const {
+  const auto bands = patches_.band_count();
+  std::vector<float> bias(reflectance_.size(), 0.0f);
+  // Sharing only where it is needed: the patches' own rays make no assumption.
+  const bool shares =
+      sharing_ && error_of(spread_of_sum(direct, gathered, bias, bands, area_, workers)) > error;
+  if (!shares) {
+    if (guide) guide(1.0);
+    return spread_of_sum(direct, gathered, bias, bands, area_, workers);
+  }
+  // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
+  // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
+  if (guide) guide(weight_before_sharing);
+  sharing_->share(direct, bias, workers);
+  sharing_->share(gathered, bias, workers);
+  if (guide) guide(1.0 - weight_before_sharing);
+  constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
+  return spread_of_sum(direct, gathered, bias, bands, area_, workers, families);
+}
+
+void SlotLight::write(const Spread& spread, Solution& solution) const {
+  const auto bands = patches_.band_count();
+  auto& s = solution;
+  for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back,
+                      &s.standard_error_front, &s.standard_error_back})
+    array->assign(patches_.size() * bands, 0.0f);
+  for (std::size_t p = 0; p < patches_.size(); ++p)
+    for (std::size_t b = 0; b < bands; ++b)
+      s.radiosity_front[p * bands + b] = patches_.material_of(p).emittance[b];
+  for (std::size_t i = 0; i < reflectance_.size(); ++i) {
+    const auto side = sides_.side[i / bands];
+    const bool back = side % 2 == 1;
+    const auto at = side / 2 * bands + i % bands;
+    const auto H = std::max(0.0f, spread.mean[i]);
+    (back ? s.irradiance_back : s.irradiance_front)[at] = H;
+    (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
+    (back ? s.standard_error_back : s.standard_error_front)[at] = spread.standard_error[i];
+  }
+  s.error_95th = spread.percentile_95;
+}
+
+double error_of(const Spread& spread) {
+  return spread.light2 > 0.0 ? std::sqrt(std::max(0.0, spread.error2) / spread.light2) : 0.0;
+}
+
+std::vector<std::vector<float>> sum_of_groups(std::span<const std::vector<float>> light, std::size_t groups,
+                                              std::size_t bands, std::span<const float> weight,
+                                              const Workers& workers) {
+  if (groups == 1 && weight.empty()) return {light.begin(), light.end()};
+  const auto width = groups * bands;
+  std::vector<std::vector<float>> sum;
+  for (const auto& from : light) {
+    const auto slots = from.size() / width;
+    auto& to = sum.emplace_back(slots * bands);
+    workers.for_chunks(slots, grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto s = begin; s < end; ++s)
+        for (std::size_t b = 0; b < bands; ++b) {
+          float total = 0.0f;
+          for (std::size_t g = 0; g < groups; ++g) {
+            const auto value = from[s * width + g * bands + b];
+            total += weight.empty() ? value : weight[g * bands + b] * value;
+          }
+          to[s * bands + b] = total;
+        }
+    });
+  }
+  return sum;
+}
+
+}  // namespace luxel
