@@ -61,7 +61,8 @@ inline Solution solution(const PatchSet& patches) {
                          {{"error", "0.01"}, {"time", ""}, {"seed", "7"}},
                          7,
                          12'345'678'901,
-                         patches.scene_fingerprint};
+                         patches.scene_fingerprint,
+                         {}};
   return solution;
 }
 
@@ -77,7 +78,11 @@ inline Baked baked_with_errors(std::size_t count, std::size_t bands) {
   auto& light = sample.solution;
   light.standard_error_front = numbers(count * bands, 4000.0f);
   light.standard_error_back = numbers(count * bands, 5000.0f);
+  light.sharing_bias_front = numbers(count * bands, 6000.0f);
+  light.sharing_bias_back = numbers(count * bands, 7000.0f);
   light.error_95th = 0.025;
+  light.error_freedom = 6.0;
+  light.predicted_bias = 0.003;
   light.stop = StopReason::error_reached;
   light.provenance.method = "sampled";
   return sample;
@@ -97,8 +102,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 inline bool same_material(const BandMaterial& a, const BandMaterial& b) {
-  return a.name == b.name && a.two_sided == b.two_sided && same_bits(a.reflectance, b.reflectance) &&
-         same_bits(a.emittance, b.emittance);
+  return a.name == b.name && a.two_sided == b.two_sided && a.light_group == b.light_group &&
+         same_bits(a.reflectance, b.reflectance) && same_bits(a.emittance, b.emittance);
 }
 
 // The first member that differs, or nothing.
@@ -115,6 +120,7 @@ inline std::string difference(const PatchSet& a, const PatchSet& b) {
                   same_material))
     return "materials";
   if (a.sky != b.sky) return "sky";
+  if (a.light_groups != b.light_groups) return "light_groups";
   if (a.contacts != b.contacts) return "contacts";
   return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
 }
@@ -126,6 +132,7 @@ inline std::string difference(const Provenance& a, const Provenance& b) {
   if (a.options != b.options) return "options";
   if (a.seed != b.seed) return "seed";
   if (a.rays != b.rays) return "rays";
+  if (a.merged != b.merged) return "merged";
   return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
 }
 
@@ -137,7 +144,11 @@ inline std::string difference(const Solution& a, const Solution& b) {
   if (!same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
   if (!same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
   if (!same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
+  if (!same_bits(a.sharing_bias_front, b.sharing_bias_front)) return "sharing_bias_front";
+  if (!same_bits(a.sharing_bias_back, b.sharing_bias_back)) return "sharing_bias_back";
   if (a.error_95th != b.error_95th) return "error_95th";
+  if (a.error_freedom != b.error_freedom) return "error_freedom";
+  if (a.predicted_bias != b.predicted_bias) return "predicted_bias";
   if (a.unshot_share != b.unshot_share) return "unshot_share";
   if (a.predicted_error != b.predicted_error) return "predicted_error";
   if (a.stop != b.stop) return "stop";

@@ -106,10 +106,11 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   for (auto& set : commands_) {
     auto* sub = app.add_subcommand(set->name_, set->summary_);
     subcommands.push_back(sub);
-    for (auto& positional : set->positionals_)
-      sub->add_option(positional.name, *positional.value, positional.help)
-          ->required()
-          ->option_text("(needed)");
+    for (auto& positional : set->positionals_) {
+      auto* option = positional.values ? sub->add_option(positional.name, *positional.values, positional.help)
+                                       : sub->add_option(positional.name, *positional.value, positional.help);
+      option->required()->option_text(positional.values ? "... (needed)" : "(needed)");
+    }
     for (auto& e : set->entries_) declare(*sub, e.declaration, e.heading, given);
     sub->add_option("--config", given.config, "read options from a text file of 'name = value' lines")
         ->option_text("<FILE>");

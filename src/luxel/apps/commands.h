@@ -31,6 +31,7 @@ class Command {
 std::unique_ptr<Command> make_bake(CommandLine& line);
 std::unique_ptr<Command> make_resume(CommandLine& line);
 std::unique_ptr<Command> make_relight(CommandLine& line);
+std::unique_ptr<Command> make_merge(CommandLine& line);
 std::unique_ptr<Command> make_render(CommandLine& line);
 std::unique_ptr<Command> make_export(CommandLine& line);
 std::unique_ptr<Command> make_reference(CommandLine& line);

@@ -54,7 +54,11 @@ void OptionSet::only_with(std::string choice, std::string word) {
 }
 
 void OptionSet::set_positional(const char* name, std::string& value, const char* help) {
-  positionals_.push_back({name, &value, help});
+  positionals_.push_back({name, &value, nullptr, help});
+}
+
+void OptionSet::set_positionals(const char* name, std::vector<std::string>& values, const char* help) {
+  positionals_.push_back({name, nullptr, &values, help});
 }
 
 std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
@@ -112,7 +116,9 @@ void OptionSet::check_use() const {
 
 std::string OptionSet::as_command(const std::string& without) const {
   auto text = fmt::format("luxel {}", name_);
-  for (const auto& positional : positionals_) text += fmt::format(" {}", quoted(*positional.value));
+  for (const auto& positional : positionals_)
+    for (const auto& word : positional.values ? *positional.values : std::vector{*positional.value})
+      text += fmt::format(" {}", quoted(word));
   for (const auto& e : entries_) {
     if (e.declaration.print() == e.default_value || e.heading == without || !is_used(e)) continue;
     for (const auto& value : lines(e.declaration.print()))

@@ -66,6 +66,8 @@ class OptionSet {
   void add_flag(const char* name, bool& value, const char* help, bool configurable = true);
   // A word without a flag; called once for each, in the order they are typed.
   void set_positional(const char* name, std::string& value, const char* help);
+  // One or more words.
+  void set_positionals(const char* name, std::vector<std::string>& values, const char* help);
 
   const std::string& name() const { return name_; }
   const std::string& summary() const { return summary_; }
@@ -96,7 +98,8 @@ class OptionSet {
   };
   struct Positional {
     std::string name;
-    std::string* value;
+    std::string* value;                // one word
+    std::vector<std::string>* values;  // or several
     std::string help;
   };
 

@@ -176,7 +176,8 @@ class ViewFactorsCommand final : public Command {
                        options().used_values(RunSettings::heading),
                        settings_.sampled.seed,
                        report.sampled ? report.sampled->rays : 0,
-                       patches.scene_fingerprint};
+                       patches.scene_fingerprint,
+                       {}};
     if (elements.kind != Between::patches) return note;
     note.origin = patches.origin;
     for (const auto p : elements.first_patch) {

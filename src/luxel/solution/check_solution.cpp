@@ -90,18 +90,24 @@ std::string fault_in_contacts(const PatchSet& patches) {
 }
 
 std::string fault_in_errors(const Solution& solution, std::size_t length) {
-  const auto expected =
-      solution.standard_error_front.empty() && solution.standard_error_back.empty() ? 0 : length;
+  const auto both_or_none = [length](const std::vector<float>& front, const std::vector<float>& back) {
+    return front.empty() && back.empty() ? 0 : length;
+  };
+  const auto errors = both_or_none(solution.standard_error_front, solution.standard_error_back);
+  const auto biases = both_or_none(solution.sharing_bias_front, solution.sharing_bias_back);
   for (const auto& [name, values] : error_arrays(solution)) {
+    const bool is_bias = values == &solution.sharing_bias_front || values == &solution.sharing_bias_back;
+    const auto expected = is_bias ? biases : errors;
     if (values->size() != expected)
       return fmt::format("'{}' holds {} numbers, expected {}", name, values->size(), expected);
     if (!std::all_of(values->begin(), values->end(), [](float x) { return x >= 0.0f && std::isfinite(x); }))
       return fmt::format("'{}' holds a number that is not finite, or below 0", name);
   }
-  if (!(solution.mesh_error >= 0.0 && std::isfinite(solution.mesh_error)))
-    return fmt::format("mesh_error is {}", solution.mesh_error);
-  if (!(solution.error_95th >= 0.0 && std::isfinite(solution.error_95th)))
-    return fmt::format("error_95th is {}", solution.error_95th);
+  for (const auto& [name, value] :
+       {std::pair("mesh_error", solution.mesh_error), std::pair("error_95th", solution.error_95th),
+        std::pair("predicted_bias", solution.predicted_bias),
+        std::pair("error_freedom", solution.error_freedom)})
+    if (!(value >= 0.0 && std::isfinite(value))) return fmt::format("{} is {}", name, value);
   return {};
 }
 

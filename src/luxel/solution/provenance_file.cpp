@@ -25,6 +25,10 @@ void add_provenance(Hdf5Writer& file, const std::string& group, const Provenance
   }
   file.add_strings(group + "/option_name", names);
   file.add_strings(group + "/option_value", values);
+  if (provenance.merged.empty()) return;
+  std::vector<std::uint64_t> streams;
+  for (const auto& [seed, rays] : provenance.merged) streams.insert(streams.end(), {seed, rays});
+  file.add_array(group + "/merged", table(std::span<const std::uint64_t>(streams), streams.size() / 2, 2));
 }
 
 Provenance read_provenance(const Hdf5Reader& file, const std::string& group) {
@@ -40,6 +44,11 @@ Provenance read_provenance(const Hdf5Reader& file, const std::string& group) {
   provenance.seed = file.number<std::uint64_t>(group, "seed");
   provenance.rays = file.number<std::uint64_t>(group, "rays");
   provenance.scene_fingerprint = file.number<std::uint64_t>(group, "scene_fingerprint");
+  if (file.has(group + "/merged")) {
+    const auto runs = file.rows(group + "/merged");
+    const auto streams = file.array<std::uint64_t>(group + "/merged", runs, 2);
+    for (std::size_t i = 0; i < runs; ++i) provenance.merged.push_back({streams[2 * i], streams[2 * i + 1]});
+  }
   return provenance;
 }
 

@@ -116,10 +116,13 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   // finds.
   for (const auto& [name, values] : error_arrays(solution))
     if (file.has(name)) *values = file.array<float>(name, n, light_columns(bands.size()));
-  if (file.has_attribute("Luxel", "error_95th"))
-    solution.error_95th = file.number<double>("Luxel", "error_95th");
-  if (file.has_attribute("Luxel", "mesh_error"))
-    solution.mesh_error = file.number<double>("Luxel", "mesh_error");
+  const auto later = [&](const char* name, double& value) {
+    if (file.has_attribute("Luxel", name)) value = file.number<double>("Luxel", name);
+  };
+  later("error_95th", solution.error_95th);
+  later("error_freedom", solution.error_freedom);
+  later("predicted_bias", solution.predicted_bias);
+  later("mesh_error", solution.mesh_error);
   solution.unshot_share = file.number<double>("Luxel", "unshot_share");
   solution.predicted_error = file.number<double>("Luxel", "predicted_error");
   solution.stop = read_stop_reason(file);

@@ -21,6 +21,14 @@ enum class StopReason {
   step_limit  // the bounces asked for
 };
 
+// What random numbers a solution is made of.
+struct RandomStream {
+  std::uint64_t seed = 0;
+  std::uint64_t rays = 0;  // traced with them
+
+  bool operator==(const RandomStream&) const = default;
+};
+
 // Where a solution came from: enough to make it again.
 struct Provenance {
   std::string program_version;
@@ -31,6 +39,7 @@ struct Provenance {
   std::uint64_t seed = 0;
   std::uint64_t rays = 0;  // traced
   std::uint64_t scene_fingerprint = 0;
+  std::vector<RandomStream> merged;  // by seed; empty: a single run, with the seed and rays above
 };
 
 // The light: irradiance and radiosity of both sides of every patch. Arrays are [patch][band], flat. A
@@ -44,8 +53,13 @@ struct Solution {
   // the truth 95 times in 100. Dense: how far the errors of the form factors may take it. Empty where the
   // method gives none.
   std::vector<float> standard_error_front, standard_error_back;  // W/m²
+  // The part of that which is bias of sharing, not widened: it stays when independent answers are merged.
+  // Empty where nothing was shared.
+  std::vector<float> sharing_bias_front, sharing_bias_back;  // W/m²
   double unshot_share = 0.0;     // power not yet propagated over the emitted power: the stated bias
   double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance, not widened
+  double predicted_bias = 0.0;   // the part of predicted_error that is bias of sharing
+  double error_freedom = 0.0;    // degrees of freedom of the standard errors; 0: not from replicates
   // Likewise, what the size of the patches does to the light reconstructed from them; 0: not estimated.
   double mesh_error = 0.0;
   double error_95th = 0.0;  // 95 % of the lit sides have a smaller relative standard error; 0: not estimated

@@ -31,7 +31,9 @@ auto light_arrays(SolutionType& solution) {
 template <typename SolutionType>
 auto error_arrays(SolutionType& solution) {
   return std::array{std::pair("VTKHDF/CellData/standard_error_front", &solution.standard_error_front),
-                    std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error_back)};
+                    std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error_back),
+                    std::pair("VTKHDF/CellData/sharing_bias_front", &solution.sharing_bias_front),
+                    std::pair("VTKHDF/CellData/sharing_bias_back", &solution.sharing_bias_back)};
 }
 
 inline const std::array<std::pair<StopReason, std::string>, 7>& stop_reason_words() {

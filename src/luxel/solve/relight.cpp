@@ -158,11 +158,10 @@ Solution Relighter::light() const {
   } else {
     gathered = sum_of_groups(gathered_, groups, bands, weight_, workers_);
   }
-  const auto spread = slots_->spread(direct, gathered, options_.error, workers_);
+  const auto answer = slots_->answer(direct, gathered, options_.error, workers_);
   Solution solution;
-  slots_->write(spread, solution);
+  slots_->write(answer, solution);
   solution.bands = patches_.bands;
-  solution.predicted_error = error_of(spread);
   solution.stop = StopReason::error_reached;
   solution.provenance.method = "sampled";
   solution.provenance.seed = options_.seed;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "luxel/math/student.h"
+
 namespace luxel {
 namespace {
 
@@ -14,11 +16,6 @@ constexpr std::size_t block_numbers = 768;  // of each replicate at a time: all 
 constexpr std::size_t sort_grain = 1 << 17;  // numbers a chunk
 constexpr std::uint32_t bin_shift = 18;      // bits of a float left out: bins 3 % wide
 constexpr std::size_t bins = std::size_t{1} << (31 - bin_shift);
-
-// The 97.5 % point of Student's t over that of the normal distribution (Cornish and Fisher 1938).
-double student_widening(double freedom) {
-  return 1.0 + (2.37 / freedom + 2.82 / (freedom * freedom) + 2.6 / (freedom * freedom * freedom)) / 1.96;
-}
 
 // Mean and variance of the mean over replicates, of a block of numbers.
 class Block {
@@ -104,8 +101,9 @@ template <typename Take>
 Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t bands,
               std::span<const float> area, const Workers& workers, std::size_t constraints, Take take) {
   const auto slots = area.size();
-  const auto widening = student_widening(static_cast<double>(replicates - constraints));
   Spread result;
+  result.freedom = static_cast<double>(replicates - constraints);
+  const auto widening = student_widening(result.freedom);
   result.mean.resize(bias.size());
   result.standard_error.resize(bias.size());
   struct Sums {
@@ -152,7 +150,8 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
     whole.bias2 += c.bias2;
     whole.light2 += c.light2;
   }
-  result.error2 = whole.variance + std::max(0.0, whole.bias2);
+  result.bias2 = std::max(0.0, whole.bias2);
+  result.error2 = whole.variance + result.bias2;
   result.light2 = whole.light2;
   result.percentile_95 = static_cast<double>(percentile_95(relative, workers));
   return result;

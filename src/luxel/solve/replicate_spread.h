@@ -15,8 +15,10 @@ struct Spread {
   // [slot][band]: of the mean, from the spread and the bias; widened as Student's t is for so few replicates,
   // so that 1.96 of them hold the truth 95 times in 100.
   std::vector<float> standard_error;
-  double error2 = 0.0;  // sum of area * variance of the mean, and of area * squared bias if that is above 0
-  double light2 = 0.0;  // sum of area * mean²
+  double error2 = 0.0;   // sum of area * variance of the mean, and of area * squared bias if that is above 0
+  double bias2 = 0.0;    // the second part of it
+  double freedom = 0.0;  // degrees of, of the variance
+  double light2 = 0.0;   // sum of area * mean²
   double percentile_95 = 0.0;  // over lit slots: standard error over mean, root mean square over bands
 };
 

@@ -71,7 +71,7 @@ class Run {
       begin_iteration();
     }
     if (slots() == 0) {  // the sky finds no way in
-      light_->write(spread_, solution_);
+      light_->write(answer_, solution_);
       sign();
       return finish(StopReason::nothing_to_do);
     }
@@ -173,11 +173,11 @@ class Run {
     auto& gathered = solved.gathered;
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
-    spread_ = light_->spread(direct, gathered, options_.error, workers_, [&](double weight) {
+    answer_ = light_->answer(direct, gathered, options_.error, workers_, [&](double weight) {
       add_squared_errors(direct, bands_, light_->area(), weight, direct_error2_, workers_);
       add_squared_errors(gathered, bands_, light_->area(), weight, gathered_error2_, workers_);
     });
-    error_ = error_of(spread_);
+    error_ = error_of(answer_);
 
     RoundRecord round;
     round.sweeps = static_cast<int>(solved.iteration.change.size());
@@ -191,7 +191,7 @@ class Run {
     report_.rounds.push_back(round);
     report_.streamed = sampling_->transport().is_streamed();
     report_.predicted_error = error_;
-    light_->write(spread_, solution_);
+    light_->write(answer_, solution_);
     sign();
   }
 
@@ -202,7 +202,7 @@ class Run {
     return options_.error > 0.0 && error_ <= options_.error &&
            (error_ > 0.0 || rounds_before_ + report_.rounds.size() > 1);
   }
-  double aimed_error2() const { return aim * options_.error * options_.error * spread_.light2; }
+  double aimed_error2() const { return aim * options_.error * options_.error * answer_.light2; }
 
   // The samples that are taken do not depend on where a bound is, so that a longer run goes the same way.
   double growth() const {
@@ -231,7 +231,7 @@ class Run {
       book(units[n + u], u, gathered_error2_, sampling_->transport().rays_a_slot()[begins[u]], 1.0);
     }
     // Together they are the whole squared error.
-    for (auto& u : units) u.error2 *= std::max(0.0, spread_.error2) / std::max(sum, 1e-300);
+    for (auto& u : units) u.error2 *= std::max(0.0, answer_.error2) / std::max(sum, 1e-300);
     return units;
   }
 
@@ -274,7 +274,7 @@ class Run {
   SolveReport finish(StopReason reason) {
     if (!report_.rounds.empty()) {
       const auto energy =
-          energy_of(patches_, sampling_->transport(), options_.replicates, spread_.mean, workers_);
+          energy_of(patches_, sampling_->transport(), options_.replicates, answer_.mean, workers_);
       report_.energy = energy.balance;
       report_.back_loss = energy.back_loss;
     }
@@ -326,7 +326,7 @@ class Run {
   std::shared_ptr<const SampleState> kept_;
   std::optional<SlotLight> light_;
   std::vector<float> radiosity_;  // reflected, and of the sky, W/m², [element][band]
-  Spread spread_;
+  SlotLight::Answer answer_;
   std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error
   double error_ = 0.0;                                   // of the whole
   std::uint64_t begin_memory_ = resident_memory();       // bytes of the process

@@ -29,8 +29,9 @@ SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const Gathe
   if (shares && sides.size() >= least_shared_slots) sharing_.emplace(patches, tree, sides, workers);
 }
 
-Spread SlotLight::spread(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-                         double error, const Workers& workers, const Guide& guide) const {
+SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
+                                    std::span<std::vector<float>> gathered, double error,
+                                    const Workers& workers, const Guide& guide) const {
   const auto bands = patches_.band_count();
   std::vector<float> bias(reflectance_.size(), 0.0f);
   // Sharing only where it is needed: the patches' own rays make no assumption.
@@ -38,7 +39,7 @@ Spread SlotLight::spread(std::span<std::vector<float>> direct, std::span<std::ve
       sharing_ && error_of(spread_of_sum(direct, gathered, bias, bands, area_, workers)) > error;
   if (!shares) {
     if (guide) guide(1.0);
-    return spread_of_sum(direct, gathered, bias, bands, area_, workers);
+    return {spread_of_sum(direct, gathered, bias, bands, area_, workers), {}};
   }
   // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
   // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
@@ -47,15 +48,18 @@ Spread SlotLight::spread(std::span<std::vector<float>> direct, std::span<std::ve
   sharing_->share(gathered, bias, workers);
   if (guide) guide(1.0 - weight_before_sharing);
   constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
-  return spread_of_sum(direct, gathered, bias, bands, area_, workers, families);
+  auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families);
+  return {std::move(spread), std::move(bias)};
 }
 
-void SlotLight::write(const Spread& spread, Solution& solution) const {
+void SlotLight::write(const Answer& answer, Solution& solution) const {
   const auto bands = patches_.band_count();
   auto& s = solution;
   for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back,
                       &s.standard_error_front, &s.standard_error_back})
     array->assign(patches_.size() * bands, 0.0f);
+  for (auto* array : {&s.sharing_bias_front, &s.sharing_bias_back})
+    array->assign(answer.bias.empty() ? 0 : patches_.size() * bands, 0.0f);
   for (std::size_t p = 0; p < patches_.size(); ++p)
     for (std::size_t b = 0; b < bands; ++b)
       s.radiosity_front[p * bands + b] = patches_.material_of(p).emittance[b];
@@ -63,12 +67,17 @@ void SlotLight::write(const Spread& spread, Solution& solution) const {
     const auto side = sides_.side[i / bands];
     const bool back = side % 2 == 1;
     const auto at = side / 2 * bands + i % bands;
-    const auto H = std::max(0.0f, spread.mean[i]);
+    const auto H = std::max(0.0f, answer.mean[i]);
     (back ? s.irradiance_back : s.irradiance_front)[at] = H;
     (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
-    (back ? s.standard_error_back : s.standard_error_front)[at] = spread.standard_error[i];
+    (back ? s.standard_error_back : s.standard_error_front)[at] = answer.standard_error[i];
+    if (!answer.bias.empty())
+      (back ? s.sharing_bias_back : s.sharing_bias_front)[at] = std::sqrt(std::max(0.0f, answer.bias[i]));
   }
-  s.error_95th = spread.percentile_95;
+  s.error_95th = answer.percentile_95;
+  s.predicted_error = error_of(answer);
+  s.predicted_bias = answer.light2 > 0.0 ? std::sqrt(answer.bias2 / answer.light2) : 0.0;
+  s.error_freedom = answer.freedom;
 }
 
 double error_of(const Spread& spread) {

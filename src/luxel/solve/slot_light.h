@@ -33,11 +33,14 @@ class SlotLight {
   // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where the error of
   // the whole is above `error`, neighbours share: both are replaced by what they share. The same bits on any
   // number of threads.
-  Spread spread(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered, double error,
+  struct Answer : Spread {
+    std::vector<float> bias;  // what sharing may get wrong, squared; empty where nothing was shared
+  };
+  Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered, double error,
                 const Workers& workers, const Guide& guide = {}) const;
 
-  // Fills the light of the solution and its errors.
-  void write(const Spread& spread, Solution& solution) const;
+  // Fills the light of the solution and all its errors.
+  void write(const Answer& answer, Solution& solution) const;
 
  private:
   const PatchSet& patches_;

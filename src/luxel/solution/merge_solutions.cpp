@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solution/merge_solutions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/math/student.h"
+#include "luxel/report/error.h"
+#include "luxel/solution/solution_layout.h"
+
+namespace luxel {
+namespace {
+
+std::vector<RandomStream> streams_of(const Solution& solution) {
+  const auto& p = solution.provenance;
+  return p.merged.empty() ? std::vector{RandomStream{p.seed, p.rays}} : p.merged;
+}
+
+bool same_materials(const PatchSet& a, const PatchSet& b) {
+  return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
+                    [](const BandMaterial& m, const BandMaterial& n) {
+                      return m.two_sided == n.two_sided && m.reflectance == n.reflectance &&
+                             m.emittance == n.emittance;
+                    });
+}
+
+void check(const std::vector<NamedSolution>& all) {
+  if (all.size() < 2) throw InputError("to merge takes two solutions at least");
+  const auto& first = all.front();
+  for (const auto& each : all) {
+    const auto& [patches, solution] = each.baked;
+    const auto refuse = [&](const std::string& what) { throw InputError(each.name, what); };
+    if (solution.provenance.method != "sampled" || solution.standard_error_front.empty() ||
+        !(solution.error_freedom > 0.0))
+      refuse(
+          "it has no standard errors from independent replicates, so it cannot be merged: expected a "
+          "solution "
+          "by --method sampled");
+    if (patches.scene_fingerprint != first.baked.patches.scene_fingerprint ||
+        patches.sky != first.baked.patches.sky || !same_materials(patches, first.baked.patches))
+      refuse(fmt::format("it is of another scene than {}", first.name));
+    if (patches.bands != first.baked.patches.bands || patches.vertices != first.baked.patches.vertices ||
+        patches.corners != first.baked.patches.corners || patches.material != first.baked.patches.material)
+      refuse(fmt::format("it is of the scene of {}, but of other patches: bake both with the same options",
+                         first.name));
+  }
+}
+
+// By seeds, so that the order of the arguments does not matter; and no seed twice.
+void sort_by_seed(std::vector<NamedSolution>& all) {
+  const auto seed = [](const NamedSolution& s) { return streams_of(s.baked.solution).front().seed; };
+  std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return std::pair(seed(a), a.name) < std::pair(seed(b), b.name);
+  });
+  std::vector<std::pair<std::uint64_t, const std::string*>> seeds;
+  for (const auto& each : all)
+    for (const auto& stream : streams_of(each.baked.solution)) seeds.emplace_back(stream.seed, &each.name);
+  std::sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first, *a.second) < std::pair(b.first, *b.second);
+  });
+  for (std::size_t i = 1; i < seeds.size(); ++i)
+    if (seeds[i].first == seeds[i - 1].first)
+      throw InputError(
+          *seeds[i].second,
+          fmt::format("it is made with seed {}, as is {}: they are not independent, give each bake "
+                      "a --seed of its own",
+                      seeds[i].first, *seeds[i - 1].second));
+}
+
+// What of each run goes into the mean.
+struct Share {
+  const Solution* solution;
+  double weight;
+  double widening;
+};
+
+std::vector<float> mean(const std::vector<Share>& shares, const std::vector<float> Solution::*array) {
+  std::vector<float> result((shares.front().solution->*array).size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    double sum = 0.0;
+    for (const auto& s : shares) sum += s.weight * static_cast<double>((s.solution->*array)[i]);
+    result[i] = static_cast<float>(sum);
+  }
+  return result;
+}
+
+struct Errors {
+  std::vector<float> standard_error, bias;
+};
+
+// Variances add up with the squares of weights, biases with weights.
+Errors errors(const std::vector<Share>& shares, const std::vector<float> Solution::*standard_error,
+              const std::vector<float> Solution::*bias, double widening) {
+  const auto count = (shares.front().solution->*standard_error).size();
+  const bool any_bias =
+      std::any_of(shares.begin(), shares.end(), [&](const Share& s) { return !(s.solution->*bias).empty(); });
+  Errors result{std::vector<float>(count), std::vector<float>(any_bias ? count : 0)};
+  for (std::size_t i = 0; i < count; ++i) {
+    double variance = 0.0;
+    double all_bias = 0.0;
+    for (const auto& s : shares) {
+      const auto narrow = static_cast<double>((s.solution->*standard_error)[i]) / s.widening;
+      const auto& biases = s.solution->*bias;
+      const auto own = biases.empty() ? 0.0 : static_cast<double>(biases[i]);
+      variance += s.weight * s.weight * std::max(0.0, narrow * narrow - own * own);
+      all_bias += s.weight * own;
+    }
+    result.standard_error[i] = static_cast<float>(widening * std::sqrt(variance + all_bias * all_bias));
+    if (any_bias) result.bias[i] = static_cast<float>(all_bias);
+  }
+  return result;
+}
+
+// 95 % of the lit sides have a smaller relative standard error.
+double percentile_95(const Solution& s) {
+  const auto bands = s.bands.size();
+  std::vector<float> relative;
+  const auto add = [&](const std::vector<float>& light, const std::vector<float>& error) {
+    for (std::size_t i = 0; i < light.size(); i += bands) {
+      double light2 = 0.0;
+      double error2 = 0.0;
+      for (auto k = i; k < i + bands; ++k) {
+        light2 += static_cast<double>(light[k]) * static_cast<double>(light[k]);
+        error2 += static_cast<double>(error[k]) * static_cast<double>(error[k]);
+      }
+      if (light2 > 0.0 && error2 > 0.0) relative.push_back(static_cast<float>(std::sqrt(error2 / light2)));
+    }
+  };
+  add(s.irradiance_front, s.standard_error_front);
+  add(s.irradiance_back, s.standard_error_back);
+  if (relative.empty()) return 0.0;
+  const auto at =
+      relative.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(relative.size() - 1));
+  std::nth_element(relative.begin(), at, relative.end());
+  return static_cast<double>(*at);
+}
+
+// What all runs say alike stays; what differs is of no run in particular.
+Provenance provenance_of(const std::vector<NamedSolution>& all) {
+  auto result = all.front().baked.solution.provenance;
+  result.merged.clear();
+  result.rays = 0;
+  result.command_line.clear();
+  for (const auto& each : all) {
+    const auto& p = each.baked.solution.provenance;
+    for (const auto& stream : streams_of(each.baked.solution)) result.merged.push_back(stream);
+    std::erase_if(result.options, [&](const auto& option) {
+      return std::find(p.options.begin(), p.options.end(), option) == p.options.end();
+    });
+    result.rays += p.rays;
+    result.command_line += p.command_line + "; ";
+  }
+  result.command_line += "luxel merge";
+  std::sort(result.merged.begin(), result.merged.end(),
+            [](const auto& a, const auto& b) { return a.seed < b.seed; });
+  result.seed = result.merged.front().seed;
+  return result;
+}
+
+}  // namespace
+
+Baked merge_solutions(std::vector<NamedSolution> all) {
+  check(all);
+  sort_by_seed(all);
+  double rays = 0.0;
+  for (const auto& each : all) rays += static_cast<double>(each.baked.solution.provenance.rays);
+  std::vector<Share> shares;
+  double one_over_freedom = 0.0;
+  double variance = 0.0;
+  double bias = 0.0;
+  Solution merged;
+  for (const auto& each : all) {
+    const auto& s = each.baked.solution;
+    const auto weight = static_cast<double>(s.provenance.rays) / rays;
+    shares.push_back({&s, weight, student_widening(s.error_freedom)});
+    // Variances fall as rays grow, so each share of the whole variance is the share of the rays.
+    one_over_freedom += weight * weight / s.error_freedom;
+    variance +=
+        weight * weight * (s.predicted_error * s.predicted_error - s.predicted_bias * s.predicted_bias);
+    bias += weight * s.predicted_bias;
+    merged.unshot_share = std::max(merged.unshot_share, s.unshot_share);
+    merged.mesh_error = std::max(merged.mesh_error, s.mesh_error);
+  }
+  merged.bands = all.front().baked.solution.bands;
+  merged.irradiance_front = mean(shares, &Solution::irradiance_front);
+  merged.irradiance_back = mean(shares, &Solution::irradiance_back);
+  merged.radiosity_front = mean(shares, &Solution::radiosity_front);
+  merged.radiosity_back = mean(shares, &Solution::radiosity_back);
+  merged.error_freedom = 1.0 / one_over_freedom;
+  const auto widening = student_widening(merged.error_freedom);
+  auto front = errors(shares, &Solution::standard_error_front, &Solution::sharing_bias_front, widening);
+  auto back = errors(shares, &Solution::standard_error_back, &Solution::sharing_bias_back, widening);
+  merged.standard_error_front = std::move(front.standard_error);
+  merged.standard_error_back = std::move(back.standard_error);
+  merged.sharing_bias_front = std::move(front.bias);
+  merged.sharing_bias_back = std::move(back.bias);
+  merged.predicted_bias = bias;
+  merged.predicted_error = std::sqrt(std::max(0.0, variance) + bias * bias);
+  merged.error_95th = percentile_95(merged);
+  merged.stop = all.front().baked.solution.stop;
+  merged.provenance = provenance_of(all);
+  return {std::move(all.front().baked.patches), std::move(merged)};
+}
+
+}  // namespace luxel
