@@ -114,18 +114,28 @@ void OptionSet::check_use() const {
           e.declaration.name, e.choice, e.word, e.choice, value_of(e.choice)));
 }
 
-std::string OptionSet::as_command(const std::string& without) const {
+std::string OptionSet::words(const std::function<bool(const Entry&)>& is_shown) const {
   auto text = fmt::format("luxel {}", name_);
   for (const auto& positional : positionals_)
     for (const auto& word : positional.values ? *positional.values : std::vector{*positional.value})
       text += fmt::format(" {}", quoted(word));
   for (const auto& e : entries_) {
-    if (e.declaration.print() == e.default_value || e.heading == without || !is_used(e)) continue;
+    if (!is_shown(e)) continue;
     for (const auto& value : lines(e.declaration.print()))
       text += fmt::format(" --{}{}{}", e.declaration.name, e.declaration.is_flag ? "" : " ",
                           e.declaration.is_flag ? "" : quoted(value));
   }
   return text;
+}
+
+std::string OptionSet::as_command(const std::string& without) const {
+  return words([&](const Entry& e) {
+    return e.declaration.print() != e.default_value && e.heading != without && is_used(e);
+  });
+}
+
+std::string OptionSet::given_as_command(const std::string& without) const {
+  return words([&](const Entry& e) { return e.origin != Origin::by_default && e.heading != without; });
 }
 
 std::string OptionSet::as_file() const {

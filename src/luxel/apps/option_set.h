@@ -78,6 +78,8 @@ class OptionSet {
   std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
   // Those that a person gave, with their values: on the command line or in a file.
   std::vector<std::pair<std::string, std::string>> given() const;
+  // The positionals and what a person gave, but what stands under the heading `without`, as it is typed.
+  std::string given_as_command(const std::string& without) const;
   // Sets the options of these names to these values, as values() or given() of another set has them; names
   // that this set does not know are passed over. Throws UsageError.
   void take_up(const std::vector<std::pair<std::string, std::string>>& values);
@@ -104,6 +106,7 @@ class OptionSet {
   };
 
   std::string value_of(const std::string& name) const;
+  std::string words(const std::function<bool(const Entry&)>& is_shown) const;
   bool is_used(const Entry& entry) const;
   // Throws UsageError where an option of the command line is not used.
   void check_use() const;

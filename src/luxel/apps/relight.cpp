@@ -52,9 +52,9 @@ class Relight final : public Command {
     options.add(named_values("tint", "GROUP=COLOUR", "GROUP=COLOUR, such as ceiling=#ffd0a0",
                              "their light is coloured: #rrggbb, or linear red,green,blue", tints_));
     options.add_texts("off", "GROUP", off_, "they are off");
-    options.add(named_values("reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
-                             "another reflectance: #rrggbb, linear red,green,blue or one number",
-                             reflectances_));
+    options.add(named_values(
+        "reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
+        "another reflectance (0.98 at most): #rrggbb, linear red,green,blue or one number", reflectances_));
     look_.declare(options);
     picture_.declare(options);
     picture_.declare_gather(options);
@@ -142,7 +142,7 @@ class Relight final : public Command {
 
   // [material * bands + band].
   std::vector<float> new_reflectances(const PatchSet& patches) const {
-    constexpr float most = 0.999f;
+    const auto most = LoadOptions().max_reflectance;  // as load lowers them
     std::vector<std::string> names;
     std::vector<float> reflectance;
     for (const auto& material : patches.materials) {
@@ -151,7 +151,8 @@ class Relight final : public Command {
     }
     const auto bands = patches.band_count();
     for (const auto& [name, text] : reflectances_) {
-      const auto colour = colour_of_bands(fmt::format("--reflectance {}", name), text, bands, most);
+      auto colour = colour_of_bands(fmt::format("--reflectance {}", name), text, bands, 1.0f);
+      for (auto& r : colour) r = std::min(r, most);
       for (const auto m : called("reflectance", name, names, "material"))
         std::copy(colour.begin(), colour.end(), reflectance.begin() + static_cast<std::ptrdiff_t>(m * bands));
     }
@@ -175,7 +176,7 @@ class Relight final : public Command {
     solution.provenance = before.provenance;
     solution.provenance.rays = rays;
     solution.provenance.scene_fingerprint = fingerprint;
-    solution.provenance.command_line += fmt::format("; {}", options().as_command(RunSettings::heading));
+    solution.provenance.command_line += fmt::format("; {}", options().given_as_command(RunSettings::heading));
     for (const auto& [name, value] : options().given())
       if (name == "light" || name == "tint" || name == "off" || name == "reflectance")
         solution.provenance.options.emplace_back(name, value);

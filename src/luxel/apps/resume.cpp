@@ -45,7 +45,7 @@ class Resume final : public Command {
     const auto used = all.used_values(RunSettings::heading);
     if (used != provenance.options) {
       provenance.options = used;
-      provenance.command_line += fmt::format("; {}", options().as_command(RunSettings::heading));
+      provenance.command_line += fmt::format("; {}", options().given_as_command(RunSettings::heading));
     }
     console.say(fmt::format("{}: {} patches, goes on after {} rays", file_, kept.baked.patches.size(),
                             provenance.rays));
