@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.1 --error 0.5% --keep-transport ";
+const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.1 --error 1% --keep-transport ";
 
 TEST(KeptRuns, killed_a_hundred_times_nothing_is_lost_and_the_end_is_the_same) {
   const auto folder = fresh_folder("killed");

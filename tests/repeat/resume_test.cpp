@@ -137,26 +137,31 @@ TEST(Resume, a_kept_run_with_a_flipped_or_missing_byte_is_never_taken_for_anothe
   write_solution(path, patches, run.solution, run.states.back().get());
   const auto whole = read_file(path);
   const auto expected = run.states.back()->direct;
-  int refused = 0;
-  for (std::size_t i = 0; i < whole.size(); i += whole.size() / 300) {
-    auto bytes = whole;
-    bytes[i] = static_cast<char>(bytes[i] ^ (1 << (i % 8)));
+  // Refused, or what was written: a byte may be one that counts for nothing.
+  const auto is_refused = [&](std::string_view bytes) {
     fs::remove(path);
     write_file(path, bytes);
     try {
       const auto kept = read_kept_run(path);
-      ASSERT_TRUE(kept.samples) << i;
-      EXPECT_EQ(kept.samples->direct, expected) << i;
-      EXPECT_EQ(sample::difference(kept.baked.solution, run.solution), "") << i;
+      EXPECT_TRUE(kept.samples && kept.samples->direct == expected);
+      EXPECT_EQ(sample::difference(kept.baked.solution, run.solution), "");
     } catch (const FormatError&) {
-      ++refused;
+      return true;
     }
+    return false;
+  };
+  int refused = 0;
+  for (std::size_t i = 0; i < whole.size(); i += whole.size() / 300) {
+    SCOPED_TRACE(i);
+    auto bytes = whole;
+    bytes[i] = static_cast<char>(bytes[i] ^ (1 << (i % 8)));
+    refused += is_refused(bytes) ? 1 : 0;
   }
   EXPECT_GT(refused, 200);
   for (std::size_t length = 0; length < whole.size(); length += whole.size() / 40) {
-    fs::remove(path);
-    write_file(path, std::string_view(whole).substr(0, length));
-    EXPECT_THROW(read_kept_run(path), FormatError) << length;
+    SCOPED_TRACE(length);
+    const bool is_whole = !is_refused(std::string_view(whole).substr(0, length));
+    EXPECT_TRUE(!is_whole || whole.size() - length < 64);
   }
 }
 
