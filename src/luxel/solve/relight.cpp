@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "luxel/random/address.h"
 #include "luxel/report/error.h"
 #include "luxel/solve/replicate_solve.h"
+#include "luxel/solve/sampling.h"
+#include "luxel/solve/slot_light.h"
 
 namespace luxel {
 namespace {
@@ -92,81 +95,110 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
   return more;
 }
 
+struct Relighter::State {
+  PatchSet patches;                           // as they are now
+  std::vector<std::vector<float>> emittance;  // [material], in the run
+  std::vector<float> sky;                     // in the run
+  std::uint64_t fingerprint;                  // of the run's scene
+  const Workers& workers;
+  std::shared_ptr<const SampleState> samples;
+  SampledOptions options;
+  Sampling sampling;
+  std::optional<SlotLight> slots;
+  std::vector<float> weight;
+  // Of the run's reflectances, [replicate][(slot * groups + group) * bands + band]; empty with others.
+  std::vector<std::vector<float>> gathered;
+
+  State(PatchSet of_run, const Tracer& tracer, std::shared_ptr<const SampleState> kept,
+        const SampledOptions& run_options, const Workers& run_workers)
+      : patches(std::move(of_run)),
+        sky(patches.sky),
+        fingerprint(patches.scene_fingerprint),
+        workers(run_workers),
+        samples(std::move(kept)),
+        options(run_options),
+        sampling(patches, tracer, run_options, run_workers),
+        weight(patches.group_count() * patches.band_count(), 1.0f) {
+    for (const auto& material : patches.materials) emittance.push_back(material.emittance);
+    sampling.take_up(*samples);
+    look_at_surfaces();
+    gathered = samples->gathered.empty()
+                   ? solve_groups(patches, sampling.transport(), *samples, slots->reflectance(), workers)
+                   : samples->gathered;
+    const auto width = sampling.transport().sides().size() * weight.size();
+    for (const auto& light : gathered)
+      if (gathered.size() != samples->replicates || light.size() != width)
+        throw MismatchError("the kept light of the lamps' groups is not of these patches");
+  }
+
+  void look_at_surfaces() {
+    slots.emplace(patches, sampling.tree(), sampling.transport().sides(), options.share, workers);
+  }
+};
+
 Relighter::Relighter(PatchSet patches, const Tracer& tracer, std::shared_ptr<const SampleState> state,
                      const SampledOptions& options, const Workers& workers)
-    : patches_(std::move(patches)),
-      sky_(patches_.sky),
-      fingerprint_(patches_.scene_fingerprint),
-      workers_(workers),
-      state_(std::move(state)),
-      options_(options),
-      sampling_(patches_, tracer, options, workers),
-      weight_(patches_.group_count() * patches_.band_count(), 1.0f) {
-  for (const auto& material : patches_.materials) emittance_.push_back(material.emittance);
-  sampling_.take_up(*state_);
-  slots_.emplace(patches_, sampling_.tree(), sampling_.transport().sides(), options.share, workers);
-  const auto& transport = sampling_.transport();
-  gathered_ = state_->gathered.empty()
-                  ? solve_groups(patches_, transport, *state_, slots_->reflectance(), workers)
-                  : state_->gathered;
-  const auto width = transport.sides().size() * weight_.size();
-  for (const auto& light : gathered_)
-    if (gathered_.size() != state_->replicates || light.size() != width)
-      throw MismatchError("the kept light of the lamps' groups is not of these patches");
-}
+    : state_(std::make_unique<State>(std::move(patches), tracer, std::move(state), options, workers)) {}
+
+Relighter::~Relighter() = default;
+
+const PatchSet& Relighter::patches() const { return state_->patches; }
 
 void Relighter::set_lamps(std::vector<float> weight) {
-  if (weight.size() != weight_.size() ||
+  auto& s = *state_;
+  if (weight.size() != s.weight.size() ||
       !std::all_of(weight.begin(), weight.end(), [](float w) { return w >= 0.0f && std::isfinite(w); }))
     throw InputError(
-        fmt::format("expected {} numbers, at least 0, one for each light group and band", weight_.size()));
-  weight_ = std::move(weight);
-  const auto bands = patches_.band_count();
-  for (std::size_t m = 0; m < emittance_.size(); ++m) {
-    auto& material = patches_.materials[m];
+        fmt::format("expected {} numbers, at least 0, one for each light group and band", s.weight.size()));
+  s.weight = std::move(weight);
+  const auto bands = s.patches.band_count();
+  for (std::size_t m = 0; m < s.emittance.size(); ++m) {
+    auto& material = s.patches.materials[m];
     for (std::size_t b = 0; b < bands; ++b)
-      material.emittance[b] = weight_[material.light_group * bands + b] * emittance_[m][b];
+      material.emittance[b] = s.weight[material.light_group * bands + b] * s.emittance[m][b];
   }
-  for (std::size_t b = 0; b < patches_.sky.size(); ++b)
-    patches_.sky[b] = weight_[(patches_.group_count() - 1) * bands + b] * sky_[b];
-  patches_.scene_fingerprint = changed_fingerprint(fingerprint_, patches_);
+  for (std::size_t b = 0; b < s.sky.size(); ++b)
+    s.patches.sky[b] = s.weight[(s.patches.group_count() - 1) * bands + b] * s.sky[b];
+  s.patches.scene_fingerprint = changed_fingerprint(s.fingerprint, s.patches);
 }
 
 void Relighter::set_reflectance(const std::vector<float>& reflectance) {
-  const auto bands = patches_.band_count();
-  if (reflectance.size() != patches_.materials.size() * bands ||
+  auto& s = *state_;
+  const auto bands = s.patches.band_count();
+  if (reflectance.size() != s.patches.materials.size() * bands ||
       !std::all_of(reflectance.begin(), reflectance.end(), [](float r) { return r >= 0.0f && r < 1.0f; }))
     throw InputError(fmt::format("expected {} reflectances from 0 to below 1, one for each material and band",
-                                 patches_.materials.size() * bands));
-  for (std::size_t m = 0; m < patches_.materials.size(); ++m)
-    std::copy_n(&reflectance[m * bands], bands, patches_.materials[m].reflectance.begin());
-  slots_.emplace(patches_, sampling_.tree(), sampling_.transport().sides(), options_.share, workers_);
-  gathered_.clear();
-  patches_.scene_fingerprint = changed_fingerprint(fingerprint_, patches_);
+                                 s.patches.materials.size() * bands));
+  for (std::size_t m = 0; m < s.patches.materials.size(); ++m)
+    std::copy_n(&reflectance[m * bands], bands, s.patches.materials[m].reflectance.begin());
+  s.look_at_surfaces();
+  s.gathered.clear();
+  s.patches.scene_fingerprint = changed_fingerprint(s.fingerprint, s.patches);
 }
 
 Solution Relighter::light() const {
-  const auto bands = patches_.band_count();
-  const auto groups = patches_.group_count();
-  auto direct = sum_of_groups(state_->direct, groups, bands, weight_, workers_);
+  const auto& s = *state_;
+  const auto bands = s.patches.band_count();
+  const auto groups = s.patches.group_count();
+  auto direct = sum_of_groups(s.samples->direct, groups, bands, s.weight, s.workers);
   std::vector<std::vector<float>> gathered;
-  if (gathered_.empty()) {
-    auto radiosity = dark_but_for_sky(sampling_.transport(), bands, sky_radiosity(patches_));
-    gathered =
-        solve_replicates(sampling_.transport(), direct, slots_->reflectance(), radiosity, tolerance, workers_)
-            .gathered;
+  if (s.gathered.empty()) {
+    auto radiosity = dark_but_for_sky(s.sampling.transport(), bands, sky_radiosity(s.patches));
+    gathered = solve_replicates(s.sampling.transport(), direct, s.slots->reflectance(), radiosity, tolerance,
+                                s.workers)
+                   .gathered;
   } else {
-    gathered = sum_of_groups(gathered_, groups, bands, weight_, workers_);
+    gathered = sum_of_groups(s.gathered, groups, bands, s.weight, s.workers);
   }
-  const auto answer = slots_->answer(direct, gathered, options_.error, workers_);
+  const auto answer = s.slots->answer(direct, gathered, s.options.error, s.workers);
   Solution solution;
-  slots_->write(answer, solution);
-  solution.bands = patches_.bands;
+  s.slots->write(answer, solution);
+  solution.bands = s.patches.bands;
   solution.stop = StopReason::error_reached;
   solution.provenance.method = "sampled";
-  solution.provenance.seed = options_.seed;
-  solution.provenance.rays = state_->rays + state_->first_rays;
-  solution.provenance.scene_fingerprint = patches_.scene_fingerprint;
+  solution.provenance.seed = s.options.seed;
+  solution.provenance.rays = s.samples->rays + s.samples->first_rays;
+  solution.provenance.scene_fingerprint = s.patches.scene_fingerprint;
   return solution;
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "luxel/parallel/workers.h"
@@ -11,8 +9,6 @@
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/solve/sampling.h"
-#include "luxel/solve/slot_light.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -35,11 +31,12 @@ class Relighter {
   // state, that is solved for first. Throws MismatchError where the state is not of these patches.
   Relighter(PatchSet patches, const Tracer& tracer, std::shared_ptr<const SampleState> state,
             const SampledOptions& options, const Workers& workers);
+  ~Relighter();
   Relighter(const Relighter&) = delete;
   Relighter& operator=(const Relighter&) = delete;
 
   // As they are now: with the emittances, the reflectances and the fingerprint of the scene so changed.
-  const PatchSet& patches() const { return patches_; }
+  const PatchSet& patches() const;
 
   // How much brighter each light group is than in the run, at least 0: [group * bands + band]. Cost at 50,000
   // patches: tens of milliseconds.
@@ -51,18 +48,8 @@ class Relighter {
   Solution light() const;
 
  private:
-  PatchSet patches_;                           // as they are now
-  std::vector<std::vector<float>> emittance_;  // [material], in the run
-  std::vector<float> sky_;                     // in the run
-  std::uint64_t fingerprint_;                  // of the run's scene
-  const Workers& workers_;
-  std::shared_ptr<const SampleState> state_;
-  SampledOptions options_;
-  Sampling sampling_;
-  std::optional<SlotLight> slots_;
-  std::vector<float> weight_;
-  // Of the run's reflectances, [replicate][(slot * groups + group) * bands + band]; empty with others.
-  std::vector<std::vector<float>> gathered_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace luxel
