@@ -35,6 +35,7 @@ constexpr Section sections[] = {
     {"reconstruction", "reconstruction", reconstruction},
     {"load", "load_to_files", load_to_files},
     {"mesh", "error_against_patches", error_against_patches},
+    {"relight", "relighting", changed_lamps_and_colours},
 };
 
 constexpr auto usage =

@@ -1,25 +1,8 @@
-# Outside libraries, warnings, and luxel_room(): one static library a room, so that a room links (and sees the
-# headers of) only the outside libraries whose home it is.
+# Warnings, and luxel_room(): one static library a room, so that a room links (and sees the headers of) only the outside
+# libraries whose home it is.
 
-find_package(PkgConfig REQUIRED)
-find_package(glm REQUIRED)
-find_package(TBB REQUIRED)
-find_package(embree 3.13 REQUIRED)
-find_package(PNG REQUIRED)
-pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
-find_package(HDF5 REQUIRED COMPONENTS C)
+include(${CMAKE_CURRENT_LIST_DIR}/luxel_libraries.cmake)
 find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(Threads REQUIRED)
-pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
-find_library(TINYGLTF_LIBRARY tinygltf REQUIRED)
-add_library(TinyGLTF INTERFACE)
-target_link_libraries(TinyGLTF INTERFACE ${TINYGLTF_LIBRARY} nlohmann_json::nlohmann_json)
-add_library(luxel_hdf5 INTERFACE)
-target_include_directories(luxel_hdf5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
-target_compile_definitions(luxel_hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
-target_link_libraries(luxel_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
 
 # Every target of ours. -ffp-contract=off and no -march: the same source gives the same bits on every host.
 add_library(luxel_flags INTERFACE)

@@ -41,6 +41,7 @@ SOURCE = (".h", ".cpp", ".py", ".sh", ".mjs", ".cmake")
 LICENSED = (".h", ".cpp", ".py", ".sh", ".mjs")
 MACHINE_PATH = re.compile(r"(?<![\w.}>~])/(?:work|root|home|tmp)/")
 FACELESS = {"util", "utils", "common", "misc"}
+PUBLIC = "cmake/luxel_install.cmake"
 MAX_LINES = 400
 MAX_BINARY = 200 * 1024
 
@@ -172,6 +173,32 @@ def check_file(root, name, includes):
         yield from check_includes(name, lines, includes)
 
 
+def public_headers(root):
+    """The list of cmake/luxel_install.cmake, or nothing where there is no such file."""
+    name = os.path.join(root, PUBLIC)
+    if not os.path.exists(name):
+        return set()
+    with open(name, encoding="utf-8") as file:
+        return set(re.search(r"set\(LUXEL_PUBLIC_HEADERS\s([^)]*)\)", file.read())[1].split())
+
+
+def check_public(root):
+    """The program includes public headers alone, and these no others."""
+    public = public_headers(root)
+    for header in sorted(public):
+        if not os.path.exists(os.path.join(root, "src/luxel", header)):
+            yield PUBLIC, 1, f"luxel/{header} does not exist"
+    for name in files_of(root) if public else ():
+        room = re.match(r"src/luxel/((\w+)/.*\.(h|cpp))$", name)
+        if not room or (room[2] != "apps" and room[1] not in public):
+            continue
+        with open(os.path.join(root, name), encoding="utf-8") as file:
+            for number, line in enumerate(file, 1):
+                include = re.match(r'#include "luxel/(.+)"', line)
+                if include and include[1] not in public and not (room[2] == "apps" and include[1].startswith("apps/")):
+                    yield name, number, f"{include[1]} is not public: see {PUBLIC}"
+
+
 def violations(root):
     with open(os.path.join(root, "CMakeLists.txt"), encoding="utf-8") as file:
         rooms = read_rooms(file.read())
@@ -181,6 +208,7 @@ def violations(root):
     includes = Includes(root, rooms)
     for name in files_of(root):
         yield from check_file(root, name, includes)
+    yield from check_public(root)
 
 
 def main():

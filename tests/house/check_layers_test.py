@@ -52,6 +52,21 @@ class CheckLayers(unittest.TestCase):
     def test_an_unknown_library_is_refused(self):
         self.check_line("scene", "#include <boost/any.hpp>", "neither of the C++ standard library")
 
+    def test_the_program_and_public_headers_include_public_headers_alone(self):
+        public = {"cmake/luxel_install.cmake": "set(LUXEL_PUBLIC_HEADERS\n    scene/a.h)\n",
+                  "src/luxel/scene/a.h": LICENCE + "#pragma once\n",
+                  "src/luxel/scene/b.cpp": LICENCE + '#include "luxel/math/vector.h"\n',
+                  "src/luxel/apps/a.cpp": LICENCE + '#include "luxel/scene/a.h"\n'}
+        self.assertEqual(self.found(public), [])
+        inward = '#include "luxel/math/vector.h"\n'
+        for name in ("src/luxel/apps/a.cpp", "src/luxel/scene/a.h"):
+            with self.subTest(name):
+                files = {**public, name: public[name] + inward}
+                line = files[name].count("\n")
+                self.check(files, name, line, "math/vector.h is not public")
+        gone = {**public, "cmake/luxel_install.cmake": "set(LUXEL_PUBLIC_HEADERS\n    scene/gone.h)\n"}
+        self.assertIn("luxel/scene/gone.h does not exist", [v[2] for v in self.found(gone)])
+
     def test_an_include_relative_to_the_file_is_refused(self):
         self.check_line("math", '#include "vector.h"', "from the root of the sources")
 

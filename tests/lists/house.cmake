@@ -39,6 +39,9 @@ if(NOT LUXEL_SANITIZE)
   add_test(NAME "house: every header compiles alone"
            COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target luxel_headers)
 
+  add_test(NAME "house: an outside project finds an installed Luxel and builds the README's program"
+           COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/outside_project_test.py ${PROJECT_SOURCE_DIR}
+                   ${PROJECT_BINARY_DIR})
   add_test(NAME "docs: every command in the documents runs"
            COMMAND ${LUXEL_PYTHON} -B ${PROJECT_SOURCE_DIR}/tools/check_docs_commands.py ${PROJECT_SOURCE_DIR}
                    ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})

@@ -1,0 +1,70 @@
+# What is installed: the library as other projects find it, find_package(luxel), and the program. docs/library.md is
+# for who uses it.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# The public headers. The program uses no others, and they include no others: tools/check_layers.py looks.
+set(LUXEL_PUBLIC_HEADERS
+    math/bounds.h math/vector.h
+    report/error.h report/log.h report/memory.h report/progress.h
+    file/output_file.h
+    parallel/workers.h
+    image/image.h image/image_file.h
+    scene/camera.h scene/material.h scene/name_pattern.h scene/scene.h
+    mesh/clean_triangles.h mesh/edges.h mesh/pieces.h mesh/rims.h mesh/t_junctions.h mesh/vertex_weld.h
+    load/load_scene.h
+    patch/light_groups.h patch/make_patches.h patch/patch_set.h patch/patch_tree.h patch/uncut_faces.h
+    trace/tracer.h
+    solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
+    transport/dense_operator.h transport/form_factor_row.h transport/gather_sides.h transport/hemicube.h
+    transport/hemicube_operator.h transport/hemicube_pixels.h transport/lamp_check.h transport/lines_operator.h
+    transport/operator.h transport/row_operator.h
+    check/diagnose.h check/fault_mesh.h check/finding.h check/light_walks.h check/openings.h check/scanned_mesh.h
+    check/words.h
+    solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h
+    solve/solve_report.h solve/stochastic_jacobi.h
+    viewfactors/check_view_factors.h viewfactors/enforce.h viewfactors/exact_view_factors.h
+    viewfactors/sample_view_factors.h viewfactors/view_elements.h viewfactors/view_factors.h
+    viewfactors/view_factors_file.h
+    surface/smooth_light.h
+    refine/refine_to_light.h
+    tone/tone.h
+    render/automatic_camera.h render/render.h
+    reference/batch_means.h reference/compare.h reference/difference_picture.h reference/final_gather.h
+    reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
+    reference/surface_point.h
+    photometry/luminous_efficacy.h
+    export/export_coloured.h export/export_mesh.h)
+
+# All rooms as one library, luxel::luxel.
+get_property(rooms GLOBAL PROPERTY LUXEL_ROOMS)
+set(objects)
+set(libraries fmt::fmt glm::glm)
+foreach(room ${rooms})
+  get_target_property(type luxel_${room} TYPE)
+  if(NOT type STREQUAL "INTERFACE_LIBRARY")
+    list(APPEND objects $<TARGET_OBJECTS:luxel_${room}>)
+  endif()
+  get_property(of_room GLOBAL PROPERTY LUXEL_LIBRARIES_OF_${room})
+  list(APPEND libraries ${of_room})
+endforeach()
+list(REMOVE_DUPLICATES libraries)
+add_library(luxel_library STATIC ${objects})
+set_target_properties(luxel_library PROPERTIES OUTPUT_NAME luxel EXPORT_NAME luxel LINKER_LANGUAGE CXX)
+target_compile_features(luxel_library INTERFACE cxx_std_20)
+target_include_directories(luxel_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+install(TARGETS luxel)
+install(TARGETS luxel_library EXPORT luxel-targets)
+foreach(header ${LUXEL_PUBLIC_HEADERS})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES src/luxel/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/luxel/${folder})
+endforeach()
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/luxel)
+install(EXPORT luxel-targets NAMESPACE luxel:: DESTINATION ${config_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/luxel-config-version.cmake COMPATIBILITY SameMinorVersion)
+configure_file(cmake/luxel-config.cmake.in luxel-config.cmake @ONLY)  # with the outside libraries, to be found anew
+install(FILES ${PROJECT_BINARY_DIR}/luxel-config.cmake ${PROJECT_BINARY_DIR}/luxel-config-version.cmake
+              cmake/luxel_libraries.cmake
+        DESTINATION ${config_folder})
