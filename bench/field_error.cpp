@@ -19,10 +19,14 @@ constexpr std::uint32_t place_step = 0x706c6163u;
 
 // Even over the area: the areas of all patches laid end to end are cut into as many equal pieces as there are
 // points, and each point is drawn from one piece.
-std::vector<SurfacePoint> draw_points(const PatchSet& patches, std::size_t count) {
+std::vector<SurfacePoint> draw_points(const PatchSet& patches, std::size_t count,
+                                      const PatchChoice& only_on) {
   std::vector<double> area_up_to;
   double area = 0.0;
-  for (const auto a : patches.area) area_up_to.push_back(area += static_cast<double>(a));
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (!only_on || only_on(patches, p)) area += static_cast<double>(patches.area[p]);
+    area_up_to.push_back(area);
+  }
   std::vector<SurfacePoint> points;
   const auto key = stream_key(1, place_step, 0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -71,11 +75,11 @@ Field drawn_field(const SmoothLight& smooth, std::size_t bands) {
 }
 
 PointTruth::PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
-                       const Workers& workers) {
+                       const Workers& workers, const PatchChoice& only_on) {
   const auto patches = make_patches(scene, {.max_edge = no_max_edge});
   const Tracer tracer(patches, workers);
   bands_ = patches.band_count();
-  points_ = draw_points(patches, points);
+  points_ = draw_points(patches, points, only_on);
   for (auto& p : points_) {
     triangle_.push_back(patches.triangle[p.patch]);
     p.normal = normal(patches, p.patch, p.position, p.normal);

@@ -18,6 +18,8 @@ namespace luxel::bench {
 // the patch, the point and the facet's own normal. Both look to the same side.
 using TrueNormal = std::function<Vec3(const PatchSet&, std::size_t patch, const Vec3&, const Vec3&)>;
 
+using PatchChoice = std::function<bool(const PatchSet&, std::size_t patch)>;
+
 // The light at one place of a patch side, W/m² a band. weights: barycentric, of the corners b and c.
 using Field = std::function<void(std::size_t patch, bool back, const Vec2& weights, double* light)>;
 
@@ -29,8 +31,9 @@ Field drawn_field(const SmoothLight& smooth, std::size_t bands);
 // independently.
 class PointTruth {
  public:
+  // Where `only_on` says so; nothing said: everywhere.
   PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
-             const Workers& workers);
+             const Workers& workers, const PatchChoice& only_on = {});
 
   // sqrt(mean of (f - t)(f - t') / mean of t t'), over points and bands: the noise of neither t is in it.
   double error(const PatchSet& patches, const Field& field) const;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What patches of one size, and patches put where the light needs them, do to the light that is drawn.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "luxel/patch/make_patches.h"
@@ -16,11 +20,10 @@
 namespace luxel::bench {
 namespace {
 
-constexpr std::size_t coarse = 3000;  // what refinement begins from
+constexpr std::size_t coarse = 800;  // what refinement begins from
 
-// The same power from a lamp of a quarter of the size either way: shadows have sharp edges.
-Scene with_small_lamp(Scene scene) {
-  constexpr float share = 0.25f;
+// The same power from a lamp of that share of the size either way: the smaller, the sharper its shadows.
+Scene with_small_lamp(Scene scene, float share) {
   Vec3 middle(0.0f);
   float count = 0.0f;
   const auto each_corner = [&](auto body) {
@@ -40,79 +43,132 @@ Scene with_small_lamp(Scene scene) {
   return scene;
 }
 
+struct Subject {
+  UncutScene uncut;
+  Vec3 up;
+};
+
+// What lies flat on the ground.
+PatchChoice floor_of(const Scene& scene, const Vec3& up) {
+  auto lowest = std::numeric_limits<float>::infinity();
+  for (const auto& p : scene.positions) lowest = std::min(lowest, glm::dot(p, up));
+  return [lowest, up](const PatchSet& patches, std::size_t p) {
+    return glm::dot(patches.normal[p], up) > 0.999f &&
+           glm::dot(patches.centroid(p), up) < lowest + 1e-4f * std::abs(lowest) + 1e-4f;
+  };
+}
+
+// A field over the floor, or over all there is, against the light at points.
 struct Measured {
   std::size_t patches = 0;
   double error = 0.0;
   double noise = 0.0;  // of the error
 };
 
-class Subject {
+struct Row {
+  const char* how = "";
+  Measured whole, on_floor;
+  double stated = 0.0;  // 0: nothing is
+  double rays = 0.0, cpu_seconds = 0.0;
+};
+
+class Comparison {
  public:
-  Subject(const Settings& settings, const UncutScene& uncut, const Workers& workers)
+  Comparison(const Settings& settings, const Subject& subject, const Workers& workers)
       : settings_(settings),
-        uncut_(uncut),
+        uncut_(subject.uncut),
         workers_(workers),
-        truth_(uncut.scene, uncut.normal, settings.small ? 200 : 10'000, settings.small ? 16 : 512, workers) {
-  }
+        is_floor_(floor_of(uncut_.scene, subject.up)),
+        truth_(truth({})),
+        floor_truth_(truth(is_floor_)) {}
 
   Json measure() {
     Json rows = Json::array();
-    const auto add = [&](const char* how, const Measured& m, double stated, double seconds) {
-      fmt::print("{:>24} {:>8} {:>9} {:>8.2f} % {:>6.2f} % {:>8} {:>7.1f}\n", uncut_.name, how, m.patches,
-                 100.0 * m.error, 100.0 * m.noise,
-                 stated > 0.0 ? fmt::format("{:.2f} %", 100.0 * stated) : std::string(), seconds);
-      rows.push_back({{"patches", m.patches},
-                      {"error", m.error},
-                      {"standard_error", m.noise},
-                      {"stated", stated},
-                      {"how", how},
-                      {"cpu_seconds", seconds}});
-    };
-    for (std::size_t target = 2000; target <= (settings_.small ? 2000u : 128'000u); target *= 2)
-      add("one size", of(make_patches(uncut_.scene, {.target_count = target})), 0.0, 0.0);
-    for (double error = 0.16; error >= (settings_.small ? 0.16 : 0.01); error *= 0.5) {
+    for (std::size_t target = 2000; target <= (settings_.small ? 2000u : 256'000u); target *= 2)
+      rows.push_back(noted(of("one size", make_patches(uncut_.scene, {.target_count = target}))));
+    for (double error = settings_.small ? 0.16 : 0.04; error >= (settings_.small ? 0.16 : 0.005);
+         error *= 0.5) {
       RefineReport report;
       PatchSet patches;
       const auto time = cost([&] {
         patches = refine_to_light(make_patches(uncut_.scene, {.target_count = coarse}), {.mesh_error = error},
                                   report, workers_);
       });
-      add("refined", of(patches), report.mesh_error, time.cpu);
+      auto row = of("refined", patches);
+      row.stated = report.mesh_error;
+      row.cpu_seconds = time.cpu;
+      for (const auto& level : report.levels) row.rays += static_cast<double>(level.rays);
+      rows.push_back(noted(row));
     }
     return {{"scene", uncut_.name}, {"rows", rows}};
   }
 
  private:
-  Measured of(const PatchSet& patches) const {
+  PointTruth truth(const PatchChoice& only_on) const {
+    return {uncut_.scene, uncut_.normal, settings_.small ? 200u : 10'000u, settings_.small ? 16u : 512u,
+            workers_,     only_on};
+  }
+
+  Json noted(const Row& row) const {
+    const auto percent = [](double share) { return fmt::format("{:.2f} %", 100.0 * share); };
+    const auto field = [&](const Measured& m) {
+      return fmt::format("{:>8} {:>8} {:>7}", m.patches, percent(m.error), percent(m.noise));
+    };
+    fmt::print("{:>24} {:>8} {} {} {:>8} {:>7.1f} {:>7.1f}\n", uncut_.name, row.how, field(row.whole),
+               field(row.on_floor), row.stated > 0.0 ? percent(row.stated) : "", 1e-6 * row.rays,
+               row.cpu_seconds);
+    const auto json = [](const Measured& m) -> Json {
+      return {{"patches", m.patches}, {"error", m.error}, {"standard_error", m.noise}};
+    };
+    return {{"how", row.how},       {"whole", json(row.whole)}, {"floor", json(row.on_floor)},
+            {"stated", row.stated}, {"rays", row.rays},         {"cpu_seconds", row.cpu_seconds}};
+  }
+
+  Row of(const char* how, const PatchSet& patches) const {
     const Tracer tracer(patches, workers_);
     Solution solution;
     solve_sampled(patches, tracer, solution, {.error = settings_.small ? 0.1 : 0.004}, workers_);
     const auto smooth = make_smooth_light(patches, solution, {}, workers_);
     const auto field = drawn_field(smooth, patches.band_count());
-    const auto error = truth_.error(patches, field);
-    return {patches.size(), error, 0.5 * truth_.noise(patches, field) / error};
+    const auto held_to = [&](const PointTruth& truth, std::size_t count) -> Measured {
+      const auto error = truth.error(patches, field);
+      return {count, error, 0.5 * truth.noise(patches, field) / error};
+    };
+    std::size_t on_floor = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) on_floor += is_floor_(patches, p) ? 1u : 0u;
+    return {
+        .how = how, .whole = held_to(truth_, patches.size()), .on_floor = held_to(floor_truth_, on_floor)};
   }
 
   const Settings& settings_;
   const UncutScene& uncut_;
   const Workers& workers_;
-  PointTruth truth_;
+  PatchChoice is_floor_;
+  PointTruth truth_, floor_truth_;
 };
+
+std::vector<Subject> subjects(const Settings& settings) {
+  const auto all = reconstruction_scenes();
+  const auto box_under = [&](const char* name, float share) {
+    return Subject{{name, with_small_lamp(all[0].scene, share), all[0].normal}, {0.0f, 1.0f, 0.0f}};
+  };
+  std::vector<Subject> result = {box_under("Cornell box, small lamp", 0.25f)};
+  if (settings.small) return result;
+  result.push_back(box_under("Cornell box, tiny lamp", 0.1f));
+  for (const auto i : {2u, 3u}) result.push_back({all[i], {0.0f, 0.0f, 1.0f}});  // two rooms, wall on floor
+  return result;
+}
 
 }  // namespace
 
 Json error_against_patches(const Settings& settings) {
   const Workers workers;
   fmt::print("\nError of the drawn field at points against the number of patches, relative RMS\n");
-  fmt::print("{:>24} {:>8} {:>9} {:>10} {:>8} {:>8} {:>7}\n", "scene", "patches", "number", "error", "+-",
-             "stated", "CPU s");
-  const auto all = reconstruction_scenes();
-  std::vector<UncutScene> subjects = {all[0]};
-  subjects.front().name = "Cornell box, small lamp";
-  subjects.front().scene = with_small_lamp(subjects.front().scene);
-  if (!settings.small) subjects.insert(subjects.end(), {all[2], all[3]});  // two rooms, wall on floor
+  fmt::print("{:>24} {:>8} {:>25} {:>25} {:>8} {:>7} {:>7}\n", "scene", "patches", "all: number, error, +-",
+             "floor: number, error, +-", "stated", "Mrays", "CPU s");
   Json scenes = Json::array();
-  for (const auto& subject : subjects) scenes.push_back(Subject(settings, subject, workers).measure());
+  for (const auto& subject : subjects(settings))
+    scenes.push_back(Comparison(settings, subject, workers).measure());
   return {{"scenes", scenes}};
 }
 

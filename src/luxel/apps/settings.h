@@ -40,7 +40,7 @@ struct RefineSettings {
   double mesh_error = 0.0;  // a share; 0: the patches stay as they are
   std::size_t max_patches = RefineOptions().max_patches;
   // Patches to begin with, if no edge was given: enough to see where to look.
-  static constexpr std::size_t coarse_patches = 3000;
+  static constexpr std::size_t coarse_patches = 800;
   bool is_asked() const { return mesh_error > 0.0; }
   void declare(OptionSet& set);
 };

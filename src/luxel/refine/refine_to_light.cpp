@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "luxel/patch/refine_patches.h"
+#include "luxel/random/address.h"
 #include "luxel/refine/level_difference.h"
 #include "luxel/report/error.h"
 #include "luxel/trace/tracer.h"
@@ -17,11 +18,14 @@
 namespace luxel {
 namespace {
 
-constexpr double light_share = 0.7;   // of the mesh error: how well the light is solved that decides
-constexpr double left_alone = 0.3;    // of the squared error allowed: what patches that stay may have
-constexpr double large_patch = 5e-4;  // of the whole area: cut once whatever it says
-constexpr double least_ratio = 0.25, most_ratio = 0.5;  // that halving leaves of a squared error
-constexpr double parts = 4.0;  // of a marked patch; neighbours are cut too, others not at all
+constexpr double light_share = 2.0;     // of the mesh error asked for: how well each of two answers is solved
+constexpr double poorest_light = 0.03;  // likewise, at most: where that is all that need be known
+constexpr double ratio = 0.5;           // of a squared error: what halving leaves where light jumps
+constexpr double aim = 0.8;             // of the squared error allowed: what the next mesh is to have
+constexpr double most_left = 0.35;      // of what differs: what one more mesh need not see to
+constexpr double large_patch = 5e-4;    // of the whole area: cut once before the light is asked
+constexpr double parts = 4.0;           // of a marked patch; neighbours are cut too, others not at all
+constexpr std::uint32_t purpose = 0x72656669u;  // keeps its streams apart from those of other stages
 
 void check(const RefineOptions& options) {
   if (!(options.mesh_error > 0.0))
@@ -33,12 +37,9 @@ void check(const RefineOptions& options) {
 // A mesh with its light.
 struct Level {
   PatchSet patches;
-  Solution solution;
-  SmoothLight smooth;
+  Answers answers;
   std::uint64_t rays = 0;
   double light2 = 0.0;  // see squared_light()
-
-  LevelLight light() const { return {patches, solution, smooth}; }
 };
 
 class Refinement {
@@ -47,25 +48,20 @@ class Refinement {
              const Monitor& monitor)
       : options_(options), report_(report), workers_(workers), monitor_(monitor) {
     now_.patches = std::move(patches);
-    options_.light.error = std::max(options_.light.error, light_share * options_.mesh_error);
   }
 
   PatchSet go() {
-    if (!solve(now_)) return end(RefineStop::stopped_by_user);
-    difference_ = difference_within_patches(now_.light(), workers_);
-    note_level();
-    auto marks = marked_by_difference();
-    mark_large(marks);
+    const auto first =
+        refine_within_limit(large_ones(), {now_.patches.area.begin(), now_.patches.area.end()});
+    if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
-      if (is_met() && level > 0) return end(RefineStop::mesh_error_reached);
-      if (std::count(marks.begin(), marks.end(), 1) == 0)
-        return end(is_met() ? RefineStop::mesh_error_reached : RefineStop::drowned_in_noise);
+      if (is_met()) return end(RefineStop::mesh_error_reached);
+      const auto marks = marked_by_difference();
+      if (std::count(marks.begin(), marks.end(), 1) == 0) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
-      auto refined = refine_within_limit(marks);
+      auto refined = refine_within_limit(marks, difference_.squared);
       if (!refined) return end(RefineStop::patch_limit);
-      if (!descend(std::move(*refined))) return end(RefineStop::stopped_by_user);
-      note_level();
-      marks = marked_by_difference();
+      if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
     }
   }
 
@@ -78,54 +74,83 @@ class Refinement {
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
 
+  // How well to solve each answer: while much is wrong, rough ones show where.
+  double light_error() const {
+    const auto known = report_.levels.empty() ? poorest_light : report_.levels.back().mesh_error;
+    return std::max(options_.light.error,
+                    std::min(poorest_light, std::max(known, light_share * options_.mesh_error)));
+  }
+
   bool solve(Level& level) {
     const Tracer tracer(level.patches, workers_);
     const auto on_the_way = [&](const Progress& p) {
       return tell(monitor_, {"refine", 0.0, rays_before_ + p.rays, p.error});
     };
-    const auto solved =
-        solve_sampled(level.patches, tracer, level.solution, options_.light, workers_, on_the_way);
-    level.rays = solved.rays;
-    rays_before_ += solved.rays;
-    level.light2 = squared_light(level.patches, level.solution);
-    level.smooth = make_smooth_light(level.patches, level.solution, options_.smooth, workers_);
-    return solved.stop != StopReason::stopped_by_user;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      auto how = options_.light;
+      how.error = light_error();
+      how.seed =
+          stream_key(options_.light.seed, purpose, 2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
+      auto& [solution, smooth] = level.answers[i];
+      const auto solved = solve_sampled(level.patches, tracer, solution, how, workers_, on_the_way);
+      level.rays += solved.rays;
+      rays_before_ += solved.rays;
+      if (solved.stop == StopReason::stopped_by_user) return false;
+      smooth = make_smooth_light(level.patches, solution, options_.smooth, workers_);
+    }
+    level.light2 = squared_light(level.patches, level.answers);
+    return true;
   }
 
-  // Goes on to the finer mesh. What was not cut keeps what it was known to differ by.
-  bool descend(RefinedPatches refined) {
+  // Goes on to the finer mesh and learns what the coarser one had wrong.
+  bool look(RefinedPatches refined) {
+    const auto& parent = refined.parent;
     Level next;
     next.patches = std::move(refined.patches);
     if (!solve(next)) return false;
-    auto difference = difference_of_levels(now_.light(), next.light(), refined.parent, workers_);
-    const auto& parent = refined.parent;
+    // What would be known if there were but the coarser one: the noise of both is the same then.
+    Answers coarse;
+    for (std::size_t i = 0; i < 2; ++i) {
+      coarse[i].solution = light_of_wholes(now_.patches, next.patches, next.answers[i].solution, parent);
+      coarse[i].smooth = make_smooth_light(now_.patches, coarse[i].solution, options_.smooth, workers_);
+    }
+    auto difference =
+        difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, workers_);
+    if (report_.levels.empty())
+      keep_of_wholes(difference_within_patches(now_.patches, coarse, workers_), parent, difference);
+    else
+      keep_of_wholes(difference_, parent, difference);
+    difference_ = std::move(difference);
+    now_ = std::move(next);
+    note_level();
+    return true;
+  }
+
+  // What was not cut keeps what it was known to differ by.
+  static void keep_of_wholes(const FieldDifference& known, const std::vector<std::uint32_t>& parent,
+                             FieldDifference& difference) {
     for (std::size_t p = 0; p < parent.size(); ++p) {
       const bool is_whole =
           (p == 0 || parent[p - 1] != parent[p]) && (p + 1 == parent.size() || parent[p + 1] != parent[p]);
       if (!is_whole) continue;
-      difference.squared[p] = difference_.squared[parent[p]];
-      difference.noise[p] = difference_.noise[parent[p]];
+      difference.squared[p] = known.squared[parent[p]];
+      difference.noise[p] = known.noise[parent[p]];
     }
-    difference_ = std::move(difference);
-    now_ = std::move(next);
-    return true;
   }
 
+  // Parts have wrong what is left of the error that they found.
   void note_level() {
     const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
-    const auto share = now_.light2 > 0.0 ? std::max(0.0, sum) / now_.light2 : 0.0;
-    // What the first level says of itself is of another kind.
-    if (report_.levels.size() >= 2 && share_before_ > 0.0) {
-      const auto ratio = std::clamp(share / share_before_, least_ratio, most_ratio);
-      left_over_ = ratio / (1.0 - ratio);
-    }
-    share_before_ = share;
-    report_.levels.push_back(
-        {now_.patches.size(), std::sqrt(left_over_ * share), now_.solution.predicted_error, now_.rays});
+    const auto error2 = now_.light2 > 0.0 ? std::max(0.0, sum) / now_.light2 * ratio / (1.0 - ratio) : 0.0;
+    double noise2 = 0.0;  // of the mean of both answers
+    for (const auto& answer : now_.answers)
+      noise2 += 0.25 * answer.solution.predicted_error * answer.solution.predicted_error;
+    report_.levels.push_back({now_.patches.size(), std::sqrt(error2), std::sqrt(noise2), now_.rays});
   }
 
-  // The fewest patches that leave a share of what is allowed to the others. What noise may have made is no
-  // reason to cut.
+  // The fewest patches that bring the error down to what is asked for, or near it: where that takes nearly
+  // all of what differs, another mesh will know better where the last of it is. What noise may have made is
+  // no reason to cut.
   std::vector<std::uint8_t> marked_by_difference() const {
     std::vector<std::uint32_t> order;
     double left = 0.0;
@@ -134,39 +159,49 @@ class Refinement {
       order.push_back(p);
       left += difference_.squared[p];
     }
-    sort_by_difference(order);
-    const auto allowed = left_alone * options_.mesh_error * options_.mesh_error * now_.light2 / left_over_;
+    sort_by(difference_.squared, order);
+    const auto aimed = aim * options_.mesh_error * options_.mesh_error * now_.light2 * (1.0 - ratio) / ratio;
+    const auto least = most_left * left;
+    double cut = 0.0;
     std::vector<std::uint8_t> marks(now_.patches.size(), 0);
     for (const auto p : order) {
-      if (left <= allowed) break;
+      if (left <= least || left + ratio * cut <= aimed) break;
       marks[p] = 1;
       left -= difference_.squared[p];
+      cut += difference_.squared[p];
     }
     return marks;
   }
 
-  void sort_by_difference(std::vector<std::uint32_t>& order) const {
+  static void sort_by(const std::vector<double>& weight, std::vector<std::uint32_t>& order) {
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const auto x = difference_.squared[a];
-      const auto y = difference_.squared[b];
-      return x != y ? x > y : a < b;
+      return weight[a] != weight[b] ? weight[a] > weight[b] : a < b;
     });
   }
 
-  void mark_large(std::vector<std::uint8_t>& marks) const {
+  std::vector<std::uint8_t> large_ones() const {
     const auto& area = now_.patches.area;
     const auto least = large_patch * std::accumulate(area.begin(), area.end(), 0.0);
+    std::vector<std::uint8_t> marks(area.size(), 0);
     for (std::size_t p = 0; p < area.size(); ++p)
       if (static_cast<double>(area[p]) > least) marks[p] = 1;
+    return marks;
   }
 
-  // Where they would be too many, those that differ most.
-  std::optional<RefinedPatches> refine_within_limit(const std::vector<std::uint8_t>& marks) const {
+  static RefinedPatches whole(const PatchSet& patches) {
+    RefinedPatches result{patches, std::vector<std::uint32_t>(patches.size())};
+    std::iota(result.parent.begin(), result.parent.end(), 0u);
+    return result;
+  }
+
+  // Where they would be too many, those of the greatest weight. weight: [patch].
+  std::optional<RefinedPatches> refine_within_limit(const std::vector<std::uint8_t>& marks,
+                                                    const std::vector<double>& weight) const {
     const auto size = now_.patches.size();
     std::vector<std::uint32_t> order;
     for (std::uint32_t p = 0; p < size; ++p)
       if (marks[p] != 0) order.push_back(p);
-    sort_by_difference(order);
+    sort_by(weight, order);
     const auto room = options_.max_patches > size ? options_.max_patches - size : 0;
     auto count = std::min(order.size(), static_cast<std::size_t>(static_cast<double>(room) / (parts - 1.0)));
     for (; count > 0; count = count * 3 / 4) {
@@ -184,8 +219,6 @@ class Refinement {
   const Monitor& monitor_;
   Level now_;
   FieldDifference difference_;  // of the patches now
-  double share_before_ = 0.0;   // of the level before: squared differences over squared light
-  double left_over_ = 1.0;      // of the squared differences: what is still wrong
   std::uint64_t rays_before_ = 0;
 };
 

@@ -17,7 +17,8 @@ struct RefineOptions {
   double mesh_error = 0.02;  // asked for: area-weighted relative RMS of what the size of patches does
   std::size_t max_patches = 1'000'000;
   int max_levels = 12;
-  // How the light is solved that decides: to 0.7 of mesh_error, or to the error here where that is larger.
+  // How the light is solved that decides. Its error: as large as the mesh error that is still there, or twice
+  // the one asked for, but no more than 3 %; or the one here where that is larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  // how light is reconstructed from patches: its error is what counts
 };
@@ -34,7 +35,7 @@ enum class RefineStop {
 struct RefineLevel {
   std::size_t patches = 0;
   double mesh_error = 0.0;      // as estimated for this mesh
-  double sampling_error = 0.0;  // of the light that decided
+  double sampling_error = 0.0;  // of the light that decided, both answers together
   std::uint64_t rays = 0;       // traced for it
 };
 
@@ -44,16 +45,18 @@ struct RefineReport {
   std::vector<RefineLevel> levels;
 };
 
-// Puts patches where the light needs them. The light is solved coarsely; patches are cut in four where the
-// field reconstructed from them (surface/smooth_light.h) does not stand for it; the light is solved again,
-// and what the parts say of the field on the whole is what the whole had wrong, d² in squares. Where halving
-// leaves the share r of a squared error, what the parts still have wrong is d² r / (1 - r). r is taken from
-// the last two levels, between a half, which is what a jump leaves, and a quarter. Cut
-// first is what differs most, until what is left alone is a third of what is allowed (Dörfler 1996). Patches
-// that are large beside the scene are cut once whatever they say: what lies wholly inside of one cannot be
-// seen from outside.
+// Puts patches where the light needs them. Patches that are large beside the scene are cut once, and the
+// light is solved coarsely. The means of the parts make the light of the whole as it would be known without
+// them; how the parts differ from the field reconstructed from that (surface/smooth_light.h) is what it had
+// wrong, d² in squares. Where light jumps, halving leaves a half of a squared error, and less where it is
+// smooth: so the parts still have d² wrong, or less, and this is the mesh error that is stated. What differs
+// most is cut in four, and the light is solved again.
 //
-// The same bits on any number of threads. Cost: a coarse solve a level; levels grow about as the jumps get
+// Each light is solved twice, independently: d² is the product of both answers' differences, in which the
+// noise of neither is, so that rough answers will do. Their streams are apart from those of other levels and
+// of a later solve.
+//
+// The same bits on any number of threads. Cost: two coarse solves a level; levels grow about as the jumps get
 // longer in patches.
 PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
                          const Workers& workers, const Monitor& monitor = {});
