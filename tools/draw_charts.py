@@ -3,7 +3,7 @@
 """Draws what luxel-bench measured: draw_charts.py BENCH.json FOLDER.
 
 One SVG a scene (error-NAME.svg: true error against processor time, each method a line), cost-per-patch.svg,
-time-against-polygons.svg and time-against-lamps.svg, from those sections that the file has. Their names are printed.
+time-against-polygons.svg, time-against-lamps.svg and one error-against-patches-NAME.svg a scene, from those sections that the file has. Their names are printed.
 Both axes are logarithmic; each point says its numbers when pointed at; light and dark pages are both served. The same
 file gives the same bytes.
 """
@@ -217,6 +217,21 @@ def lamps_chart(rows):
                  [plain("measured", f"{rows[-1]['ratio']:.2f} at the end", points)], 1.0)
 
 
+def mesh_charts(section):
+    for scene in section["scenes"]:
+        series = []
+        for where, words in (("whole", "all surfaces"), ("floor", "the floor alone")):
+            for how in ("one size", "refined"):
+                rows = [r for r in scene["rows"] if r["how"] == how]
+                points = [(r["whole"]["patches"], r[where]["error"],
+                           f"{how}, {words}, {r['whole']['patches']:,} patches: {percent(r[where]['error'])} "
+                           f"± {percent(r[where]['standard_error'])}") for r in rows if r[where]["error"] > 0]
+                series.append(plain(how, words, points))
+        yield (f"error-against-patches-{slug(scene['scene'])}.svg",
+               chart(f"{scene['scene']}: error against patches", "patches in all",
+                     "error of the drawn light (relative RMS)", percent, series))
+
+
 def methods_chart(section):
     """Every method on one mesh: {patches, methods: {name: [{setting, cpu_seconds, true_error}]}}."""
     series = []
@@ -240,6 +255,8 @@ def main(words):
         charts += error_charts(bench["error_against_time"])
     if "cost_per_patch" in bench:
         charts += cost_chart(bench["cost_per_patch"])
+    if "error_against_patches" in bench:
+        charts += mesh_charts(bench["error_against_patches"])
     if "time_against_polygons" in bench:
         charts.append(("time-against-polygons.svg", polygons_chart(bench["time_against_polygons"])))
     if "time_against_lamps" in bench:

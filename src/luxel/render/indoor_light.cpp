@@ -16,6 +16,9 @@ constexpr std::size_t rays = 64;          // of such a group, of its fronts and 
 constexpr std::uint32_t stream = 2;       // the first two are the candidates'
 constexpr float indoors = 0.3f;           // shut in by more than that
 constexpr double many = 0.05;             // of the lit area
+constexpr float reflected = 0.5f;         // of the light that comes
+constexpr int bounces = 16;
+constexpr float dim = 0.01f;  // beside lamps and the sky: what is darker counts less
 
 // The sides of neighbouring patches: those of group g from the front are faces 2 g, from the back 2 g + 1.
 class Faces {
@@ -62,20 +65,25 @@ class Faces {
   std::vector<std::size_t> begins_;      // [group + 1], into the tree's order
 };
 
-// Which faces light reaches: from lamps, from the sky, or from a face that it reaches.
-std::vector<bool> lit_faces(const PatchSet& patches, const Faces& faces,
-                            const std::vector<std::uint32_t>& met) {
-  std::vector<bool> lit(faces.size(), false);
-  for (std::size_t f = 0; f < lit.size(); f += 2) {
+// How bright faces are, roughly: lamps and the sky are 1, and half of what comes is reflected. 0: light does
+// not find a way.
+std::vector<float> brightness_of(const PatchSet& patches, const Faces& faces,
+                                 const std::vector<std::uint32_t>& met) {
+  std::vector<float> light(faces.size(), 0.0f);
+  std::vector<bool> is_lamp(faces.size(), false);
+  for (std::size_t f = 0; f < light.size(); f += 2) {
     const auto own = faces.patches(f);
-    lit[f] = std::any_of(own.begin(), own.end(), [&](auto p) { return patches.material_of(p).is_lamp(); });
+    is_lamp[f] =
+        std::any_of(own.begin(), own.end(), [&](auto p) { return patches.material_of(p).is_lamp(); });
   }
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < met.size(); ++i)
-      if (!lit[i / rays] && (met[i] == Faces::sky || lit[met[i]])) lit[i / rays] = changed = true;
-  }
-  return lit;
+  for (int bounce = 0; bounce < bounces; ++bounce)
+    for (std::size_t f = 0; f < light.size(); ++f) {
+      float sum = 0.0f;
+      for (auto i = f * rays; i < (f + 1) * rays; ++i)
+        sum += met[i] == Faces::sky || is_lamp[met[i]] ? 1.0f : reflected * light[met[i]];
+      light[f] = is_lamp[f] ? 1.0f : sum / rays;
+    }
+  return light;
 }
 
 }  // namespace
@@ -83,7 +91,7 @@ std::vector<bool> lit_faces(const PatchSet& patches, const Faces& faces,
 Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
   const Faces faces(patches, workers);
   const auto met = faces.look_round(tracer, workers);
-  const auto lit = lit_faces(patches, faces, met);
+  const auto light = brightness_of(patches, faces, met);
 
   // How far each face is shut in, and whether there is an indoors at all.
   std::vector<float> share(faces.size(), 0.0f);
@@ -93,7 +101,7 @@ Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Worke
     const auto first = met.begin() + static_cast<std::ptrdiff_t>(f * rays);
     share[f] = 1.0f - static_cast<float>(std::count(first, first + rays, Faces::sky)) / rays;
     for (const auto p : faces.patches(f)) {
-      if (!lit[f]) continue;
+      if (!(light[f] > 0.0f)) continue;
       lit_area += static_cast<double>(patches.area[p]);
       if (share[f] > indoors) inside += static_cast<double>(patches.area[p]);
     }
@@ -106,10 +114,11 @@ Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Worke
   for (auto* array : {&result.irradiance_front, &result.irradiance_back})
     array->assign(patches.size() * bands, 0.0f);
   for (std::size_t f = 0; f < share.size(); ++f) {
-    if (!lit[f] || (has_indoors && share[f] <= indoors)) continue;
+    if (!(light[f] > 0.0f) || (has_indoors && share[f] <= indoors)) continue;
+    const auto seen = std::min(1.0f, light[f] / dim);
     auto& irradiance = f % 2 == 0 ? result.irradiance_front : result.irradiance_back;
     for (const auto p : faces.patches(f))
-      std::fill_n(&irradiance[p * bands], bands, has_indoors ? share[f] * share[f] : 1.0f);
+      std::fill_n(&irradiance[p * bands], bands, has_indoors ? seen * share[f] * share[f] : 1.0f);
   }
   return result;
 }
