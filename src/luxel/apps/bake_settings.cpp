@@ -10,6 +10,7 @@ void BakeSettings::declare(OptionSet& set) {
   scene.declare_contacts(set);
   refine.declare(set);
   scene.declare_sky(set);
+  scene.declare_spectra(set);
   light.declare(set);
   keep.declare(set);
   look.declare(set);
@@ -20,6 +21,7 @@ void BakeSettings::declare(OptionSet& set) {
 }
 
 void BakeSettings::check() const {
+  scene.check();
   light.check();
   check_before_work(run, picture, all_kinds, keep.checkpoint);
 }

@@ -22,6 +22,7 @@ class Check final : public Command {
   explicit Check(OptionSet& options) : Command(options) {
     scene_.declare_scene(options);
     scene_.declare_sky(options);
+    scene_.declare_spectra(options);
     options.heading("Check");
     options.add_number("places", "count", places_, 0u, 1'000'000u, "how many places to tell of each finding");
     options.add_flag("strict", strict_, "exit with 1 where a fault or a doubt was found");
@@ -30,6 +31,7 @@ class Check final : public Command {
   }
 
   int run() override {
+    scene_.check();
     if (!run_.outputs.empty()) check_before_work(run_, {}, kinds);
     Console console(run_.quiet);
     const Workers workers(run_.threads);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/apps/light_run.h"
 
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -12,7 +13,6 @@
 #include "luxel/apps/quantity.h"
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/step_pictures.h"
-#include "luxel/photometry/luminous_efficacy.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/forecast.h"
 #include "luxel/solve/relight.h"
@@ -148,13 +148,13 @@ bool LightRun::fell_short(const SolveReport& solved) const {
 // Lux of the sky and lumens of each lamp material, so that a wrong unit shows at once, and lamps that light
 // nothing.
 void LightRun::report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const {
+  const auto colours = patches.colours();
   if (patches.has_sky())
     console_.say(
-        fmt::format("sky: {:.4g} lx in the open",
-                    lumens(patches.sky_radiosity(0), patches.sky_radiosity(1), patches.sky_radiosity(2))));
+        fmt::format("sky: {:.4g} lx in the open", std::numbers::pi * colours.lumens(patches.sky)));
   for (const auto& view : views) {
     console_.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
-                             lumens(view.power[0], view.power[1], view.power[2])));
+                             colours.lumens(view.power)));
     const auto fault = lamp_fault(patches, view);
     if (!fault.empty()) warn(console_.log(), fault);
   }

@@ -23,6 +23,7 @@ class Reference final : public Command {
     scene_.declare(options, "the mesh: an OBJ file with its MTL; or a solution (.vtkhdf), for its patches");
     scene_.declare_contacts(options);
     scene_.declare_sky(options);
+    scene_.declare_spectra(options);
     light_.declare(options);
     look_.declare(options);
     picture_.declare_view(options);
@@ -77,6 +78,7 @@ class Reference final : public Command {
   bool is_of_solution() const { return std::filesystem::path(scene_.file).extension() == ".vtkhdf"; }
 
   void check() const {
+    scene_.check();
     light_.check();
     check_before_work(run_, picture_, all_kinds);
     if (!error_picture_.empty()) {
@@ -91,11 +93,10 @@ class Reference final : public Command {
     if (is_of_solution() &&
         (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() ||
          l.max_reflectance != as_it_is.load.max_reflectance || l.sky != as_it_is.load.sky ||
-         scene_.patches.max_edge != as_it_is.patches.max_edge))
+         !l.spectra.empty() || scene_.patches.max_edge != as_it_is.patches.max_edge))
       throw UsageError(
           "a solution's patches are taken as they are: --scale, --max-reflectance, --one-sided, --flip, "
-          "--sky "
-          "and --max-edge belong to a scene");
+          "--sky, --spectral and --max-edge belong to a scene");
   }
 
   // A solution's own light stays, to find a view by.

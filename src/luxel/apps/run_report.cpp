@@ -48,6 +48,10 @@ Json to_json(const Baked& baked) {
   if (s.mesh_error > 0.0) json["mesh_error"] = s.mesh_error;
   if (s.error_95th > 0.0) json["error_95th"] = s.error_95th;
   if (baked.patches.has_sky()) json["sky_W_per_m2_sr"] = baked.patches.sky;
+  for (const auto& band : baked.patches.wavebands) {
+    json["wavelengths_nm"].push_back(band.wavelength);
+    json["widths_nm"].push_back(band.width);
+  }
   return json;
 }
 
@@ -162,6 +166,19 @@ std::string quality(ErrorKind kind, double error, double error_95th, double unsh
   return text;
 }
 
+std::string bands_as_text(const PatchSet& patches) {
+  const auto& bands = patches.wavebands;
+  if (bands.empty()) return fmt::format("bands {}", fmt::join(patches.bands, " "));
+  return fmt::format("{} bands, wavelengths from {} to {} nm", bands.size(), bands.front().wavelength,
+                     bands.back().wavelength);
+}
+
+// Of a spectrum the sum, which bands add up to.
+std::string sky_as_text(const PatchSet& patches) {
+  if (patches.wavebands.empty()) return fmt::format("{}", fmt::join(patches.sky, " "));
+  return fmt::format("{:.4g}", std::accumulate(patches.sky.begin(), patches.sky.end(), 0.0));
+}
+
 Json to_json(const RunRecord& record) {
   Json stages = Json::array();
   for (const auto& s : record.stages()) {
@@ -221,9 +238,9 @@ std::string RunReport::as_json() const {
 std::string describe(const Baked& baked) {
   const auto& patches = baked.patches;
   const auto& s = baked.solution;
-  auto text = fmt::format("{} patches, {:.4g} m², {} materials, bands {}\n", patches.size(),
-                          total_area(patches), patches.materials.size(), fmt::join(s.bands, " "));
-  if (patches.has_sky()) text += fmt::format("under a sky of {} W/(m² sr)\n", fmt::join(patches.sky, " "));
+  auto text = fmt::format("{} patches, {:.4g} m², {} materials, {}\n", patches.size(), total_area(patches),
+                          patches.materials.size(), bands_as_text(patches));
+  if (patches.has_sky()) text += fmt::format("under a sky of {} W/(m² sr)\n", sky_as_text(patches));
   text += s.provenance.rays > 0 ? fmt::format("{} with {} rays, seed {}", s.provenance.method,
                                               s.provenance.rays, s.provenance.seed)
                                 : s.provenance.method;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "luxel/apps/quantity.h"
+#include "luxel/load/apply_spectra.h"
 
 namespace luxel {
 namespace {
@@ -30,6 +31,15 @@ float parse_fov(const std::string& name, const std::string& text) {
   const auto value = parse_number(text);
   if (value && *value >= 1.0f && *value <= 170.0f) return *value;
   throw UsageError(fmt::format("--{}: expected auto or degrees from 1 to 170, not '{}'", name, text));
+}
+
+int parse_bands(const std::string& text) {
+  const auto value = parse_number(text);
+  const auto count = value ? static_cast<int>(*value) : 0;
+  if (value && static_cast<float>(count) == *value && count >= fewest_bands && count <= most_bands)
+    return count;
+  throw UsageError(fmt::format("--bands: expected auto or a whole number from {} to {}, not '{}'",
+                               fewest_bands, most_bands, text));
 }
 
 }  // namespace
@@ -65,6 +75,22 @@ void SceneSettings::declare_sky(OptionSet& set) {
   set.heading("Light");
   set.add_colour("sky", "W/(m² sr)", load.sky,
                  "radiance all around the scene, one number or red,green,blue: windows let it in");
+}
+
+void SceneSettings::declare_spectra(OptionSet& set) {
+  set.add(
+      {"spectral", "FILE",
+       "solve by wavelength: a CSV file of measured spectra of materials, lamps and sky; see docs/spectra.md",
+       [this](const std::string& text) { load.spectra = text; }, [this] { return load.spectra.string(); }});
+  set.add({"bands", "count",
+           "with --spectral: solve at so many wavelengths, even steps apart; auto: the file's",
+           [this](const std::string& text) { load.bands = text == "auto" ? 0 : parse_bands(text); },
+           [this] { return load.bands == 0 ? std::string("auto") : fmt::format("{}", load.bands); }});
+}
+
+void SceneSettings::check() const {
+  if (load.bands > 0 && load.spectra.empty())
+    throw UsageError("--bands needs spectra: give --spectral FILE as well");
 }
 
 void RefineSettings::declare(OptionSet& set) {

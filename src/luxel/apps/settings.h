@@ -29,10 +29,13 @@ struct SceneSettings {
   // What is to be read, and how; then what it is cut into as well.
   void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
   void declare(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
-  // Of the commands that find light; the first right after declare(), the second where the options of light
+  // Of the commands that find light; the first right after declare(), the others where the options of light
   // begin.
   void declare_contacts(OptionSet& set);
   void declare_sky(OptionSet& set);
+  void declare_spectra(OptionSet& set);
+  // Throws UsageError where options contradict each other.
+  void check() const;
 };
 
 // Where the light itself says how fine patches are to be.

@@ -2,17 +2,17 @@
 #include "luxel/check/lamp_choice.h"
 
 #include <algorithm>
+#include <span>
 
 namespace luxel {
 
 LampChoice::LampChoice(const PatchSet& patches) {
   double power = 0.0;
+  const auto colours = patches.colours();
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const auto& material = patches.material_of(p);
     if (!material.is_lamp()) continue;
-    power +=
-        static_cast<double>(patches.area[p]) *
-        static_cast<double>(luminance({material.emittance[0], material.emittance[1], material.emittance[2]}));
+    power += static_cast<double>(patches.area[p]) * colours.lumens(std::span(material.emittance));
     patch_.push_back(p);
     up_to_.push_back(power);
   }

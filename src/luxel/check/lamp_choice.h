@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// Patches that emit, chosen by power (in luminance).
+// Patches that emit, chosen by power (in lumens).
 class LampChoice {
  public:
   explicit LampChoice(const PatchSet& patches);

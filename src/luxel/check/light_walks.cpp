@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "luxel/check/lamp_choice.h"
 #include "luxel/check/walk.h"
@@ -30,9 +31,11 @@ struct Path {
   Ray last;
 };
 
-double reflected_share(const BandMaterial& material) {
-  return static_cast<double>(
-      luminance({material.reflectance[0], material.reflectance[1], material.reflectance[2]}));
+// Of plain white light, or of all wavebands alike.
+double reflected_share(const PatchSet& patches, const BandMaterial& material) {
+  const auto& of = material.reflectance;
+  if (patches.wavebands.empty()) return static_cast<double>(luminance({of[0], of[1], of[2]}));
+  return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
 }
 
 Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampChoice& lamps, std::size_t i,
@@ -64,7 +67,7 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampChoice& 
       path.back_material = static_cast<std::uint32_t>(patches.material[hit.patch]);
       break;
     }
-    weight *= reflected_share(material);
+    weight *= reflected_share(patches, material);
     if (weight < too_faint || b == most_bounces) break;
     side = hit.patch;
     back = hit.back;

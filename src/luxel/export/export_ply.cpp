@@ -24,8 +24,7 @@ void put(std::string& bytes, T value) {
   bytes.append(raw.data(), raw.size());
 }
 
-std::string header(const std::vector<std::string>& bands, bool is_far, std::size_t vertices,
-                   std::size_t triangles) {
+std::string header(bool is_far, std::size_t vertices, std::size_t triangles) {
   auto text = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment light by Luxel, irradiance in W/m2\nelement vertex {}\n",
       vertices);
@@ -33,7 +32,8 @@ std::string header(const std::vector<std::string>& bands, bool is_far, std::size
     text += fmt::format("property {} {}\n", is_far ? "double" : "float", name);
   for (const auto* name : {"nx", "ny", "nz"}) text += fmt::format("property float {}\n", name);
   for (const auto* name : {"red", "green", "blue"}) text += fmt::format("property uchar {}\n", name);
-  for (const auto& band : bands) text += fmt::format("property float irradiance_{}\n", band);
+  for (const auto* name : {"red", "green", "blue"})
+    text += fmt::format("property float irradiance_{}\n", name);
   return text +
          fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", triangles);
 }
@@ -42,7 +42,7 @@ std::uint8_t srgb_byte(float linear) {
   return static_cast<std::uint8_t>(std::lround(srgb_encode(std::clamp(linear, 0.0f, 1.0f)) * 255.0f));
 }
 
-void put_vertex(std::string& bytes, const LitVertex& v, const Vec3d& origin, std::size_t bands) {
+void put_vertex(std::string& bytes, const LitVertex& v, const Vec3d& origin) {
   for (int i = 0; i < 3; ++i) {
     if (origin == Vec3d(0.0))
       put(bytes, v.position[i]);
@@ -51,7 +51,7 @@ void put_vertex(std::string& bytes, const LitVertex& v, const Vec3d& origin, std
   }
   for (int i = 0; i < 3; ++i) put(bytes, v.normal[i]);
   for (int i = 0; i < 3; ++i) put(bytes, srgb_byte(v.colour[i]));
-  for (std::size_t b = 0; b < bands; ++b) put(bytes, v.irradiance[b]);
+  for (int i = 0; i < 3; ++i) put(bytes, v.irradiance[i]);
 }
 
 }  // namespace
@@ -69,10 +69,10 @@ void export_ply(const std::filesystem::path& path, const PatchSet& patches, cons
                                                 "cut the scene into larger patches",
                                                 vertices));
 
-  auto bytes = header(solution.bands, patches.origin != Vec3d(0.0), vertices, triangles);
+  auto bytes = header(patches.origin != Vec3d(0.0), vertices, triangles);
   for (const auto& part : mesh.parts())
     for (std::size_t i = 0; i < part.smooth.size(); ++i)
-      put_vertex(bytes, mesh.vertex(part, i), patches.origin, solution.bands.size());
+      put_vertex(bytes, mesh.vertex(part, i), patches.origin);
   std::uint32_t first = 0;  // of the part's vertices
   for (const auto& part : mesh.parts()) {
     for (const auto& triangle : part.triangles) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@ namespace luxel {
 namespace {
 
 void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light) {
-  check_rgb(solution.bands);
   const auto values = patches.size() * solution.bands.size();
   if (solution.bands != patches.bands || solution.radiosity_front.size() != values ||
       solution.radiosity_back.size() != values || solution.irradiance_back.size() != values)
@@ -28,26 +28,27 @@ void check(const PatchSet& patches, const Solution& solution, const SmoothLight&
                     light.corners.size(), patches.size()));
 }
 
-Vec3 rgb(const std::vector<float>& values, std::size_t i) {
-  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+std::span<const float> of_element(const std::vector<float>& values, std::size_t element, std::size_t bands) {
+  return std::span(values).subspan(element * bands, bands);
 }
 
 bool back_is_lit(const Solution& solution, std::size_t patch) {
-  const auto h = rgb(solution.irradiance_back, patch);
-  return h.r > 0.0f || h.g > 0.0f || h.b > 0.0f;
+  const auto back = of_element(solution.irradiance_back, patch, solution.bands.size());
+  return std::any_of(back.begin(), back.end(), [](float h) { return h > 0.0f; });
 }
 
 // One curve for the whole mesh, from every side that sends light out.
-ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const ToneOptions& tone) {
+ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const BandColours& colours,
+                    const ToneOptions& tone) {
   std::vector<Vec3> radiance;
   std::vector<float> areas;
-  const auto add = [&](const Vec3& radiosity, float area) {
-    radiance.push_back(radiosity / pi);
-    areas.push_back(area);
+  const auto add = [&](const std::vector<float>& radiosity, std::size_t patch) {
+    radiance.push_back(in_gamut(colours.rgb(of_element(radiosity, patch, colours.bands()))) / pi);
+    areas.push_back(patches.area[patch]);
   };
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    add(rgb(solution.radiosity_front, p), patches.area[p]);
-    if (back_is_lit(solution, p)) add(rgb(solution.radiosity_back, p), patches.area[p]);
+    add(solution.radiosity_front, p);
+    if (back_is_lit(solution, p)) add(solution.radiosity_back, p);
   }
   return fit_curve(radiance, areas, tone);
 }
@@ -91,9 +92,9 @@ LitPart part_of(const std::vector<std::uint32_t>& patches, const SmoothLight& li
 
 LitMesh::LitMesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
                  const ToneOptions& tone)
-    : patches_(patches), light_(light) {
+    : patches_(patches), light_(light), colours_(patches.colours()) {
   check(patches, solution, light);
-  curve_ = curve_for(patches, solution, tone);
+  curve_ = curve_for(patches, solution, colours_, tone);
   std::vector<std::uint32_t> number(light.size(), unnumbered);
   const auto sides = patches_by_side(patches, solution);
   for (std::size_t side = 0; side < sides.size(); ++side)
@@ -106,10 +107,10 @@ LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
   LitVertex v{};
   v.position = patches_.vertices[light_.vertex[s]];
   v.normal = part.back ? -light_.normal[s] : light_.normal[s];
-  v.irradiance = irradiance.data() + 3 * std::size_t{s};
-  Vec3 radiance(0.0f);
-  radiance_of(patches_.materials[part.material], part.back, v.irradiance, &radiance.x);
-  v.colour = curve_(radiance);
+  const auto here = of_element(irradiance, s, colours_.bands());
+  v.irradiance = Vec3(colours_.rgb(here));
+  v.colour =
+      curve_(in_gamut(radiance_of(patches_.materials[part.material], part.back, here.data(), colours_)));
   return v;
 }
 

@@ -23,16 +23,16 @@ struct LitPart {
 
 // What a vertex of a part shows.
 struct LitVertex {
-  Vec3 position;            // m, counted from the patches' origin
-  Vec3 normal;              // unit
-  Vec3 colour;              // linear, display-referred, [0, 1]
-  const float* irradiance;  // [band], W/m², of the side shown
+  Vec3 position;    // m, counted from the patches' origin
+  Vec3 normal;      // unit
+  Vec3 colour;      // linear, display-referred, [0, 1]
+  Vec3 irradiance;  // W/m² by linear sRGB, of the side shown
 };
 
 // All that is to be drawn of the light, and the curve that makes it visible.
 class LitMesh {
  public:
-  // Throws MismatchError where the three are not of one scene or are not plain colour.
+  // Throws MismatchError where the three are not of one scene, or the bands have no colour.
   LitMesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
           const ToneOptions& tone);
 
@@ -44,6 +44,7 @@ class LitMesh {
  private:
   const PatchSet& patches_;
   const SmoothLight& light_;
+  BandColours colours_;
   ToneCurve curve_;
   std::vector<LitPart> parts_;
 };

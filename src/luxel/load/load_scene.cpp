@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/load/apply_spectra.h"
 #include "luxel/load/load_obj.h"
 #include "luxel/load/name_list.h"
 #include "luxel/scene/name_pattern.h"
@@ -30,6 +31,9 @@ void check_options(const LoadOptions& options) {
     throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
   if (!(options.weld >= 0.0f && std::isfinite(options.weld)))
     throw InputError(fmt::format("expected a weld distance of 0 or more metres, found {}", options.weld));
+  if (options.bands != 0 && (options.bands < fewest_bands || options.bands > most_bands))
+    throw InputError(fmt::format("expected {} to {} bands, or 0 for those of the file, found {}",
+                                 fewest_bands, most_bands, options.bands));
   for (int band = 0; band < 3; ++band)
     if (!(options.sky[band] >= 0.0f && std::isfinite(options.sky[band])))
       throw InputError(
@@ -106,6 +110,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, 
   apply_one_sided(options.one_sided, scene);
   apply_flip(options.flip, scene);
   scene.sky = options.sky;
+  if (!options.spectra.empty()) apply_spectra(options, scene, log);
   return scene;
 }
 

@@ -19,6 +19,9 @@ struct LoadOptions {
   float weld = 0.0f;                        // m; vertices nearer than this become one, see weld_vertices()
   bool orient = false;                      // turn windings consistent piece by piece, see orient_windings()
   Vec3 sky = Vec3(0.0f);                    // Scene::sky, W/(m² sr): light from all around
+  std::filesystem::path spectra = {};       // a CSV file, see read_spectra(); empty: plain colour
+  int bands =
+      0;  // with spectra: so many wavelengths at even steps; 0: those of the file, see apply_spectra()
 };
 
 // Reads a scene by the file's ending: .obj (with its .mtl and textures).

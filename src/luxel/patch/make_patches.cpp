@@ -13,6 +13,7 @@
 #include "luxel/mesh/clean_triangles.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/cut_contacts.h"
+#include "luxel/patch/set_bands.h"
 #include "luxel/patch/triangle_splitter.h"
 #include "luxel/report/error.h"
 
@@ -69,13 +70,6 @@ double edge_for_count(const std::vector<Shape>& all, double count) {
     (expected_count(all, middle) > count ? low : high) = middle;
   }
   return high;
-}
-
-BandMaterial band_material(const Material& m) {
-  return {m.name,
-          m.two_sided,
-          {m.reflectance.r, m.reflectance.g, m.reflectance.b},
-          {m.emittance.r, m.emittance.g, m.emittance.b}};
 }
 
 // Two one-sided sheets back to back are one sheet seen from both sides; its material is a two-sided twin.
@@ -158,11 +152,9 @@ float automatic_max_edge(const Scene& scene, std::size_t target_count) {
 PatchSet make_patches(const Scene& scene, const PatchOptions& options, const LogSink& log,
                       const Monitor& monitor) {
   PatchSet patches;
-  patches.bands = {"red", "green", "blue"};
+  set_bands(patches, scene);
   patches.scene_fingerprint = fingerprint(scene);
   patches.origin = scene.origin;
-  for (const auto& m : scene.materials) patches.materials.push_back(band_material(m));
-  if (scene.sky != Vec3(0.0f)) patches.sky = {scene.sky.r, scene.sky.g, scene.sky.b};
 
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld, log).kept;

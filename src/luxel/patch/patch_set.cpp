@@ -3,6 +3,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "luxel/report/error.h"
+
 namespace luxel {
 
 namespace {
@@ -14,6 +19,20 @@ bool any_above_zero(const std::vector<float>& bands) {
 }  // namespace
 
 bool BandMaterial::is_lamp() const { return any_above_zero(emittance); }
+
+bool PatchSet::has_colours() const {
+  static const std::vector<std::string> rgb = {"red", "green", "blue"};
+  return wavebands.empty() ? bands == rgb : wavebands.size() == bands.size();
+}
+
+BandColours PatchSet::colours() const {
+  if (!has_colours())
+    throw MismatchError(
+        fmt::format("what is shown needs the bands red, green, blue in this order, or wavelengths, but there "
+                    "are {}; solve the scene with plain colour or with --spectral",
+                    bands.empty() ? "none" : fmt::format("{}", fmt::join(bands, ", "))));
+  return BandColours(wavebands);
+}
 
 bool PatchSet::has_sky() const { return any_above_zero(sky); }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "luxel/math/vector.h"
+#include "luxel/photometry/band_colours.h"
+#include "luxel/photometry/waveband.h"
 #include "luxel/scene/material.h"
 
 namespace luxel {
@@ -19,7 +21,7 @@ struct BandMaterial {
   std::string name;
   bool two_sided = true;
   std::vector<float> reflectance;  // [band], [0, 1)
-  std::vector<float> emittance;    // [band], W/m², front side
+  std::vector<float> emittance;    // [band], W/m² in the band, front side
   std::uint32_t light_group = 0;   // of PatchSet::light_groups; counts for lamps only
 
   bool is_lamp() const;
@@ -46,7 +48,8 @@ struct PatchSet {
   std::vector<std::uint32_t> triangle;  // index of the input triangle, see Scene
   std::vector<Contact> contacts;        // sorted by edge; a wall through a floor makes two, above and below
 
-  std::vector<std::string> bands;  // names: "red", "green", "blue"
+  std::vector<std::string> bands;   // names: "red", "green", "blue", or "400 nm", "404 nm" and so on
+  std::vector<Waveband> wavebands;  // [band], where light is solved by wavelength; else empty
   std::vector<BandMaterial> materials;
   std::vector<float> sky;  // [band], W/(m² sr): radiance of what lies around the scene; empty: dark
   // Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
@@ -74,6 +77,11 @@ struct PatchSet {
     const auto p = points(patch);
     return (p[0] + p[1] + p[2]) / 3.0f;
   }
+  // Whether they are plain colour, or wavebands.
+  bool has_colours() const;
+  // What light of these bands looks like. Throws MismatchError where they are neither plain colour (red,
+  // green and blue in this order) nor wavebands.
+  BandColours colours() const;
   // A point in the file's coordinates, for a person to read.
   Vec3d in_file(const Vec3& point) const { return origin + Vec3d(point); }
 };

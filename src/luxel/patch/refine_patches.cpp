@@ -124,6 +124,7 @@ class Refiner {
     set.vertices = old.vertices;
     cuts_.add_vertices(set.vertices);
     set.bands = old.bands;
+    set.wavebands = old.wavebands;
     set.materials = old.materials;
     set.scene_fingerprint = old.scene_fingerprint;
     set.origin = old.origin;

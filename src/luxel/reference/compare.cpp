@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -101,15 +102,46 @@ std::span<const float> at(const Image& image, std::size_t pixel) {
   return std::span(&image.pixels[pixel].x, 3);
 }
 
+// What arrives, by linear sRGB. Errors of bands lie on the same rays, so those of a colour are at most their
+// sums.
+Baked in_plain_colour(const Baked& baked, const std::string& bands_of_both) {
+  if (!baked.patches.has_colours() || baked.solution.bands != baked.patches.bands)
+    throw MismatchError(fmt::format("the solutions have different bands, {}", bands_of_both));
+  const auto colours = baked.patches.colours();
+  const auto bands = colours.bands();
+  auto plain = baked;
+  plain.solution.bands = {"red", "green", "blue"};
+  const auto convert = [&](std::vector<float>& values, bool are_errors) {
+    std::vector<float> converted;
+    for (std::size_t i = 0; i < values.size(); i += bands) {
+      Vec3d sum(0.0);
+      for (std::size_t b = 0; b < bands; ++b)
+        sum += static_cast<double>(values[i + b]) * (are_errors ? glm::abs(colours.of(b)) : colours.of(b));
+      for (int k = 0; k < 3; ++k) converted.push_back(static_cast<float>(sum[k]));
+    }
+    values = std::move(converted);
+  };
+  for (auto* light : {&plain.solution.irradiance_front, &plain.solution.irradiance_back})
+    convert(*light, false);
+  for (auto* error : {&plain.solution.standard_error_front, &plain.solution.standard_error_back})
+    convert(*error, true);
+  return plain;
+}
+
+bool have_different_bands(const Baked& a, const Baked& b) { return a.solution.bands != b.solution.bands; }
+
+std::pair<Baked, Baked> in_plain_colour(const Baked& a, const Baked& b) {
+  const auto both =
+      fmt::format("{} and {}", fmt::join(a.solution.bands, " "), fmt::join(b.solution.bands, " "));
+  return {in_plain_colour(a, both), in_plain_colour(b, both)};
+}
+
 void check_same_patches(const Baked& a, const Baked& b) {
   if (a.patches.size() != b.patches.size())
     throw MismatchError(
         fmt::format("the solutions are of different meshes, one of {} patches and one of {}: only solutions "
                     "of the same mesh can be compared",
                     a.patches.size(), b.patches.size()));
-  if (a.solution.bands != b.solution.bands)
-    throw MismatchError(fmt::format("the solutions have different bands, {} and {}",
-                                    fmt::join(a.solution.bands, " "), fmt::join(b.solution.bands, " ")));
   if (a.patches.corners != b.patches.corners || a.patches.vertices != b.patches.vertices ||
       a.patches.origin != b.patches.origin)
     throw MismatchError(
@@ -182,6 +214,10 @@ std::optional<bool> Comparison::agrees() const {
 
 Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places) {
   check_same_patches(a, b);
+  if (have_different_bands(a, b)) {
+    const auto [plain_a, plain_b] = in_plain_colour(a, b);
+    return compare_solutions(plain_a, plain_b, places);
+  }
   Sums sums;
   for (std::size_t side = 0; side < 2 * a.patches.size(); ++side)
     sums.add(side, static_cast<double>(a.patches.area[side / 2]), side_pair(a, b, side));
@@ -206,6 +242,10 @@ Comparison compare_pictures(const Image& a, const Image& b, const Image* error_a
 
 std::vector<float> relative_differences(const Baked& a, const Baked& b) {
   check_same_patches(a, b);
+  if (have_different_bands(a, b)) {
+    const auto [plain_a, plain_b] = in_plain_colour(a, b);
+    return relative_differences(plain_a, plain_b);
+  }
   return signed_shares(2 * a.patches.size(), [&](std::size_t side) { return side_pair(a, b, side); });
 }
 

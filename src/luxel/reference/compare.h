@@ -42,8 +42,9 @@ struct Comparison {
   std::optional<bool> agrees() const;
 };
 
-// Two solutions on the same patches. Throws MismatchError, in one sentence, where patches or bands differ;
-// materials may. places: of `largest`, at most.
+// Two solutions on the same patches. Where one is of a spectrum and the other of plain colour, or of another
+// spectrum, both are compared as linear sRGB (PatchSet::colours). Throws MismatchError, in one sentence,
+// where patches differ, or bands that have no colour; materials may. places: of `largest`, at most.
 Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places = 10);
 
 // Two pictures of one size; standard errors are pictures too, or null. Throws MismatchError where sizes

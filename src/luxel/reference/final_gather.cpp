@@ -2,7 +2,7 @@
 #include "luxel/reference/final_gather.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -44,7 +44,8 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   const LightPaths paths(patches, tracer);
   const auto side = gather_grid(options.rays);
   const auto samples = side * side;
-  constexpr std::array<double, 3> one = {1.0, 1.0, 1.0};
+  const auto bands = seen.bands();
+  const std::vector<double> one(bands, 1.0);
 
   // What arrives at x: straight from lamps and sky, and what the surface that the cosine ray meets reflects.
   const auto gather = [&](const SurfacePoint& x, const VertexNumbers& numbers, std::uint64_t,
@@ -52,8 +53,8 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
     const auto hit = paths.direct(x, numbers, one, H).first;
     if (!hit || !is_reflecting(patches, hit.patch, hit.back)) return;
     const auto& emittance = patches.material_of(hit.patch).emittance;
-    for (std::size_t b = 0; b < 3; ++b) {
-      const auto at = std::size_t{3} * hit.patch + b;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto at = bands * hit.patch + b;
       H[b] += hit.back
                   ? static_cast<double>(solution.radiosity_back[at])
                   : static_cast<double>(solution.radiosity_front[at]) - static_cast<double>(emittance[b]);
@@ -62,10 +63,11 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   const auto radiance_of_pixel = [&](std::size_t pixel) {
     const SeenPoints::Batch batch(stream_key(options.seed, gather_step, static_cast<std::uint32_t>(pixel)),
                                   side);
-    std::array<double, 3> radiance = {0.0, 0.0, 0.0};
-    std::array<double, 3> reflected = {0.0, 0.0, 0.0};
-    for (std::uint32_t i = 0; i < samples; ++i) seen.look(pixel, batch, i, radiance, reflected, gather);
-    return Vec3(radiance[0] / samples, radiance[1] / samples, radiance[2] / samples);
+    Vec3d radiance(0.0), reflected(0.0);
+    std::vector<double> scratch;
+    for (std::uint32_t i = 0; i < samples; ++i)
+      seen.look(pixel, batch, i, radiance, reflected, scratch, gather);
+    return in_gamut(radiance / static_cast<double>(samples));
   };
 
   Image picture(options.width, options.height);

@@ -26,10 +26,10 @@ struct GatherOptions {
 // The solution's own direct light at the point is not used, nor the emission of lamps that gather rays meet
 // but in its share (balance heuristic): light straight from lamps is counted once.
 //
-// Result: radiance, W/(m² sr), linear RGB; where nothing is seen it is the sky's. Throws MismatchError where
-// the solution is not of these patches or bands are not red, green, blue; InputError where there is neither
-// lamp nor sky. The same picture on any number of threads. A stop from the monitor leaves the rows not yet
-// done black.
+// Result: radiance, W/(m² sr), linear RGB (in_gamut); where nothing is seen it is the sky's. Throws
+// MismatchError where the solution is not of these patches or the bands have no colour (PatchSet::colours);
+// InputError where there is neither lamp nor sky. The same picture on any number of threads. A stop from the
+// monitor leaves the rows not yet done black.
 Image gather_picture(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
                      const Camera& camera, const GatherOptions& options, const Workers& workers,
                      const Monitor& monitor = {});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/reference/path_picture.h"
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
@@ -44,14 +44,19 @@ PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const C
     const SeenPoints::Batch batch(mix64(pixel_key + (index + 1) * 0x9e3779b97f4a7c15u),
                                   BatchMeans::batch_side);
     std::uint64_t rays = 0;
-    std::array<double, 3> weight;
+    Vec3d radiance(0.0), reflected_light(0.0);
+    std::vector<double> weight(seen.bands()), scratch;
     for (std::uint32_t i = 0; i < BatchMeans::batch_paths; ++i)
       seen.look(
-          pixel, batch, i, sums.first(reflected), sums.last(reflected),
+          pixel, batch, i, radiance, reflected_light, scratch,
           [&](const SurfacePoint& x, const VertexNumbers& first, std::uint64_t key, std::span<double> H) {
             const auto from = options.bounces_from == BouncesFrom::patches ? anywhere_on(x, key) : x;
             rays += paths.irradiance(from, first, key, options.bounces_from, weight, H).rays;
           });
+    for (std::size_t c = 0; c < reflected; ++c) {
+      sums[c] += radiance[static_cast<int>(c)];
+      sums[reflected + c] += reflected_light[static_cast<int>(c)];
+    }
     return rays;
   };
 
@@ -63,13 +68,15 @@ PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const C
   picture.error = whole_error(means);
   picture.radiance = Image(size.width, size.height);
   picture.standard_error = Image(size.width, size.height);
-  for (std::size_t pixel = 0; pixel < seen.pixels(); ++pixel)
+  for (std::size_t pixel = 0; pixel < seen.pixels(); ++pixel) {
+    picture.radiance.pixels[pixel] =
+        in_gamut({means.mean(pixel, 0), means.mean(pixel, 1), means.mean(pixel, 2)});
     for (int band = 0; band < 3; ++band) {
       const auto b = static_cast<std::size_t>(band);
-      picture.radiance.pixels[pixel][band] = static_cast<float>(means.mean(pixel, b));
       picture.standard_error.pixels[pixel][band] =
           static_cast<float>(widening_of(means.batches(pixel)) * std::sqrt(means.variance(pixel, b)));
     }
+  }
   return picture;
 }
 

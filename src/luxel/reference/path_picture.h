@@ -15,7 +15,7 @@ struct PictureSize {
 };
 
 struct PathPicture {
-  Image radiance;        // W/(m² sr), linear RGB; the sky's where nothing is seen
+  Image radiance;        // W/(m² sr), linear RGB (in_gamut); the sky's where nothing is seen
   Image standard_error;  // of it, widened as Student's t is; errors of different pixels are independent
   StopReason stop = StopReason::nothing_to_do;
   bool complete = false;    // every pixel has light and an error
@@ -27,7 +27,8 @@ struct PathPicture {
 // The picture that a renderer is held against: for each pixel the mean over its square (a box filter) of the
 // light along paths from the eye. Unbiased; the options mean what they do in trace_light(), the error is that
 // of the light that surfaces reflect: lamps and sky in view, however bright, do not count. Throws
-// MismatchError where bands are not red, green and blue. The same picture on any number of threads.
+// MismatchError where the bands have no colour (PatchSet::colours). The same picture on any number of
+// threads.
 PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
                           const PictureSize& size, const PathOptions& options, const Workers& workers,
                           const Monitor& monitor = {});

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/reference/seen_point.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "luxel/random/address.h"
-#include "luxel/report/error.h"
 
 namespace luxel {
 
@@ -23,12 +19,10 @@ SeenPoints::SeenPoints(const PatchSet& patches, const Tracer& tracer, const Came
     : patches_(patches),
       tracer_(tracer),
       pinhole_(camera, width, height),
+      colours_(patches.colours()),
+      sky_(patches.sky.empty() ? Vec3d(0.0) : colours_.rgb(std::span(patches.sky))),
       width_(static_cast<std::size_t>(width)),
-      height_(static_cast<std::size_t>(height)) {
-  if (patches.bands != std::vector<std::string>{"red", "green", "blue"})
-    throw MismatchError(fmt::format("a picture needs the bands red, green, blue, but the scene has {}",
-                                    fmt::join(patches.bands, ", ")));
-}
+      height_(static_cast<std::size_t>(height)) {}
 
 SeenPoints::Numbers SeenPoints::numbers_of(const Batch& batch, std::uint32_t i, std::uint64_t path_key) {
   // The ends of the path's own stream, which its vertices do not reach.

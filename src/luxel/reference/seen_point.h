@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "luxel/reference/light_paths.h"
 #include "luxel/reference/strata.h"
@@ -14,10 +14,12 @@ namespace luxel {
 // What a picture's pixels see, and the numbers they look with. Read-only: any number of threads may ask.
 class SeenPoints {
  public:
-  // Keeps references. Throws MismatchError where bands are not red, green and blue, and what Pinhole throws.
+  // Keeps references. Throws MismatchError where the bands have no colour (PatchSet::colours), and what
+  // Pinhole throws.
   SeenPoints(const PatchSet& patches, const Tracer& tracer, const Camera& camera, int width, int height);
 
   std::size_t pixels() const { return width_ * height_; }
+  std::size_t bands() const { return colours_.bands(); }
 
   // Samples that belong together: side² of them, spread evenly over the pixel, directions and lamps.
   struct Batch {
@@ -28,27 +30,25 @@ class SeenPoints {
   };
 
   // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
-  // surface; H: of three bands, 0 at first. Adds what leaves towards the eye, or the sky, to radiance, and
-  // the part of it that is reflected to reflected; W/(m² sr).
+  // surface; H: [band], 0 at first, kept in `scratch`. Adds the colour of what leaves towards the eye, or the
+  // sky's, to radiance, and of the part of it that is reflected to reflected; W/(m² sr), linear RGB.
   template <typename Irradiance>
-  void look(std::size_t pixel, const Batch& batch, std::uint32_t i, std::span<double> radiance,
-            std::span<double> reflected, const Irradiance& irradiance) const {
+  void look(std::size_t pixel, const Batch& batch, std::uint32_t i, Vec3d& radiance, Vec3d& reflected,
+            std::vector<double>& scratch, const Irradiance& irradiance) const {
     const auto path_key = batch.path_key(i);
     const auto numbers = numbers_of(batch, i, path_key);
     const auto hit = hit_of(pixel, numbers.pixel);
-    if (!hit)
-      for (std::size_t b = 0; b < patches_.sky.size(); ++b)
-        radiance[b] += static_cast<double>(patches_.sky[b]);
+    if (!hit) radiance += sky_;
     if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
-    std::array<double, 3> H = {0.0, 0.0, 0.0};
+    scratch.assign(bands(), 0.0);
     irradiance(surface_point(patches_, hit.patch, hit.back, {hit.u, hit.v}), numbers.vertex, path_key,
-               std::span<double>(H));
+               std::span<double>(scratch));
     const auto& material = patches_.material_of(hit.patch);
-    for (std::size_t b = 0; b < 3; ++b) {
-      const auto back_to_eye = static_cast<double>(material.reflectance[b]) * H[b] * per_pi;
+    for (std::size_t b = 0; b < bands(); ++b) {
+      const auto back_to_eye = static_cast<double>(material.reflectance[b]) * scratch[b] * per_pi;
       const auto own = hit.back ? 0.0 : static_cast<double>(material.emittance[b]) * per_pi;
-      radiance[b] += own + back_to_eye;
-      reflected[b] += back_to_eye;
+      radiance += (own + back_to_eye) * colours_.of(b);
+      reflected += back_to_eye * colours_.of(b);
     }
   }
 
@@ -64,6 +64,8 @@ class SeenPoints {
   const PatchSet& patches_;
   const Tracer& tracer_;
   Pinhole pinhole_;
+  BandColours colours_;
+  Vec3d sky_;  // W/(m² sr), linear RGB
   std::size_t width_, height_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,7 +21,6 @@ constexpr std::size_t rays_between_calls = 1u
 constexpr std::size_t pixels_a_chunk = 64;
 
 void check(const PatchSet& patches, const SmoothLight& light, const RenderOptions& options) {
-  check_rgb(patches.bands);
   if (light.corners.size() != patches.size())
     throw MismatchError(
         fmt::format("the smooth light is of {} patches but the scene has {}: make it from "
@@ -37,37 +38,39 @@ struct Shot {
   const Tracer& tracer;
   const Pinhole& pinhole;
   const RenderOptions& options;
-  Vec3 sky;  // W/(m² sr)
+  const BandColours& colours;
+  Vec3d sky;  // W/(m² sr)
 };
 
-Vec3 radiance_at(const Shot& shot, const Hit& hit) {
+// here: scratch, [band].
+Vec3d radiance_at(const Shot& shot, const Hit& hit, std::vector<float>& here) {
   if (!hit) return shot.sky;
   const auto& irradiance = hit.back ? shot.light.irradiance_back : shot.light.irradiance_front;
   const auto& corners = shot.light.corners[hit.patch];
   const std::array<float, 3> weight = {1.0f - hit.u - hit.v, hit.u, hit.v};
-  std::array<float, 3> here = {0.0f, 0.0f, 0.0f};
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    for (std::size_t band = 0; band < 3; ++band)
-      here[band] += weight[corner] * irradiance[std::size_t{3} * corners[corner] + band];
-  Vec3 radiance;
-  radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), &radiance.x);
-  return radiance;
+  const auto bands = here.size();
+  std::fill(here.begin(), here.end(), 0.0f);
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const auto* at = &irradiance[bands * corners[corner]];
+    for (std::size_t band = 0; band < bands; ++band) here[band] += weight[corner] * at[band];
+  }
+  return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours);
 }
 
 // The mean over the pixel's square (a box filter), one jittered sample in each cell of a grid.
-Vec3 pixel_radiance(const Shot& shot, int x, int y) {
+Vec3 pixel_radiance(const Shot& shot, int x, int y, std::vector<float>& scratch) {
   const auto side = shot.options.samples_per_side;
   const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(shot.options.width) +
                      static_cast<std::uint32_t>(x);
   const auto key = stream_key(shot.options.seed, 0, pixel);
-  Vec3 sum(0.0f);
+  Vec3d sum(0.0);
   for (int cell = 0; cell < side * side; ++cell) {
     const auto jitter = uniform4(key, static_cast<std::uint64_t>(cell));
     const auto dx = (cell % side + static_cast<double>(jitter[0])) / side;
     const auto dy = (cell / side + static_cast<double>(jitter[1])) / side;
-    sum += radiance_at(shot, shot.tracer.nearest(shot.pinhole.ray(x + dx, y + dy)));
+    sum += radiance_at(shot, shot.tracer.nearest(shot.pinhole.ray(x + dx, y + dy)), scratch);
   }
-  return sum / static_cast<float>(side * side);
+  return in_gamut(sum / static_cast<double>(side * side));
 }
 
 }  // namespace
@@ -76,9 +79,15 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
              const RenderOptions& options, const Workers& workers, const Monitor& monitor) {
   check(patches, light, options);
   const Pinhole pinhole(camera, options.width, options.height);
+  const auto colours = patches.colours();
   const auto& sky = patches.sky;
-  const Shot shot{patches, light,   tracer,
-                  pinhole, options, sky.empty() ? Vec3(0.0f) : Vec3(sky[0], sky[1], sky[2])};
+  const Shot shot{patches,
+                  light,
+                  tracer,
+                  pinhole,
+                  options,
+                  colours,
+                  sky.empty() ? Vec3d(0.0) : colours.rgb(std::span(sky))};
   Image picture(options.width, options.height);
 
   const auto width = static_cast<std::size_t>(options.width);
@@ -93,8 +102,10 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
     const auto first = row * width;
     const auto count = std::min(band_rows, height - row) * width;
     workers.for_chunks(count, pixels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+      std::vector<float> scratch(colours.bands());
       for (auto i = first + begin; i < first + end; ++i)
-        picture.pixels[i] = pixel_radiance(shot, static_cast<int>(i % width), static_cast<int>(i / width));
+        picture.pixels[i] =
+            pixel_radiance(shot, static_cast<int>(i % width), static_cast<int>(i / width), scratch);
     });
   }
   tell(monitor, {"picture", 1.0, height * rays_a_row});

@@ -21,7 +21,8 @@ struct RenderOptions {
 };
 
 // A picture of solved light: primary rays only, the smooth light looked up where they meet a surface. Result:
-// radiance, W/(m² sr), linear RGB; the sky's where nothing is seen. The same picture on any number of
+// radiance, W/(m² sr), linear RGB, none of it negative (in_gamut); the sky's where nothing is seen. Throws
+// MismatchError where the bands have no colour (PatchSet::colours). The same picture on any number of
 // threads. Needs no display. A stop from the monitor leaves the rows not yet done black.
 Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer, const Camera& camera,
              const RenderOptions& options, const Workers& workers, const Monitor& monitor = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "luxel/photometry/observer.h"
 #include "luxel/report/error.h"
 #include "luxel/scene/scene.h"
 
@@ -73,6 +74,44 @@ void check_sky(const Scene& scene) {
                                                  scene.sky[band]));
 }
 
+void check_spectrum(const Scene& scene, const Spectrum& spectrum, double limit, const std::string& what) {
+  double before = 0.0;
+  for (const auto& [wavelength, value] : spectrum.samples()) {
+    if (!(wavelength > before && std::isfinite(wavelength)))
+      throw InputError(scene.source,
+                       fmt::format("expected the wavelengths of {} to ascend, found {} nm after "
+                                   "{} nm",
+                                   what, wavelength, before));
+    before = wavelength;
+    if (!(value >= 0.0 && value < limit))
+      throw InputError(scene.source,
+                       fmt::format("expected {} at {} nm to be 0 or more and below {:g}, found {}", what,
+                                   wavelength, limit, value));
+  }
+}
+
+void check_spectra(const Scene& scene) {
+  if (scene.wavelengths.size() == 1)
+    throw InputError(scene.source, "expected no wavelengths, or at least two, found one");
+  double before = 0.0;
+  for (const auto wavelength : scene.wavelengths) {
+    if (!(wavelength > before && wavelength >= first_visible && wavelength <= last_visible))
+      throw InputError(
+          scene.source,
+          fmt::format("expected wavelengths that ascend from {:g} to {:g} nm, found {} nm after {} nm",
+                      first_visible, last_visible, wavelength, before));
+    before = wavelength;
+  }
+  constexpr double most_light = 1e30;
+  for (const auto& material : scene.materials) {
+    check_spectrum(scene, material.reflectance_spectrum, 1.0,
+                   fmt::format("the reflectance of material '{}'", material.name));
+    check_spectrum(scene, material.emittance_spectrum, most_light,
+                   fmt::format("the emittance of material '{}'", material.name));
+  }
+  check_spectrum(scene, scene.sky_spectrum, most_light, "the radiance of the sky");
+}
+
 void check_camera(const Scene& scene, const Camera& camera) {
   const auto view = camera.target - camera.eye;
   const bool finite = is_finite(camera.eye) && is_finite(camera.target) && is_finite(camera.up);
@@ -93,6 +132,7 @@ void check_scene(const Scene& scene) {
   check_triangles(scene);
   for (const auto& material : scene.materials) check_material(scene, material);
   check_sky(scene);
+  check_spectra(scene);
   for (const auto& camera : scene.cameras) check_camera(scene, camera);
 }
 

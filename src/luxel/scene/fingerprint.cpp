@@ -41,6 +41,25 @@ class WordHash {
   std::uint64_t state_ = 0;
 };
 
+void add_spectrum(WordHash& hash, const Spectrum& spectrum) {
+  hash.add_length(spectrum.samples().size());
+  for (const auto& sample : spectrum.samples()) {
+    hash.add(sample.wavelength);
+    hash.add(sample.value);
+  }
+}
+
+void add_spectra(WordHash& hash, const Scene& scene) {
+  hash.add_length(scene.wavelengths.size());
+  for (const auto wavelength : scene.wavelengths) hash.add(wavelength);
+  hash.add(std::uint32_t{scene.averages_spectra});
+  for (const auto& material : scene.materials) {
+    add_spectrum(hash, material.reflectance_spectrum);
+    add_spectrum(hash, material.emittance_spectrum);
+  }
+  add_spectrum(hash, scene.sky_spectrum);
+}
+
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
@@ -61,6 +80,7 @@ std::uint64_t fingerprint(const Scene& scene) {
   if (scene.sky != Vec3(0.0f)) hash.add(scene.sky);
   if (scene.origin != Vec3d(0.0))
     for (int axis = 0; axis < 3; ++axis) hash.add(scene.origin[axis]);
+  if (!scene.wavelengths.empty()) add_spectra(hash, scene);
   return hash.value();
 }
 

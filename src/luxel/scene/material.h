@@ -6,6 +6,7 @@
 #include <string>
 
 #include "luxel/math/vector.h"
+#include "luxel/photometry/spectrum.h"
 
 namespace luxel {
 
@@ -22,7 +23,14 @@ struct Material {
 
   std::optional<Vec3> stated_reflectance = {};  // what the file said, where load lowered it
 
-  bool is_lamp() const { return emittance.r > 0.0f || emittance.g > 0.0f || emittance.b > 0.0f; }
+  // What was measured, in a scene that is solved by wavelength: instead of the colours above. Empty: nothing.
+  Spectrum reflectance_spectrum = {};  // [0, 1)
+  Spectrum emittance_spectrum = {};    // W/(m² nm), front side
+
+  bool is_lamp() const {
+    if (!emittance_spectrum.empty()) return emittance_spectrum.any_above_zero();
+    return emittance.r > 0.0f || emittance.g > 0.0f || emittance.b > 0.0f;
+  }
 };
 
 }  // namespace luxel

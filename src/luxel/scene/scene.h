@@ -41,6 +41,12 @@ struct Scene {
   Vec3d origin = Vec3d(0.0);
 
   Vec3 sky = Vec3(0.0f);  // radiance of what lies around the scene, the same all over, W/(m² sr)
+
+  // Of a scene that is solved by wavelength; else there are none, and it is solved in plain colour.
+  // Materials, and a sky, that were not measured get spectra that look like their colours (ColourSpectra).
+  std::vector<double> wavelengths;  // nm, ascending, first_visible to last_visible
+  bool averages_spectra = false;    // around each wavelength, not read at it: where these are few
+  Spectrum sky_spectrum;            // W/(m² sr nm), instead of `sky`; empty: nothing measured
 };
 
 // The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
@@ -50,9 +56,9 @@ Bounds bounds(const Scene& scene);
 // reflectances must lie in [0, 1), light is not negative, and a scene has at least one triangle.
 void check_scene(const Scene& scene);
 
-// 64 bits of what the light depends on: positions, triangles, materials, and the sky and the origin where
-// they are not 0 (not names, groups, objects, lines, cameras), in their order, -0 counted as +0. The same
-// scene gives the same fingerprint on every host.
+// 64 bits of what the light depends on: positions, triangles, materials, and the sky, the origin and the
+// wavelengths with what was measured at them where there are such (not names, groups, objects, lines,
+// cameras), in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
 std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace luxel

@@ -28,6 +28,20 @@ std::string fault_in_lengths(const PatchSet& patches) {
   return {};
 }
 
+std::string fault_in_wavebands(const PatchSet& patches) {
+  const auto& bands = patches.wavebands;
+  if (!bands.empty() && bands.size() != patches.band_count())
+    return fmt::format("there are {} wavelengths of {} bands", bands.size(), patches.band_count());
+  double before = 0.0;
+  for (const auto& band : bands) {
+    if (!(band.wavelength > before && band.width > 0.0 && std::isfinite(band.wavelength + band.width)))
+      return fmt::format("a band has the wavelength {} nm and the width {} nm, after {} nm", band.wavelength,
+                         band.width, before);
+    before = band.wavelength;
+  }
+  return {};
+}
+
 std::string fault_in_material(const BandMaterial& material, std::size_t bands) {
   if (material.reflectance.size() != bands || material.emittance.size() != bands)
     return fmt::format("material '{}' does not have one number for each of the {} bands", material.name,
@@ -130,6 +144,7 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   if (auto fault = fault_in_lengths(patches); !fault.empty()) return fault;
   for (const auto& material : patches.materials)
     if (auto fault = fault_in_material(material, patches.band_count()); !fault.empty()) return fault;
+  if (auto fault = fault_in_wavebands(patches); !fault.empty()) return fault;
   if (auto fault = fault_in_sky(patches); !fault.empty()) return fault;
   if (auto fault = fault_in_light_groups(patches); !fault.empty()) return fault;
   if (const auto& o = patches.origin; !(std::isfinite(o.x) && std::isfinite(o.y) && std::isfinite(o.z)))

@@ -107,6 +107,16 @@ StopReason read_stop_reason(const Hdf5Reader& file) {
   file.refuse_as_damaged(fmt::format("the stop reason '{}' is not known", found));
 }
 
+// Of a spectrum; plain colour has none, and files from before there were spectra have none.
+std::vector<Waveband> read_wavebands(const Hdf5Reader& file, std::size_t bands) {
+  if (!file.has("Luxel/wavelengths")) return {};
+  const auto wavelengths = file.array<double>("Luxel/wavelengths", bands);
+  const auto widths = file.array<double>("Luxel/widths", bands);
+  std::vector<Waveband> wavebands;
+  for (std::size_t b = 0; b < bands; ++b) wavebands.push_back({wavelengths[b], widths[b]});
+  return wavebands;
+}
+
 Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& bands, std::size_t n) {
   Solution solution;
   solution.bands = bands;
@@ -144,6 +154,7 @@ Baked read_baked(const Hdf5Reader& file) {
   auto& [patches, solution] = baked;
   patches.bands = file.strings("Luxel/bands", file.rows("Luxel/bands"));
   if (patches.bands.empty()) file.refuse_as_damaged("it names no band");
+  patches.wavebands = read_wavebands(file, patches.band_count());
   read_mesh(file, patches);
   patches.materials = read_materials(file, patches.band_count());
   read_light_groups(file, patches);

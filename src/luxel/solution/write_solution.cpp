@@ -99,6 +99,21 @@ void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/contacts/into", vectors(into), "1");
 }
 
+// And for readers that are not ours what the bands look like.
+void add_wavebands(Hdf5Writer& file, const PatchSet& patches) {
+  if (patches.wavebands.empty()) return;
+  std::vector<double> wavelengths, widths, rgb;
+  const auto colours = patches.colours();
+  for (std::size_t b = 0; b < patches.wavebands.size(); ++b) {
+    wavelengths.push_back(patches.wavebands[b].wavelength);
+    widths.push_back(patches.wavebands[b].width);
+    for (int i = 0; i < 3; ++i) rgb.push_back(colours.of(b)[i]);
+  }
+  file.add_array("Luxel/wavelengths", flat(wavelengths), "nm");
+  file.add_array("Luxel/widths", flat(widths), "nm");
+  file.add_array("Luxel/linear_srgb", table(std::span<const double>(rgb), wavelengths.size(), 3), "1");
+}
+
 void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
   file.add_group("Luxel");
   file.add_number("Luxel", "format_version", solution_format_version);
@@ -111,6 +126,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   if (solution.predicted_bias > 0.0) file.add_number("Luxel", "predicted_bias", solution.predicted_bias);
   if (solution.mesh_error > 0.0) file.add_number("Luxel", "mesh_error", solution.mesh_error);
   file.add_strings("Luxel/bands", solution.bands);
+  add_wavebands(file, patches);
   // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
   add_materials(file, patches);

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "luxel/report/error.h"
 #include "luxel/surface/node_light.h"
@@ -102,21 +101,16 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
   return make_smooth_light(patches, solution, options, Workers(1));
 }
 
-void radiance_of(const BandMaterial& material, bool back, const float* irradiance, float* out) {
-  const auto black = back && !material.two_sided;
+Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
+                  const BandColours& colours) {
+  Vec3d radiance(0.0);
+  if (back && !material.two_sided) return radiance;
   for (std::size_t b = 0; b < material.reflectance.size(); ++b) {
     const auto emittance = back ? 0.0f : material.emittance[b];
-    out[b] = black ? 0.0f : (emittance + material.reflectance[b] * irradiance[b]) / pi;
+    radiance +=
+        static_cast<double>((emittance + material.reflectance[b] * irradiance[b]) / pi) * colours.of(b);
   }
-}
-
-void check_rgb(const std::vector<std::string>& bands) {
-  static const std::vector<std::string> rgb = {"red", "green", "blue"};
-  if (bands != rgb)
-    throw MismatchError(
-        fmt::format("a picture needs the bands red, green, blue in this order, but the solution has {}; "
-                    "solve the scene with plain colour",
-                    bands.empty() ? "none" : fmt::format("{}", fmt::join(bands, ", "))));
+  return radiance;
 }
 
 }  // namespace luxel

@@ -45,12 +45,11 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options = {});
 
-// Radiance (W/(m² sr)) that leaves a side of a patch where its irradiance is the given one: (E + rho H) / pi.
-// A back does not emit, and the back of a one-sided material is black.
-// irradiance: [band]; result: [band], into out.
-void radiance_of(const BandMaterial& material, bool back, const float* irradiance, float* out);
-
-// The three bands of plain colour as linear sRGB. Throws MismatchError where bands are not red, green, blue.
-void check_rgb(const std::vector<std::string>& bands);
+// The colour, W/(m² sr) by linear sRGB, of what leaves a side of a patch where its irradiance is the given
+// one: (E + rho H) / pi, band by band, and then what these look like. So a wavelength that a surface does not
+// reflect has no say in its colour, however bright it arrives. A back does not emit, and the back of a
+// one-sided material is black. irradiance: [band].
+Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
+                  const BandColours& colours);
 
 }  // namespace luxel

@@ -27,21 +27,22 @@ std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
   return places;
 }
 
-// Adds up three bands over the hits of slots: sum is of the slots from slot0 on. Where the radiosities fit
-// into the cache, to ask for them ahead costs more than it gains.
-template <bool fetches>
+// Adds up `width` of the bands, from band0 on, over the hits of slots: sum is of the slots from slot0 on.
+// Where the radiosities fit into the cache, to ask for them ahead costs more than it gains.
+template <std::size_t width, bool fetches = false>
 void add_up(std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot,
-            const float* radiosity, std::uint32_t slot0, std::vector<double>& sum) {
+            const float* radiosity, std::uint32_t slot0, std::vector<double>& sum, std::size_t bands = width,
+            std::size_t band0 = 0) {
   const auto* const last = hit + slots.size() * per_slot - 1;
   for (const auto slot : slots) {
-    std::array<double, 3> own{};
+    std::array<double, width> own{};
     for (std::uint32_t i = 0; i < per_slot; ++i, ++hit) {
       if constexpr (fetches)
-        __builtin_prefetch(radiosity + 3 * std::size_t{*std::min(hit + fetch_ahead, last)});
-      const auto* from = radiosity + 3 * std::size_t{*hit};
-      for (std::size_t b = 0; b < 3; ++b) own[b] += static_cast<double>(from[b]);
+        __builtin_prefetch(radiosity + bands * std::size_t{*std::min(hit + fetch_ahead, last)});
+      const auto* from = radiosity + bands * std::size_t{*hit} + band0;
+      for (std::size_t b = 0; b < width; ++b) own[b] += static_cast<double>(from[b]);
     }
-    for (std::size_t b = 0; b < 3; ++b) sum[3 * (slot - slot0) + b] += own[b];
+    for (std::size_t b = 0; b < width; ++b) sum[bands * (slot - slot0) + band0 + b] += own[b];
   }
 }
 
@@ -243,14 +244,15 @@ void SampledOperator::Replicates::apply(std::span<const float> radiosity, std::s
       const auto add = [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit,
                            std::uint32_t per_slot) {
         if (bands == 3) {  // the rule, and sums that stay in registers
-          const auto add_three = radiosity.size() > cached_numbers ? add_up<true> : add_up<false>;
-          add_three(slots, hit, per_slot, radiosity.data(), slot0, sum);
+          const auto add_three = radiosity.size() > cached_numbers ? add_up<3, true> : add_up<3>;
+          add_three(slots, hit, per_slot, radiosity.data(), slot0, sum, bands, 0);
           return;
         }
-        for (const auto slot : slots)
-          for (std::uint32_t k = 0; k < per_slot; ++k, ++hit)
-            for (std::size_t i = 0; i < bands; ++i)
-              sum[bands * (slot - slot0) + i] += static_cast<double>(radiosity[bands * *hit + i]);
+        std::size_t band = 0;
+        for (; band + 8 <= bands; band += 8)
+          add_up<8>(slots, hit, per_slot, radiosity.data(), slot0, sum, bands, band);
+        for (; band < bands; ++band)
+          add_up<1>(slots, hit, per_slot, radiosity.data(), slot0, sum, bands, band);
       };
       for (auto r = first_; r < end_; ++r) whole_.for_each_round(r, block, add);
       for (auto slot = slot0; slot < begins[block + 1]; ++slot) {

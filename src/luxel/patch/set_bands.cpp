@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/patch/set_bands.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/photometry/colour_spectra.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+void set_plain_bands(PatchSet& patches, const Scene& scene) {
+  const auto three = [](const Vec3& rgb) { return std::vector<float>{rgb.r, rgb.g, rgb.b}; };
+  patches.bands = {"red", "green", "blue"};
+  for (const auto& m : scene.materials)
+    patches.materials.push_back({m.name, m.two_sided, three(m.reflectance), three(m.emittance)});
+  if (scene.sky != Vec3(0.0f)) patches.sky = three(scene.sky);
+}
+
+// Spectra of what was measured, and of what is known by its colour.
+class SpectraAtBands {
+ public:
+  explicit SpectraAtBands(const Scene& scene) : scene_(scene), bands_(make_wavebands(scene.wavelengths)) {}
+
+  const std::vector<Waveband>& bands() const { return bands_; }
+
+  std::vector<float> reflectance(const Material& m) {
+    if (m.reflectance_spectrum.empty()) return of_colours().reflectance(m.reflectance);
+    return at_bands([&](std::size_t b) { return value(m.reflectance_spectrum, b, Beyond::holds); });
+  }
+  std::vector<float> light(const Vec3& rgb, const Spectrum& measured) {
+    if (!measured.empty())
+      return at_bands([&](std::size_t b) { return bands_[b].width * value(measured, b, Beyond::zero); });
+    return rgb == Vec3(0.0f) ? std::vector<float>(bands_.size(), 0.0f) : of_colours().light(rgb);
+  }
+
+ private:
+  double value(const Spectrum& spectrum, std::size_t band, Beyond beyond) const {
+    return scene_.averages_spectra ? mean_around(bands_, band, spectrum, beyond)
+                                   : spectrum.at(bands_[band].wavelength, beyond);
+  }
+  template <typename Of>
+  std::vector<float> at_bands(const Of& of) const {
+    std::vector<float> values;
+    for (std::size_t b = 0; b < bands_.size(); ++b) values.push_back(static_cast<float>(of(b)));
+    return values;
+  }
+  const ColourSpectra& of_colours() {
+    try {
+      if (!of_colours_) of_colours_.emplace(bands_);
+    } catch (const InputError& error) {
+      throw InputError(scene_.source, error.what());
+    }
+    return *of_colours_;
+  }
+
+  const Scene& scene_;
+  std::vector<Waveband> bands_;
+  std::optional<ColourSpectra> of_colours_;
+};
+
+}  // namespace
+
+void set_bands(PatchSet& patches, const Scene& scene) {
+  if (scene.wavelengths.empty()) return set_plain_bands(patches, scene);
+  SpectraAtBands spectra(scene);
+  patches.wavebands = spectra.bands();
+  for (const auto& band : patches.wavebands) patches.bands.push_back(fmt::format("{} nm", band.wavelength));
+  for (const auto& m : scene.materials)
+    patches.materials.push_back(
+        {m.name, m.two_sided, spectra.reflectance(m), spectra.light(m.emittance, m.emittance_spectrum)});
+  auto sky = spectra.light(scene.sky, scene.sky_spectrum);
+  if (std::any_of(sky.begin(), sky.end(), [](float x) { return x > 0.0f; })) patches.sky = std::move(sky);
+}
+
+}  // namespace luxel
