@@ -2,7 +2,6 @@
 #include "luxel/check/lamp_choice.h"
 
 #include <algorithm>
-#include <span>
 
 namespace luxel {
 
@@ -12,7 +11,7 @@ LampChoice::LampChoice(const PatchSet& patches) {
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const auto& material = patches.material_of(p);
     if (!material.is_lamp()) continue;
-    power += static_cast<double>(patches.area[p]) * colours.lumens(std::span(material.emittance));
+    power += static_cast<double>(patches.area[p]) * colours.lumens(material.emittance);
     patch_.push_back(p);
     up_to_.push_back(power);
   }

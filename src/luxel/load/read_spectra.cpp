@@ -57,9 +57,9 @@ class SpectraReader {
       : source_(path.string()), text_(read_text(path, source_)), lines_(text_) {}
 
   std::vector<MeasuredSpectrum> read() {
-    if (!lines_.next() || lower_case(lines_.text()) != header)
-      refuse(fmt::format("expected the line '{}', found {}", header,
-                         lines_.text().empty() ? "nothing" : "'" + excerpt(lines_.text()) + "'"));
+    if (!lines_.next()) refuse(fmt::format("expected the line '{}', found nothing", header));
+    if (lower_case(lines_.text()) != header)
+      refuse(fmt::format("expected the line '{}', found '{}'", header, excerpt(lines_.text())));
     while (lines_.next()) take_row();
     if (spectra_.empty()) throw InputError(source_, "expected at least one spectrum, found none");
     for (std::size_t i = 0; i < spectra_.size(); ++i) finish(spectra_[i], rows_[i]);

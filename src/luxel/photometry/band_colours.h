@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "luxel/math/vector.h"
@@ -29,16 +28,16 @@ class BandColours {
   // Linear sRGB of 1 in a band.
   const Vec3d& of(std::size_t band) const { return of_band_[band]; }
 
-  // Of W/m² (or W, or W/(m² sr)) by band: the same unit by linear sRGB.
-  template <typename Number>
-  Vec3d rgb(std::span<const Number> values) const {
+  // Of W/m² (or W, or W/(m² sr)) by band, values[band]: the same unit by linear sRGB.
+  template <typename Values>
+  Vec3d rgb(const Values& values) const {
     Vec3d sum(0.0);
     for (std::size_t b = 0; b < of_band_.size(); ++b) sum += static_cast<double>(values[b]) * of_band_[b];
     return sum;
   }
   // Of W by band; likewise lux of W/m².
-  template <typename Number>
-  double lumens(std::span<const Number> values) const {
+  template <typename Values>
+  double lumens(const Values& values) const {
     return lumens_of(rgb(values));
   }
 

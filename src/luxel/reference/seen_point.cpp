@@ -20,7 +20,7 @@ SeenPoints::SeenPoints(const PatchSet& patches, const Tracer& tracer, const Came
       tracer_(tracer),
       pinhole_(camera, width, height),
       colours_(patches.colours()),
-      sky_(patches.sky.empty() ? Vec3d(0.0) : colours_.rgb(std::span(patches.sky))),
+      sky_(patches.sky.empty() ? Vec3d(0.0) : colours_.rgb(patches.sky)),
       width_(static_cast<std::size_t>(width)),
       height_(static_cast<std::size_t>(height)) {}
 

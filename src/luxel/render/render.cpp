@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -81,13 +80,8 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
   const Pinhole pinhole(camera, options.width, options.height);
   const auto colours = patches.colours();
   const auto& sky = patches.sky;
-  const Shot shot{patches,
-                  light,
-                  tracer,
-                  pinhole,
-                  options,
-                  colours,
-                  sky.empty() ? Vec3d(0.0) : colours.rgb(std::span(sky))};
+  const Shot shot{
+      patches, light, tracer, pinhole, options, colours, sky.empty() ? Vec3d(0.0) : colours.rgb(sky)};
   Image picture(options.width, options.height);
 
   const auto width = static_cast<std::size_t>(options.width);
