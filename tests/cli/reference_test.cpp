@@ -65,6 +65,47 @@ TEST(Reference, traces_pictures_and_their_errors) {
   EXPECT_LT(mean_color(error).g, mean_color(picture).g);
 }
 
+// The lamp of the file has the lumens that Ke gives it, so the mean light is near that of plain colour; its
+// colour is not.
+TEST(Reference, a_spectrum_is_solved_shown_traced_and_compared) {
+  const auto folder = fresh_folder("reference_spectrum");
+  const std::string spectral = "--spectral cornell-spectra.csv --bands 12 ";
+  const auto baked = cli::run(
+      folder, "$LUXEL bake cornell-box.obj --max-edge 0.2 --error 3% -o plain.vtkhdf -o plain.exr " + small +
+                  "&& $LUXEL bake cornell-box.obj --max-edge 0.2 --error 3% -o a.vtkhdf -o a.exr -o a.ply " +
+                  spectral + small + "--json");
+  ASSERT_EQ(baked.code, 0) << baked.err;
+  const auto lamp = baked.err.find("lamp 'lamp': 95.");
+  EXPECT_NE(lamp, std::string::npos) << baked.err;
+  EXPECT_NE(baked.err.find("lamp 'lamp': 95.", lamp + 1), std::string::npos) << baked.err;
+  const auto json = Json::parse(baked.out.substr(baked.out.find('{')));
+  ASSERT_EQ(json["solution"]["wavelengths_nm"].size(), 12u);
+  EXPECT_EQ(json["solution"]["wavelengths_nm"][11], 700.0);
+  EXPECT_EQ(json["solution"]["bands"][0], "400 nm");
+  const auto plain = mean_color(read_image(folder / "plain.exr"));
+  const auto shown = mean_color(read_image(folder / "a.exr"));
+  EXPECT_NEAR(luminance(shown) / luminance(plain), 1.0f, 0.1f);
+  EXPECT_GT(shown.r, 1.1f * plain.r);
+  EXPECT_LT(shown.b, 0.7f * plain.b);
+  EXPECT_GE(shown.b, 0.0f);
+
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("12 bands, wavelengths from 400 to 700 nm"), std::string::npos) << info.out;
+  const auto traced = cli::run(folder, "$LUXEL reference cornell-box.obj --max-edge 0.2 --quiet " + spectral +
+                                           "--samples 256 --bounces-from patches -o b.vtkhdf && "
+                                           "$LUXEL compare b.vtkhdf a.vtkhdf --json --quiet");
+  ASSERT_EQ(traced.code, 0) << traced.err;
+  EXPECT_EQ(Json::parse(traced.out.substr(traced.out.find('{')))["agree"], true) << traced.out;
+  const auto other = cli::run(folder, "$LUXEL compare plain.vtkhdf a.vtkhdf --json --quiet");
+  ASSERT_EQ(other.code, 0) << other.err;
+  EXPECT_EQ(Json::parse(other.out)["agree"], false) << other.out;
+
+  const auto alone = cli::run(folder, "$LUXEL bake cornell-box.obj -o a.png --bands 12");
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_NE(alone.err.find("--bands needs spectra: give --spectral FILE as well"), std::string::npos)
+      << alone.err;
+}
+
 TEST(Reference, gives_the_same_bytes_on_any_number_of_threads) {
   const auto folder = fresh_folder("reference_threads");
   for (const char* n : {"1", "2", "5"}) {

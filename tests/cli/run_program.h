@@ -38,12 +38,12 @@ inline Outcome run(const std::filesystem::path& folder, std::string line) {
   return outcome;
 }
 
-// A fresh folder of this test with our Cornell box in it.
+// A fresh folder of this test with our Cornell box and its spectra in it.
 inline std::filesystem::path fresh_folder(const std::string& name) {
   const auto folder = std::filesystem::path(testing::TempDir()) / ("luxel_cli_" + name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  for (const char* file : {"cornell-box.obj", "cornell-box.mtl"})
+  for (const char* file : {"cornell-box.obj", "cornell-box.mtl", "cornell-spectra.csv"})
     std::filesystem::copy_file(std::filesystem::path(LUXEL_SOURCE_DIR "/scenes") / file, folder / file);
   return folder;
 }
