@@ -9,6 +9,7 @@
 
 #include "luxel/apps/option_set.h"
 #include "luxel/image/image.h"
+#include "luxel/photometry/colour_spectra.h"
 
 namespace luxel {
 namespace {
@@ -27,19 +28,24 @@ std::optional<std::vector<float>> hexadecimal(const std::string& text) {
 
 }  // namespace
 
-std::vector<float> colour_of_bands(const std::string& what, const std::string& text, std::size_t bands,
+std::vector<float> colour_of_bands(const std::string& what, const std::string& text, const PatchSet& patches,
                                    float most) {
+  const auto takes_colours = patches.has_colours();
   std::optional<std::vector<float>> colour;
-  if (const auto grey = parse_number(text)) colour = std::vector(bands, *grey);
-  if (!colour && bands == 3) colour = hexadecimal(text);
-  if (const auto three = parse_three(text); !colour && bands == 3 && three)
+  if (const auto grey = parse_number(text)) colour = std::vector(patches.band_count(), *grey);
+  const bool is_grey = colour.has_value();
+  if (!colour && takes_colours) colour = hexadecimal(text);
+  if (const auto three = parse_three(text); !colour && takes_colours && three)
     colour = {static_cast<float>(three->x), static_cast<float>(three->y), static_cast<float>(three->z)};
   const auto fits = [&](float x) { return x >= 0.0f && x <= most; };
   if (!colour || !std::all_of(colour->begin(), colour->end(), fits))
     throw UsageError(fmt::format("{}: expected {} from 0 to {:g}, not '{}'", what,
-                                 bands == 3 ? "#rrggbb, red,green,blue or one number" : "one number", most,
+                                 takes_colours ? "#rrggbb, red,green,blue or one number" : "one number", most,
                                  text));
-  return *colour;
+  if (is_grey || patches.wavebands.empty()) return *colour;
+  const Vec3 rgb((*colour)[0], (*colour)[1], (*colour)[2]);
+  const ColourSpectra spectra(patches.wavebands);
+  return most <= 1.0f ? spectra.reflectance(rgb) : spectra.tint(rgb);
 }
 
 }  // namespace luxel

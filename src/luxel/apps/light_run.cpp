@@ -150,8 +150,7 @@ bool LightRun::fell_short(const SolveReport& solved) const {
 void LightRun::report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const {
   const auto colours = patches.colours();
   if (patches.has_sky())
-    console_.say(
-        fmt::format("sky: {:.4g} lx in the open", std::numbers::pi * colours.lumens(patches.sky)));
+    console_.say(fmt::format("sky: {:.4g} lx in the open", std::numbers::pi * colours.lumens(patches.sky)));
   for (const auto& view : views) {
     console_.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
                              colours.lumens(view.power)));

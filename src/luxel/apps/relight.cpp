@@ -135,7 +135,7 @@ class Relight final : public Command {
       scale("light", name, std::vector(bands, *factor));
     }
     for (const auto& [name, text] : tints_)
-      scale("tint", name, colour_of_bands(fmt::format("--tint {}", name), text, bands, 1e9f));
+      scale("tint", name, colour_of_bands(fmt::format("--tint {}", name), text, patches, 1e9f));
     for (const auto& name : off_) scale("off", name, std::vector(bands, 0.0f));
     return weight;
   }
@@ -151,7 +151,7 @@ class Relight final : public Command {
     }
     const auto bands = patches.band_count();
     for (const auto& [name, text] : reflectances_) {
-      auto colour = colour_of_bands(fmt::format("--reflectance {}", name), text, bands, 1.0f);
+      auto colour = colour_of_bands(fmt::format("--reflectance {}", name), text, patches, 1.0f);
       for (auto& r : colour) r = std::min(r, most);
       for (const auto m : called("reflectance", name, names, "material"))
         std::copy(colour.begin(), colour.end(), reflectance.begin() + static_cast<std::ptrdiff_t>(m * bands));

@@ -100,15 +100,20 @@ std::vector<float> ColourSpectra::reflectance(const Vec3& rgb) const {
   return result;
 }
 
-// A lamp is white light that a surface of its colour reflects; one of half the brightness that a surface can
-// have, where spectra are smoothest.
-std::vector<float> ColourSpectra::light(const Vec3& rgb) const {
+// As a surface of half the brightness that it can have, where spectra are smoothest, and then brighter.
+std::vector<float> ColourSpectra::tint(const Vec3& rgb) const {
   const auto scale = 2.0 * static_cast<double>(std::max({rgb.r, rgb.g, rgb.b}));
   std::vector<float> result(white_.size(), 0.0f);
   if (!(scale > 0.0)) return result;
   const auto colour = surface(Vec3d(rgb) / scale);
+  for (std::size_t b = 0; b < white_.size(); ++b) result[b] = static_cast<float>(scale * colour[b]);
+  return result;
+}
+
+std::vector<float> ColourSpectra::light(const Vec3& rgb) const {
+  auto result = tint(rgb);
   for (std::size_t b = 0; b < white_.size(); ++b)
-    result[b] = static_cast<float>(scale * colour[b] * white_[b]);
+    result[b] = static_cast<float>(static_cast<double>(result[b]) * white_[b]);
   return result;
 }
 

@@ -27,6 +27,8 @@ class ColourSpectra {
   // rgb: in [0, 1). Result: [band], in [0, 1). The colour comes out to 1e-6; of colours so deep that no
   // surface can have them at these wavebands, the nearest.
   std::vector<float> reflectance(const Vec3& rgb) const;
+  // rgb: 0 or more, beyond 1 too. Result: [band], what gives white light this colour.
+  std::vector<float> tint(const Vec3& rgb) const;
   // rgb: power, or its density (W, W/m², W/(m² sr)), by linear sRGB. Result: the same by band, [band].
   std::vector<float> light(const Vec3& rgb) const;
 

@@ -63,6 +63,7 @@ void Sampling::start(const Solution& first_picture) {
   make_room(std::uint64_t{first} * options_.replicates * all.size());
   rays_ += transport_->double_rays(all, first, workers_).value();
   leave_out_dark_sides(first_picture);
+  check_memory();
   units_ = neighbour_begins(transport_->sides(), unit_positions);
 }
 
@@ -140,6 +141,19 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
     }
   }
   return true;
+}
+
+// Hits can be traced again, but not the light: more than there is would end the process, not the run.
+void Sampling::check_memory() const {
+  constexpr double gibibyte = 1u << 30;
+  const auto free = free_memory();
+  if (free == 0 || bytes_of_state() <= free + resident_memory()) return;
+  throw InputError(
+      fmt::format("the light of {} patch sides in {} bands needs about {:.1f} GiB of memory, of which {:.1f} "
+                  "are free: make fewer "
+                  "patches (a larger --max-edge), or fewer bands (--bands with --spectral)",
+                  transport_->sides().size(), patches_.band_count(),
+                  static_cast<double>(bytes_of_state()) / gibibyte, static_cast<double>(free) / gibibyte));
 }
 
 void Sampling::make_room(std::uint64_t more_rays) {

@@ -51,6 +51,7 @@ class Sampling {
 
  private:
   // Hits that would not fit are not stored.
+  void check_memory() const;
   void make_room(std::uint64_t more_rays);
   // The samples of all sides: none yet.
   void lay_out();
