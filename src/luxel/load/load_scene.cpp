@@ -9,11 +9,11 @@
 #include "luxel/load/apply_spectra.h"
 #include "luxel/load/load_obj.h"
 #include "luxel/load/name_list.h"
-#include "luxel/scene/name_pattern.h"
 #include "luxel/load/text.h"
 #include "luxel/mesh/orient_windings.h"
 #include "luxel/mesh/weld_vertices.h"
 #include "luxel/report/error.h"
+#include "luxel/scene/name_pattern.h"
 
 namespace luxel {
 namespace {
