@@ -8,6 +8,8 @@ include(CMakePackageConfigHelpers)
 set(LUXEL_PUBLIC_HEADERS
     math/bounds.h math/vector.h
     report/error.h report/log.h report/memory.h report/progress.h
+    photometry/band_colours.h photometry/colour_spectra.h photometry/luminous_efficacy.h photometry/spectrum.h
+    photometry/waveband.h
     file/output_file.h
     parallel/workers.h
     image/image.h image/image_file.h
@@ -34,7 +36,6 @@ set(LUXEL_PUBLIC_HEADERS
     reference/batch_means.h reference/compare.h reference/difference_picture.h reference/final_gather.h
     reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
     reference/surface_point.h
-    photometry/luminous_efficacy.h
     export/export_coloured.h export/export_mesh.h)
 
 # All rooms as one library, luxel::luxel.

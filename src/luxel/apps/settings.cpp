@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "luxel/apps/quantity.h"
-#include "luxel/load/apply_spectra.h"
 
 namespace luxel {
 namespace {

@@ -12,7 +12,5 @@ namespace luxel {
 void apply_spectra(const LoadOptions& options, Scene& scene, const LogSink& log);
 
 inline constexpr double max_band_step = 10.0;  // nm
-inline constexpr int fewest_bands = 8;
-inline constexpr int most_bands = 500;
 
 }  // namespace luxel

@@ -11,6 +11,9 @@
 
 namespace luxel {
 
+inline constexpr int fewest_bands = 8;
+inline constexpr int most_bands = 500;
+
 struct LoadOptions {
   double scale = 1.0;                       // metres a file unit
   float max_reflectance = 0.98f;            // reflectances above are lowered to it, with a warning
