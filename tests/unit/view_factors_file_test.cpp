@@ -29,10 +29,10 @@ StoredViewFactors sample() {
   f.sink[ViewFactors::environment].factor = {2.0 / 3.0, 0.0};
   f.sink[ViewFactors::environment].standard_error = {0.01f, 0.0f};
   f.sink[ViewFactors::dropped].factor = {0.0, 0.3};
-  stored.note = {"patches", "both",
-                 true,      {"0.1.0", "luxel viewfactors x.obj", "counted", {{"error", "auto"}}, 7, 9, 11},
-                 {4, 5},    {{1, 2, 3}, {4, 5, 6}},
-                 {}};
+  stored.note = {
+      "patches", "both",
+      true,      {"0.1.0", "luxel viewfactors x.obj", "counted", {{"error", "auto"}}, 7, 9, 11, {}},
+      {4, 5},    {{1, 2, 3}, {4, 5, 6}}};
   return stored;
 }
 
