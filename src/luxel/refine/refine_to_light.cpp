@@ -23,6 +23,7 @@ constexpr double poorest_light = 0.03;  // likewise, at most: where that is all 
 constexpr double ratio = 0.5;           // of a squared error: what halving leaves where light jumps
 constexpr double aim = 0.8;             // of the squared error allowed: what the next mesh is to have
 constexpr double most_left = 0.35;      // of what differs: what one more mesh need not see to
+constexpr double least_growth = 0.05;   // of the patches: to cut fewer is not worth solving the light again
 constexpr double large_patch = 5e-4;    // of the whole area: cut once before the light is asked
 constexpr double parts = 4.0;           // of a marked patch; neighbours are cut too, others not at all
 constexpr std::uint32_t purpose = 0x72656669u;  // keeps its streams apart from those of other stages
@@ -149,8 +150,8 @@ class Refinement {
   }
 
   // The fewest patches that bring the error down to what is asked for, or near it: where that takes nearly
-  // all of what differs, another mesh will know better where the last of it is. What noise may have made is
-  // no reason to cut.
+  // all of what differs, another mesh will know better where the last of it is, if it is enough for a mesh.
+  // What noise may have made is no reason to cut.
   std::vector<std::uint8_t> marked_by_difference() const {
     std::vector<std::uint32_t> order;
     double left = 0.0;
@@ -162,11 +163,14 @@ class Refinement {
     sort_by(difference_.squared, order);
     const auto aimed = aim * options_.mesh_error * options_.mesh_error * now_.light2 * (1.0 - ratio) / ratio;
     const auto least = most_left * left;
+    const auto few = static_cast<std::size_t>(least_growth * static_cast<double>(now_.patches.size()));
+    std::size_t count = 0;
     double cut = 0.0;
     std::vector<std::uint8_t> marks(now_.patches.size(), 0);
     for (const auto p : order) {
-      if (left <= least || left + ratio * cut <= aimed) break;
+      if ((left <= least && count >= few) || left + ratio * cut <= aimed) break;
       marks[p] = 1;
+      ++count;
       left -= difference_.squared[p];
       cut += difference_.squared[p];
     }
