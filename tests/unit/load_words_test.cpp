@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "luxel/load/name_list.h"
-#include "luxel/scene/name_pattern.h"
 #include "luxel/load/numbers.h"
 #include "luxel/load/text.h"
+#include "luxel/scene/name_pattern.h"
 
 namespace luxel {
 namespace {
