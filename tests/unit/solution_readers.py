@@ -22,7 +22,8 @@ except ImportError as error:
 
 LIGHT = {"radiosity_front": 2000, "radiosity_back": 3000, "irradiance_front": 1, "irradiance_back": 1000}
 FAR = (100000, 0, -1000000)
-ERRORS = {"standard_error_front": 4000, "standard_error_back": 5000}
+ERRORS = {"standard_error_front": 4000, "standard_error_back": 5000, "sharing_bias_front": 6000,
+          "sharing_bias_back": 7000}
 
 
 def value(first, index):

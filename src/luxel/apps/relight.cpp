@@ -93,6 +93,8 @@ class Relight final : public Command {
     console.say(fmt::format("{} light groups, {} patches, standard error {:.2g} %", patches.group_count(),
                             patches.size(), 100.0 * relit.solution.predicted_error));
 
+    if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
+      stand_still(camera_of(picture_, look_, kept.baked, tracer, workers), patches);
     const auto written = write_outputs(relit, &tracer, run_, look_, picture_, workers, console, record);
     finish({.command = options().name(),
             .baked = &relit,
@@ -166,6 +168,13 @@ class Relight final : public Command {
     settings.declare(all);
     all.take_up(provenance.options);
     return settings.light.sampled;
+  }
+
+  // Pictures of one room in several lights are taken from one place: where the light as it was is seen from.
+  void stand_still(const Camera& camera, const PatchSet& patches) {
+    picture_.eye = patches.in_file(camera.eye);
+    picture_.target = patches.in_file(camera.target);
+    picture_.vertical_fov = camera.vertical_fov;
   }
 
   // What it came from, and what was changed.
