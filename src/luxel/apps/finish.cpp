@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/apps/finish.h"
 
+#include "luxel/apps/commands.h"
 #include "luxel/apps/streams.h"
 #include "luxel/file/output_file.h"
 
@@ -11,6 +12,21 @@ void finish(const RunReport& report, const RunSettings& run, Console& console) {
   if (!run.report.empty()) write_file(run.report, report.as_json());
   if (run.json) return print_result(report.as_json());
   for (const auto& output : report.outputs) print_result(output + "\n");
+}
+
+int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
+                     const RunSettings& run, const LookSettings& look, const PictureSettings& picture,
+                     const Workers& workers, Console& console, RunRecord& record) {
+  const auto written = write_outputs(baked, tracer, run, look, picture, workers, console, record);
+  finish({.command = options.name(),
+          .baked = &baked,
+          .camera = written.camera,
+          .origin = baked.patches.origin,
+          .outputs = written.files,
+          .options = &options,
+          .record = &record},
+         run, console);
+  return written.stopped ? exit_stopped_early : exit_fine;
 }
 
 }  // namespace luxel

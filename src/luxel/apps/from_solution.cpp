@@ -32,16 +32,7 @@ class FromSolution final : public Command {
     RunRecord record;
     const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
     take_up_from(baked.solution.provenance);
-    const auto written = write_outputs(baked, nullptr, run_, look_, picture_, workers, console, record);
-    finish({.command = options().name(),
-            .baked = &baked,
-            .camera = written.camera,
-            .origin = baked.patches.origin,
-            .outputs = written.files,
-            .options = &options(),
-            .record = &record},
-           run_, console);
-    return written.stopped ? exit_stopped_early : exit_fine;
+    return write_and_finish(baked, nullptr, options(), run_, look_, picture_, workers, console, record);
   }
 
  private:

@@ -37,16 +37,7 @@ class Merge final : public Command {
     console.say(fmt::format("{} runs, {} rays, standard error {:.2g} %",
                             merged.solution.provenance.merged.size(), merged.solution.provenance.rays,
                             100.0 * merged.solution.predicted_error));
-    const auto written = write_outputs(merged, nullptr, run_, look_, picture_, workers, console, record);
-    finish({.command = options().name(),
-            .baked = &merged,
-            .camera = written.camera,
-            .origin = merged.patches.origin,
-            .outputs = written.files,
-            .options = &options(),
-            .record = &record},
-           run_, console);
-    return written.stopped ? exit_stopped_early : exit_fine;
+    return write_and_finish(merged, nullptr, options(), run_, look_, picture_, workers, console, record);
   }
 
  private:

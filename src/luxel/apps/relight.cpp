@@ -95,16 +95,7 @@ class Relight final : public Command {
 
     if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
       stand_still(camera_of(picture_, look_, kept.baked, tracer, workers), patches);
-    const auto written = write_outputs(relit, &tracer, run_, look_, picture_, workers, console, record);
-    finish({.command = options().name(),
-            .baked = &relit,
-            .camera = written.camera,
-            .origin = relit.patches.origin,
-            .outputs = written.files,
-            .options = &options(),
-            .record = &record},
-           run_, console);
-    return written.stopped ? exit_stopped_early : exit_fine;
+    return write_and_finish(relit, &tracer, options(), run_, look_, picture_, workers, console, record);
   }
 
  private:
