@@ -49,9 +49,9 @@ HitRound read_round(const Hdf5Reader& file, const std::string& name, std::uint32
     file.refuse_as_damaged(fmt::format("'{}' has {} rays a replicate", name, round.per_replicate));
   if (!file.has(name + "/hit")) return round;
   // The shape is checked against the size of the file before memory is asked for.
-  const auto hits = file.array<std::uint32_t>(name + "/hit", replicates, round.hits_a_replicate());
-  round.hits = std::make_shared_for_overwrite<std::uint32_t[]>(hits.size());
-  std::copy(hits.begin(), hits.end(), round.hits.get());
+  const auto hits = std::make_shared<std::vector<std::uint32_t>>(
+      file.array<std::uint32_t>(name + "/hit", replicates, round.hits_a_replicate()));
+  round.hits = {hits, hits->data()};
   return round;
 }
 

@@ -26,10 +26,10 @@ std::size_t sky_index(const PatchSet& patches) {
 
 // The direct light of one group: [replicate][slot * bands + band].
 std::vector<std::vector<float>> of_group(std::span<const std::vector<float>> light, std::size_t group,
-                                         std::size_t groups, std::size_t bands) {
+                                         std::size_t groups, std::size_t bands, const Workers& workers) {
   std::vector<float> alone(groups * bands, 0.0f);
   std::fill_n(alone.begin() + static_cast<std::ptrdiff_t>(group * bands), bands, 1.0f);
-  return sum_of_groups(light, groups, bands, alone, Workers(1));
+  return sum_of_groups(light, groups, bands, alone, workers);
 }
 
 // The start of an iteration in which the sky shines as given and nothing else yet.
@@ -56,7 +56,7 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
   const auto slots = transport.sides().size();
   std::vector<std::vector<float>> gathered(state.replicates, std::vector<float>(slots * groups * bands));
   for (std::size_t g = 0; g < groups; ++g) {
-    const auto direct = of_group(state.direct, g, groups, bands);
+    const auto direct = of_group(state.direct, g, groups, bands, workers);
     const bool has_sky = g == sky_index(patches) || (groups == 1 && patches.has_sky());
     auto radiosity = dark_but_for_sky(transport, bands,
                                       has_sky ? sky_radiosity(patches) : std::vector<float>(bands, 0.0f));
