@@ -44,8 +44,6 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
 
   // The light.
   foresee(baked.patches, tracer);
-  const auto origin = baked.solution.provenance;  // some solvers begin with an empty solution
-  const auto mesh_error = baked.solution.mesh_error;
   const auto keeping = checkpoint.keeping(baked, std::move(from), console_);
   const auto solved = record_.stage("light", [&](auto& stage) {
     auto result =
@@ -53,10 +51,6 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     stage.rays = result.rays;
     return result;
   });
-  baked.solution.mesh_error = mesh_error;
-  baked.solution.provenance.program_version = origin.program_version;
-  baked.solution.provenance.command_line = origin.command_line;
-  baked.solution.provenance.options = origin.options;
   report_light(baked, solved);
 
   // What was asked for.

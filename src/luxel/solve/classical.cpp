@@ -24,7 +24,11 @@ class Run {
       const Monitor& monitor)
       : patches_(patches), solution_(solution), workers_(workers), monitor_(monitor) {
     check_light(patches);
-    solution_ = {};
+    const auto before = std::exchange(solution_, {});
+    solution_.mesh_error = before.mesh_error;  // this and the three below are the caller's
+    solution_.provenance.program_version = before.provenance.program_version;
+    solution_.provenance.command_line = before.provenance.command_line;
+    solution_.provenance.options = before.provenance.options;
     solution_.bands = patches.bands;
     solution_.provenance.method = method;
     solution_.provenance.scene_fingerprint = patches.scene_fingerprint;
