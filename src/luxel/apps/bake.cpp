@@ -40,7 +40,7 @@ class Bake final : public Command {
     } else {
       baked.patches = record.stage("patches", [&](auto&) {
         auto patches = settings_.scene.patches;
-        if (settings_.refine.is_asked()) patches.target_count = RefineSettings::coarse_patches;
+        if (settings_.refine.is_asked()) patches.target_count = RefineOptions::coarse_patches;
         return make_patches(scene, patches, console.log(), console.monitor());
       });
       if (interrupted()) return stopped_before_light(console);

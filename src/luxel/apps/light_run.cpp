@@ -14,8 +14,8 @@
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/step_pictures.h"
 #include "luxel/report/memory.h"
-#include "luxel/solve/forecast.h"
 #include "luxel/solve/relight.h"
+#include "luxel/solve/solve_light.h"
 
 namespace luxel {
 
@@ -85,22 +85,10 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
 
 SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
                             const Monitor& monitor, const SampleKeeping& keeping) const {
-  const auto& patches = baked.patches;
-  auto& light = baked.solution;
-  const auto& method = settings_.light.method;
+  LightOptions options = settings_.light;
+  options.dense.face = faces;
   try {
-    if (method == LightSettings::by_shooting)
-      return solve_stochastic_jacobi(patches, tracer, light, settings_.light.shooting, workers_, monitor);
-    if (method == LightSettings::by_dense) {
-      auto options = settings_.light.dense;
-      options.face = faces;
-      return solve_dense(patches, tracer, light, options, workers_, monitor);
-    }
-    if (method == LightSettings::by_hemicube)
-      return solve_hemicube(patches, light, settings_.light.hemicube, workers_, monitor);
-    if (method == LightSettings::by_lines)
-      return solve_lines(patches, tracer, light, settings_.light.lines, workers_, monitor);
-    return solve_sampled(patches, tracer, light, settings_.light.sampled, workers_, monitor, keeping);
+    return solve_light(baked.patches, tracer, baked.solution, options, workers_, monitor, keeping);
   } catch (const InputError& error) {
     throw InputError(name_, error.what());  // it has no light; the solver knows no file
   }
@@ -108,29 +96,17 @@ SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vecto
 
 // Says what a classical method is likely to take, and refuses what would take too much.
 void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
-  constexpr double most_seconds = 3600.0;
-  constexpr double most_memory = 0.8;  // of what is free
-  std::optional<Forecast> forecast;
-  if (settings_.light.method == LightSettings::by_dense)
-    forecast = forecast_dense(patches, tracer, settings_.light.dense, workers_);
-  if (settings_.light.method == LightSettings::by_hemicube)
-    forecast = forecast_hemicube(patches, settings_.light.hemicube, workers_);
-  if (settings_.light.method == LightSettings::by_lines)
-    forecast = forecast_lines(patches, tracer, settings_.light.lines, workers_);
+  const auto forecast = forecast_light(patches, tracer, settings_.light, workers_);
   if (!forecast) return;
-  const auto free = free_memory();
   const auto text =
       fmt::format("{} for {} patch sides, about {} and {} of memory", settings_.light.method, forecast->sides,
                   rough_duration(forecast->seconds), rough_bytes(forecast->bytes));
-  const bool is_too_much =
-      forecast->seconds > most_seconds ||
-      (free > 0 && static_cast<double>(forecast->bytes) > most_memory * static_cast<double>(free));
-  if (is_too_much && !settings_.light.force)
+  if (is_too_much(*forecast) && !settings_.light.force)
     throw InputError(
         name_,
         fmt::format("--method {} ({} are free): make fewer patches with a larger --max-edge, choose --method "
                     "sampled, or give --force to begin all the same",
-                    text, rough_bytes(free)));
+                    text, rough_bytes(free_memory())));
   console_.say("--method " + text);
 }
 

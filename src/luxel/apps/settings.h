@@ -11,9 +11,7 @@
 #include "luxel/refine/refine_to_light.h"
 #include "luxel/render/render.h"
 #include "luxel/scene/camera.h"
-#include "luxel/solve/classical.h"
-#include "luxel/solve/sampled.h"
-#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/solve/solve_light.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/tone/tone.h"
 
@@ -42,24 +40,11 @@ struct SceneSettings {
 struct RefineSettings {
   double mesh_error = 0.0;  // a share; 0: the patches stay as they are
   std::size_t max_patches = RefineOptions().max_patches;
-  // Patches to begin with, if no edge was given: enough to see where to look.
-  static constexpr std::size_t coarse_patches = 800;
   bool is_asked() const { return mesh_error > 0.0; }
   void declare(OptionSet& set);
 };
 
-struct LightSettings {
-  static constexpr const char* by_sampling = "sampled";
-  static constexpr const char* by_shooting = "shooting";
-  static constexpr const char* by_dense = "dense";
-  static constexpr const char* by_hemicube = "hemicube";
-  static constexpr const char* by_lines = "lines";
-  std::string method = by_sampling;
-  SampledOptions sampled;
-  StochasticJacobiOptions shooting;
-  DenseSolveOptions dense;
-  HemicubeSolveOptions hemicube;
-  LinesSolveOptions lines;
+struct LightSettings : LightOptions {
   bool joins_faces = false;  // dense
   std::string each_step;     // folder for a picture after every step; empty: none
   bool force = false;        // begins even what will take days

@@ -14,6 +14,8 @@
 namespace luxel {
 
 struct RefineOptions {
+  // Patches to begin with, if no edge was given: enough to see where to look.
+  static constexpr std::size_t coarse_patches = 800;
   double mesh_error = 0.02;  // asked for: area-weighted relative RMS of what the size of patches does
   std::size_t max_patches = 1'000'000;
   int max_levels = 12;

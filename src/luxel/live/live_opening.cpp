@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+
+#include "luxel/live/live_run.h"
+#include "luxel/load/load_scene.h"
+#include "luxel/patch/uncut_faces.h"
+#include "luxel/report/error.h"
+#include "luxel/solution/solution_file.h"
+
+// The beginning of a live scene: from the file to a mesh with its tracer.
+
+namespace luxel {
+namespace {
+
+bool is_solution(const std::filesystem::path& file) {
+  auto ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".vtkhdf";
+}
+
+}  // namespace
+
+void LiveRun::open() {
+  if (is_solution(file_)) return open_solution();
+  open_scene();
+}
+
+void LiveRun::open_scene() {
+  auto scene = std::make_shared<const Scene>(load_scene(file_, settings_.load, log(), opening_monitor()));
+  if (scene->triangles.empty()) return;  // closed meanwhile
+  auto how = settings_.patches;
+  const bool refines = settings_.refine.mesh_error > 0.0;
+  if (refines) how.target_count = RefineOptions::coarse_patches;
+  auto patches = make_patches(*scene, how, log(), opening_monitor());
+  if (patches.size() == 0) return;
+  mesh_.scene = scene;
+  mesh_.geometry = 1;
+  mesh_.patches = std::make_shared<const PatchSet>(patches);
+  show_mesh();
+  try {
+    if (refines) {
+      auto options = settings_.refine;
+      options.light = light_.sampled;
+      options.smooth = settings_.smooth;
+      RefineReport report;
+      patches = refine_to_light(std::move(patches), options, report, workers_, opening_monitor());
+      mesh_error_ = report.mesh_error;
+      mesh_.geometry = 2;
+    }
+    if (settings_.keeps_transport || !settings_.groups.empty())
+      set_light_groups(*scene, settings_.groups, patches);
+  } catch (const InputError& error) {
+    throw InputError(file_.string(), error.what());
+  }
+  mesh_.patches = std::make_shared<const PatchSet>(std::move(patches));
+  if (settings_.joins_faces) light_.dense.face = uncut_faces(*scene, *mesh_.patches);
+  build_tracer();
+}
+
+void LiveRun::open_solution() {
+  begin_stage("read");
+  auto kept = read_kept_run(file_);
+  mesh_.patches = std::make_shared<const PatchSet>(std::move(kept.baked.patches));
+  mesh_.geometry = 1;
+  samples_ = std::move(kept.samples);
+  auto& solution = kept.baked.solution;
+  if (settings_.options_of) light_ = settings_.options_of(solution.provenance);
+  sampled_ = light_.sampled;
+  mesh_error_ = solution.mesh_error;
+  {
+    const std::lock_guard lock(board_.mutex);
+    board_.current = light_;
+    board_.status.method = solution.provenance.method;
+    board_.status.error = solution.predicted_error;
+    board_.status.rays = solution.provenance.rays;
+    board_.status.stop = solution.stop;
+  }
+  show_mesh();
+  show(std::move(solution), true);
+  build_tracer();
+  auto light = *own_light_;
+  light.mesh = mesh_;
+  own_light_ = publish(std::move(light));
+}
+
+void LiveRun::build_tracer() {
+  begin_stage("hierarchy");
+  mesh_.tracer = std::make_shared<const Tracer>(*mesh_.patches, workers_);
+  show_mesh();
+}
+
+void LiveRun::show_mesh() {
+  auto mesh = std::make_shared<const LiveMesh>(mesh_);
+  const std::lock_guard lock(board_.mutex);
+  board_.mesh = std::move(mesh);
+}
+
+LogSink LiveRun::log() {
+  return [this](const Message& message) {
+    const std::lock_guard lock(board_.mutex);
+    board_.status.messages.push_back(message);
+  };
+}
+
+Monitor LiveRun::opening_monitor() {
+  return [this](const Progress& progress) {
+    const std::lock_guard lock(board_.mutex);
+    board_.status.stage = progress.stage;
+    board_.status.done = progress.done;
+    return board_.closes ? Next::stop : Next::go_on;
+  };
+}
+
+}  // namespace luxel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "luxel/live/board.h"
+#include "luxel/live/pace.h"
+#include "luxel/parallel/workers.h"
+#include "luxel/solve/relight.h"
+
+namespace luxel {
+
+// What the thread of a live scene does, from opening the file to the word that ends it.
+class LiveRun {
+ public:
+  // Keeps a reference to the board.
+  LiveRun(Board& board, std::filesystem::path file, LiveSettings settings);
+
+  // Returns once the board says so. Throws nothing.
+  void go();
+
+ private:
+  // Does it, and puts what it throws on the board. Says whether it went well.
+  template <typename Work>
+  bool attempt(Work work);
+
+  // ---- The file ----
+  void open();
+  void open_scene();
+  void open_solution();
+  void build_tracer();
+  void show_mesh();
+
+  // ---- Orders ----
+  bool wait_for_orders();
+  std::optional<SolveOrder> next_solve();
+  void write_files();
+  void write(const FileOrder& order);
+
+  // ---- Light ----
+  void solve(const SolveOrder& order);
+  void refuse_too_much(const SolveOrder& order);
+  bool goes_on_with_samples(const LightOptions& light) const;
+  Next watch(const Progress& progress);
+  bool must_end(const Progress& progress) const;
+  void show(Solution solution, bool is_last);
+  void relight(const Lighting& lighting);
+  void know_group_light();
+  LiveLight light_of(LiveMesh mesh, Solution solution) const;
+  std::shared_ptr<const LiveLight> publish(LiveLight light);
+  bool is_closing() const;
+
+  void begin_stage(const char* stage);
+  LogSink log();
+  Monitor opening_monitor();
+
+  Board& board_;
+  std::filesystem::path file_;
+  LiveSettings settings_;
+  Workers workers_;
+
+  LiveMesh mesh_;
+  LightOptions light_;                          // of the solve that is, or was
+  std::shared_ptr<const SampleState> samples_;  // of the newest answer
+  SampledOptions sampled_;                      // they were made with
+  std::shared_ptr<const LiveLight> own_light_;  // newest of the scene's own lamps and colours
+  Lighting lighting_;
+  std::unique_ptr<Relighter> relighter_;  // of samples_
+  double mesh_error_ = 0.0;
+
+  Pace pace_;
+  std::uint32_t step_ = 0;
+  std::uint64_t lights_ = 0;
+  std::chrono::steady_clock::duration cost_of_showing_{};
+  std::chrono::steady_clock::time_point shown_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,1 @@
+luxel_test(unit/live_scene ROOMS live)
