@@ -37,7 +37,8 @@ set(LUXEL_PUBLIC_HEADERS
     reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
     reference/surface_point.h
     export/export_coloured.h export/export_mesh.h
-    live/live_scene.h live/live_settings.h live/live_state.h)
+    live/light_value.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
+    live/tree_boxes.h)
 
 # All rooms as one library, luxel::luxel.
 get_property(rooms GLOBAL PROPERTY LUXEL_ROOMS)
