@@ -18,9 +18,12 @@ namespace {
 
 const std::string cornell = LUXEL_SOURCE_DIR "/scenes/cornell-box.obj";
 
-// A file of this test, not there yet.
+// A file of this test; not there yet.
+std::filesystem::path place(const std::string& name) {
+  return std::filesystem::path(testing::TempDir()) / ("luxel-live-" + name);
+}
 std::filesystem::path fresh(const std::string& name) {
-  const auto path = std::filesystem::path(testing::TempDir()) / ("luxel-live-" + name);
+  const auto path = place(name);
   std::filesystem::remove(path);
   return path;
 }
@@ -88,6 +91,188 @@ TEST(LiveScene, says_in_a_sentence_what_is_wrong_with_a_file) {
   broken.solve({});
   ASSERT_TRUE(wait_for_idle(broken));
   EXPECT_EQ(broken.status().errors, 2u);
+}
+
+// Takes minutes if nobody stops it.
+LiveSettings endless() {
+  auto settings = coarse();
+  settings.light.sampled.error = 1e-6;
+  return settings;
+}
+
+const std::vector<float>& front(const std::shared_ptr<const LiveLight>& light) {
+  return light->solution.irradiance_front;
+}
+
+TEST(LiveScene, may_be_held_at_any_time_and_gives_the_same_light) {
+  auto settings = coarse();
+  settings.light.sampled.error = 0.02;
+  LiveScene straight(cornell, settings);
+  LiveScene held(cornell, settings);
+  for (int i = 0; i < 200 && !held.status().is_idle; ++i) {
+    held.pause();
+    EXPECT_TRUE(held.status().is_paused);
+    std::this_thread::sleep_for(std::chrono::microseconds(300 * (i % 7)));
+    held.resume();
+    std::this_thread::sleep_for(std::chrono::microseconds(500 * (i % 5)));
+  }
+  ASSERT_TRUE(wait_for_idle(straight) && wait_for_idle(held));
+  EXPECT_EQ(front(straight.light()), front(held.light()));
+}
+
+TEST(LiveScene, closes_at_any_moment) {
+  for (int i = 0; i < 24; ++i) {
+    LiveScene live(cornell, endless());
+    std::this_thread::sleep_for(std::chrono::microseconds(200 * i * i));
+    if (i % 4 == 1) live.pause();
+    if (i % 4 == 2) live.set_stepping(true);
+    const auto begin = std::chrono::steady_clock::now();
+    live.close();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << "close number " << i;
+  }
+}
+
+TEST(LiveScene, saves_what_there_is_when_it_is_closed) {
+  const auto file = fresh("closed.vtkhdf");
+  LiveScene live(cornell, endless());
+  ASSERT_TRUE(wait_until([&] { return live.status().history.size() > 1; }));
+  live.close(file);
+  const auto kept = read_kept_run(file);
+  EXPECT_EQ(kept.baked.solution.stop, StopReason::stopped_by_user);
+  EXPECT_EQ(kept.baked.solution.irradiance_front, front(live.light()));
+  EXPECT_TRUE(kept.samples);
+}
+
+TEST(LiveScene, goes_on_to_a_finer_error_without_losing_samples) {
+  LiveScene live(cornell, coarse());
+  ASSERT_TRUE(wait_for_idle(live));
+  const auto before = live.light();
+  live.ask_error(0.003);
+  EXPECT_FALSE(live.status().is_idle);
+  ASSERT_TRUE(wait_for_idle(live));
+  const auto after = live.light();
+  EXPECT_LE(after->solution.predicted_error, 0.003);
+  EXPECT_EQ(live.status().stop, StopReason::error_reached);
+  ASSERT_GT(after->samples->rounds.size(), before->samples->rounds.size());
+  for (std::size_t i = 0; i < before->samples->rounds.size(); ++i)
+    EXPECT_EQ(after->samples->rounds[i].hits, before->samples->rounds[i].hits) << "round " << i;
+  const auto history = live.status().history;
+  for (std::size_t i = 1; i < history.size(); ++i) EXPECT_GE(history[i].rays, history[i - 1].rays);
+}
+
+TEST(LiveScene, another_error_counts_while_it_solves) {
+  LiveScene live(cornell, endless());
+  ASSERT_TRUE(wait_until([&] { return !live.status().history.empty(); }));
+  live.ask_error(0.02);
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(live.status().stop, StopReason::error_reached);
+  EXPECT_LE(live.light()->solution.predicted_error, 0.02);
+}
+
+TEST(LiveScene, stops_and_keeps_its_light) {
+  LiveScene live(cornell, endless());
+  ASSERT_TRUE(wait_until([&] { return live.status().history.size() > 1; }));
+  live.stop();
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(live.status().stop, StopReason::stopped_by_user);
+  EXPECT_TRUE(live.light()->is_last);
+  EXPECT_TRUE(live.status().can_relight);
+}
+
+TEST(LiveScene, relights_in_proportion_and_back) {
+  LiveScene live(cornell, coarse());
+  ASSERT_TRUE(wait_for_idle(live));
+  const auto own = live.light();
+  const auto& patches = *own->mesh.patches;
+  const auto bands = patches.band_count();
+  Lighting lighting;
+  lighting.lamps.assign(patches.group_count() * bands, 2.0f);
+  live.relight(lighting);
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(live.status().error_message, "");
+  const auto twice = live.light();
+  EXPECT_TRUE(twice->is_relit);
+  EXPECT_EQ(twice->mesh.geometry, own->mesh.geometry);
+  ASSERT_EQ(front(twice).size(), front(own).size());
+  for (std::size_t i = 0; i < front(own).size(); ++i)
+    EXPECT_NEAR(front(twice)[i], 2.0f * front(own)[i], 1e-4f * front(own)[i]);
+
+  lighting.reflectance.assign(patches.materials.size() * bands, 0.0f);
+  live.relight(lighting);
+  live.save_solution(fresh("relit.vtkhdf"));
+  ASSERT_TRUE(wait_for_idle(live));
+  for (std::size_t i = 0; i < front(own).size(); ++i) EXPECT_LE(front(live.light())[i], front(twice)[i]);
+  EXPECT_FALSE(read_kept_run(place("relit.vtkhdf")).samples);
+
+  live.relight({});
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(front(live.light()), front(own));
+}
+
+TEST(LiveScene, opens_a_solution_and_relights_it_without_a_solve) {
+  const auto file = fresh("kept.vtkhdf");
+  {
+    LiveScene live(cornell, coarse());
+    ASSERT_TRUE(wait_for_idle(live));
+    live.close(file);
+  }
+  LiveScene again(file, coarse());
+  ASSERT_TRUE(wait_for_idle(again));
+  const auto own = again.light();
+  EXPECT_EQ(own->solution.irradiance_front, read_solution(file).solution.irradiance_front);
+  Lighting half;
+  half.lamps.assign(own->mesh.patches->group_count() * 3, 0.5f);
+  again.relight(half);
+  ASSERT_TRUE(wait_for_idle(again));
+  EXPECT_EQ(again.status().error_message, "");
+  for (std::size_t i = 0; i < front(own).size(); ++i)
+    EXPECT_NEAR(front(again.light())[i], 0.5f * front(own)[i], 1e-4f * front(own)[i]);
+}
+
+TEST(LiveScene, shows_each_bounce_with_what_it_leaves_to_the_next) {
+  auto settings = coarse();
+  settings.light.method = LightOptions::by_shooting;
+  settings.light.shooting.rays = 20'000;
+  settings.light.shooting.tolerance = 0.05;
+  settings.begins_at_once = false;
+  LiveScene live(cornell, settings);
+  ASSERT_TRUE(wait_for_idle(live));
+  live.set_stepping(true);
+  std::uint32_t bounces = 0;
+  for (;; ++bounces) {
+    live.step();
+    ASSERT_TRUE(wait_until([&] { return live.status().is_paused || live.status().is_idle; }));
+    if (live.status().is_idle) break;
+    const auto light = live.light();
+    const auto& patches = *light->mesh.patches;
+    double unshot = 0.0;
+    double emitted = 0.0;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      for (std::size_t b = 0; b < 3; ++b) {
+        const double area = patches.area[p];
+        unshot += area * (light->unshot_front[3 * p + b] + light->unshot_back[3 * p + b]);
+        emitted += area * patches.material_of(p).emittance[b];
+      }
+    EXPECT_NEAR(unshot / emitted, light->solution.unshot_share, 1e-4) << "bounce " << bounces;
+  }
+  EXPECT_GT(bounces, 2u);
+  EXPECT_EQ(live.status().stop, StopReason::converged);
+}
+
+TEST(LiveScene, changes_its_method) {
+  LiveScene live(cornell, endless());
+  ASSERT_TRUE(wait_until([&] { return !live.status().history.empty(); }));
+  auto light = endless().light;
+  light.method = LightOptions::by_lines;
+  live.solve(light);
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(live.light()->solution.provenance.method, "lines");
+  EXPECT_FALSE(live.status().can_relight);
+  light.method = "by magic";
+  live.solve(light);
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_NE(live.status().error_message.find("by magic"), std::string::npos);
+  EXPECT_EQ(live.light()->solution.provenance.method, "lines");
 }
 
 }  // namespace

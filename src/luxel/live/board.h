@@ -40,6 +40,7 @@ struct Board {
   std::optional<double> error;
   std::optional<Lighting> lighting;
   std::deque<FileOrder> files;
+  std::optional<std::filesystem::path> last_save;  // once everything has ended
 
   // Call with the mutex held.
   bool has_orders() const { return solve || error || lighting || !files.empty(); }

@@ -67,6 +67,7 @@ void LiveRun::go() {
     write_files();
   }
   write_files();
+  if (board_.last_save) attempt([&] { write(*board_.last_save); });
 }
 
 // ---- Orders ----
@@ -186,6 +187,7 @@ void LiveRun::solve(const SolveOrder& order) {
     pace_.go_on();
   }
   step_ = 0;
+  begin_bounces();
 
   Solution solution;
   solution.mesh_error = mesh_error_;
@@ -222,6 +224,7 @@ Next LiveRun::watch(const Progress& progress) {
     if (progress.light != nullptr) board_.status.steps = step_ + 1;
   }
   if (progress.light != nullptr) {
+    note_unshot(*progress.light);
     if (lighting_ == Lighting{}) show(*progress.light, false);
     ++step_;
   }
@@ -254,6 +257,36 @@ bool LiveRun::must_end(const Progress& progress) const {
   return progress.light != nullptr || (progress.error > 0.0 && progress.error <= error);
 }
 
+bool LiveRun::goes_by_bounces() const {
+  if (light_.method == LightOptions::by_dense) return light_.dense.solver == DenseSolver::jacobi;
+  return light_.method != LightOptions::by_sampling;
+}
+
+// Before the first bounce all that is there is what lamps emit.
+void LiveRun::begin_bounces() {
+  for (auto* values : {&radiosity_front_, &radiosity_back_, &unshot_front_, &unshot_back_}) values->clear();
+  if (!goes_by_bounces()) return;
+  const auto& patches = *mesh_.patches;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto& emittance = patches.material_of(p).emittance;
+    radiosity_front_.insert(radiosity_front_.end(), emittance.begin(), emittance.end());
+  }
+  radiosity_back_.assign(radiosity_front_.size(), 0.0f);
+}
+
+// What a bounce brought is what the next one will send on.
+void LiveRun::note_unshot(const Solution& light) {
+  if (!goes_by_bounces()) return;
+  const auto book = [](const std::vector<float>& now, std::vector<float>& before,
+                       std::vector<float>& unshot) {
+    unshot.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) unshot[i] = std::max(0.0f, now[i] - before[i]);
+    before = now;
+  };
+  book(light.radiosity_front, radiosity_front_, unshot_front_);
+  book(light.radiosity_back, radiosity_back_, unshot_back_);
+}
+
 LiveLight LiveRun::light_of(LiveMesh mesh, Solution solution) const {
   LiveLight light;
   light.mesh = std::move(mesh);
@@ -282,6 +315,8 @@ void LiveRun::show(Solution solution, bool is_last) {
   }
   auto light = light_of(mesh_, std::move(solution));
   light.is_last = is_last;
+  light.unshot_front = unshot_front_;
+  light.unshot_back = unshot_back_;
   own_light_ = publish(std::move(light));
   shown_ = Clock::now();
   cost_of_showing_ = shown_ - begin;

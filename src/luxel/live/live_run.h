@@ -46,6 +46,9 @@ class LiveRun {
   Next watch(const Progress& progress);
   bool must_end(const Progress& progress) const;
   void show(Solution solution, bool is_last);
+  bool goes_by_bounces() const;
+  void begin_bounces();
+  void note_unshot(const Solution& light);
   void relight(const Lighting& lighting);
   void know_group_light();
   LiveLight light_of(LiveMesh mesh, Solution solution) const;
@@ -69,6 +72,10 @@ class LiveRun {
   Lighting lighting_;
   std::unique_ptr<Relighter> relighter_;  // of samples_
   double mesh_error_ = 0.0;
+
+  // Of the newest picture, and what it has more than the one before, W/m²; empty where light does not go by
+  // bounces.
+  std::vector<float> radiosity_front_, radiosity_back_, unshot_front_, unshot_back_;
 
   Pace pace_;
   std::uint32_t step_ = 0;

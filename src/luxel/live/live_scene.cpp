@@ -104,7 +104,7 @@ void LiveScene::export_glb(const std::filesystem::path& file, const Vec3& up, co
 void LiveScene::close(const std::optional<std::filesystem::path>& save) {
   if (!state_->thread.joinable()) return;
   state_->order([&](Board& b) {
-    if (save) b.files.emplace_back(*save);
+    b.last_save = save;
     b.closes = true;
   });
   state_->thread.join();

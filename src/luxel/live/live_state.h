@@ -41,7 +41,9 @@ struct LiveLight {
   std::uint32_t step = 0;  // pictures of this solve before this one: bounces, or doublings of the samples
   bool is_relit = false;   // lamps or reflectances are not those of the scene
   bool is_last = false;    // of its solve
-  std::vector<float> unshot_front, unshot_back;  // [patch][band], W/m²: see live_scene.h; empty: not known
+  // What the last bounce brought and the next will send on, W/m², [patch][band]. Empty where light does not
+  // come in bounces: of a sampled solve, a direct one, a file.
+  std::vector<float> unshot_front, unshot_back;
 };
 
 struct ConvergencePoint {

@@ -108,7 +108,8 @@ class Run {
     };
     const auto seed = stream_key(options_.seed, first_pictures, picture);
     const auto shot = solve_stochastic_jacobi(
-        patches_, tracer_, solution_, {.rays = rays, .tolerance = bias, .seed = seed}, workers_, on_the_way);
+        patches_, tracer_, solution_, {.rays = rays, .tolerance = bias, .seed = seed, .shows_bounces = false},
+        workers_, on_the_way);
     report_.energy = shot.energy;
     report_.back_loss = shot.back_loss;
     report_.unshot_share = shot.unshot_share;

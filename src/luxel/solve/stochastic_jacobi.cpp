@@ -53,13 +53,13 @@ class Iteration {
     if (patches.has_sky()) add_sky(patches, tracer);
   }
 
-  void run(const Monitor& monitor) {
+  void run(Solution& solution, const Monitor& monitor) {
     const auto first_step_rays =
         options_.rays > 0 ? options_.rays : automatic_rays(patches_, options_.rays_per_patch);
     while (report_.unshot_share > options_.tolerance) {
       const auto wanted = std::round(unshot_power_ / carried_once_ * static_cast<double>(first_step_rays));
       const auto share = step(static_cast<std::uint64_t>(std::max(1.0, wanted)), monitor);
-      if (share < 1.0) return finish(StopReason::stopped_by_user);
+      if (share < 1.0 || show(solution, monitor) == Next::stop) return finish(StopReason::stopped_by_user);
     }
     finish(StopReason::converged);
   }
@@ -77,6 +77,13 @@ class Iteration {
     unshot_power_ = sum(unshot_.watts);
     const auto hits = sky_hit_share(patches, tracer, box);
     carried_once_ += (hits > 0.0 ? std::max(least_share, hits) : 1.0) * (unshot_power_ - lamps);
+  }
+
+  // The light of all bounces so far.
+  Next show(Solution& solution, const Monitor& monitor) {
+    if (!options_.shows_bounces || !monitor) return Next::go_on;
+    fill(solution);
+    return monitor({"light", 1.0 - report_.unshot_share, report_.rays, report_.predicted_error, &solution});
   }
 
   // One bounce. Returns the share of it that was done before the monitor said stop.
@@ -175,7 +182,8 @@ class Iteration {
   SolveReport report_;
 };
 
-// And the predicted error, area-weighted relative RMS: sqrt(sum of A Var(H) / sum of A H²).
+// The light so far and what it says of itself; and the predicted error, area-weighted relative RMS: sqrt(sum
+// of A Var(H) / sum of A H²).
 void Iteration::fill(Solution& solution) {
   solution.bands = patches_.bands;
   const std::array arrays = {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
@@ -207,6 +215,14 @@ void Iteration::fill(Solution& solution) {
   });
   const auto square = sum(squares);
   report_.predicted_error = square > 0.0 ? std::sqrt(variance_ / square) : 0.0;
+
+  solution.unshot_share = report_.unshot_share;
+  solution.predicted_error = report_.predicted_error;
+  solution.stop = report_.stop;
+  solution.provenance.method = "stochastic-jacobi";
+  solution.provenance.seed = options_.seed;
+  solution.provenance.rays = report_.rays;
+  solution.provenance.scene_fingerprint = patches_.scene_fingerprint;
 }
 
 }  // namespace
@@ -248,17 +264,9 @@ SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& trace
                                     const Monitor& monitor) {
   check(patches, options);
   Iteration iteration(patches, tracer, options, workers);
-  iteration.run(monitor);
+  iteration.run(solution, monitor);
   iteration.fill(solution);
-  const auto& report = iteration.report();
-  solution.unshot_share = report.unshot_share;
-  solution.predicted_error = report.predicted_error;
-  solution.stop = report.stop;
-  solution.provenance.method = "stochastic-jacobi";
-  solution.provenance.seed = options.seed;
-  solution.provenance.rays = report.rays;
-  solution.provenance.scene_fingerprint = patches.scene_fingerprint;
-  return report;
+  return iteration.report();
 }
 
 }  // namespace luxel

@@ -20,6 +20,7 @@ struct StochasticJacobiOptions {
   double tolerance = 1e-4;      // share of the power of lamps and sky left unshot, (0, 1): the stated bias
   std::uint64_t seed = 1;       // another seed, another independent answer
   double rays_per_patch = 800;  // what automatic aims at, over the whole run
+  bool shows_bounces = true;    // a picture (Progress::light) after every bounce
 };
 
 // Incremental stochastic Jacobi iteration for B = E + rho F B (listing 2 of the founding course paper;
