@@ -40,8 +40,12 @@ set(LUXEL_PUBLIC_HEADERS
     live/light_value.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
     live/tree_boxes.h)
 
-# All rooms as one library, luxel::luxel.
+# Rooms of the program alone, so that whoever uses the library needs no display.
+set(LUXEL_PROGRAM_ROOMS view window)
+
+# All others as one library, luxel::luxel.
 get_property(rooms GLOBAL PROPERTY LUXEL_ROOMS)
+list(REMOVE_ITEM rooms ${LUXEL_PROGRAM_ROOMS})
 set(objects)
 set(libraries fmt::fmt glm::glm)
 foreach(room ${rooms})

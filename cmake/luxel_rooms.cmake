@@ -3,6 +3,10 @@
 
 include(${CMAKE_CURRENT_LIST_DIR}/luxel_libraries.cmake)
 find_package(CLI11 REQUIRED)
+# Of the window, which belongs to the program alone.
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+find_package(glfw3 3.3 REQUIRED)
+pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 
 # Every target of ours. -ffp-contract=off and no -march: the same source gives the same bits on every host.
 add_library(luxel_flags INTERFACE)

@@ -21,6 +21,9 @@ LIBRARIES = {
     "embree": r"embree[34]/",
     "luxel_hdf5": r"(H5\w*|hdf5(_hl)?)\.h$",
     "TinyGLTF": r"tiny_gltf\.h$",
+    "epoxy": r"epoxy/",
+    "glfw": r"GLFW/",
+    "imgui": r"(imgui(_\w+)?\.h$|backends/imgui)",
 }
 # The programs are no room; they link these in src/luxel/apps/CMakeLists.txt.
 HOMES_OUTSIDE_ROOMS = {"CLI11": (r"CLI/", "apps"), "nlohmann_json": (r"nlohmann/", "apps")}
@@ -182,9 +185,17 @@ def public_headers(root):
         return set(re.search(r"set\(LUXEL_PUBLIC_HEADERS\s([^)]*)\)", file.read())[1].split())
 
 
+def program_rooms(root):
+    """The rooms of the program alone: nothing of them is public, and the program includes them."""
+    with open(os.path.join(root, PUBLIC), encoding="utf-8") as file:
+        rooms = re.search(r"set\(LUXEL_PROGRAM_ROOMS\s([^)]*)\)", file.read())
+    return rooms[1].split() if rooms else []
+
+
 def check_public(root):
     """The program includes public headers alone, and these no others."""
     public = public_headers(root)
+    own = tuple(f"{room}/" for room in ("apps", *program_rooms(root))) if public else ()
     for header in sorted(public):
         if not os.path.exists(os.path.join(root, "src/luxel", header)):
             yield PUBLIC, 1, f"luxel/{header} does not exist"
@@ -195,7 +206,7 @@ def check_public(root):
         with open(os.path.join(root, name), encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
                 include = re.match(r'#include "luxel/(.+)"', line)
-                if include and include[1] not in public and not (room[2] == "apps" and include[1].startswith("apps/")):
+                if include and include[1] not in public and not (room[2] == "apps" and include[1].startswith(own)):
                     yield name, number, f"{include[1]} is not public: see {PUBLIC}"
 
 

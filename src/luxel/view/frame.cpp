@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/view/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
+#include "luxel/view/gl_object.h"
+
+namespace luxel {
+namespace {
+
+// A triangle that covers the screen, and a texture on it.
+constexpr std::string_view cover_shader = R"(
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+constexpr std::string_view copy_shader = R"(
+uniform sampler2D source;
+uniform float strength;
+out vec4 pixel;
+void main() { pixel = vec4(texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb, strength); }
+)";
+
+void check_complete(ScreenSize size) {
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw DeviceError(
+        fmt::format("the graphics driver has no framebuffer of {} x {} pixels", size.width, size.height));
+}
+
+void texture_storage(const GlTexture& texture, GLint format, ScreenSize size) {
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, format, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void attach(GLenum place, const GlTexture& texture) {
+  glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, texture.name(), 0);
+}
+
+// Colour (none where it is 0) and depth of the framebuffer that is bound.
+void attach_rendered(const GlRenderbuffer* colour, const GlRenderbuffer& depth, int samples,
+                     ScreenSize size) {
+  const auto one = [&](const GlRenderbuffer& buffer, GLenum format, GLenum place) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.width, size.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer.name());
+  };
+  if (colour != nullptr) one(*colour, GL_SRGB8_ALPHA8, GL_COLOR_ATTACHMENT0);
+  one(depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+}
+
+}  // namespace
+
+struct Frame::State {
+  // Four samples a pixel: made when they are first asked for.
+  struct Sampled {
+    ScreenSize size{0, 0};
+    GlRenderbuffer colour, depth;
+    GlFramebuffer frame;
+  } sampled;
+  // One a pixel; the mean of several pictures.
+  ScreenSize size{0, 0}, mean_size{0, 0};
+  GlTexture pixels, mean;
+  GlRenderbuffer depth;
+  GlFramebuffer resolved, mean_frame;
+  GlVertexArray nothing;
+  GlProgram copy{cover_shader, copy_shader};
+  Edges edges = Edges::sampled;
+
+  void resize(ScreenSize to);
+  void resize_sampled(ScreenSize to);
+  void resize_mean(ScreenSize to);
+  void cover(const GlTexture& with, float strength) const;
+};
+
+void Frame::State::resize(ScreenSize to) {
+  texture_storage(pixels, GL_SRGB8_ALPHA8, to);
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved.name());
+  attach(GL_COLOR_ATTACHMENT0, pixels);
+  attach_rendered(nullptr, depth, 0, to);
+  check_complete(to);
+  size = to;
+}
+
+void Frame::State::resize_sampled(ScreenSize to) {
+  GLint most = 1;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  glBindFramebuffer(GL_FRAMEBUFFER, sampled.frame.name());
+  attach_rendered(&sampled.colour, sampled.depth, std::min(4, static_cast<int>(most)), to);
+  check_complete(to);
+  sampled.size = to;
+}
+
+void Frame::State::resize_mean(ScreenSize to) {
+  texture_storage(mean, GL_RGBA16F, to);
+  glBindFramebuffer(GL_FRAMEBUFFER, mean_frame.name());
+  attach(GL_COLOR_ATTACHMENT0, mean);
+  check_complete(to);
+  mean_size = to;
+}
+
+void Frame::State::cover(const GlTexture& with, float strength) const {
+  copy.use();
+  copy.set("source", 0);
+  copy.set("strength", strength);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, with.name());
+  glBindVertexArray(nothing.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Frame::Frame() : state_(std::make_unique<State>()) {}
+Frame::~Frame() = default;
+
+void Frame::begin(ScreenSize size, const Vec3& background, Edges edges) {
+  auto& s = *state_;
+  if (size != s.size) s.resize(size);
+  if (edges == Edges::sampled && size != s.sampled.size) s.resize_sampled(size);
+  s.edges = edges;
+  glBindFramebuffer(GL_FRAMEBUFFER, (edges == Edges::sampled ? s.sampled.frame : s.resolved).name());
+  glViewport(0, 0, size.width, size.height);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glEnable(GL_MULTISAMPLE);
+  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_TRUE);
+  glClearColor(background.r, background.g, background.b, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Frame::resolve() {
+  const auto& s = *state_;
+  if (s.edges == Edges::sampled) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, s.sampled.frame.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, s.resolved.name());
+    glBlitFramebuffer(0, 0, s.size.width, s.size.height, 0, 0, s.size.width, s.size.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Frame::join(int count) {
+  auto& s = *state_;
+  if (s.mean_size != s.size) s.resize_mean(s.size);
+  glBindFramebuffer(GL_FRAMEBUFFER, s.mean_frame.name());
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  s.cover(s.pixels, 1.0f / static_cast<float>(count + 1));
+  glDisable(GL_BLEND);
+  glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
+  if (count == 0) return;
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  s.cover(s.mean, 1.0f);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+Image Frame::read() const {
+  const auto& [width, height] = state_->size;
+  std::vector<std::uint8_t> codes(static_cast<std::size_t>(width) * height * 4);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->resolved.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
+  std::array<float, 256> linear;
+  for (std::size_t code = 0; code < linear.size(); ++code)
+    linear[code] = srgb_decode(static_cast<float>(code) / 255.0f);
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      // OpenGL counts rows from the bottom.
+      const auto* code = codes.data() + (static_cast<std::size_t>(height - 1 - y) * width + x) * 4;
+      image.at(x, y) = Vec3(linear[code[0]], linear[code[1]], linear[code[2]]);
+    }
+  return image;
+}
+
+Tile shifted_tile(int shift, ScreenSize size) {
+  // A rotated grid: each row and each column of a pixel has one.
+  constexpr std::array<Vec2, shifts> places = {Vec2(-0.125f, -0.375f), Vec2(0.375f, -0.125f),
+                                               Vec2(-0.375f, 0.125f), Vec2(0.125f, 0.375f)};
+  const auto off = places[static_cast<std::size_t>(shift % shifts)] * 2.0f / Vec2(size.width, size.height);
+  return {-1.0f + off.x, 1.0f + off.x, -1.0f + off.y, 1.0f + off.y};
+}
+
+}  // namespace luxel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "luxel/image/image.h"
+#include "luxel/view/pose.h"
+#include "luxel/view/screen.h"
+
+namespace luxel {
+
+// How edges become smooth.
+enum class Edges {
+  sampled,  // four samples a pixel, where the driver has them
+  rough     // one: a fifth of the time where a processor draws
+};
+
+// A framebuffer of our own, sRGB, with depth: the same off screen and in a window, so that pictures of both
+// are the same. Needs the context it was made in.
+class Frame {
+ public:
+  Frame();
+  ~Frame();
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  // Makes it ready to be drawn into, at this size (pixels), filled with a colour (linear, [0, 1]). Memory is
+  // kept while the size stays. Throws DeviceError where the driver has none of this size.
+  void begin(ScreenSize size, const Vec3& background, Edges edges);
+  // Samples become pixels. What is drawn from here on (panels) writes sRGB codes as they are, one sample a
+  // pixel. Leaves the pixels as the current read framebuffer, for Screen::present().
+  void resolve();
+  // After resolve(): the pixels become the mean of these and of `count` rough pictures before, each drawn
+  // with the tile shifted_tile() gives: edges that get smooth picture by picture while nothing moves.
+  void join(int count);
+  // After resolve(): linear, display-referred. Waits for the driver.
+  Image read() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// The whole picture, shifted within a pixel: four of these (0 to 3) stand for four samples.
+inline constexpr int shifts = 4;
+Tile shifted_tile(int shift, ScreenSize size);
+
+}  // namespace luxel

@@ -1,0 +1,1 @@
+luxel_test(unit/view ROOMS view)
