@@ -29,6 +29,7 @@ Json time_to_first_light(const Settings& settings);        // until a first pict
 Json reconstruction(const Settings& settings);             // the drawn field against the light at points
 Json load_to_files(const Settings& settings);              // all steps but the light
 Json changed_lamps_and_colours(const Settings& settings);  // relighting
+Json processes_against_threads(const Settings& settings);  // mpirun
 Json error_against_patches(const Settings& settings);      // patches of one size, and where light needs them
 
 }  // namespace luxel::bench

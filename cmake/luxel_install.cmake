@@ -11,7 +11,8 @@ set(LUXEL_PUBLIC_HEADERS
     photometry/band_colours.h photometry/colour_spectra.h photometry/luminous_efficacy.h photometry/spectrum.h
     photometry/waveband.h
     file/output_file.h
-    parallel/workers.h
+    parallel/ranks.h parallel/workers.h
+    cluster/mpi_ranks.h
     image/image.h image/image_file.h
     scene/camera.h scene/material.h scene/name_pattern.h scene/scene.h
     mesh/clean_triangles.h mesh/edges.h mesh/pieces.h mesh/rims.h mesh/t_junctions.h mesh/vertex_weld.h

@@ -16,8 +16,11 @@ class Bake final : public Command {
  public:
   explicit Bake(OptionSet& options) : Command(options) { settings_.declare(options); }
 
+  bool takes_ranks() const override { return true; }
+
   int run() override {
     settings_.check();
+    settings_.light.sampled.ranks = ranks();
     Console console(settings_.run.quiet);
     const Workers workers(settings_.run.threads);
     RunRecord record;

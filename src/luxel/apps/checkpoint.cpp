@@ -18,7 +18,7 @@ SampleKeeping Checkpoint::keeping(const Baked& baked, std::shared_ptr<const Samp
     state_ = std::move(state);
     const auto now = std::chrono::steady_clock::now();
     const auto since = written_ ? std::chrono::duration<double>(now - *written_).count() : settings_.every;
-    if (settings_.checkpoint.empty() || since < settings_.every) return;
+    if (!writes_ || settings_.checkpoint.empty() || since < settings_.every) return;
     try {
       write(baked);
     } catch (const DeviceError& error) {

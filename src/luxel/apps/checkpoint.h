@@ -17,7 +17,9 @@ namespace luxel {
 // with the next answer.
 class Checkpoint {
  public:
-  explicit Checkpoint(const KeepSettings& settings) : settings_(settings) {}
+  // writes: whether this process is the one that does; others take part in gathering what is written.
+  explicit Checkpoint(const KeepSettings& settings, bool writes = true)
+      : settings_(settings), writes_(writes) {}
 
   // For the solver. Keeps references to all three, and to this.
   SampleKeeping keeping(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console);
@@ -32,6 +34,7 @@ class Checkpoint {
   void write(const Baked& baked);
 
   const KeepSettings& settings_;
+  bool writes_;
   std::shared_ptr<const SampleState> state_;
   std::optional<std::chrono::steady_clock::time_point> written_;
 };

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "luxel/apps/command_line.h"
+#include "luxel/parallel/ranks.h"
 
 namespace luxel {
 
@@ -20,12 +21,17 @@ class Command {
   // Returns the exit code; throws the library's errors.
   virtual int run() = 0;
   const OptionSet& options() const { return options_; }
+  // Whether several processes can share its work; and these processes, for as long as it runs.
+  virtual bool takes_ranks() const { return false; }
+  void set_ranks(const Ranks* ranks) { ranks_ = ranks; }
 
  protected:
   explicit Command(OptionSet& options) : options_(options) {}
+  const Ranks* ranks() const { return ranks_; }
 
  private:
   const OptionSet& options_;
+  const Ranks* ranks_ = nullptr;
 };
 
 std::unique_ptr<Command> make_bake(CommandLine& line);

@@ -17,6 +17,12 @@ namespace {
 // A signal handler can reach nothing but a global: the one there is.
 volatile std::sig_atomic_t interrupt_requested = 0;
 
+bool is_silent = false;  // the same for all consoles, set once before there are any
+
+void note(const std::string& text) {
+  if (!is_silent) print_note(text);
+}
+
 void on_interrupt(int signal) {
   interrupt_requested = 1;
   std::signal(signal, SIG_DFL);  // the next one ends the program
@@ -37,6 +43,11 @@ void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
 }
+void keep_silent() {
+  is_silent = true;
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+}
 bool interrupted() { return interrupt_requested != 0; }
 
 Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -45,16 +56,16 @@ Console::~Console() { clear_bar(); }
 void Console::say(const std::string& line) {
   if (quiet_) return;
   clear_bar();
-  print_note(fmt::format("{}\n", line));
+  note(fmt::format("{}\n", line));
 }
 
 LogSink Console::log() {
   return [this](const Message& message) {
     clear_bar();
     if (message.severity == Severity::warning)
-      print_note(fmt::format("warning: {}\n", message.text));
+      note(fmt::format("warning: {}\n", message.text));
     else if (!quiet_)
-      print_note(fmt::format("{}\n", message.text));
+      note(fmt::format("{}\n", message.text));
   };
 }
 
@@ -67,13 +78,13 @@ Monitor Console::monitor(bool heeds_interrupt) {
 
 void Console::announce(const std::string& stage) {
   if (quiet_ || !terminal_) return;
-  print_note(fmt::format("\r\033[K{} ...", stage));
+  note(fmt::format("\r\033[K{} ...", stage));
   bar_shown_ = true;
 }
 
 void Console::clear_bar() {
   if (!bar_shown_) return;
-  print_note("\r\033[K");
+  note("\r\033[K");
   bar_shown_ = false;
 }
 
@@ -97,12 +108,12 @@ void Console::show(const Progress& progress) {
     numbers += fmt::format("  {:.1f} Mray/s", 1e-6 * static_cast<double>(progress.rays) / seconds);
   if (progress.done > 0.01) numbers += fmt::format("  {} left", duration(left));
   if (!terminal_) {
-    print_note(fmt::format("{}: {}\n", progress.stage, numbers));
+    note(fmt::format("{}: {}\n", progress.stage, numbers));
     return;
   }
   const auto filled = static_cast<int>(std::clamp(progress.done, 0.0, 1.0) * bar_width);
-  print_note(fmt::format("\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "",
-                         bar_width - filled, numbers));
+  note(fmt::format("\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "", bar_width - filled,
+                   numbers));
   bar_shown_ = true;
 }
 

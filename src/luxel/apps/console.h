@@ -41,6 +41,10 @@ class Console {
   Clock::time_point last_shown_;
 };
 
+// From now on consoles say nothing and signals are left to another one: of several processes, the first
+// speaks.
+void keep_silent();
+
 // What a command says that is stopped before it has anything to write; its exit code.
 int stopped_before_light(Console& console);
 

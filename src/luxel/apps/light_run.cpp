@@ -31,7 +31,9 @@ LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionS
 int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<std::uint32_t>& faces,
                   std::shared_ptr<const SampleState> from) {
   StepPictures steps(settings_.light.each_step);
-  Checkpoint checkpoint(settings_.keep);
+  const auto* ranks = settings_.light.sampled.ranks;
+  const bool is_first = !ranks || ranks->rank() == 0;  // of several ranks, the one that writes
+  Checkpoint checkpoint(settings_.keep, is_first);
 
   // Who sees whom, and what the lamps see.
   console_.announce("hierarchy");
@@ -52,13 +54,16 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     return result;
   });
   report_light(baked, solved);
+  if (!is_first) return fell_short(solved) ? exit_stopped_early : exit_fine;
 
   // What was asked for.
   auto samples = settings_.keep.transport ? checkpoint.state() : nullptr;
   if (samples) {
     console_.announce("light groups");
     samples = record_.stage("light groups", [&](auto&) {
-      return with_group_light(baked.patches, tracer, samples, settings_.light.sampled, workers_);
+      auto alone = settings_.light.sampled;
+      alone.ranks = nullptr;
+      return with_group_light(baked.patches, tracer, samples, alone, workers_);
     });
     console_.clear_bar();
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <chrono>
 #include <exception>
 #include <new>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -8,8 +10,32 @@
 #include "luxel/apps/console.h"
 #include "luxel/apps/streams.h"
 #include "luxel/apps/version.h"
+#include "luxel/cluster/mpi_ranks.h"
 
 namespace {
+
+// Of several ranks only those of a solve are needed, and only the first one speaks.
+int run(luxel::Command& command) {
+  const auto ranks = luxel::join_ranks();
+  const bool is_first = !ranks || ranks->rank() == 0;
+  if (!is_first && !command.takes_ranks()) return luxel::exit_fine;
+  if (!is_first) luxel::keep_silent();
+  command.set_ranks(ranks.get());
+  try {
+    const auto code = command.run();
+    // The others may still wait for this one.
+    if (ranks && luxel::interrupted()) luxel::leave_ranks(code);
+    return code;
+  } catch (const std::exception& error) {
+    if (!ranks) throw;
+    // What is wrong with a file is wrong for all: the first one says it and ends the others.
+    if (!is_first) std::this_thread::sleep_for(std::chrono::seconds(1));
+    luxel::print_note(is_first ? fmt::format("luxel: {}\n", error.what())
+                               : fmt::format("luxel: rank {}: {}\n", ranks->rank(), error.what()));
+    luxel::leave_ranks(luxel::exit_failed);
+    throw;
+  }
+}
 
 int run(int argc, char** argv) {
   luxel::CommandLine line(luxel::program_version);
@@ -25,7 +51,7 @@ int run(int argc, char** argv) {
   }
   luxel::catch_interrupts();
   for (const auto& command : commands)
-    if (&command->options() == parsed.command) return command->run();
+    if (&command->options() == parsed.command) return run(*command);
   return luxel::exit_misused;
 }
 

@@ -22,6 +22,8 @@ class Resume final : public Command {
     told_.keep.declare_every(options);
   }
 
+  bool takes_ranks() const override { return true; }
+
   int run() override {
     check_before_work(told_.run, told_.picture, all_kinds, file_);
     Console console(told_.run.quiet);
@@ -40,6 +42,7 @@ class Resume final : public Command {
     all.take_up(options().given());
     settings.keep.checkpoint = file_;
     settings.check();
+    settings.light.sampled.ranks = ranks();
 
     // What was not changed stays as it was, to the letter.
     const auto used = all.used_values(RunSettings::heading);

@@ -53,6 +53,9 @@ std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperat
             if (lit[element]) next[slot] = 1;
           });
     });
+    transport.shares().share(
+        std::span(next), 1, sides.size(), [](std::size_t s) { return s; },
+        [&](std::size_t s) { return sides.position[s]; });
     changed = next != lit;
     lit = std::move(next);
   }

@@ -14,10 +14,11 @@ constexpr std::size_t grain = 256;  // slots a chunk
 }  // namespace
 
 DirectSamples::DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
-                             std::size_t width)
+                             std::size_t width, const RowShares& shares)
     : light_(light),
       sides_(&sides),
       width_(width),
+      shares_(shares),
       mean_(replicates, std::vector<float>(sides.size() * width, 0.0f)),
       samples_(sides.size(), 0),
       doublings_(sides.size(), 0) {}
@@ -30,19 +31,26 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
     for (auto i = begin; i < end; ++i) {
       const auto s = slots[i];
       const auto more = samples_[s] > 0 ? samples_[s] : first;
-      const auto share = static_cast<float>(more) / static_cast<float>(samples_[s] + more);
+      const auto before = samples_[s];
+      samples_[s] += more;
+      ++doublings_[s];
+      if (!shares_.is_mine(sides_->position[s])) continue;
+      const auto share = static_cast<float>(more) / static_cast<float>(before + more);
       traced[begin / grain] +=
-          light_.estimate(sides_->side[s], sides_->position[s], doublings_[s], more, estimate);
+          light_.estimate(sides_->side[s], sides_->position[s], doublings_[s] - 1, more, estimate);
       for (std::size_t r = 0; r < mean_.size(); ++r)
         for (std::size_t b = 0; b < width_; ++b) {
           auto& mean = mean_[r][s * width_ + b];
           mean += share * (estimate[r * width_ + b] - mean);
         }
-      samples_[s] += more;
-      ++doublings_[s];
     }
   });
-  return std::accumulate(traced.begin(), traced.end(), std::uint64_t{0});
+  for (auto& mean : mean_)
+    shares_.share(
+        std::span(mean), width_, slots.size(), [&](std::size_t i) { return slots[i]; },
+        [&](std::size_t i) { return sides_->position[slots[i]]; });
+  const auto of_ranks = shares_.of_all(std::accumulate(traced.begin(), traced.end(), std::uint64_t{0}));
+  return std::accumulate(of_ranks.begin(), of_ranks.end(), std::uint64_t{0});
 }
 
 void DirectSamples::take_up(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,

@@ -8,15 +8,17 @@
 #include "luxel/parallel/workers.h"
 #include "luxel/transport/direct_light.h"
 #include "luxel/transport/gather_sides.h"
+#include "luxel/transport/row_shares.h"
 
 namespace luxel {
 
 // Direct light of every slot, replicate by replicate, and the samples it is the mean of.
 class DirectSamples {
  public:
-  // Keeps references to both. width: light groups times bands.
+  // Keeps references to both. width: light groups times bands. shares: which rank takes which samples; all
+  // know them.
   DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
-                std::size_t width);
+                std::size_t width, const RowShares& shares);
 
   // Doubles the samples of these slots; where there are none yet, takes `first` a replicate. Returns the
   // shadow rays traced. The same bits on any number of threads.
@@ -40,6 +42,7 @@ class DirectSamples {
   const DirectLight& light_;
   const GatherSides* sides_;
   std::size_t width_;
+  RowShares shares_;
   std::vector<std::vector<float>> mean_;
   std::vector<std::uint32_t> samples_, doublings_;  // [slot]
 };

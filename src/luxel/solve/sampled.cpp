@@ -56,7 +56,7 @@ class Run {
         solution_(solution),
         options_(options),
         workers_(workers),
-        monitor_(monitor),
+        monitor_(monitor_of(monitor)),
         keeping_(keeping),
         bands_(patches.band_count()) {}
 
@@ -79,7 +79,7 @@ class Run {
       keep_state();
       answer();
       if (kept_) keeping_.keep(kept_);
-      if (tell(monitor_, progress(&solution_)) == Next::stop) return finish(StopReason::stopped_by_user);
+      if (is_stopped(tell(monitor_, progress(&solution_)))) return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
       const auto doublings = plan_doublings(units, aimed_error2(), growth() * total_cost(units));
@@ -248,7 +248,7 @@ class Run {
     }
     if (options_.rays > 0 && static_cast<double>(rays()) + more_rays > static_cast<double>(options_.rays))
       return StopReason::ray_limit;
-    if (options_.seconds > 0.0 && elapsed() * (1.0 + more / total_cost(units)) > options_.seconds)
+    if (options_.seconds > 0.0 && agreed_elapsed() * (1.0 + more / total_cost(units)) > options_.seconds)
       return StopReason::time_limit;
     return {};
   }
@@ -268,6 +268,23 @@ class Run {
   double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
+  // That of the first rank, for decisions.
+  double agreed_elapsed() const { return agreed(elapsed()); }
+  template <typename T>
+  T agreed(T value) const {
+    if (ranks_) ranks_->from_first(std::as_writable_bytes(std::span<T>(&value, 1)));
+    return value;
+  }
+
+  // Ranks must stop together: between answers, when the first one was asked to.
+  Monitor monitor_of(const Monitor& monitor) {
+    if (!ranks_) return monitor;
+    return [this, monitor](const Progress& p) {
+      stop_asked_ |= tell(monitor, p) == Next::stop;
+      return Next::go_on;
+    };
+  }
+  bool is_stopped(Next next) const { return agreed(next == Next::stop || stop_asked_); }
   std::uint64_t rays() const { return first_rays_ + (sampling_ ? sampling_->rays() : 0); }
 
   // ---- What the caller hears ----
@@ -317,7 +334,9 @@ class Run {
   Solution& solution_;
   const SampledOptions& options_;
   const Workers& workers_;
-  const Monitor& monitor_;
+  const Ranks* ranks_ = options_.ranks && options_.ranks->size() > 1 ? options_.ranks : nullptr;
+  bool stop_asked_ = false;  // of several ranks
+  Monitor monitor_;
   const SampleKeeping& keeping_;
   std::size_t bands_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "luxel/parallel/ranks.h"
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
@@ -36,6 +37,10 @@ struct SampledOptions {
   // Neighbouring patches share their rays where their own have not reached the error, from 4,096 sides on;
   // what that may get wrong is part of the error bar.
   bool share = true;
+
+  // Processes that share the work: each calls the solver with the same arguments but for memory and monitor,
+  // and all get the same answer, to the bit that of one alone. The first one's monitor may stop them all.
+  const Ranks* ranks = nullptr;
 };
 
 // How a run survives: it hands out what it knows, and takes up what an earlier one knew.

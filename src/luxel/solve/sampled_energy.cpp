@@ -43,6 +43,10 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
     }
   });
 
+  transport.shares().share(
+      std::span(sums), width, transport.blocks(), [](std::size_t block) { return block; },
+      [&](std::size_t block) { return sides.position[begins[block]]; });
+
   EnergyAccount energy(emitted_power(patches), materials);
   auto& balance = energy.balance;
   for (std::size_t block = 0; block < transport.blocks(); ++block)

@@ -50,8 +50,10 @@ void Sampling::lay_out() {
                      SampledOperatorOptions{.seed = options_.seed,
                                             .replicates = options_.replicates,
                                             .low_discrepancy = options_.low_discrepancy,
-                                            .stratified = options_.stratified});
-  direct_.emplace(direct_light_, transport_->sides(), options_.replicates, direct_width());
+                                            .stratified = options_.stratified,
+                                            .ranks = options_.ranks});
+  direct_.emplace(direct_light_, transport_->sides(), options_.replicates, direct_width(),
+                  transport_->shares());
 }
 
 void Sampling::start(const Solution& first_picture) {

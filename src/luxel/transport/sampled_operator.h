@@ -13,14 +13,16 @@
 #include "luxel/transport/gather_rays.h"
 #include "luxel/transport/gather_sides.h"
 #include "luxel/transport/operator.h"
+#include "luxel/transport/row_shares.h"
 
 namespace luxel {
 
 struct SampledOperatorOptions {
   std::uint64_t seed = 1;
   std::uint32_t replicates = 8;
-  bool low_discrepancy = true;  // else independent random numbers
-  bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
+  bool low_discrepancy = true;   // else independent random numbers
+  bool stratified = true;        // one sequence over neighbouring patches; else each side has its own
+  const Ranks* ranks = nullptr;  // share the rows: each traces and keeps the hits of its own
 };
 
 // Transport as a sampled operator: each replicate has n cosine rays a side, from Owen-scrambled points, and
@@ -58,8 +60,9 @@ class SampledOperator {
   // Leaves out the slots that are not kept: rays to them end in the dark.
   void keep(const std::vector<std::uint8_t>& kept, const Workers& workers);
 
-  // All rounds so far; copies share the hits.
-  std::vector<HitRound> rounds() const { return {rounds_.begin(), rounds_.end()}; }
+  // All rounds so far; copies share the hits. Of several ranks the first has all hits, the others none.
+  std::vector<HitRound> rounds() const;
+  const RowShares& shares() const { return shares_; }
   // Goes on where an operator over the same slots was, whose rounds these are. Throws MismatchError where
   // they cannot be: slots and elements in range and rising, each slot's rounds one after the other.
   void take_up(std::vector<HitRound> rounds);
@@ -89,7 +92,8 @@ class SampledOperator {
   Replicates replicate(std::uint32_t index) const { return {*this, index, index + 1}; }
   Replicates all_replicates() const { return {*this, 0, options_.replicates}; }
 
-  // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block.
+  // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block; of several
+  // ranks, for this one's blocks alone.
   std::size_t blocks() const { return block_begins_.size() - 1; }
   template <typename Body>
   void for_each_hit(std::uint32_t replicate, std::size_t block, Body body) const {
@@ -120,8 +124,12 @@ class SampledOperator {
   Round make_round(HitRound round) const;
   // Not zeroed: a thread that writes also gets the pages.
   void make_room(Round& round) const;
-  // Counts the round's rays, and keeps it.
-  void add(Round round);
+  // Counts the rays of a round with these slots.
+  void count(std::span<const std::uint32_t> slots, std::uint32_t per_replicate);
+  bool is_mine(std::uint32_t slot) const { return shares_.is_mine(sides_.position[slot]); }
+  std::vector<std::uint32_t> mine(std::vector<std::uint32_t> slots) const;
+  HitRound gathered(const HitRound& own) const;
+  Round own_part(const Round& whole) const;
   // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
   // where the samples of the first slot go.
   void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
@@ -150,6 +158,7 @@ class SampledOperator {
   const Tracer& tracer_;
   GatherSides sides_;
   SampledOperatorOptions options_;
+  RowShares shares_;
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
   std::vector<std::uint32_t> rays_a_slot_, doublings_;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cluster/mpi_ranks.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#ifdef LUXEL_HAS_MPI
+#include <mpi.h>
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t largest_message = std::size_t{1} << 30;  // bytes; MPI counts in int
+
+// Whether a launcher started this: to begin MPI without one would take a tenth of a second for nothing.
+bool is_launched() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
+    if (std::getenv(name)) return true;
+  return false;
+}
+
+// A failed call ends all ranks with MPI's own message: that is MPI's default, and what is wanted.
+class MpiRanks final : public Ranks {
+ public:
+  MpiRanks() {
+    int rank = 0;
+    int size = 1;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    rank_ = static_cast<std::size_t>(rank);
+    size_ = static_cast<std::size_t>(size);
+  }
+  ~MpiRanks() override { MPI_Finalize(); }
+  MpiRanks(const MpiRanks&) = delete;
+  MpiRanks& operator=(const MpiRanks&) = delete;
+
+  std::size_t rank() const override { return rank_; }
+  std::size_t size() const override { return size_; }
+
+  void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
+                  std::span<const std::size_t> sizes) const override {
+    const auto places = begins(sizes);
+    if (places.back() <= largest_message) {
+      const std::vector<int> counts(sizes.begin(), sizes.end());
+      const std::vector<int> offsets(places.begin(), places.end() - 1);
+      MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(),
+                     offsets.data(), MPI_BYTE, MPI_COMM_WORLD);
+      return;
+    }
+    for (std::size_t r = 0; r < size_; ++r) {
+      auto part = all.subspan(places[r], sizes[r]);
+      if (r == rank_) std::copy(own.begin(), own.end(), part.begin());
+      broadcast(part, static_cast<int>(r));
+    }
+  }
+
+  void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
+                       std::span<const std::size_t> sizes) const override {
+    if (rank_ > 0) {
+      for (std::size_t i = 0; i < own.size(); i += largest_message)
+        MPI_Send(own.data() + i, length(own.size(), i), MPI_BYTE, 0, 0, MPI_COMM_WORLD);
+      return;
+    }
+    const auto places = begins(sizes);
+    std::copy(own.begin(), own.end(), all.begin());
+    for (std::size_t r = 1; r < size_; ++r)
+      for (std::size_t i = 0; i < sizes[r]; i += largest_message)
+        MPI_Recv(all.data() + places[r] + i, length(sizes[r], i), MPI_BYTE, static_cast<int>(r), 0,
+                 MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  }
+
+  void from_first(std::span<std::byte> bytes) const override { broadcast(bytes, 0); }
+
+ private:
+  static std::vector<std::size_t> begins(std::span<const std::size_t> sizes) {
+    std::vector<std::size_t> places = {0};
+    for (const auto size : sizes) places.push_back(places.back() + size);
+    return places;
+  }
+  static int length(std::size_t size, std::size_t from) {
+    return static_cast<int>(std::min(largest_message, size - from));
+  }
+  static void broadcast(std::span<std::byte> bytes, int from) {
+    for (std::size_t i = 0; i < bytes.size(); i += largest_message)
+      MPI_Bcast(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, from, MPI_COMM_WORLD);
+  }
+
+  std::size_t rank_ = 0;
+  std::size_t size_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Ranks> join_ranks() {
+  if (!is_launched()) return nullptr;
+  int level = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
+  auto ranks = std::make_unique<MpiRanks>();
+  if (ranks->size() > 1) return ranks;
+  return nullptr;
+}
+
+void leave_ranks(int exit_code) {
+  int is_begun = 0;
+  int is_ended = 0;
+  MPI_Initialized(&is_begun);
+  MPI_Finalized(&is_ended);
+  if (is_begun && !is_ended) MPI_Abort(MPI_COMM_WORLD, exit_code);
+}
+
+}  // namespace luxel
+
+#else
+
+namespace luxel {
+
+std::unique_ptr<Ranks> join_ranks() { return nullptr; }
+void leave_ranks(int) {}
+
+}  // namespace luxel
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Several processes solve one scene: the bytes of one process, whatever their number.
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "cli/run_program.h"
+
+namespace luxel::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Ranks : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "mpirun is not installed";
+  }
+  // A test may have fewer cores than ranks, and may run as root in a container.
+  static std::string mpirun(int ranks) {
+    return fmt::format(
+        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe "
+        "--bind-to none --mca btl self,vader -n {} ",
+        ranks);
+  }
+};
+
+const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.04 --error 2% --threads 1 ";
+
+TEST_F(Ranks, two_three_and_five_give_the_bytes_of_one_with_all_that_is_kept) {
+  const auto folder = fresh_folder("ranks_same");
+  ASSERT_EQ(cli::run(folder, bake + "--keep-transport -o one.vtkhdf --quiet").code, 0);
+  for (const int ranks : {2, 3, 5}) {
+    const auto run = cli::run(folder, mpirun(ranks) + bake + "--keep-transport -o many.vtkhdf");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.out, "many.vtkhdf\n") << "one rank speaks";
+    EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf")) << ranks << " ranks";
+  }
+}
+
+TEST_F(Ranks, what_memory_cannot_hold_is_traced_again_by_each_for_its_own_rows) {
+  const auto folder = fresh_folder("ranks_streamed");
+  ASSERT_EQ(cli::run(folder, bake + "--error 5% -o one.vtkhdf --quiet").code, 0);
+  const auto run = cli::run(folder, mpirun(2) + bake + "--error 5% -o many.vtkhdf --quiet --memory 40MiB");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf"));
+}
+
+TEST_F(Ranks, a_rank_that_dies_ends_the_run_and_the_checkpoint_goes_on_with_another_number) {
+  const auto folder = fresh_folder("ranks_dead");
+  const auto line = bake + "--error 0.5% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf ";
+  ASSERT_EQ(cli::run(folder, bake + "--error 0.5% -o whole.vtkhdf --quiet").code, 0);
+  // The second rank is killed as soon as there is a checkpoint.
+  const auto run = cli::run(
+      folder, mpirun(3) + line +
+                  "--quiet & pid=$!; while [ ! -e run.vtkhdf ]; do sleep 0.02; kill -0 $pid || exit 9; "
+                  "done; kill -KILL $(pgrep -P $pid | sed -n 2p); wait $pid");
+  ASSERT_NE(run.code, 0) << "the run was over before it could be killed";
+  ASSERT_NE(run.code, 9) << run.err;
+  EXPECT_FALSE(fs::exists(folder / "end.vtkhdf"));
+  EXPECT_NE(run.err.find("signal 9"), std::string::npos) << run.err;
+  const auto rest =
+      cli::run(folder, mpirun(2) + "$LUXEL resume run.vtkhdf -o end.vtkhdf --quiet --threads 1");
+  ASSERT_EQ(rest.code, 0) << rest.err;
+  EXPECT_TRUE(read_file(folder / "end.vtkhdf") == read_file(folder / "whole.vtkhdf"));
+}
+
+TEST_F(Ranks, bad_input_is_one_sentence_and_ends_all) {
+  const auto folder = fresh_folder("ranks_bad");
+  const auto run = cli::run(folder, mpirun(3) + "$LUXEL bake nothing.obj -o a.vtkhdf");
+  EXPECT_NE(run.code, 0);
+  const std::string sentence = "luxel: nothing.obj:";
+  const auto at = run.err.find(sentence);
+  ASSERT_NE(at, std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find(sentence, at + 1), std::string::npos) << run.err;
+}
+
+TEST_F(Ranks, other_commands_are_run_by_one) {
+  const auto folder = fresh_folder("ranks_other");
+  const auto run = cli::run(folder, mpirun(3) + "$LUXEL info cornell-box.obj");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto at = run.out.find("32 triangles");
+  ASSERT_NE(at, std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("32 triangles", at + 1), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace luxel::cli
