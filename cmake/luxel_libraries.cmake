@@ -12,7 +12,14 @@ find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
 # Many machines are optional: without MPI, a run is one process.
 add_library(luxel_mpi INTERFACE)
-find_package(MPI QUIET COMPONENTS CXX)
+find_program(LUXEL_MPI_COMPILER mpicxx)
+if(LUXEL_MPI_COMPILER)  # which may be there without the headers; CMake's own search stops with an error then
+  execute_process(COMMAND ${LUXEL_MPI_COMPILER} -x c++ -include mpi.h -fsyntax-only /dev/null
+                  RESULT_VARIABLE mpi_fails OUTPUT_QUIET ERROR_QUIET)
+  if(NOT mpi_fails)
+    find_package(MPI QUIET COMPONENTS CXX)
+  endif()
+endif()
 if(MPI_CXX_FOUND)
   target_link_libraries(luxel_mpi INTERFACE MPI::MPI_CXX)
   target_compile_definitions(luxel_mpi INTERFACE LUXEL_HAS_MPI OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
