@@ -72,6 +72,20 @@ class MpiRanks final : public Ranks {
 
   void from_first(std::span<std::byte> bytes) const override { broadcast(bytes, 0); }
 
+  void exchange(std::span<const std::span<const std::byte>> own,
+                std::span<const std::span<std::byte>> come) const override {
+    std::vector<MPI_Request> requests;
+    for (std::size_t r = 0; r < size_; ++r) {
+      for (std::size_t i = 0; i < come[r].size(); i += largest_message)
+        MPI_Irecv(come[r].data() + i, length(come[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
+                  MPI_COMM_WORLD, &requests.emplace_back());
+      for (std::size_t i = 0; i < own[r].size(); i += largest_message)
+        MPI_Isend(own[r].data() + i, length(own[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
+                  MPI_COMM_WORLD, &requests.emplace_back());
+    }
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  }
+
  private:
   static std::vector<std::size_t> begins(std::span<const std::size_t> sizes) {
     std::vector<std::size_t> places = {0};

@@ -49,7 +49,9 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
     shares_.share(
         std::span(mean), width_, slots.size(), [&](std::size_t i) { return slots[i]; },
         [&](std::size_t i) { return sides_->position[slots[i]]; });
-  const auto of_ranks = shares_.of_all(std::accumulate(traced.begin(), traced.end(), std::uint64_t{0}));
+  const auto own = std::accumulate(traced.begin(), traced.end(), std::uint64_t{0});
+  if (!shares_.ranks()) return own;
+  const auto of_ranks = of_all(*shares_.ranks(), own);
   return std::accumulate(of_ranks.begin(), of_ranks.end(), std::uint64_t{0});
 }
 

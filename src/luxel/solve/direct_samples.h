@@ -15,8 +15,8 @@ namespace luxel {
 // Direct light of every slot, replicate by replicate, and the samples it is the mean of.
 class DirectSamples {
  public:
-  // Keeps references to both. width: light groups times bands. shares: which rank takes which samples; all
-  // know them.
+  // Keeps references to light, sides and shares. width: light groups times bands. shares: which rank takes
+  // which samples; all know them.
   DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
                 std::size_t width, const RowShares& shares);
 
@@ -42,7 +42,7 @@ class DirectSamples {
   const DirectLight& light_;
   const GatherSides* sides_;
   std::size_t width_;
-  RowShares shares_;
+  const RowShares& shares_;
   std::vector<std::vector<float>> mean_;
   std::vector<std::uint32_t> samples_, doublings_;  // [slot]
 };

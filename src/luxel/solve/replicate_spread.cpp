@@ -99,7 +99,8 @@ float percentile_95(std::span<const float> numbers, const Workers& workers) {
 // take(block, first slot, slots): reads the replicates.
 template <typename Take>
 Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t bands,
-              std::span<const float> area, const Workers& workers, std::size_t constraints, Take take) {
+              std::span<const float> area, const Workers& workers, std::size_t constraints,
+              const Ranks* ranks, Take take) {
   const auto slots = area.size();
   Spread result;
   result.freedom = static_cast<double>(replicates - constraints);
@@ -111,7 +112,10 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   };
   std::vector<Sums> sums((slots + grain - 1) / grain);
   std::vector<float> relative(slots, 0.0f);
-  workers.for_chunks(slots, grain, [&](std::size_t begin, std::size_t end, int) {
+  const LoopShare mine(ranks, slots, grain);
+  workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
+    const auto begin = mine.begin() + from;
+    const auto end = mine.begin() + to;
     Sums chunk;
     Block block(bands);
     for (auto first = begin; first < end; first += block.slots()) {
@@ -144,6 +148,10 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
     }
     sums[begin / grain] = chunk;
   });
+  mine.share(std::span(result.mean), bands);
+  mine.share(std::span(result.standard_error), bands);
+  mine.share(std::span(relative), 1);
+  mine.share_chunks(std::span(sums));
   Sums whole;
   for (const auto& c : sums) {
     whole.variance += c.variance;
@@ -160,21 +168,26 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
 }  // namespace
 
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 std::span<const float> area, const Workers& workers, std::size_t constraints) {
-  return spread(values.size(), bias, bands, area, workers, constraints,
+                 std::span<const float> area, const Workers& workers, std::size_t constraints,
+                 const Ranks* ranks) {
+  return spread(values.size(), bias, bands, area, workers, constraints, ranks,
                 [&](Block& block, std::size_t slot, std::size_t count) { block.take(values, slot, count); });
 }
 
 Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
-                     std::span<const float> area, const Workers& workers, std::size_t constraints) {
+                     std::span<const float> area, const Workers& workers, std::size_t constraints,
+                     const Ranks* ranks) {
   return spread(
-      first.size(), bias, bands, area, workers, constraints,
+      first.size(), bias, bands, area, workers, constraints, ranks,
       [&](Block& block, std::size_t slot, std::size_t count) { block.take_sum(first, second, slot, count); });
 }
 
 void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
-                        std::span<double> error2_of, const Workers& workers) {
-  workers.for_chunks(area.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+                        std::span<double> error2_of, const Workers& workers, const Ranks* ranks) {
+  const LoopShare mine(ranks, area.size(), grain);
+  workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
+    const auto begin = mine.begin() + from;
+    const auto end = mine.begin() + to;
     Block block(bands);
     for (auto first = begin; first < end; first += block.slots()) {
       const auto count = std::min(block.slots(), end - first);
@@ -186,6 +199,7 @@ void add_squared_errors(Replicates values, std::size_t bands, std::span<const fl
       }
     }
   });
+  mine.share(error2_of, 1);
 }
 
 }  // namespace luxel

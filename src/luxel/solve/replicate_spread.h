@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/parallel/ranks.h"
 #include "luxel/parallel/workers.h"
 
 namespace luxel {
@@ -27,15 +28,18 @@ using Replicates = std::span<const std::vector<float>>;
 
 // constraints: how many of the replicates' degrees of freedom are taken, at least one by their mean.
 // area: [slot], m². bias: squared, [slot * bands + band], may be below 0 where it is an estimate near 0. The
-// same bits on any number of threads. Cost: about 50 ns a slot for 8 replicates of 3 bands.
+// same bits on any number of threads. Cost: about 50 ns a slot for 8 replicates of 3 bands. ranks: that call
+// with the same values and share the work.
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 std::span<const float> area, const Workers& workers, std::size_t constraints = 1);
+                 std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
+                 const Ranks* ranks = nullptr);
 // Of first + second, replicate by replicate, in one pass.
 Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
-                     std::span<const float> area, const Workers& workers, std::size_t constraints = 1);
+                     std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
+                     const Ranks* ranks = nullptr);
 
 // Adds weight * area * variance of the mean, all bands, to each slot.
 void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
-                        std::span<double> error2_of, const Workers& workers);
+                        std::span<double> error2_of, const Workers& workers, const Ranks* ranks = nullptr);
 
 }  // namespace luxel

@@ -108,8 +108,9 @@ class Run {
     };
     const auto seed = stream_key(options_.seed, first_pictures, picture);
     const auto shot = solve_stochastic_jacobi(
-        patches_, tracer_, solution_, {.rays = rays, .tolerance = bias, .seed = seed, .shows_bounces = false},
-        workers_, on_the_way);
+        patches_, tracer_, solution_,
+        {.rays = rays, .tolerance = bias, .seed = seed, .shows_bounces = false, .ranks = ranks_}, workers_,
+        on_the_way);
     report_.energy = shot.energy;
     report_.back_loss = shot.back_loss;
     report_.unshot_share = shot.unshot_share;
@@ -156,7 +157,7 @@ class Run {
 
   void prepare() {
     const auto& sides = sampling_->transport().sides();
-    light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_);
+    light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_, ranks_);
     report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;
   }
@@ -175,8 +176,8 @@ class Run {
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
     answer_ = light_->answer(direct, gathered, options_.error, workers_, [&](double weight) {
-      add_squared_errors(direct, bands_, light_->area(), weight, direct_error2_, workers_);
-      add_squared_errors(gathered, bands_, light_->area(), weight, gathered_error2_, workers_);
+      add_squared_errors(direct, bands_, light_->area(), weight, direct_error2_, workers_, ranks_);
+      add_squared_errors(gathered, bands_, light_->area(), weight, gathered_error2_, workers_, ranks_);
     });
     error_ = error_of(answer_);
 

@@ -15,8 +15,8 @@ constexpr std::size_t least_shared_slots = 4096;
 }  // namespace
 
 SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool shares,
-                     const Workers& workers)
-    : patches_(patches), sides_(sides) {
+                     const Workers& workers, const Ranks* ranks)
+    : patches_(patches), sides_(sides), ranks_(ranks) {
   const auto bands = patches.band_count();
   area_.resize(sides.size());
   reflectance_.resize(sides.size() * bands);
@@ -36,10 +36,10 @@ SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
   std::vector<float> bias(reflectance_.size(), 0.0f);
   // Sharing only where it is needed: the patches' own rays make no assumption.
   const bool shares =
-      sharing_ && error_of(spread_of_sum(direct, gathered, bias, bands, area_, workers)) > error;
+      sharing_ && error_of(spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_)) > error;
   if (!shares) {
     if (guide) guide(1.0);
-    return {spread_of_sum(direct, gathered, bias, bands, area_, workers), {}};
+    return {spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_), {}};
   }
   // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
   // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
@@ -48,7 +48,7 @@ SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
   sharing_->share(gathered, bias, workers);
   if (guide) guide(1.0 - weight_before_sharing);
   constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
-  auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families);
+  auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families, ranks_);
   return {std::move(spread), std::move(bias)};
 }
 

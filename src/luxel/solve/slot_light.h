@@ -20,9 +20,10 @@ namespace luxel {
 // The slots of a sampled solve as surfaces, and how what replicates say of them becomes an answer.
 class SlotLight {
  public:
-  // Keeps references to all three. shares: neighbours may share rays (from 4,096 slots on).
+  // Keeps references to all three. shares: neighbours may share rays (from 4,096 slots on). ranks: that all
+  // ask for the same answers and share the work.
   SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool shares,
-            const Workers& workers);
+            const Workers& workers, const Ranks* ranks = nullptr);
 
   std::span<const float> area() const { return area_; }                // [slot], m²
   std::span<const float> reflectance() const { return reflectance_; }  // [slot * bands + band]
@@ -45,6 +46,7 @@ class SlotLight {
  private:
   const PatchSet& patches_;
   const GatherSides& sides_;
+  const Ranks* ranks_;
   std::vector<float> area_, reflectance_;
   std::optional<LightSharing> sharing_;
 };

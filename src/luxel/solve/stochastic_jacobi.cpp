@@ -95,10 +95,12 @@ class Iteration {
       const auto here = before * (1.0 - p.done * (1.0 - reflected));
       return tell(monitor, {p.stage, std::clamp(1.0 - here, 0.0, 1.0), report_.rays + p.rays});
     };
-    const auto arrival = shooter_.shoot(
-        unshot_,
-        {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
-        tell_whole);
+    const auto arrival = shooter_.shoot(unshot_,
+                                        {.rays = rays,
+                                         .seed = options_.seed,
+                                         .step = static_cast<std::uint32_t>(report_.steps.size()),
+                                         .ranks = options_.ranks},
+                                        tell_whole);
     report_.rays += arrival.rays;
     if (arrival.share > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
     report_.steps.push_back({arrival.rays, report_.unshot_share});

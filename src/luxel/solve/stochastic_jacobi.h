@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/parallel/ranks.h"
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
@@ -17,10 +18,11 @@ struct StochasticJacobiOptions {
   // That carry the power of lamps and sky once; reflected light adds its own in proportion, and so do rays of
   // the sky that meet nothing. 0: automatic.
   std::uint64_t rays = 0;
-  double tolerance = 1e-4;      // share of the power of lamps and sky left unshot, (0, 1): the stated bias
-  std::uint64_t seed = 1;       // another seed, another independent answer
-  double rays_per_patch = 800;  // what automatic aims at, over the whole run
-  bool shows_bounces = true;    // a picture (Progress::light) after every bounce
+  double tolerance = 1e-4;       // share of the power of lamps and sky left unshot, (0, 1): the stated bias
+  std::uint64_t seed = 1;        // another seed, another independent answer
+  double rays_per_patch = 800;   // what automatic aims at, over the whole run
+  bool shows_bounces = true;     // a picture (Progress::light) after every bounce
+  const Ranks* ranks = nullptr;  // processes that share the rays, see ShootingOptions
 };
 
 // Incremental stochastic Jacobi iteration for B = E + rho F B (listing 2 of the founding course paper;

@@ -11,19 +11,22 @@
 
 namespace luxel {
 
-// Which rank does which rows: blocks of neighbouring positions go round, so that each rank has some of
-// every part of the scene and of every part of a sweep. Without ranks, all rows are mine and nothing is
-// exchanged.
+// Which rank does which rows: blocks of neighbouring positions. At first they go round, so that each rank has
+// some of every part of the scene and of every part of a sweep; later the slow ones give some away. Without
+// ranks, all rows are mine and nothing is exchanged.
 class RowShares {
  public:
-  explicit RowShares(const Ranks* ranks, std::uint32_t positions_a_block)
-      : ranks_(ranks && ranks->size() > 1 ? ranks : nullptr), positions_a_block_(positions_a_block) {}
+  // positions: how many there are.
+  RowShares(const Ranks* ranks, std::uint32_t positions_a_block, std::size_t positions);
 
   const Ranks* ranks() const { return ranks_; }
-  std::size_t owner(std::uint32_t position) const {
-    return ranks_ ? position / positions_a_block_ % ranks_->size() : 0;
-  }
+  std::size_t block_of(std::uint32_t position) const { return position / positions_a_block_; }
+  std::size_t owner(std::uint32_t position) const { return ranks_ ? owners_[block_of(position)] : 0; }
   bool is_mine(std::uint32_t position) const { return !ranks_ || owner(position) == ranks_->rank(); }
+
+  // [block]; the same in all ranks.
+  const std::vector<std::uint32_t>& owners() const { return owners_; }
+  void set_owners(std::vector<std::uint32_t> owners) { owners_ = std::move(owners); }
 
   // Each row's numbers become known to all ranks. Row i of `rows` is values[row_at(i) * width, ...) and
   // belongs to the owner of position_at(i).
@@ -31,21 +34,20 @@ class RowShares {
   void share(std::span<T> values, std::size_t width, std::size_t rows, RowAt row_at,
              PositionAt position_at) const {
     if (!ranks_) return;
-    std::vector<std::size_t> count(ranks_->size(), 0);
+    std::vector<std::size_t> sizes(ranks_->size(), 0);
     std::vector<T> own;
     for (std::size_t i = 0; i < rows; ++i) {
       const auto rank = owner(position_at(i));
-      count[rank] += width;
+      sizes[rank] += width * sizeof(T);
       if (rank != ranks_->rank()) continue;
       const auto* row = &values[row_at(i) * width];
       own.insert(own.end(), row, row + width);
     }
-    std::vector<std::size_t> next(ranks_->size(), 0), sizes(ranks_->size());
+    std::vector<std::size_t> next;
     std::size_t total = 0;
-    for (std::size_t r = 0; r < sizes.size(); ++r) {
-      next[r] = total;
-      total += count[r];
-      sizes[r] = count[r] * sizeof(T);
+    for (const auto size : sizes) {
+      next.push_back(total);
+      total += size / sizeof(T);
     }
     std::vector<T> all(total);
     ranks_->all_gather(std::as_bytes(std::span<const T>(own)), std::as_writable_bytes(std::span<T>(all)),
@@ -57,19 +59,17 @@ class RowShares {
     }
   }
 
-  // The numbers of all ranks, in their order.
-  template <typename T>
-  std::vector<T> of_all(const T& own) const {
-    std::vector<T> all(ranks_ ? ranks_->size() : 1, own);
-    if (ranks_)
-      ranks_->all_gather(std::as_bytes(std::span<const T>(&own, 1)),
-                         std::as_writable_bytes(std::span<T>(all)), std::vector(all.size(), sizeof(T)));
-    return all;
-  }
-
  private:
   const Ranks* ranks_;
   std::uint32_t positions_a_block_;
+  std::vector<std::uint32_t> owners_;
 };
+
+// Who shall own each block, so that all ranks are done at about the same time: blocks move from the rank that
+// would be last to the one that would be first, as few as it takes; none do where that would save less than a
+// twentieth. owners, load: [block]; speed: [rank], load a second, above 0. The same in all ranks, whatever
+// their order.
+std::vector<std::uint32_t> balanced_owners(std::vector<std::uint32_t> owners, std::span<const double> load,
+                                           std::span<const double> speed);
 
 }  // namespace luxel

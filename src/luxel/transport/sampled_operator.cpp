@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <functional>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ SampledOperator::SampledOperator(const PatchSet& patches, GatherSides sides, con
       tracer_(tracer),
       sides_(std::move(sides)),
       options_(options),
-      shares_(options.ranks, gather_block_positions),
+      shares_(options.ranks, gather_block_positions, patches.size()),
       block_begins_(neighbour_begins(sides_, gather_block_positions)),
       rays_a_slot_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
@@ -84,51 +84,6 @@ void SampledOperator::count(std::span<const std::uint32_t> slots, std::uint32_t 
     rays_a_slot_[s] += per_replicate;
     ++doublings_[s];
   }
-}
-
-std::vector<std::uint32_t> SampledOperator::mine(std::vector<std::uint32_t> slots) const {
-  if (shares_.ranks()) std::erase_if(slots, [this](std::uint32_t s) { return !is_mine(s); });
-  return slots;
-}
-
-// The round of all ranks, with its hits in the first one.
-HitRound SampledOperator::gathered(const HitRound& own) const {
-  const auto& ranks = *shares_.ranks();
-  const auto counts = shares_.of_all(own.slots.size());
-  const auto all_slots = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-  std::vector<std::uint32_t> slots(all_slots);  // rank after rank
-  std::vector<std::size_t> sizes;
-  for (const auto count : counts) sizes.push_back(count * sizeof(std::uint32_t));
-  ranks.all_gather(std::as_bytes(std::span(own.slots)), std::as_writable_bytes(std::span(slots)), sizes);
-  std::vector<std::size_t> order(all_slots);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return slots[a] < slots[b]; });
-  HitRound whole{own.level, own.per_replicate, {}, nullptr};
-  for (const auto i : order) whole.slots.push_back(slots[i]);
-  const auto streamed = shares_.of_all(is_streamed_ ? 1 : 0);
-  if (std::count(streamed.begin(), streamed.end(), 0) < std::ssize(streamed)) return whole;
-  const auto n = std::size_t{own.per_replicate};
-  const bool is_first = ranks.rank() == 0;
-  if (is_first)
-    whole.hits =
-        std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * whole.hits_a_replicate());
-  for (auto& size : sizes) size *= n;
-  std::vector<std::uint32_t> hits(is_first ? all_slots * n : 0);
-  for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-    const auto from = std::span(own.hits.get() + r * own.hits_a_replicate(), own.hits_a_replicate());
-    ranks.gather_to_first(std::as_bytes(from), std::as_writable_bytes(std::span(hits)), sizes);
-    if (!is_first) continue;
-    auto* to = whole.hits.get() + r * whole.hits_a_replicate();
-    for (const auto i : order) to = std::copy_n(&hits[i * n], n, to);
-  }
-  return whole;
-}
-
-std::vector<HitRound> SampledOperator::rounds() const {
-  if (!shares_.ranks()) return {rounds_.begin(), rounds_.end()};
-  std::vector<HitRound> all;
-  for (const auto& round : rounds_) all.push_back(gathered(round));
-  return all;
 }
 
 void SampledOperator::trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
@@ -172,6 +127,8 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
   const auto per_replicate = so_far > 0 ? so_far : first;
   const auto level = doublings_[slots[0]];
   const auto whole = std::uint64_t{options_.replicates} * per_replicate * slots.size();
+  balance(slots);
+  const auto begin_time = std::chrono::steady_clock::now();
   auto round = make_round({level, per_replicate, mine(slots), nullptr});
   if (!is_streamed_) {
     make_room(round);
@@ -197,22 +154,11 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
       const auto rays = static_cast<std::uint64_t>(share * static_cast<double>(whole));
       if (tell(monitor, {"light", share, rays}) == Next::stop) return {};
     }
+    learn_pace(round, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_time).count());
   }
   count(slots, per_replicate);
   rounds_.push_back(std::move(round));
   return whole;
-}
-
-SampledOperator::Round SampledOperator::own_part(const Round& whole) const {
-  auto own = make_round({whole.level, whole.per_replicate, mine(whole.slots), nullptr});
-  if (!whole.hits) return own;
-  make_room(own);
-  for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-    auto* to = own.hits_of(r, 0);
-    for (std::size_t i = 0; i < whole.slots.size(); ++i)
-      if (is_mine(whole.slots[i])) to = std::copy_n(whole.hits_of(r, i), whole.per_replicate, to);
-  }
-  return own;
 }
 
 void SampledOperator::take_up(std::vector<HitRound> rounds) {

@@ -20,9 +20,11 @@ namespace luxel {
 struct SampledOperatorOptions {
   std::uint64_t seed = 1;
   std::uint32_t replicates = 8;
-  bool low_discrepancy = true;   // else independent random numbers
-  bool stratified = true;        // one sequence over neighbouring patches; else each side has its own
-  const Ranks* ranks = nullptr;  // share the rows: each traces and keeps the hits of its own
+  bool low_discrepancy = true;  // else independent random numbers
+  bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
+  // Share the rows: each traces and keeps the hits of its own. Before a round, rows move from ranks that were
+  // slow in those before to ranks that were fast.
+  const Ranks* ranks = nullptr;
 };
 
 // Transport as a sampled operator: each replicate has n cosine rays a side, from Owen-scrambled points, and
@@ -130,6 +132,10 @@ class SampledOperator {
   std::vector<std::uint32_t> mine(std::vector<std::uint32_t> slots) const;
   HitRound gathered(const HitRound& own) const;
   Round own_part(const Round& whole) const;
+  // Gives rows away, or gets some, where that lets all ranks be done with such a round at once.
+  void balance(std::span<const std::uint32_t> slots);
+  void move_rows(std::vector<std::uint32_t> owners);
+  void learn_pace(const Round& own, double seconds);
   // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
   // where the samples of the first slot go.
   void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
@@ -159,6 +165,10 @@ class SampledOperator {
   GatherSides sides_;
   SampledOperatorOptions options_;
   RowShares shares_;
+  struct Pace {
+    double rays = 0.0;  // of one replicate
+    double seconds = 0.0;
+  } pace_;  // of this rank
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
   std::vector<std::uint32_t> rays_a_slot_, doublings_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "luxel/random/address.h"
@@ -30,6 +31,25 @@ std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t pla
   std::vector<std::int64_t> all(places * bands, 0);
   for (std::size_t e = 0; e < sums.place.size(); ++e)
     std::copy_n(&sums.sum[e * bands], bands, &all[sums.place[e] * bands]);
+  return all;
+}
+
+// Those of all ranks together. Counters are integers: their sums have no order.
+Deposits::Sums of_all_ranks(Deposits::Sums own, std::size_t bands, const Ranks* ranks) {
+  if (!ranks) return own;
+  const auto places = joined(*ranks, own.place);
+  const auto sums = joined(*ranks, own.sum);
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+  Deposits::Sums all;
+  for (const auto e : order) {
+    if (all.place.empty() || all.place.back() != places[e]) {
+      all.place.push_back(places[e]);
+      all.sum.resize(all.sum.size() + bands, 0);
+    }
+    for (std::size_t b = 0; b < bands; ++b) all.sum[all.sum.size() - bands + b] += sums[e * bands + b];
+  }
   return all;
 }
 
@@ -148,27 +168,32 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
   // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
   // answer.
   const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
+  const auto* ranks = options.ranks;
   std::uint64_t done = 0;
   std::uint64_t traced = 0;
   for (std::uint64_t j = 0; j < batches && plan.rays > 0; ++j) {
     const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
     workers_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
+      if (ranks && begin / grain % ranks->size() != ranks->rank()) return;
       ChunkShooter(patches_, tracer_, sky, leaving, plan, options, ledger, worker)
           .run(j, batches, begin, end);
     });
     traced += count;
     ++done;
     const auto share = static_cast<double>(done) / static_cast<double>(batches);
-    if (tell(monitor, {"light", share, traced}) == Next::stop) break;
+    std::array stops = {tell(monitor, {"light", share, traced}) == Next::stop};
+    if (ranks) ranks->from_first(std::as_writable_bytes(std::span(stops)));
+    if (stops[0]) break;
   }
 
   Arrival arrival;
   arrival.scale = plan.scale;
-  auto arrived = arrived_.take(workers_);
+  const auto take = [&](Deposits& from) { return of_all_ranks(from.take(workers_), bands, ranks); };
+  auto arrived = take(arrived_);
   arrival.side = std::move(arrived.place);
   arrival.arrived = std::move(arrived.sum);
-  arrival.absorbed = spread_out(absorbed_.take(workers_), patches_.materials.size(), bands);
-  const auto whole = spread_out(whole_.take(workers_), whole_places, bands);
+  arrival.absorbed = spread_out(take(absorbed_), patches_.materials.size(), bands);
+  const auto whole = spread_out(take(whole_), whole_places, bands);
   const auto part = [&](Place place) {
     const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(place * bands);
     return std::vector<std::int64_t>(begin, begin + static_cast<std::ptrdiff_t>(bands));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "luxel/parallel/ranks.h"
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/report/progress.h"
@@ -36,6 +37,8 @@ struct ShootingOptions {
   std::uint64_t seed = 1;
   std::uint32_t step = 0;         // different steps use different random numbers
   std::uint64_t batch = 1 << 20;  // rays between two looks at the monitor
+  // Share the rays; all get the same arrival, to the bit that of one alone. The first one's monitor counts.
+  const Ranks* ranks = nullptr;
 };
 
 // The transport operator as one Monte Carlo estimate: power that leaves each side -> power that arrives at

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/transport/row_shares.h"
+
+#include <numeric>
+
+namespace luxel {
+namespace {
+
+constexpr double worth_moving = 1.05;  // the last rank's time over the mean, where moving begins
+constexpr double good_enough = 1.01;   // and where it ends
+
+}  // namespace
+
+RowShares::RowShares(const Ranks* ranks, std::uint32_t positions_a_block, std::size_t positions)
+    : ranks_(ranks && ranks->size() > 1 ? ranks : nullptr), positions_a_block_(positions_a_block) {
+  if (!ranks_) return;
+  owners_.resize(positions / positions_a_block + 1);
+  for (std::size_t b = 0; b < owners_.size(); ++b)
+    owners_[b] = static_cast<std::uint32_t>(b % ranks_->size());
+}
+
+std::vector<std::uint32_t> balanced_owners(std::vector<std::uint32_t> owners, std::span<const double> load,
+                                           std::span<const double> speed) {
+  std::vector<double> time(speed.size(), 0.0);
+  std::vector<std::vector<std::uint32_t>> blocks(speed.size());  // of each rank, the heaviest last
+  for (std::uint32_t b = 0; b < owners.size(); ++b) {
+    time[owners[b]] += load[b] / speed[owners[b]];
+    if (load[b] > 0.0) blocks[owners[b]].push_back(b);
+  }
+  for (auto& own : blocks)
+    std::stable_sort(own.begin(), own.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return load[a] < load[b]; });
+  const auto mean =
+      std::accumulate(load.begin(), load.end(), 0.0) / std::accumulate(speed.begin(), speed.end(), 0.0);
+  auto last = std::max_element(time.begin(), time.end());
+  if (*last <= worth_moving * mean) return owners;
+  while (*last > good_enough * mean) {
+    const auto from = static_cast<std::size_t>(last - time.begin());
+    const auto to = static_cast<std::size_t>(std::min_element(time.begin(), time.end()) - time.begin());
+    // The heaviest that still leaves the other one earlier than this one is now.
+    auto& own = blocks[from];
+    const auto most = (time[from] - time[to]) * speed[to];
+    const auto end =
+        std::partition_point(own.begin(), own.end(), [&](std::uint32_t b) { return load[b] < most; });
+    if (end == own.begin()) break;
+    const auto block = *(end - 1);
+    own.erase(end - 1);
+    owners[block] = static_cast<std::uint32_t>(to);
+    auto& others = blocks[to];
+    others.insert(std::partition_point(others.begin(), others.end(),
+                                       [&](std::uint32_t b) { return load[b] <= load[block]; }),
+                  block);
+    time[from] -= load[block] / speed[from];
+    time[to] += load[block] / speed[to];
+    last = std::max_element(time.begin(), time.end());
+  }
+  return owners;
+}
+
+}  // namespace luxel

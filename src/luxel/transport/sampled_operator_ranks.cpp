@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sampled operator does with other ranks: who has which rows, and their hits.
+#include <algorithm>
+#include <numeric>
+
+#include "luxel/transport/sampled_operator.h"
+
+namespace luxel {
+
+std::vector<std::uint32_t> SampledOperator::mine(std::vector<std::uint32_t> slots) const {
+  if (shares_.ranks()) std::erase_if(slots, [this](std::uint32_t s) { return !is_mine(s); });
+  return slots;
+}
+
+// The round of all ranks, with its hits in the first one.
+HitRound SampledOperator::gathered(const HitRound& own) const {
+  const auto& ranks = *shares_.ranks();
+  const auto slots = joined(ranks, own.slots);  // rank after rank
+  std::vector<std::size_t> order(slots.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return slots[a] < slots[b]; });
+  HitRound whole{own.level, own.per_replicate, {}, nullptr};
+  for (const auto i : order) whole.slots.push_back(slots[i]);
+  const auto streamed = of_all(ranks, is_streamed_ ? 1 : 0);
+  if (std::count(streamed.begin(), streamed.end(), 0) < std::ssize(streamed)) return whole;
+  const auto n = std::size_t{own.per_replicate};
+  const bool is_first = ranks.rank() == 0;
+  if (is_first)
+    whole.hits =
+        std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * whole.hits_a_replicate());
+  std::vector<std::size_t> sizes;
+  for (const auto count : of_all(ranks, own.slots.size())) sizes.push_back(count * n * sizeof(std::uint32_t));
+  std::vector<std::uint32_t> hits(is_first ? slots.size() * n : 0);
+  for (std::uint32_t r = 0; r < options_.replicates; ++r) {
+    const auto from = std::span(own.hits.get() + r * own.hits_a_replicate(), own.hits_a_replicate());
+    ranks.gather_to_first(std::as_bytes(from), std::as_writable_bytes(std::span(hits)), sizes);
+    if (!is_first) continue;
+    auto* to = whole.hits.get() + r * whole.hits_a_replicate();
+    for (const auto i : order) to = std::copy_n(&hits[i * n], n, to);
+  }
+  return whole;
+}
+
+std::vector<HitRound> SampledOperator::rounds() const {
+  if (!shares_.ranks()) return {rounds_.begin(), rounds_.end()};
+  std::vector<HitRound> all;
+  for (const auto& round : rounds_) all.push_back(gathered(round));
+  return all;
+}
+
+SampledOperator::Round SampledOperator::own_part(const Round& whole) const {
+  auto own = make_round({whole.level, whole.per_replicate, mine(whole.slots), nullptr});
+  if (!whole.hits) return own;
+  make_room(own);
+  for (std::uint32_t r = 0; r < options_.replicates; ++r) {
+    auto* to = own.hits_of(r, 0);
+    for (std::size_t i = 0; i < whole.slots.size(); ++i)
+      if (is_mine(whole.slots[i])) to = std::copy_n(whole.hits_of(r, i), whole.per_replicate, to);
+  }
+  return own;
+}
+
+// Older rounds count for less: they are small, and machines change.
+void SampledOperator::learn_pace(const Round& own, double seconds) {
+  if (!shares_.ranks()) return;
+  pace_.rays =
+      0.5 * pace_.rays + static_cast<double>(own.per_replicate) * static_cast<double>(own.slots.size());
+  pace_.seconds = 0.5 * pace_.seconds + seconds;
+}
+
+void SampledOperator::balance(std::span<const std::uint32_t> slots) {
+  if (!shares_.ranks()) return;
+  const auto paces = of_all(*shares_.ranks(), is_streamed_ ? Pace{} : pace_);
+  std::vector<double> speed;
+  for (const auto& pace : paces) {
+    if (!(pace.rays > 0.0 && pace.seconds > 0.0)) return;
+    speed.push_back(pace.rays / pace.seconds);
+  }
+  std::vector<double> load(shares_.owners().size(), 0.0);
+  for (const auto s : slots) load[shares_.block_of(sides_.position[s])] += 1.0;
+  auto owners = balanced_owners(shares_.owners(), load, speed);
+  if (owners != shares_.owners()) move_rows(std::move(owners));
+}
+
+// For each rank, of each round in turn: how many slots it gets, these, and their hits if they are stored.
+void SampledOperator::move_rows(std::vector<std::uint32_t> owners) {
+  const auto& ranks = *shares_.ranks();
+  const auto rank = ranks.rank();
+  const auto owner_of = [&](std::uint32_t slot) { return owners[shares_.block_of(sides_.position[slot])]; };
+  std::vector<std::vector<std::uint32_t>> parcels(ranks.size());
+  for (const auto& round : rounds_) {
+    std::vector<std::vector<std::uint32_t>> places(ranks.size());  // of the slots that go there
+    for (std::uint32_t i = 0; i < round.slots.size(); ++i) places[owner_of(round.slots[i])].push_back(i);
+    for (std::size_t r = 0; r < ranks.size(); ++r) {
+      if (r == rank) continue;
+      auto& parcel = parcels[r];
+      parcel.push_back(static_cast<std::uint32_t>(places[r].size()));
+      for (const auto i : places[r]) parcel.push_back(round.slots[i]);
+      for (std::uint32_t k = 0; !is_streamed_ && k < options_.replicates; ++k)
+        for (const auto i : places[r])
+          parcel.insert(parcel.end(), round.hits_of(k, i), round.hits_of(k, i) + round.per_replicate);
+    }
+  }
+  const auto come = exchanged(ranks, parcels);
+  parcels.clear();
+  std::vector<const std::uint32_t*> next;  // of each parcel, what is not yet unpacked
+  for (const auto& parcel : come) next.push_back(parcel.data());
+  for (auto& round : rounds_) {
+    // Lists of slots with where the hits of the first replicate are, and how far on those of the next.
+    struct Row {
+      std::uint32_t slot;
+      const std::uint32_t* hits;
+      std::size_t stride;
+    };
+    const std::size_t n = round.per_replicate;
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < round.slots.size(); ++i)
+      if (owner_of(round.slots[i]) == rank)
+        rows.push_back(
+            {round.slots[i], is_streamed_ ? nullptr : round.hits_of(0, i), round.hits_a_replicate()});
+    for (auto& at : next) {
+      if (&at == &next[rank]) continue;
+      const std::size_t count = *at++;
+      const auto* hits = at + count;
+      for (std::size_t i = 0; i < count; ++i) rows.push_back({at[i], hits + i * n, count * n});
+      at = is_streamed_ ? hits : hits + options_.replicates * count * n;
+    }
+    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.slot < b.slot; });
+    std::vector<std::uint32_t> slots;
+    for (const auto& row : rows) slots.push_back(row.slot);
+    auto moved = make_round({round.level, round.per_replicate, std::move(slots), nullptr});
+    if (!is_streamed_) {
+      make_room(moved);
+      for (std::uint32_t k = 0; k < options_.replicates; ++k)
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          std::copy_n(rows[i].hits + k * rows[i].stride, n, moved.hits_of(k, i));
+    }
+    round = std::move(moved);
+  }
+  shares_.set_owners(std::move(owners));
+}
+
+}  // namespace luxel

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// What several processes do together, with threads in their place: which rows each does, and that nobody can
+// tell from the numbers.
+#include <chrono>
+#include <numeric>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/patch/patch_tree.h"
+#include "luxel/transport/sampled_operator.h"
+#include "luxel/transport/shooting.h"
+
+#include "support/thread_ranks.h"
+#include "support/truth_scenes.h"
+
+namespace luxel {
+namespace {
+
+double last_time(const std::vector<std::uint32_t>& owners, const std::vector<double>& load,
+                 const std::vector<double>& speed) {
+  std::vector<double> time(speed.size(), 0.0);
+  for (std::size_t b = 0; b < owners.size(); ++b) time[owners[b]] += load[b] / speed[owners[b]];
+  return *std::max_element(time.begin(), time.end());
+}
+
+std::vector<std::uint32_t> in_turn(std::size_t blocks, std::size_t ranks) {
+  std::vector<std::uint32_t> owners;
+  for (std::size_t b = 0; b < blocks; ++b) owners.push_back(static_cast<std::uint32_t>(b % ranks));
+  return owners;
+}
+
+TEST(Balance, ranks_of_one_speed_keep_their_rows) {
+  EXPECT_EQ(balanced_owners(in_turn(64, 4), std::vector(64, 1.0), std::vector(4, 2.5)), in_turn(64, 4));
+}
+
+TEST(Balance, all_are_done_within_a_block_of_the_mean_and_few_blocks_move) {
+  std::vector<double> load(400), speed = {1.0, 3.0, 0.25, 2.0, 2.0};
+  for (std::size_t b = 0; b < load.size(); ++b) load[b] = 1.0 + static_cast<double>(b * 7 % 10);
+  const auto before = in_turn(load.size(), speed.size());
+  const auto after = balanced_owners(before, load, speed);
+  const auto mean =
+      std::accumulate(load.begin(), load.end(), 0.0) / std::accumulate(speed.begin(), speed.end(), 0.0);
+  EXPECT_GT(last_time(before, load, speed), 5.0 * mean);
+  EXPECT_LT(last_time(after, load, speed), 1.03 * mean);
+  // Those of the slow ranks that are too many, and no others.
+  double moved = 0.0, surplus = 0.0;
+  for (std::size_t b = 0; b < load.size(); ++b) moved += before[b] != after[b] ? load[b] : 0.0;
+  for (std::size_t r = 0; r < speed.size(); ++r) {
+    double own = 0.0;
+    for (std::size_t b = r; b < load.size(); b += speed.size()) own += load[b];
+    surplus += std::max(0.0, own - mean * speed[r]);
+  }
+  EXPECT_LT(moved, 1.1 * surplus);
+}
+
+TEST(Balance, a_block_that_cannot_be_cut_stays) {
+  EXPECT_EQ(balanced_owners({0, 1}, std::vector{10.0, 1.0}, std::vector{1.0, 1.0}), in_turn(2, 2));
+  EXPECT_EQ(balanced_owners({0, 0}, std::vector{0.0, 0.0}, std::vector{1.0, 1.0}),
+            (std::vector<std::uint32_t>{0, 0}));
+}
+
+class RanksTest : public testing::Test {
+ protected:
+  SampledOperator make(const Ranks* ranks) const {
+    return {patches_,
+            all_gather_sides(patches_, make_patch_tree(patches_, one_)),
+            tracer_,
+            {.replicates = 4, .ranks = ranks}};
+  }
+  static std::vector<std::uint32_t> all_slots(const SampledOperator& transport) {
+    std::vector<std::uint32_t> slots(transport.sides().size());
+    std::iota(slots.begin(), slots.end(), 0u);
+    return slots;
+  }
+  static std::vector<std::uint32_t> every_third(const SampledOperator& transport) {
+    auto slots = all_slots(transport);
+    std::erase_if(slots, [](std::uint32_t s) { return s % 3 > 0; });
+    return slots;
+  }
+
+  Workers one_{1};
+  PatchSet patches_ = make_patches(truth::l_room(), {.max_edge = 0.05f});
+  Tracer tracer_{patches_, one_};
+};
+
+// The second rank sleeps whenever its monitor is asked, a hundred times as long as its rays take.
+TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
+  auto alone = make(nullptr);
+  for (int round = 0; round < 3; ++round) alone.double_rays(all_slots(alone), 1, one_);
+  alone.double_rays(every_third(alone), 8, one_);
+  const auto truth = alone.rounds();
+  ThreadRanks::run(3, [&](const Ranks& ranks) {
+    const Workers workers(1);
+    auto shared = make(&ranks);
+    const auto is_slow = ranks.rank() == 1;
+    const auto monitor = [&](const Progress&) {
+      if (is_slow) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      return Next::go_on;
+    };
+    const auto share_of_slow = [&] {
+      const auto& owners = shared.shares().owners();
+      return static_cast<double>(std::count(owners.begin(), owners.end(), 1u)) /
+             static_cast<double>(owners.size());
+    };
+    EXPECT_GT(share_of_slow(), 0.3);
+    for (int round = 0; round < 3; ++round) shared.double_rays(all_slots(shared), 1, workers, monitor);
+    shared.double_rays(every_third(shared), 8, workers, monitor);
+    EXPECT_LT(share_of_slow(), 0.2);
+    const auto rounds = shared.rounds();
+    ASSERT_EQ(rounds.size(), truth.size());
+    for (std::size_t k = 0; k < rounds.size(); ++k) {
+      EXPECT_EQ(rounds[k].slots, truth[k].slots);
+      if (ranks.rank() > 0) continue;
+      const auto count = 4 * truth[k].hits_a_replicate();
+      EXPECT_TRUE(std::equal(truth[k].hits.get(), truth[k].hits.get() + count, rounds[k].hits.get())) << k;
+    }
+  });
+}
+
+TEST_F(RanksTest, shot_power_arrives_as_that_of_one_to_the_last_unit) {
+  SidePower leaving;
+  for (std::uint32_t side = 0; side < 2 * patches_.size(); side += 5) {
+    leaving.side.push_back(side);
+    for (std::size_t b = 0; b < patches_.band_count(); ++b)
+      leaving.watts.push_back(static_cast<double>(1 + side % 7 + b));
+  }
+  const ShootingOptions options{.rays = 50'000, .batch = 20'000};
+  const auto alone = shoot(patches_, tracer_, leaving, options, one_);
+  ThreadRanks::run(3, [&](const Ranks& ranks) {
+    auto shared_options = options;
+    shared_options.ranks = &ranks;
+    const Workers workers(1);
+    const auto shared = shoot(patches_, tracer_, leaving, shared_options, workers);
+    EXPECT_EQ(shared.side, alone.side);
+    EXPECT_EQ(shared.arrived, alone.arrived);
+    EXPECT_EQ(shared.shot, alone.shot);
+    EXPECT_EQ(shared.escaped, alone.escaped);
+    EXPECT_EQ(shared.absorbed, alone.absorbed);
+    EXPECT_EQ(shared.rays, alone.rays);
+  });
+}
+
+TEST(LoopShare, chunks_of_ranks_make_up_the_loop_and_all_know_all) {
+  for (const std::size_t count : {0, 1, 9, 10, 11, 95, 100}) {
+    ThreadRanks::run(4, [&](const Ranks& ranks) {
+      const LoopShare mine(&ranks, count, 10);
+      std::vector<int> values(2 * count, -1), chunks((count + 9) / 10, -1);
+      EXPECT_EQ(mine.begin() % 10, 0u);
+      for (auto i = mine.begin(); i < mine.end(); ++i) {
+        values[2 * i] = values[2 * i + 1] = static_cast<int>(i);
+        chunks[i / 10] = static_cast<int>(i / 10);
+      }
+      mine.share(std::span(values), 2);
+      mine.share_chunks(std::span(chunks));
+      for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], static_cast<int>(i / 2));
+      for (std::size_t c = 0; c < chunks.size(); ++c) EXPECT_EQ(chunks[c], static_cast<int>(c));
+    });
+  }
+}
+
+}  // namespace
+}  // namespace luxel
