@@ -39,7 +39,7 @@ set(LUXEL_PUBLIC_HEADERS
     reference/surface_point.h
     export/export_coloured.h export/export_mesh.h
     live/light_value.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
-    live/tree_boxes.h)
+    live/sample_rays.h live/tree_boxes.h)
 
 # Rooms of the program alone, so that whoever uses the library needs no display.
 set(LUXEL_PROGRAM_ROOMS view window)

@@ -7,9 +7,13 @@
 
 #include "luxel/live/patch_levels.h"
 #include "luxel/live/probe.h"
+#include "luxel/live/sample_rays.h"
 #include "luxel/live/tree_boxes.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/transport/direct_light.h"
 
 #include "support/lit_patches.h"
+#include "support/truth_scenes.h"
 
 namespace luxel {
 namespace {
@@ -126,6 +130,104 @@ TEST(LiveInstruments, boxes_of_each_level_hold_their_children_and_the_first_hold
       };
       EXPECT_TRUE(std::any_of(levels[k - 1].begin(), levels[k - 1].end(), holds)) << "level " << k;
     }
+}
+
+LiveMesh mesh_of(const PatchSet& patches) {
+  const Workers workers(1);
+  LiveMesh mesh;
+  mesh.patches = std::make_shared<const PatchSet>(patches);
+  mesh.tracer = std::make_shared<const Tracer>(patches, workers);
+  mesh.tree = std::make_shared<const PatchTree>(make_patch_tree(patches, workers));
+  mesh.geometry = 1;
+  return mesh;
+}
+
+TEST(LiveInstruments, rays_of_a_patch_are_those_of_the_solver) {
+  LiveLight light;
+  light.mesh = mesh_of(make_patches(truth::furnace(Vec3(0.5f), Vec3(0.2f)), {.max_edge = 0.5f}));
+  light.sampled.error = 0.001;
+  SampleKeeping keeping;
+  keeping.keep = [&](auto state) { light.samples = state; };
+  solve_sampled(*light.mesh.patches, *light.mesh.tracer, light.solution, light.sampled, Workers(1), {},
+                keeping);
+  const auto& samples = *light.samples;
+  ASSERT_GT(samples.rounds.size(), 1u);
+
+  for (std::uint32_t slot = 0; slot < samples.sides.size(); slot += 7) {
+    const auto side = samples.sides[slot];
+    const auto rays = gather_rays(light, side / 2, side % 2 == 1, 1u << 20);
+    std::size_t next = 0;
+    for (const auto& round : samples.rounds) {
+      const auto at = std::find(round.slots.begin(), round.slots.end(), slot);
+      if (at == round.slots.end()) continue;
+      const auto place = static_cast<std::size_t>(at - round.slots.begin());
+      for (std::uint32_t r = 0; r < samples.replicates; ++r)
+        for (std::uint32_t k = 0; k < round.per_replicate; ++k, ++next) {
+          ASSERT_LT(next, rays.size());
+          EXPECT_EQ(rays[next].replicate, r);
+          const auto element = round.hits[r * round.hits_a_replicate() + place * round.per_replicate + k];
+          ASSERT_LT(element, samples.sides.size()) << "a furnace is closed, and every side is lit";
+          EXPECT_EQ(2 * rays[next].hit.patch + (rays[next].hit.back ? 1 : 0), samples.sides[element]);
+        }
+    }
+    EXPECT_EQ(next, rays.size());
+    EXPECT_EQ(gather_rays(light, side / 2, side % 2 == 1, 10).size(), 10u);
+  }
+}
+
+// A floor of 1 m, a lamp as large 2 m above it, and between them a board over its half.
+PatchSet shaded_floor() {
+  test::LitPatches lit(
+      {test::plain_material("grey", 0.5f, false), test::plain_material("lamp", 0.0f, false, 1.0f)});
+  const auto square = [&](float x1, float z, std::uint32_t material, bool down) {
+    const auto a = lit.vertex({0, 0, z});
+    const auto b = lit.vertex({x1, 0, z});
+    const auto c = lit.vertex({x1, 1, z});
+    const auto d = lit.vertex({0, 1, z});
+    lit.patch(down ? std::array{a, c, b} : std::array{a, b, c}, 0.0f, 0.0f, material);
+    lit.patch(down ? std::array{a, d, c} : std::array{a, c, d}, 0.0f, 0.0f, material);
+  };
+  square(1.0f, 0.0f, 0, false);
+  square(0.5f, 1.0f, 0, false);
+  square(1.0f, 2.0f, 1, true);
+  return lit.patches;
+}
+
+TEST(LiveInstruments, shadow_rays_are_blocked_where_the_board_is) {
+  LiveLight light;
+  light.mesh = mesh_of(shaded_floor());
+  const auto rays = direct_rays(light, 0, false);
+  ASSERT_EQ(rays.size(), 256u);
+  std::size_t seen = 0;
+  for (const auto& ray : rays) {
+    EXPECT_NEAR(ray.from.z, 0.0f, 1e-4f);
+    EXPECT_NEAR(ray.to.z, 2.0f, 1e-4f);
+    const auto x = 0.5f * (ray.from.x + ray.to.x);  // half way up
+    if (std::abs(x - 0.5f) > 1e-3f) {
+      EXPECT_EQ(ray.seen, x > 0.5f);
+    }
+    seen += ray.seen ? 1 : 0;
+  }
+  EXPECT_GT(seen, 32u);
+  EXPECT_LT(seen, 224u);
+  EXPECT_TRUE(direct_rays(light, 0, true).empty()) << "a one-sided back gathers nothing";
+  EXPECT_TRUE(direct_rays(light, 4, false).empty()) << "the lamp sees no lamp";
+}
+
+TEST(LiveInstruments, shadow_rays_add_up_to_the_estimate_they_were_taken_for) {
+  const auto patches = shaded_floor();
+  const auto mesh = mesh_of(patches);
+  const Lamps lamps(patches);
+  for (const bool cosine_rays : {false, true}) {
+    const DirectLight direct(patches, *mesh.tracer, lamps,
+                             {.replicates = 4, .control_variate = false, .multiple_importance = cosine_rays});
+    std::vector<float> estimate(4 * 3);
+    direct.estimate(0, 0, 0, 64, estimate);
+    std::vector<double> sum(4, 0.0);
+    for (const auto& ray : direct.rays_of(0, 0, 0, 64))
+      if (ray.seen) sum[ray.replicate] += ray.given * static_cast<double>(lamps.radiance(ray.lamp)[0]) / 64.0;
+    for (std::size_t r = 0; r < 4; ++r) EXPECT_NEAR(estimate[3 * r], sum[r], 1e-6) << "replicate " << r;
+  }
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ void LiveRun::open_solution() {
 
 void LiveRun::build_tracer() {
   begin_stage("hierarchy");
+  mesh_.tree = std::make_shared<const PatchTree>(make_patch_tree(*mesh_.patches, workers_));
   mesh_.tracer = std::make_shared<const Tracer>(*mesh_.patches, workers_);
   show_mesh();
 }

@@ -292,6 +292,7 @@ LiveLight LiveRun::light_of(LiveMesh mesh, Solution solution) const {
   light.mesh = std::move(mesh);
   light.solution = std::move(solution);
   light.samples = samples_;
+  light.sampled = sampled_;
   light.step = step_;
   const auto& last = own_light_;
   const bool is_same = last && last->mesh.geometry == light.mesh.geometry &&

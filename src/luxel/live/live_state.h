@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/patch_tree.h"
 #include "luxel/report/log.h"
 #include "luxel/scene/scene.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
+#include "luxel/solve/sampled.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/trace/tracer.h"
 
@@ -24,7 +26,9 @@ namespace luxel {
 struct LiveMesh {
   std::shared_ptr<const Scene> scene;  // as it was read; none where a solution was opened
   std::shared_ptr<const PatchSet> patches;
-  std::shared_ptr<const Tracer> tracer;  // none yet where the mesh has only just come
+  // None yet where the mesh has only just come.
+  std::shared_ptr<const Tracer> tracer;
+  std::shared_ptr<const PatchTree> tree;
   // Meshes of the same number have the same vertices, corners, normals and contacts: only their materials
   // differ. From 1.
   std::uint64_t geometry = 0;
@@ -37,6 +41,7 @@ struct LiveLight {
   // Its vertices, normals and corners are the same in all lights of one geometry.
   std::shared_ptr<const SmoothLight> smooth;
   std::shared_ptr<const SampleState> samples;  // it was made from; none where they are not known
+  SampledOptions sampled;                      // they were made with
   std::uint64_t number = 0;                    // from 1: the newest has the highest
   std::uint32_t step = 0;  // pictures of this solve before this one: bounces, or doublings of the samples
   bool is_relit = false;   // lamps or reflectances are not those of the scene

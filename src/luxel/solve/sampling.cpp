@@ -27,6 +27,16 @@ std::uint32_t first_samples(std::size_t slots, std::uint32_t replicates) {
 
 }  // namespace
 
+DirectOptions direct_options(const SampledOptions& options) {
+  return {.seed = options.seed,
+          .replicates = options.replicates,
+          .low_discrepancy = options.low_discrepancy,
+          .stratified = options.stratified,
+          .importance = options.importance,
+          .control_variate = options.control_variate,
+          .multiple_importance = options.multiple_importance};
+}
+
 Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
                    const Workers& workers)
     : patches_(patches),
@@ -35,14 +45,7 @@ Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledO
       workers_(workers),
       memory_(options.memory > 0 ? options.memory : free_memory() / 2),
       lamps_(patches),
-      direct_light_(patches, tracer, lamps_,
-                    {.seed = options.seed,
-                     .replicates = options.replicates,
-                     .low_discrepancy = options.low_discrepancy,
-                     .stratified = options.stratified,
-                     .importance = options.importance,
-                     .control_variate = options.control_variate,
-                     .multiple_importance = options.multiple_importance}) {}
+      direct_light_(patches, tracer, lamps_, direct_options(options)) {}
 
 void Sampling::lay_out() {
   tree_ = make_patch_tree(patches_, workers_);

@@ -15,6 +15,9 @@
 
 namespace luxel {
 
+// How the direct light of such a solve is sampled.
+DirectOptions direct_options(const SampledOptions& options);
+
 // All samples of a sampled solve: shadow rays and gather rays of every side that light reaches, in units of
 // neighbouring slots whose samples are doubled together.
 class Sampling {

@@ -17,6 +17,7 @@ namespace luxel {
 
 // Where the rays of a side begin.
 struct DirectLight::Side {
+  std::size_t index;
   PatchEmitter emitter;
   float lift;  // m
 };
@@ -129,17 +130,57 @@ bool DirectLight::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp,
   return !(distance > 0.0) || !tracer_.occluded({from, Vec3(way / distance)}, static_cast<float>(distance));
 }
 
+DirectLight::Side DirectLight::side_of_index(std::size_t side) const {
+  return {side, PatchEmitter(patches_, side), origin_lift(patches_.points(side / 2))};
+}
+
+void DirectLight::choose_lamps(LampChoices& choices, const Side& side, std::uint32_t samples) const {
+  choices.make(lamps_, tree_, side.emitter.corners(), side.emitter.normal(),
+               {.most = branches_for(samples),
+                .importance = options_.importance,
+                .closed_form = options_.control_variate && !options_.multiple_importance});
+}
+
+template <typename Body>
+void DirectLight::for_each_term(const Side& side, const LampChoices& choices, std::uint32_t position,
+                                std::uint32_t round, std::uint32_t per_replicate, Ends* ends,
+                                Body body) const {
+  for (std::uint32_t r = 0; r < options_.replicates; ++r) {
+    const Numbers numbers(options_, side.index, position, round, per_replicate, r);
+    for (std::uint32_t k = 0; k < per_replicate; ++k) {
+      const auto u = numbers.at(k);
+      const auto from = side.emitter.point(u[2], u[3]);
+      body(r, ask_lamp(side, choices, from, u, ends));
+      if (options_.multiple_importance) {
+        const auto v = numbers.more(k);
+        body(r, look_round(side, choices, side.emitter.ray({u[2], u[3], v[0], v[1]}), ends));
+      }
+    }
+  }
+}
+
+std::vector<ShadowRay> DirectLight::rays_of(std::size_t side_index, std::uint32_t position,
+                                            std::uint32_t round, std::uint32_t per_replicate) const {
+  const auto side = side_of_index(side_index);
+  LampChoices choices;
+  choose_lamps(choices, side, options_.replicates * per_replicate);
+  std::vector<ShadowRay> rays;
+  if (choices.empty()) return rays;
+  Ends ends;
+  for_each_term(side, choices, position, round, per_replicate, &ends, [&](std::uint32_t r, const Term& term) {
+    if (term.given > 0.0) rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen});
+  });
+  return rays;
+}
+
 std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t position, std::uint32_t round,
                                     std::uint32_t per_replicate, std::span<float> out) const {
   thread_local Workspace work;  // so that nothing is allocated once it is large enough
   std::fill(out.begin(), out.end(), 0.0f);
-  const Side side{PatchEmitter(patches_, side_index), origin_lift(patches_.points(side_index / 2))};
+  const auto side = side_of_index(side_index);
   const bool control_variate = options_.control_variate && !options_.multiple_importance;
   auto& choices = work.choices;
-  choices.make(lamps_, tree_, side.emitter.corners(), side.emitter.normal(),
-               {.most = branches_for(options_.replicates * per_replicate),
-                .importance = options_.importance,
-                .closed_form = control_variate});
+  choose_lamps(choices, side, options_.replicates * per_replicate);
   if (choices.empty()) return 0;
 
   // 1. Rays. Lamps that stand alone are tallied, the others added as they come.
@@ -150,26 +191,14 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
   work.tally.assign(replicates * known, {});
   work.sum.assign(replicates * width, 0.0);
   std::uint64_t rays = 0;
-  for (std::uint32_t r = 0; r < replicates; ++r) {
-    const Numbers numbers(options_, side_index, position, round, per_replicate, r);
-    const auto own = std::span(work.tally).subspan(r * known, known);
-    const auto book = [&](const Term& term) {
-      if (term.choice < known)
-        own[term.choice] += {term.given, term.seen ? term.given : 0.0};
-      else if (term.seen)
-        add_radiance(&work.sum[r * width], term.given * per_sample, lamps_, term.lamp);
-      rays += term.rays;
-    };
-    for (std::uint32_t k = 0; k < per_replicate; ++k) {
-      const auto u = numbers.at(k);
-      const auto from = side.emitter.point(u[2], u[3]);
-      book(ask_lamp(side, choices, from, u));
-      if (options_.multiple_importance) {
-        const auto v = numbers.more(k);
-        book(look_round(side, choices, side.emitter.ray({u[2], u[3], v[0], v[1]})));
-      }
-    }
-  }
+  for_each_term(side, choices, position, round, per_replicate, nullptr,
+                [&](std::uint32_t r, const Term& term) {
+                  if (term.choice < known)
+                    work.tally[r * known + term.choice] += {term.given, term.seen ? term.given : 0.0};
+                  else if (term.seen)
+                    add_radiance(&work.sum[r * width], term.given * per_sample, lamps_, term.lamp);
+                  rays += term.rays;
+                });
 
   // 2. Each replicate corrected by what the others saw.
   work.whole.assign(known, {});
@@ -193,7 +222,7 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
 
 // Towards a lamp that is chosen.
 DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from,
-                                        const std::array<float, 4>& u) const {
+                                        const std::array<float, 4>& u, Ends* ends) const {
   const auto& normal = side.emitter.normal();
   const auto [choice, chosen] = choices.choose(tree_, from, normal, static_cast<double>(u[0]));
   if (!(chosen.probability > 0.0)) return {};
@@ -201,13 +230,15 @@ DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& cho
       sample_lamp(lamps_.triangles()[chosen.lamp], Vec3d(from), chosen.rest, static_cast<double>(u[1]));
   const auto cosine = glm::dot(Vec3d(normal), sample.direction);
   if (!(sample.density > 0.0) || !(cosine > 0.0)) return {};
-  const bool seen = visible(from, Vec3d(from) + sample.distance * sample.direction, chosen.lamp, side.lift);
+  const auto to = Vec3d(from) + sample.distance * sample.direction;
+  const bool seen = visible(from, to, chosen.lamp, side.lift);
+  if (ends != nullptr) *ends = {from, Vec3(to)};
   return {choice, chosen.lamp, given(cosine, sample.density * chosen.probability), seen, 1};
 }
 
 // Along a cosine ray, which may meet a lamp.
-DirectLight::Term DirectLight::look_round(const Side& side, const LampChoices& choices,
-                                          const Ray& ray) const {
+DirectLight::Term DirectLight::look_round(const Side& side, const LampChoices& choices, const Ray& ray,
+                                          Ends* ends) const {
   const auto hit = tracer_.nearest(ray);
   const auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, ray.origin + hit.distance * ray.direction)
                                      : Lamps::no_lamp;
@@ -216,6 +247,7 @@ DirectLight::Term DirectLight::look_round(const Side& side, const LampChoices& c
   if (lamp == Lamps::no_lamp || !(cosine > 0.0)) return {.rays = 1};
   const auto found = choices.find(tree_, lamp, ray.origin, normal);
   const auto density = lamp_density(lamps_.triangles()[lamp], Vec3d(ray.origin), Vec3d(ray.direction));
+  if (ends != nullptr) *ends = {ray.origin, ray.origin + hit.distance * ray.direction};
   return {found.choice, lamp, given(cosine, density * found.lamp.probability), true, 1};
 }
 

@@ -15,6 +15,15 @@ namespace luxel {
 
 class LampChoices;
 
+// One sample of direct light, as it was taken.
+struct ShadowRay {
+  std::uint32_t replicate = 0;
+  std::uint32_t lamp = 0;     // of Lamps::triangles()
+  Vec3 from{0.0f}, to{0.0f};  // m: on the side, and on the lamp
+  double given = 0.0;         // W/m² at unit radiance, were nothing between: the sample over its density
+  bool seen = false;
+};
+
 struct DirectOptions {
   std::uint64_t seed = 1;
   std::uint32_t replicates = 8;
@@ -53,6 +62,11 @@ class DirectLight {
   std::uint64_t estimate(std::size_t side, std::uint32_t position, std::uint32_t round,
                          std::uint32_t per_replicate, std::span<float> out) const;
 
+  // The rays behind such an estimate, replicate by replicate: those alone that go to a point of a lamp above
+  // the horizon, and cosine rays where they meet a lamp.
+  std::vector<ShadowRay> rays_of(std::size_t side, std::uint32_t position, std::uint32_t round,
+                                 std::uint32_t per_replicate) const;
+
  private:
   struct Side;
   // What one ray says.
@@ -63,9 +77,18 @@ class DirectLight {
     bool seen = false;
     std::uint64_t rays = 0;  // traced
   };
-  Term ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from,
-                const std::array<float, 4>& u) const;
-  Term look_round(const Side& side, const LampChoices& choices, const Ray& ray) const;
+  struct Ends {
+    Vec3 from{0.0f}, to{0.0f};
+  };
+  Side side_of_index(std::size_t side) const;
+  void choose_lamps(LampChoices& choices, const Side& side, std::uint32_t samples) const;
+  // Calls body(replicate, term) for every sample; ends: its ends are written there, if anywhere.
+  template <typename Body>
+  void for_each_term(const Side& side, const LampChoices& choices, std::uint32_t position,
+                     std::uint32_t round, std::uint32_t per_replicate, Ends* ends, Body body) const;
+  Term ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from, const std::array<float, 4>& u,
+                Ends* ends) const;
+  Term look_round(const Side& side, const LampChoices& choices, const Ray& ray, Ends* ends) const;
   double given(double cosine, double lamp_density) const;
   bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const;
 
