@@ -25,7 +25,7 @@ set(LUXEL_PUBLIC_HEADERS
     transport/operator.h transport/row_operator.h
     check/diagnose.h check/fault_mesh.h check/finding.h check/light_walks.h check/openings.h check/scanned_mesh.h
     check/words.h
-    solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h
+    solve/bounces.h solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h
     solve/solve_light.h solve/solve_report.h solve/stochastic_jacobi.h
     viewfactors/check_view_factors.h viewfactors/enforce.h viewfactors/exact_view_factors.h
     viewfactors/sample_view_factors.h viewfactors/view_elements.h viewfactors/view_factors.h
@@ -38,7 +38,7 @@ set(LUXEL_PUBLIC_HEADERS
     reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
     reference/surface_point.h
     export/export_coloured.h export/export_mesh.h
-    live/light_value.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
+    live/light_value.h live/live_answers.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
     live/sample_rays.h live/tree_boxes.h)
 
 # Rooms of the program alone, so that whoever uses the library needs no display.

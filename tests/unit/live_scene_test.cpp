@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/check/diagnose.h"
+#include "luxel/live/live_answers.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/relight.h"
 
@@ -273,6 +275,81 @@ TEST(LiveScene, changes_its_method) {
   ASSERT_TRUE(wait_for_idle(live));
   EXPECT_NE(live.status().error_message.find("by magic"), std::string::npos);
   EXPECT_EQ(live.light()->solution.provenance.method, "lines");
+}
+
+TEST(LiveScene, shows_the_bounces_of_its_samples) {
+  LiveScene live(cornell, coarse());
+  ASSERT_TRUE(wait_for_idle(live));
+  const auto own = live.light();
+  const auto& patches = *own->mesh.patches;
+  const auto after = [&](int bounces) {
+    live.show_bounces(bounces);
+    EXPECT_TRUE(wait_for_idle(live));
+    EXPECT_EQ(live.status().error_message, "");
+    return live.light();
+  };
+  for (const auto H : front(after(0))) EXPECT_EQ(H, 0.0f);
+  const auto once = after(1);
+  const auto& samples = *own->samples;
+  for (std::size_t slot = 0; slot < samples.sides.size(); ++slot) {
+    if (samples.sides[slot] % 2 == 1) continue;
+    double direct = 0.0;  // of the first band; one lamp is one group
+    for (const auto& replicate : samples.direct) direct += static_cast<double>(replicate[3 * slot]) / 8.0;
+    EXPECT_NEAR(front(once)[3 * (samples.sides[slot] / 2)], direct, 1e-5);
+  }
+  for (const int bounces : {4, 2, 50}) {
+    const auto light = after(bounces);
+    EXPECT_EQ(light->bounces, bounces);
+    double unshot = 0.0;
+    double emitted = 0.0;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      for (std::size_t b = 0; b < 3; ++b) {
+        const double area = patches.area[p];
+        unshot += area * (light->unshot_front[3 * p + b] + light->unshot_back[3 * p + b]);
+        emitted += area * patches.material_of(p).emittance[b];
+      }
+    EXPECT_NEAR(unshot / emitted, light->solution.unshot_share, 1e-5);
+  }
+  for (std::size_t i = 0; i < front(own).size(); ++i)
+    EXPECT_NEAR(front(live.light())[i], front(own)[i], 1e-4f + 1e-4f * front(own)[i]);
+  live.show_bounces({});
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(front(live.light()), front(own));
+}
+
+TEST(LiveScene, compares_its_light_with_a_second_solution) {
+  LiveScene live(cornell, coarse());
+  const auto file = fresh("second.vtkhdf");
+  ASSERT_TRUE(wait_for_idle(live));
+  live.save_solution(file);
+  ASSERT_TRUE(wait_for_idle(live));
+  live.compare_with(file);
+  ASSERT_TRUE(wait_for_idle(live));
+  ASSERT_TRUE(live.difference());
+  EXPECT_EQ(live.difference()->comparison.relative_rms, 0.0);
+  Lighting twice;
+  twice.lamps.assign(live.mesh()->patches->group_count() * 3, 2.0f);
+  live.relight(twice);
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(live.difference()->light, live.light()->number);
+  EXPECT_NEAR(live.difference()->comparison.relative_rms, 1.0, 1e-4);
+
+  auto finer = coarse();
+  finer.patches.max_edge = 0.3f;
+  LiveScene other(cornell, finer);
+  other.compare_with(file);
+  ASSERT_TRUE(wait_for_idle(other));
+  EXPECT_FALSE(other.difference());
+  EXPECT_EQ(other.status().errors, 1u);
+}
+
+TEST(LiveScene, finds_faults_while_it_solves) {
+  LiveScene live(cornell, endless());
+  live.ask_faults();
+  ASSERT_TRUE(wait_until([&] { return live.faults() != nullptr; }));
+  EXPECT_FALSE(live.status().is_idle);
+  EXPECT_EQ(live.faults()->triangles, live.mesh()->scene->triangles.size());
+  EXPECT_EQ(live.faults()->count(Gravity::fault), 0u);
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ struct Board {
   std::shared_ptr<const LiveMesh> mesh;
   std::shared_ptr<const LiveLight> light;
   LiveStatus status;
+  std::shared_ptr<const CheckReport> faults;
+  std::shared_ptr<const LiveDifference> difference;
   LightOptions current;  // of the solve that is, or was, or will be the first
 
   // The window's.
@@ -39,11 +41,16 @@ struct Board {
   std::optional<SolveOrder> solve;
   std::optional<double> error;
   std::optional<Lighting> lighting;
+  std::optional<std::optional<int>> bounces;
+  std::optional<std::optional<std::filesystem::path>> second;
+  bool asks_faults = false;
   std::deque<FileOrder> files;
   std::optional<std::filesystem::path> last_save;  // once everything has ended
 
   // Call with the mutex held.
-  bool has_orders() const { return solve || error || lighting || !files.empty(); }
+  bool has_orders() const { return solve || error || lighting || bounces || has_questions(); }
+  // What is answered while a solve is under way.
+  bool has_questions() const { return second || asks_faults || !files.empty(); }
 };
 
 }  // namespace luxel

@@ -6,9 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/export/export_mesh.h"
 #include "luxel/report/error.h"
-#include "luxel/solution/solution_file.h"
 
 namespace luxel {
 namespace {
@@ -32,8 +30,7 @@ LiveRun::LiveRun(Board& board, std::filesystem::path file, LiveSettings settings
       workers_(threads_of(settings_.threads)),
       light_(settings_.light) {}
 
-template <typename Work>
-bool LiveRun::attempt(Work work) {
+bool LiveRun::attempt(const std::function<void()>& work) {
   const auto fail = [&](std::string sentence) {
     const std::lock_guard lock(board_.mutex);
     board_.status.error_message = std::move(sentence);
@@ -59,12 +56,15 @@ void LiveRun::go() {
   while (wait_for_orders()) {
     while (const auto order = next_solve()) attempt([&] { solve(*order); });
     std::optional<Lighting> lighting;
+    std::optional<std::optional<int>> bounces;
     {
       const std::lock_guard lock(board_.mutex);
       lighting = std::exchange(board_.lighting, {});
+      bounces = std::exchange(board_.bounces, {});
     }
     if (lighting) attempt([&] { relight(*lighting); });
-    write_files();
+    if (bounces) attempt([&] { show_bounces(*bounces); });
+    answer_questions();
   }
   write_files();
   if (board_.last_save) attempt([&] { write(*board_.last_save); });
@@ -90,52 +90,12 @@ std::optional<SolveOrder> LiveRun::next_solve() {
   if (board_.closes) return {};
   auto order = std::exchange(board_.solve, {});
   if (const auto error = std::exchange(board_.error, {})) {
-    if (!order) order = SolveOrder{light_};
-    order->light.sampled.error = *error;
-    light_.sampled.error = *error;
-    if (order->light.method != LightOptions::by_sampling) return {};
+    if (!order && light_.method == LightOptions::by_sampling) order = SolveOrder{light_};
+    if (order) order->light.sampled.error = *error;
+    light_.sampled.error = board_.current.sampled.error = *error;
   }
   board_.stops = false;
   return order;
-}
-
-void LiveRun::write_files() {
-  while (true) {
-    std::optional<FileOrder> order;
-    {
-      const std::lock_guard lock(board_.mutex);
-      if (board_.files.empty()) return;
-      order = std::move(board_.files.front());
-      board_.files.pop_front();
-    }
-    attempt([&] { write(*order); });
-  }
-}
-
-void LiveRun::write(const FileOrder& order) {
-  const auto light = [&] {
-    const std::lock_guard lock(board_.mutex);
-    return board_.light;
-  }();
-  const auto* glb = std::get_if<GlbOrder>(&order);
-  const auto& file = glb != nullptr ? glb->file : std::get<std::filesystem::path>(order);
-  if (!light) throw InputError(file.string(), "there is no light yet to write into it");
-  begin_stage("write");
-  if (glb != nullptr) {
-    export_glb(file, *light->mesh.patches, light->solution, *light->smooth, glb->up, {.tone = glb->tone});
-  } else if (light->is_relit) {
-    auto patches = *light->mesh.patches;
-    patches.light_groups.clear();  // what was kept for each apart is not in the new file
-    for (auto& material : patches.materials) material.light_group = 0;
-    write_solution(file, patches, light->solution);
-  } else {
-    if (light->is_last && !is_closing()) know_group_light();
-    const auto* samples = light->is_last ? samples_.get() : light->samples.get();
-    write_solution(file, *light->mesh.patches, light->solution,
-                   settings_.keeps_transport ? samples : nullptr);
-  }
-  const std::lock_guard lock(board_.mutex);
-  board_.status.messages.push_back({Severity::info, fmt::format("{} is written", file.string())});
 }
 
 // ---- Light ----
@@ -171,6 +131,7 @@ void LiveRun::solve(const SolveOrder& order) {
   sampled_ = light_.sampled;
   if (!keeping.from) samples_.reset();
   relighter_.reset();
+  bounces_.reset();
   {
     const std::lock_guard lock(board_.mutex);
     auto& status = board_.status;
@@ -228,15 +189,15 @@ Next LiveRun::watch(const Progress& progress) {
     if (lighting_ == Lighting{}) show(*progress.light, false);
     ++step_;
   }
-  write_files();
+  pace_.hold();
+  answer_questions();
   std::unique_lock lock(board_.mutex);
   if (progress.light != nullptr && board_.is_stepping) board_.status.is_paused = board_.is_paused = true;
   while (board_.is_paused && !must_end(progress)) {
-    pace_.hold();
     board_.status.rays_per_second = 0.0;
     board_.changed.wait(lock);
     lock.unlock();
-    write_files();
+    answer_questions();
     lock.lock();
   }
   pace_.go_on();
@@ -255,120 +216,6 @@ bool LiveRun::must_end(const Progress& progress) const {
   if (light_.method != LightOptions::by_sampling) return board_.solve.has_value();
   const auto error = board_.error ? *board_.error : board_.solve->light.sampled.error;
   return progress.light != nullptr || (progress.error > 0.0 && progress.error <= error);
-}
-
-bool LiveRun::goes_by_bounces() const {
-  if (light_.method == LightOptions::by_dense) return light_.dense.solver == DenseSolver::jacobi;
-  return light_.method != LightOptions::by_sampling;
-}
-
-// Before the first bounce all that is there is what lamps emit.
-void LiveRun::begin_bounces() {
-  for (auto* values : {&radiosity_front_, &radiosity_back_, &unshot_front_, &unshot_back_}) values->clear();
-  if (!goes_by_bounces()) return;
-  const auto& patches = *mesh_.patches;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto& emittance = patches.material_of(p).emittance;
-    radiosity_front_.insert(radiosity_front_.end(), emittance.begin(), emittance.end());
-  }
-  radiosity_back_.assign(radiosity_front_.size(), 0.0f);
-}
-
-// What a bounce brought is what the next one will send on.
-void LiveRun::note_unshot(const Solution& light) {
-  if (!goes_by_bounces()) return;
-  const auto book = [](const std::vector<float>& now, std::vector<float>& before,
-                       std::vector<float>& unshot) {
-    unshot.resize(now.size());
-    for (std::size_t i = 0; i < now.size(); ++i) unshot[i] = std::max(0.0f, now[i] - before[i]);
-    before = now;
-  };
-  book(light.radiosity_front, radiosity_front_, unshot_front_);
-  book(light.radiosity_back, radiosity_back_, unshot_back_);
-}
-
-LiveLight LiveRun::light_of(LiveMesh mesh, Solution solution) const {
-  LiveLight light;
-  light.mesh = std::move(mesh);
-  light.solution = std::move(solution);
-  light.samples = samples_;
-  light.sampled = sampled_;
-  light.step = step_;
-  const auto& last = own_light_;
-  const bool is_same = last && last->mesh.geometry == light.mesh.geometry &&
-                       last->solution.irradiance_front == light.solution.irradiance_front &&
-                       last->solution.irradiance_back == light.solution.irradiance_back;
-  light.smooth = is_same || is_closing()
-                     ? (last ? last->smooth : nullptr)
-                     : std::make_shared<const SmoothLight>(make_smooth_light(
-                           *light.mesh.patches, light.solution, settings_.smooth, workers_));
-  return light;
-}
-
-// Pictures that come faster than they can be shown are left out, but for the last, and where each is waited
-// for.
-void LiveRun::show(Solution solution, bool is_last) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
-  {
-    const std::lock_guard lock(board_.mutex);
-    if (!is_last && !board_.is_stepping && begin - shown_ < 2 * cost_of_showing_) return;
-  }
-  auto light = light_of(mesh_, std::move(solution));
-  light.is_last = is_last;
-  light.unshot_front = unshot_front_;
-  light.unshot_back = unshot_back_;
-  own_light_ = publish(std::move(light));
-  shown_ = Clock::now();
-  cost_of_showing_ = shown_ - begin;
-}
-
-std::shared_ptr<const LiveLight> LiveRun::publish(LiveLight light) {
-  light.number = ++lights_;
-  auto newest = std::make_shared<const LiveLight>(std::move(light));
-  const std::lock_guard lock(board_.mutex);
-  board_.status.can_relight = newest->samples != nullptr;
-  board_.light = newest;
-  return newest;
-}
-
-bool LiveRun::is_closing() const {
-  const std::lock_guard lock(board_.mutex);
-  return board_.closes;
-}
-
-void LiveRun::know_group_light() {
-  if (!samples_ || !samples_->gathered.empty() || !settings_.keeps_transport) return;
-  begin_stage("light groups");
-  samples_ = with_group_light(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);
-}
-
-void LiveRun::relight(const Lighting& lighting) {
-  lighting_ = lighting;
-  if (lighting == Lighting{}) {
-    if (own_light_) publish(*own_light_);
-    return;
-  }
-  if (!samples_ || !mesh_.tracer)
-    throw InputError(file_.string(),
-                     "its light keeps no samples to relight with: solve it by the method sampled");
-  know_group_light();
-  begin_stage("relight");
-  if (!relighter_)
-    relighter_ = std::make_unique<Relighter>(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);
-  const auto& patches = *mesh_.patches;
-  std::vector<float> own;
-  for (const auto& material : patches.materials)
-    own.insert(own.end(), material.reflectance.begin(), material.reflectance.end());
-  relighter_->set_lamps(!lighting.lamps.empty()
-                            ? lighting.lamps
-                            : std::vector<float>(patches.group_count() * patches.band_count(), 1.0f));
-  relighter_->set_reflectance(!lighting.reflectance.empty() ? lighting.reflectance : own);
-  auto mesh = mesh_;
-  mesh.patches = std::make_shared<const PatchSet>(relighter_->patches());
-  auto light = light_of(std::move(mesh), relighter_->light());
-  light.is_relit = light.is_last = true;
-  publish(std::move(light));
 }
 
 // ---- Words ----

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "luxel/live/board.h"
 #include "luxel/live/pace.h"
 #include "luxel/parallel/workers.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solve/bounces.h"
 #include "luxel/solve/relight.h"
 
 namespace luxel {
@@ -23,8 +26,7 @@ class LiveRun {
 
  private:
   // Does it, and puts what it throws on the board. Says whether it went well.
-  template <typename Work>
-  bool attempt(Work work);
+  bool attempt(const std::function<void()>& work);
 
   // ---- The file ----
   void open();
@@ -36,6 +38,10 @@ class LiveRun {
   // ---- Orders ----
   bool wait_for_orders();
   std::optional<SolveOrder> next_solve();
+  void answer_questions();
+  void find_faults();
+  void read_second(const std::optional<std::filesystem::path>& file);
+  void compare(const LiveLight& light);
   void write_files();
   void write(const FileOrder& order);
 
@@ -50,7 +56,9 @@ class LiveRun {
   void begin_bounces();
   void note_unshot(const Solution& light);
   void relight(const Lighting& lighting);
+  void sign_relit(Solution& relit, const Lighting& lighting) const;
   void know_group_light();
+  void show_bounces(std::optional<int> count);
   LiveLight light_of(LiveMesh mesh, Solution solution) const;
   std::shared_ptr<const LiveLight> publish(LiveLight light);
   bool is_closing() const;
@@ -71,6 +79,12 @@ class LiveRun {
   std::shared_ptr<const LiveLight> own_light_;  // newest of the scene's own lamps and colours
   Lighting lighting_;
   std::unique_ptr<Relighter> relighter_;  // of samples_
+  std::unique_ptr<Bounces> bounces_;      // likewise
+  struct Second {
+    std::filesystem::path file;
+    Baked baked;
+  };
+  std::optional<Second> second_;  // solution, to compare with
   double mesh_error_ = 0.0;
 
   // Of the newest picture, and what it has more than the one before, W/m²; empty where light does not go by

@@ -93,6 +93,28 @@ void LiveScene::relight(const Lighting& lighting) {
   state_->order([&](Board& b) { b.lighting = lighting; });
 }
 
+void LiveScene::show_bounces(std::optional<int> bounces) {
+  state_->order([&](Board& b) { b.bounces = bounces; });
+}
+
+void LiveScene::ask_faults() {
+  state_->order([](Board& b) { b.asks_faults = true; });
+}
+
+std::shared_ptr<const CheckReport> LiveScene::faults() const {
+  const std::lock_guard lock(state_->board.mutex);
+  return state_->board.faults;
+}
+
+void LiveScene::compare_with(const std::optional<std::filesystem::path>& solution) {
+  state_->order([&](Board& b) { b.second = solution; });
+}
+
+std::shared_ptr<const LiveDifference> LiveScene::difference() const {
+  const std::lock_guard lock(state_->board.mutex);
+  return state_->board.difference;
+}
+
 void LiveScene::save_solution(const std::filesystem::path& file) {
   state_->order([&](Board& b) { b.files.emplace_back(file); });
 }

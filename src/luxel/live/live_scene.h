@@ -13,6 +13,9 @@
 
 namespace luxel {
 
+struct CheckReport;
+struct LiveDifference;
+
 // Lamps and colours that differ from the scene's own.
 struct Lighting {
   std::vector<float> lamps;        // how much brighter, at least 0, [light group * bands + band]; empty: 1
@@ -68,6 +71,21 @@ class LiveScene {
   // Other lamps and colours, without a ray: of the newest samples, once no solve is under way. The last word
   // counts. It stays said: light that is solved later is relit too.
   void relight(const Lighting& lighting);
+
+  // The light after so many bounces, at least 0, of the newest samples and without a ray (see Bounces): the
+  // scene's own lamps and colours, once no solve is under way. Nothing, or a new solve: all of it.
+  void show_bounces(std::optional<int> bounces);
+
+  // ---- Questions: answered between two pieces of the solver's work, which waits meanwhile ----
+
+  // Looks for what is wrong with the scene as `luxel check` does; not of a solution's file, which has no
+  // scene. Seconds for a large scene. The answer comes once, and stays.
+  void ask_faults();
+  std::shared_ptr<const CheckReport> faults() const;
+
+  // How each light that is shown from now on differs from a solution on the same patches; nothing: none.
+  void compare_with(const std::optional<std::filesystem::path>& solution);
+  std::shared_ptr<const LiveDifference> difference() const;
 
   // ---- Files: whole or not at all; what became of it is in the status ----
 

@@ -43,9 +43,10 @@ struct LiveLight {
   std::shared_ptr<const SampleState> samples;  // it was made from; none where they are not known
   SampledOptions sampled;                      // they were made with
   std::uint64_t number = 0;                    // from 1: the newest has the highest
-  std::uint32_t step = 0;  // pictures of this solve before this one: bounces, or doublings of the samples
-  bool is_relit = false;   // lamps or reflectances are not those of the scene
-  bool is_last = false;    // of its solve
+  std::uint32_t step = 0;      // pictures of this solve before this one: bounces, or doublings of the samples
+  bool is_relit = false;       // lamps or reflectances are not those of the scene
+  std::optional<int> bounces;  // that brought it, where it is not all of it
+  bool is_last = false;        // of its solve
   // What the last bounce brought and the next will send on, W/m², [patch][band]. Empty where light does not
   // come in bounces: of a sampled solve, a direct one, a file.
   std::vector<float> unshot_front, unshot_back;

@@ -18,7 +18,7 @@ constexpr std::array<int, 4> dimension = {2, 3, 0, 1};
 
 // Eight at a time where the processor can: integers, and float operations that are exact to the last bit
 // whatever their width, so every host gets the same.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LUXEL_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define LUXEL_WIDE

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "luxel/live/live_run.h"
+#include "luxel/report/error.h"
+
+// How solutions become the pictures of a live scene: with smooth light, relit, bounce by bounce.
+
+namespace luxel {
+
+bool LiveRun::goes_by_bounces() const {
+  if (light_.method == LightOptions::by_dense) return light_.dense.solver == DenseSolver::jacobi;
+  return light_.method != LightOptions::by_sampling;
+}
+
+// Before the first bounce all that is there is what lamps emit.
+void LiveRun::begin_bounces() {
+  for (auto* values : {&radiosity_front_, &radiosity_back_, &unshot_front_, &unshot_back_}) values->clear();
+  if (!goes_by_bounces()) return;
+  const auto& patches = *mesh_.patches;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto& emittance = patches.material_of(p).emittance;
+    radiosity_front_.insert(radiosity_front_.end(), emittance.begin(), emittance.end());
+  }
+  radiosity_back_.assign(radiosity_front_.size(), 0.0f);
+}
+
+// What a bounce brought is what the next one will send on.
+void LiveRun::note_unshot(const Solution& light) {
+  if (!goes_by_bounces()) return;
+  const auto book = [](const std::vector<float>& now, std::vector<float>& before,
+                       std::vector<float>& unshot) {
+    unshot.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) unshot[i] = std::max(0.0f, now[i] - before[i]);
+    before = now;
+  };
+  book(light.radiosity_front, radiosity_front_, unshot_front_);
+  book(light.radiosity_back, radiosity_back_, unshot_back_);
+}
+
+LiveLight LiveRun::light_of(LiveMesh mesh, Solution solution) const {
+  LiveLight light;
+  light.mesh = std::move(mesh);
+  light.solution = std::move(solution);
+  light.samples = samples_;
+  light.sampled = sampled_;
+  light.step = step_;
+  const auto& last = own_light_;
+  const bool is_same = last && last->mesh.geometry == light.mesh.geometry &&
+                       last->solution.irradiance_front == light.solution.irradiance_front &&
+                       last->solution.irradiance_back == light.solution.irradiance_back;
+  light.smooth = is_same || is_closing()
+                     ? (last ? last->smooth : nullptr)
+                     : std::make_shared<const SmoothLight>(make_smooth_light(
+                           *light.mesh.patches, light.solution, settings_.smooth, workers_));
+  return light;
+}
+
+// Pictures that come faster than they can be shown are left out, but for the last, and where each is waited
+// for.
+void LiveRun::show(Solution solution, bool is_last) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  {
+    const std::lock_guard lock(board_.mutex);
+    if (!is_last && !board_.is_stepping && begin - shown_ < 2 * cost_of_showing_) return;
+  }
+  auto light = light_of(mesh_, std::move(solution));
+  light.is_last = is_last;
+  light.unshot_front = unshot_front_;
+  light.unshot_back = unshot_back_;
+  own_light_ = publish(std::move(light));
+  shown_ = Clock::now();
+  cost_of_showing_ = shown_ - begin;
+}
+
+std::shared_ptr<const LiveLight> LiveRun::publish(LiveLight light) {
+  light.number = ++lights_;
+  auto newest = std::make_shared<const LiveLight>(std::move(light));
+  {
+    const std::lock_guard lock(board_.mutex);
+    board_.status.can_relight = newest->samples != nullptr;
+    board_.light = newest;
+  }
+  if (second_) attempt([&] { compare(*newest); });
+  return newest;
+}
+
+bool LiveRun::is_closing() const {
+  const std::lock_guard lock(board_.mutex);
+  return board_.closes;
+}
+
+void LiveRun::know_group_light() {
+  if (!samples_ || !samples_->gathered.empty() || !settings_.keeps_transport) return;
+  begin_stage("light groups");
+  samples_ = with_group_light(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);
+}
+
+// What it came from, and what was changed: as `luxel relight` would be told.
+void LiveRun::sign_relit(Solution& relit, const Lighting& lighting) const {
+  const auto& patches = *mesh_.patches;
+  const auto bands = patches.band_count();
+  auto provenance = own_light_->solution.provenance;
+  provenance.rays = relit.provenance.rays;
+  provenance.scene_fingerprint = relit.provenance.scene_fingerprint;
+  std::string flags;
+  const auto note = [&](const char* option, const std::string& name, std::span<const float> values) {
+    const bool is_grey = std::all_of(values.begin(), values.end(), [&](float v) { return v == values[0]; });
+    const auto value = fmt::format("{}={}", name, fmt::join(is_grey ? values.first(1) : values, ","));
+    provenance.options.emplace_back(option, value);
+    flags += fmt::format(" --{} {}", option, value);
+  };
+  for (std::size_t g = 0; g < lighting.lamps.size() / bands; ++g) {
+    const auto weight = std::span(lighting.lamps).subspan(g * bands, bands);
+    if (std::any_of(weight.begin(), weight.end(), [](float w) { return w != 1.0f; }))
+      note("tint", patches.light_groups.empty() ? "all" : patches.light_groups[g], weight);
+  }
+  for (std::size_t m = 0; m < lighting.reflectance.size() / bands; ++m) {
+    const auto reflectance = std::span(lighting.reflectance).subspan(m * bands, bands);
+    const auto& own = patches.materials[m].reflectance;
+    if (!std::equal(own.begin(), own.end(), reflectance.begin()))
+      note("reflectance", patches.materials[m].name, reflectance);
+  }
+  provenance.command_line += fmt::format("; luxel relight{}", flags);
+  relit.provenance = std::move(provenance);
+  relit.mesh_error = own_light_->solution.mesh_error;
+  relit.stop = own_light_->solution.stop;
+}
+
+void LiveRun::show_bounces(std::optional<int> count) {
+  if (!count) return relight(lighting_);
+  if (!samples_ || !mesh_.tracer)
+    throw InputError(file_.string(), "its light keeps no samples to bounce: solve it by the method sampled");
+  begin_stage("bounces");
+  if (!bounces_)
+    bounces_ = std::make_unique<Bounces>(*mesh_.patches, *mesh_.tracer, *samples_, sampled_, workers_);
+  const auto before = *count > 0 ? bounces_->light(*count - 1) : Solution();
+  auto light = light_of(mesh_, bounces_->light(std::max(0, *count)));
+  light.bounces = std::max(0, *count);
+  light.is_last = true;
+  const auto less = [](std::vector<float> values, const std::vector<float>& others) {
+    for (std::size_t i = 0; i < others.size(); ++i) values[i] = std::max(0.0f, values[i] - others[i]);
+    return values;
+  };
+  light.unshot_front = less(light.solution.radiosity_front, before.radiosity_front);
+  light.unshot_back = less(light.solution.radiosity_back, before.radiosity_back);
+  publish(std::move(light));
+}
+
+void LiveRun::relight(const Lighting& lighting) {
+  lighting_ = lighting;
+  if (lighting == Lighting{}) {
+    if (own_light_) publish(*own_light_);
+    return;
+  }
+  if (!samples_ || !mesh_.tracer)
+    throw InputError(file_.string(),
+                     "its light keeps no samples to relight with: solve it by the method sampled");
+  know_group_light();
+  begin_stage("relight");
+  if (!relighter_)
+    relighter_ = std::make_unique<Relighter>(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);
+  const auto& patches = *mesh_.patches;
+  std::vector<float> own;
+  for (const auto& material : patches.materials)
+    own.insert(own.end(), material.reflectance.begin(), material.reflectance.end());
+  relighter_->set_lamps(!lighting.lamps.empty()
+                            ? lighting.lamps
+                            : std::vector<float>(patches.group_count() * patches.band_count(), 1.0f));
+  relighter_->set_reflectance(!lighting.reflectance.empty() ? lighting.reflectance : own);
+  auto mesh = mesh_;
+  mesh.patches = std::make_shared<const PatchSet>(relighter_->patches());
+  auto light = light_of(std::move(mesh), relighter_->light());
+  sign_relit(light.solution, lighting);
+  light.is_relit = light.is_last = true;
+  publish(std::move(light));
+}
+
+}  // namespace luxel

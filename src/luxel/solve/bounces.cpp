@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/bounces.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "luxel/solve/sampling.h"
+#include "luxel/solve/slot_light.h"
+#include "luxel/solve/stochastic_jacobi.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t grain = 16384;  // numbers a chunk
+
+std::vector<float> mean_direct(const PatchSet& patches, const SampleState& state, const Workers& workers) {
+  const auto direct = sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers);
+  std::vector<float> mean(direct[0].size());
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    float sum = 0.0f;
+    for (const auto& replicate : direct) sum += replicate[i];
+    mean[i] = sum / static_cast<float>(direct.size());
+  }
+  return mean;
+}
+
+}  // namespace
+
+struct Bounces::State {
+  const PatchSet& patches;
+  const Workers& workers;
+  SampledOptions options;
+  std::uint64_t rays;
+  Sampling sampling;
+  std::vector<float> direct;      // D, [slot * bands + band], W/m²
+  std::vector<float> irradiance;  // H
+  std::vector<float> reflected;   // rho H of the bounce before, and the sky, [element * bands + band]
+  std::vector<float> area, reflectance;
+  int bounces = 0;
+  double unshot = 0.0;  // W
+
+  State(const PatchSet& of_run, const Tracer& tracer, const SampleState& state,
+        const SampledOptions& run_options, const Workers& run_workers)
+      : patches(of_run),
+        workers(run_workers),
+        options(run_options),
+        rays(state.rays + state.first_rays),
+        sampling(of_run, tracer, run_options, run_workers) {
+    sampling.take_up(state);
+    direct = mean_direct(patches, state, workers);
+    const SlotLight slots(patches, sampling.tree(), sampling.transport().sides(), false, workers);
+    area.assign(slots.area().begin(), slots.area().end());
+    reflectance.assign(slots.reflectance().begin(), slots.reflectance().end());
+    begin();
+  }
+
+  void begin() {
+    const auto bands = patches.band_count();
+    const auto& transport = sampling.transport();
+    bounces = 0;
+    unshot = 0.0;
+    irradiance.assign(direct.size(), 0.0f);
+    reflected.assign(transport.elements() * bands, 0.0f);
+    for (std::size_t b = 0; b < bands; ++b)
+      reflected[transport.escaped() * bands + b] = static_cast<float>(patches.sky_radiosity(b));
+  }
+
+  void bounce() {
+    const auto bands = patches.band_count();
+    const auto& transport = sampling.transport();
+    transport.all_replicates().apply(reflected, irradiance, 0, transport.sides().size(), workers);
+    workers.for_chunks(irradiance.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) irradiance[i] += direct[i];
+    });
+    unshot = ordered_sum(workers, irradiance.size(), [&](std::size_t i) {
+      return static_cast<double>(area[i / bands]) *
+             (static_cast<double>(reflectance[i] * irradiance[i]) - static_cast<double>(reflected[i]));
+    });
+    workers.for_chunks(irradiance.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) reflected[i] = reflectance[i] * irradiance[i];
+    });
+    ++bounces;
+  }
+
+  Solution solution() const {
+    const auto bands = patches.band_count();
+    Solution s;
+    s.bands = patches.bands;
+    for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back})
+      array->assign(patches.size() * bands, 0.0f);
+    for (std::size_t i = 0; i < s.radiosity_front.size(); ++i)
+      s.radiosity_front[i] = patches.material_of(i / bands).emittance[i % bands];
+    const auto& sides = sampling.transport().sides();
+    for (std::size_t i = 0; i < irradiance.size(); ++i) {
+      const auto side = sides.side[i / bands];
+      const auto at = side / 2 * bands + i % bands;
+      (side % 2 == 1 ? s.irradiance_back : s.irradiance_front)[at] = irradiance[i];
+      (side % 2 == 1 ? s.radiosity_back : s.radiosity_front)[at] += reflectance[i] * irradiance[i];
+    }
+    const auto emitted = emitted_power(patches);
+    const auto power = std::accumulate(emitted.begin(), emitted.end(), 0.0);
+    if (power > 0.0 && !patches.has_sky()) s.unshot_share = bounces == 0 ? 1.0 : unshot / power;
+    s.stop = StopReason::step_limit;
+    s.provenance.method = "sampled";
+    s.provenance.seed = options.seed;
+    s.provenance.rays = rays;
+    s.provenance.scene_fingerprint = patches.scene_fingerprint;
+    return s;
+  }
+};
+
+Bounces::Bounces(const PatchSet& patches, const Tracer& tracer, const SampleState& state,
+                 const SampledOptions& options, const Workers& workers)
+    : state_(std::make_unique<State>(patches, tracer, state, options, workers)) {}
+
+Bounces::~Bounces() = default;
+
+Solution Bounces::light(int bounces) {
+  auto& s = *state_;
+  if (bounces < s.bounces) s.begin();
+  while (s.bounces < bounces) s.bounce();
+  return s.solution();
+}
+
+}  // namespace luxel
