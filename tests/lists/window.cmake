@@ -1,1 +1,2 @@
 luxel_test(unit/view ROOMS view)
+luxel_test(unit/window ROOMS window)

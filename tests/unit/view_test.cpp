@@ -152,7 +152,7 @@ TEST_F(Card, a_mesh_without_light_is_grey) {
 }
 
 TEST_F(Card, every_tone_curve_gives_the_codes_that_the_processor_gives) {
-  surfaces_->set_light(light_, VertexValue::radiance);
+  surfaces_->set_light(patches_, light_, VertexValue::radiance);
   for (const auto op : {ToneOperator::maximum, ToneOperator::clamp, ToneOperator::reinhard})
     for (const float white : {0.0f, 2.0f}) {
       const ToneCurve curve{{.op = op, .white = white}, 0.17f};
@@ -163,13 +163,13 @@ TEST_F(Card, every_tone_curve_gives_the_codes_that_the_processor_gives) {
 }
 
 TEST_F(Card, rough_edges_change_no_colour) {
-  surfaces_->set_light(light_, VertexValue::radiance);
+  surfaces_->set_light(patches_, light_, VertexValue::radiance);
   const ToneCurve curve{{.op = ToneOperator::clamp}, 0.1f};
   expect_near(draw({.paint = Paint::light, .tone = curve}, Edges::rough), 20, curve(Vec3(0.8f * 5.0f / pi)));
 }
 
 TEST_F(Card, false_colours_are_those_of_the_legend) {
-  surfaces_->set_light(light_, VertexValue::watts);
+  surfaces_->set_light(patches_, light_, VertexValue::watts);
   for (const bool logarithmic : {false, true}) {
     const ValueScale scale{.low = 1.0f, .high = 100.0f, .logarithmic = logarithmic};
     const auto image = draw({.paint = Paint::smooth, .scale = scale});
@@ -208,6 +208,7 @@ TEST_F(Card, rough_pictures_joined_have_smooth_edges) {
     frame.resolve();
     frame.join(shift);
   }
+  frame.show_joined();
   int between = 0;
   for (const auto& pixel : frame.read().pixels) between += pixel.r > 0.1f && pixel.r < 0.9f ? 1 : 0;
   EXPECT_GT(between, 20);

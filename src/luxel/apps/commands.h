@@ -45,5 +45,6 @@ std::unique_ptr<Command> make_compare(CommandLine& line);
 std::unique_ptr<Command> make_info(CommandLine& line);
 std::unique_ptr<Command> make_viewfactors(CommandLine& line);
 std::unique_ptr<Command> make_check(CommandLine& line);
+std::unique_ptr<Command> make_view(CommandLine& line);
 
 }  // namespace luxel

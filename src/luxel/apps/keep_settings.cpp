@@ -13,6 +13,12 @@ void KeepSettings::declare(OptionSet& set) {
   set.only_with("method", LightSettings::by_sampling);
   set.add_flag("keep-transport", transport,
                "keep in the .vtkhdf file what 'luxel relight' and 'luxel resume' need");
+  set.only_with();
+  declare_groups(set);
+}
+
+void KeepSettings::declare_groups(OptionSet& set) {
+  set.only_with("method", LightSettings::by_sampling);
   set.add({.name = "light-group",
            .unit = "NAME=PATTERN",
            .help =

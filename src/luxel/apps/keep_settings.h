@@ -18,6 +18,7 @@ struct KeepSettings {
   bool groups_lamps() const { return transport || !groups.empty(); }
   // Options of the light, then of the run.
   void declare(OptionSet& set);
+  void declare_groups(OptionSet& set);
   void declare_run(OptionSet& set);
   void declare_every(OptionSet& set);
 };

@@ -27,6 +27,8 @@ struct ToneOptions {
   float exposure = 0.0f;  // stops, applied before the curve: 2^exposure; -64 to 64
   float key = 0.18f;      // what the log-average luminance is mapped to, (0, 1]
   float white = 0.0f;     // smallest luminance shown as white after keying; 0: none (equation 3)
+
+  bool operator==(const ToneOptions&) const = default;
 };
 
 // A tone curve fitted to what is to be shown; then applied colour by colour. Display-referred results are

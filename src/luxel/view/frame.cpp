@@ -157,7 +157,15 @@ void Frame::join(int count) {
   s.cover(s.pixels, 1.0f / static_cast<float>(count + 1));
   glDisable(GL_BLEND);
   glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
-  if (count == 0) return;
+}
+
+void Frame::show_joined() {
+  auto& s = *state_;
+  glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
+  glViewport(0, 0, s.size.width, s.size.height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
   glEnable(GL_FRAMEBUFFER_SRGB);
   s.cover(s.mean, 1.0f);
   glDisable(GL_FRAMEBUFFER_SRGB);

@@ -30,9 +30,11 @@ class Frame {
   // Samples become pixels. What is drawn from here on (panels) writes sRGB codes as they are, one sample a
   // pixel. Leaves the pixels as the current read framebuffer, for Screen::present().
   void resolve();
-  // After resolve(): the pixels become the mean of these and of `count` rough pictures before, each drawn
-  // with the tile shifted_tile() gives: edges that get smooth picture by picture while nothing moves.
+  // After resolve(): keeps the mean of these pixels and of `count` rough pictures before, each drawn with the
+  // tile that shifted_tile() gives: edges that get smooth picture by picture while nothing moves.
   void join(int count);
+  // The pixels become that mean: in the place of begin(), drawing and resolve().
+  void show_joined();
   // After resolve(): linear, display-referred. Waits for the driver.
   Image read() const;
 

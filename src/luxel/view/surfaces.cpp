@@ -13,6 +13,7 @@ namespace luxel {
 namespace {
 
 struct Light {
+  std::shared_ptr<const PatchSet> patches;
   std::shared_ptr<const SmoothLight> light;
   VertexValue what = VertexValue::radiance;
 };
@@ -75,8 +76,9 @@ void Surfaces::set_mesh(std::shared_ptr<const PatchSet> patches) {
   if (s.patches) s.preview.emplace(*s.patches);
 }
 
-void Surfaces::set_light(std::shared_ptr<const SmoothLight> light, VertexValue what) {
-  state_->waiting = {std::move(light), what};
+void Surfaces::set_light(std::shared_ptr<const PatchSet> lit, std::shared_ptr<const SmoothLight> light,
+                         VertexValue what) {
+  state_->waiting = {std::move(lit), std::move(light), what};
 }
 
 void Surfaces::set_side_values(std::shared_ptr<const std::vector<float>> values) {
@@ -97,7 +99,8 @@ bool Surfaces::State::light_step() {
   }
   if (mesh->go_on()) return true;
   if (!coming_values)
-    coming_values = std::make_unique<ValueBuffer>(*patches, *coming.light, coming.what, mesh->vertices());
+    coming_values =
+        std::make_unique<ValueBuffer>(*coming.patches, *coming.light, coming.what, mesh->vertices());
   if (coming_values->go_on()) return true;
   mesh->take_values(coming_values->buffer());
   values = std::move(coming_values);

@@ -43,8 +43,10 @@ class Surfaces {
 
   // Other patches: what was there is gone, and these are drawn grey as far as they have come.
   void set_mesh(std::shared_ptr<const PatchSet> patches);
-  // A newer light of these patches, or another of its values. Takes the place of one that waits its turn.
-  void set_light(std::shared_ptr<const SmoothLight> light, VertexValue what);
+  // A newer light of these patches, or another of its values. lit: the patches with the materials as they are
+  // lit. Takes the place of one that waits its turn. All lights of a mesh have the same smooth vertices.
+  void set_light(std::shared_ptr<const PatchSet> lit, std::shared_ptr<const SmoothLight> light,
+                 VertexValue what);
   // [2 * patch + 1 for the back]; NaN is drawn grey.
   void set_side_values(std::shared_ptr<const std::vector<float>> values);
 

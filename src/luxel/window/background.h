@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <optional>
+#include <utility>
+
+namespace luxel {
+
+// One piece of work at a time in a thread of its own, whose result is asked for between frames. The
+// destructor waits for the work.
+template <typename Result>
+class Background {
+ public:
+  // Starts it. What it needs it must own. Only while nothing is under way.
+  template <typename Work>
+  void start(Work work) {
+    future_ = std::async(std::launch::async, std::move(work));
+  }
+  bool is_busy() const { return future_.valid(); }
+  bool is_ready() const {
+    return future_.valid() && future_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
+  // The result, once. Throws what the work threw.
+  std::optional<Result> take() {
+    if (!is_ready()) return std::nullopt;
+    return future_.get();
+  }
+
+ private:
+  std::future<Result> future_;
+};
+
+}  // namespace luxel

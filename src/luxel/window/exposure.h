@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "luxel/live/live_state.h"
+#include "luxel/tone/tone.h"
+#include "luxel/view/pose.h"
+
+namespace luxel {
+
+// The tone curve for what is in view, as an eye gets used to it.
+class Exposure {
+ public:
+  // Another scene: the next curve fits at once.
+  void forget();
+  // The curve for these options. automatic: goes a part of the way from the last one towards what fits what
+  // is seen, over about a third of a second; else stays where it was, but for the options' exposure.
+  // Cost: about 800 rays where it is automatic and there is light.
+  ToneCurve curve(const ToneOptions& options, bool automatic, const LiveLight* light, const Pose& pose,
+                  const Space& space, float aspect, double seconds);
+  // Whether the curve has come to rest.
+  bool is_settled() const { return is_settled_; }
+
+ private:
+  std::optional<float> base_;  // logarithm of the scale without the options' exposure
+  ToneOptions fitted_;
+  bool is_settled_ = true;
+};
+
+// What leaves the surfaces that are seen through a grid of the view, W/(m² sr), the sky where nothing is.
+std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Space& space, float aspect);
+
+}  // namespace luxel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "luxel/image/image.h"
+#include "luxel/window/panels.h"
+
+namespace luxel {
+namespace {
+
+bool lamp_sliders(LampBoard& board) {
+  bool changed = false;
+  for (auto& lamps : board.lamps) {
+    ImGui::PushID(&lamps);
+    ImGui::SetNextItemWidth(120.0f);
+    changed |= ImGui::SliderFloat("##factor", &lamps.factor, 0.0f, 4.0f, "x %.2f");
+    ImGui::SameLine();
+    changed |=
+        ImGui::ColorEdit3("##tint", &lamps.tint.r, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_Float);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(lamps.name.c_str());
+    ImGui::PopID();
+  }
+  return changed;
+}
+
+// The picker shows codes as a screen does; reflectances are linear.
+bool colour_pickers(LampBoard& board) {
+  bool changed = false;
+  for (auto& surface : board.materials) {
+    ImGui::PushID(&surface);
+    Vec3 code(srgb_encode(surface.colour.r), srgb_encode(surface.colour.g), srgb_encode(surface.colour.b));
+    if (ImGui::ColorEdit3("##colour", &code.r, ImGuiColorEditFlags_NoInputs)) {
+      surface.colour =
+          glm::min(Vec3(srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b)), Vec3(0.999f));
+      changed = true;
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted(surface.name.c_str());
+    ImGui::PopID();
+  }
+  return changed;
+}
+
+}  // namespace
+
+void lamps_section(Viewer& viewer) {
+  if (!viewer.session.mesh() || !ImGui::CollapsingHeader("Lamps and colours")) return;
+  if (!viewer.session.status().can_relight) {
+    ImGui::TextWrapped("Once the sampled light is there, lamps and colours change without another ray.");
+    return;
+  }
+  bool changed = lamp_sliders(viewer.lamps);
+  ImGui::Separator();
+  changed |= colour_pickers(viewer.lamps);
+  if (!viewer.lamps.is_untouched() && ImGui::Button("As they were")) {
+    viewer.lamps = LampBoard(*viewer.session.mesh()->patches);
+    changed = true;
+  }
+  if (changed) viewer.relight();
+}
+
+}  // namespace luxel

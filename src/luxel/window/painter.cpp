@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/window/painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "luxel/window/side_values.h"
+
+namespace luxel {
+namespace {
+
+constexpr int largest_piece = 2048;  // pixels a side of what is drawn at once
+
+bool is_of_sides(Show show) {
+  return show == Show::standard_error || show == Show::patch_size || show == Show::level ||
+         show == Show::difference || show == Show::unshot;
+}
+
+// What the vertices show, of some of them: the brighter of both sides.
+std::vector<float> vertex_values(const LiveLight& light, bool lux) {
+  const auto& patches = *light.mesh.patches;
+  const auto colours = patches.colours();
+  std::vector<float> values;
+  for (std::size_t v = 0; v < light.smooth->size(); v += light.smooth->size() / 20'000 + 1) {
+    const auto both = value_of({static_cast<std::uint32_t>(v), 0},
+                               lux ? VertexValue::lux : VertexValue::watts, patches, colours, *light.smooth);
+    values.push_back(std::max(both.front.x, both.back.x));
+  }
+  return values;
+}
+
+// As a person has set it, made to hold.
+ValueScale chosen_scale(const Look& look, bool logarithmic, ColourMap map) {
+  ValueScale scale{.low = look.low, .high = look.high, .logarithmic = logarithmic, .map = map};
+  if (logarithmic && !(scale.low > 0.0f)) scale.low = 1e-3f * std::abs(scale.high);
+  if (!(scale.high > scale.low)) scale.high = scale.low + 1.0f;
+  return scale;
+}
+
+}  // namespace
+
+void Painter::update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
+                     const std::shared_ptr<const LiveLight>& light, const Look& look,
+                     const std::shared_ptr<const std::vector<float>>& difference) {
+  mesh_ = mesh;
+  light_ = light;
+  if (!mesh_) return;
+  if (scene != scene_ || mesh_->geometry != geometry_) {
+    scene_ = scene;
+    geometry_ = mesh_->geometry;
+    light_number_ = 0;
+    vertex_value_.reset();
+    sides_ = {};
+    side_values_.reset();
+    scale_.reset();
+    surfaces_.set_mesh(mesh_->patches);
+  }
+  update_light(look);
+  update_side_values(look, difference);
+  update_scale(look);
+}
+
+void Painter::update_light(const Look& look) {
+  if (!light_ || light_->mesh.geometry != geometry_ || !light_->smooth) return;
+  auto what = vertex_value_.value_or(VertexValue::radiance);
+  if (look.show == Show::light) what = VertexValue::radiance;
+  if (look.show == Show::irradiance) what = look.lux ? VertexValue::lux : VertexValue::watts;
+  if (light_->number == light_number_ && what == vertex_value_) return;
+  surfaces_.set_light(light_->mesh.patches, light_->smooth, what);
+  light_number_ = light_->number;
+  vertex_value_ = what;
+}
+
+void Painter::update_side_values(const Look& look,
+                                 const std::shared_ptr<const std::vector<float>>& difference) {
+  if (auto done = values_.take()) {
+    side_values_ = *done;
+    if (side_values_->empty()) side_values_.reset();
+    surfaces_.set_side_values(side_values_);
+    scale_.reset();
+  }
+  if (!is_of_sides(look.show) || values_.is_busy()) return;
+  const Sides wanted{look.show, look.lux, is_of_light(look.show) && light_ ? light_->number : 0,
+                     look.show == Show::difference ? difference.get() : nullptr};
+  if (wanted == sides_) return;
+  sides_ = wanted;
+  values_.start([show = look.show, lux = look.lux, mesh = mesh_, light = light_, difference] {
+    return std::make_shared<const std::vector<float>>(
+        side_values(show, lux, *mesh->patches, light.get(), difference.get()));
+  });
+}
+
+void Painter::update_scale(const Look& look) {
+  const bool is_sides = is_of_sides(look.show);
+  if (!is_sides && look.show != Show::irradiance) {
+    scale_.reset();
+    return;
+  }
+  const void* const values = is_sides ? static_cast<const void*>(side_values_.get()) : light_.get();
+  const Scaled wanted{look.show, look.lux,  look.logarithmic, look.automatic_scale,
+                      look.low,  look.high, look.isolines,    look.automatic_scale ? values : nullptr};
+  if (wanted == scaled_ && scale_) return;
+  scaled_ = wanted;
+  const auto map = look.show == Show::difference ? ColourMap::difference : ColourMap::heat;
+  const bool logarithmic = look.logarithmic && map == ColourMap::heat && look.show != Show::level;
+  if (!look.automatic_scale) {
+    scale_ = chosen_scale(look, logarithmic, map);
+  } else if (is_sides) {
+    scale_ = side_values_ ? automatic_value_scale(*side_values_, logarithmic, map) : ValueScale{.map = map};
+  } else {
+    scale_ =
+        light_ ? automatic_value_scale(vertex_values(*light_, look.lux), logarithmic, map) : ValueScale();
+  }
+  scale_->isolines = look.isolines;
+}
+
+bool Painter::upload(double seconds) { return surfaces_.upload(seconds) && !values_.is_busy(); }
+
+Paint Painter::paint(const Look& look) const {
+  if (is_of_sides(look.show)) return side_values_ ? Paint::patches : Paint::grey;
+  switch (look.show) {
+    case Show::light:
+      return Paint::light;
+    case Show::irradiance:
+      return Paint::smooth;
+    case Show::sides:
+      return Paint::sides;
+    default:
+      return Paint::grey;
+  }
+}
+
+void Painter::draw(const Look& look, const Viewpoint& from, float aspect, float point_size,
+                   const Tile& tile) {
+  const auto to_screen = projection(from.pose, from.space, from.box, aspect, tile);
+  surfaces_.draw({.projection = to_screen,
+                  .eye = from.pose.eye,
+                  .paint = paint(look),
+                  .tone = from.tone,
+                  .scale = scale_.value_or(ValueScale()),
+                  .wires = look.wires});
+  marks_.draw(to_screen, point_size, true);
+}
+
+Vec3 Painter::background(const ToneCurve& tone) const {
+  const Vec3 dark(0.012f);
+  if (!mesh_ || !mesh_->patches->has_sky() || !light_) return dark;
+  return tone(in_gamut(mesh_->patches->colours().rgb(mesh_->patches->sky)));
+}
+
+Image Painter::picture(const Look& look, const Viewpoint& from, ScreenSize size) {
+  Image whole(size.width, size.height);
+  const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+  Frame frame;
+  for (int top = 0; top < size.height; top += largest_piece)
+    for (int left = 0; left < size.width; left += largest_piece) {
+      const ScreenSize piece{std::min(largest_piece, size.width - left),
+                             std::min(largest_piece, size.height - top)};
+      const auto x = [&](int pixel) {
+        return 2.0f * static_cast<float>(pixel) / static_cast<float>(size.width) - 1.0f;
+      };
+      const auto y = [&](int pixel) {
+        return 1.0f - 2.0f * static_cast<float>(pixel) / static_cast<float>(size.height);
+      };
+      frame.begin(piece, background(from.tone), Edges::sampled);
+      draw(look, from, aspect, 4.0f, {x(left), x(left + piece.width), y(top + piece.height), y(top)});
+      frame.resolve();
+      const auto part = frame.read();
+      for (int row = 0; row < piece.height; ++row)
+        std::copy_n(&part.at(0, row), piece.width, &whole.at(left, top + row));
+    }
+  return whole;
+}
+
+}  // namespace luxel

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "luxel/image/image.h"
+#include "luxel/live/live_state.h"
+#include "luxel/view/frame.h"
+#include "luxel/view/lines.h"
+#include "luxel/view/surfaces.h"
+#include "luxel/window/background.h"
+#include "luxel/window/look.h"
+
+namespace luxel {
+
+// Where the eye is, on what it looks, through which curve.
+struct Viewpoint {
+  Pose pose;
+  Space space;
+  Bounds box;
+  ToneCurve tone;
+};
+
+// Brings what is looked at to the graphics card, as it was chosen to be seen, and draws it.
+class Painter {
+ public:
+  // scene: its number; another one is another scene. difference: of a second solution, [side], or null.
+  void update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
+              const std::shared_ptr<const LiveLight>& light, const Look& look,
+              const std::shared_ptr<const std::vector<float>>& difference);
+  // For about so many seconds. True where everything is there and shown.
+  bool upload(double seconds);
+
+  void draw(const Look& look, const Viewpoint& from, float aspect, float point_size, const Tile& tile = {});
+  Vec3 background(const ToneCurve& tone) const;  // what lies behind all surfaces; linear, [0, 1]
+  // Of any size, in pieces where it is large; four samples a pixel.
+  Image picture(const Look& look, const Viewpoint& from, ScreenSize size);
+
+  void set_marks(const Marks& marks) { marks_.set(marks); }
+  // How false colours are to be read now; nothing where there are none.
+  std::optional<ValueScale> scale() const { return scale_; }
+
+ private:
+  void update_light(const Look& look);
+  void update_side_values(const Look& look, const std::shared_ptr<const std::vector<float>>& difference);
+  void update_scale(const Look& look);
+  Paint paint(const Look& look) const;
+
+  Surfaces surfaces_;
+  MarkBuffer marks_;
+  std::shared_ptr<const LiveMesh> mesh_;
+  std::shared_ptr<const LiveLight> light_;
+  std::uint64_t scene_ = 0, geometry_ = 0;
+
+  std::uint64_t light_number_ = 0;
+  std::optional<VertexValue> vertex_value_;
+  // What side values were asked for last.
+  struct Sides {
+    Show show = Show::light;
+    bool lux = false;
+    std::uint64_t light = 0;
+    const void* difference = nullptr;
+    bool operator==(const Sides&) const = default;
+  } sides_;
+  Background<std::shared_ptr<const std::vector<float>>> values_;
+  std::shared_ptr<const std::vector<float>> side_values_;
+  // What the scale was made for.
+  struct Scaled {
+    Show show = Show::light;
+    bool lux = false, logarithmic = false, automatic = false;
+    float low = 0.0f, high = 0.0f;
+    int isolines = 0;
+    const void* values = nullptr;
+    bool operator==(const Scaled&) const = default;
+  } scaled_;
+  std::optional<ValueScale> scale_;
+};
+
+}  // namespace luxel

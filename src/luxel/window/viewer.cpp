@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/window/viewer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/image/image_file.h"
+#include "luxel/render/automatic_camera.h"
+#include "luxel/window/panels.h"
+
+namespace luxel {
+namespace {
+
+constexpr double upload_seconds = 0.005;  // of a frame, for what goes to the card
+constexpr double said_seconds = 4.0;
+
+Bounds box_of(const PatchSet& patches) {
+  Bounds box;
+  for (const auto& corners : patches.corners)
+    for (const auto corner : corners) box.add(patches.vertices[corner]);
+  return box;
+}
+
+}  // namespace
+
+Viewer::Viewer(Screen& screen, const WindowSettings& its_settings)
+    : session(its_settings.live),
+      navigator([this](float x, float y) -> std::optional<Vec3> {
+        if (!session.mesh() || !session.mesh()->tracer) return std::nullopt;
+        const auto seen = sight(navigator.pose(), navigator.space(), navigator.aspect(), x, y);
+        const auto hit = session.mesh()->tracer->nearest({seen.origin, seen.direction});
+        if (!hit) return std::nullopt;
+        return seen.origin + hit.distance * seen.direction;
+      }),
+      settings(its_settings),
+      screen_(screen),
+      gui_(screen) {
+  look.tone = settings.tone;
+  navigator.set_screen(screen.size());
+  if (!settings.file.empty()) open(settings.file);
+}
+
+void Viewer::say(std::string sentence) {
+  said_ = std::move(sentence);
+  said_left_ = said_seconds;
+}
+
+void Viewer::complain(std::string sentence) {
+  errors_.push_back(sentence);
+  dialogs.push_back(std::move(sentence));
+}
+
+// ---- A scene ----
+
+void Viewer::begin_scene() {
+  scene_ = session.number();
+  has_space_ = has_home_ = false;
+  lit_geometry_ = 0;
+  messages_seen_ = 0;
+  lamps = {};
+  exposure_.forget();
+  inquiry.forget();
+  instruments.forget();
+  screen_.set_title(fmt::format("{} - Luxel", session.title()));
+  if (settings.compare && scene_ == 1) inquiry.compare(*settings.compare);
+}
+
+void Viewer::find_home() {
+  const auto& mesh = session.mesh();
+  if (!has_space_) {
+    const auto& patches = *mesh->patches;
+    navigator.set_space(Space(settings.up.value_or(automatic_up(patches))), box_of(patches));
+    has_space_ = true;
+    lamps = LampBoard(patches);
+    if (settings.eye && settings.target && scene_ == 1) {
+      const Camera camera{.eye = Vec3(*settings.eye - patches.origin),
+                          .target = Vec3(*settings.target - patches.origin),
+                          .vertical_fov = settings.vertical_fov > 0.0f ? settings.vertical_fov : 50.0f};
+      navigator.set_home(pose_of(camera, navigator.space()), false);
+      has_home_ = true;
+    } else if (mesh->scene && !mesh->scene->cameras.empty()) {
+      navigator.set_home(pose_of(mesh->scene->cameras.front(), navigator.space()), false);
+      has_home_ = true;
+    }
+  }
+  if (auto pose = finding_home_.take(); pose && !has_home_) {
+    navigator.set_home(*pose, true);
+    has_home_ = true;
+  }
+  // The view is judged by the first light; where none will come, by the surfaces.
+  const bool has_light_to_judge = session.light() || session.status().is_idle;
+  if (has_home_ || finding_home_.is_busy() || !mesh->tracer || !has_light_to_judge) return;
+  finding_home_.start(
+      [mesh, light = session.light(), space = navigator.space(), aspect = navigator.aspect()] {
+        const Solution nothing;
+        return pose_of(
+            automatic_camera(*mesh->patches, light ? light->solution : nothing, *mesh->tracer, Workers(1),
+                             space.up, std::clamp(aspect, smallest_aspect, largest_aspect)),
+            space);
+      });
+}
+
+void Viewer::update(double seconds) {
+  session.update();
+  for (auto& error : session.take_errors()) complain(std::move(error));
+  if (auto error = inquiry.take_error()) complain(std::move(*error));
+  if (session.number() != scene_) begin_scene();
+  if (!session.has_scene()) return;
+  const auto& messages = session.status().messages;
+  for (; messages_seen_ < messages.size(); ++messages_seen_) say(messages[messages_seen_].text);
+  if (!session.mesh()) return;
+  find_home();
+  ask(seconds);
+}
+
+// What follows from where one looks, and from newer light.
+void Viewer::ask(double seconds) {
+  const auto& mesh = session.mesh();
+  const auto& light = session.light();
+  const float aspect = navigator.aspect();
+  inquiry.look_at(*mesh, light.get(), navigator.pose(), navigator.space(), aspect, navigator.aim());
+  inquiry.update_profile(*mesh, light.get());
+  inquiry.update_difference(light);
+  if (instruments.update(look, mesh, light, inquiry.probe(), inquiry.is_pinned()))
+    painter_.set_marks(instruments.marks());
+  curve_ = exposure_.curve(look.tone, look.automatic_exposure, light.get(), navigator.pose(),
+                           navigator.space(), aspect, seconds);
+  painter_.update(scene_, mesh, light, look, inquiry.difference());
+}
+
+// ---- What a person does ----
+
+void Viewer::handle(const Event& event) {
+  unchanged_frames_ = 0;
+  gui_.handle(event, !navigator.is_flying());
+  switch (event.kind) {
+    case Event::Kind::close:
+      close();
+      return;
+    case Event::Kind::drop:
+      open(event.text);
+      return;
+    case Event::Kind::resize:
+      navigator.set_screen(screen_.size());
+      return;
+    case Event::Kind::key:
+      if (gui_.wants_keys() && event.down) return;
+      if (!navigator.handle(event) && event.down && !event.repeat) handle_key(event.key);
+      return;
+    case Event::Kind::button:
+      // A drag that began on a panel stays there, and one that began on the scene likewise.
+      if (event.down) mouse_is_for_panels_ = !navigator.is_flying() && gui_.wants_mouse();
+      if (mouse_is_for_panels_) return;
+      handle_line(event);
+      if (!line) navigator.handle(event);
+      return;
+    case Event::Kind::move:
+      navigator.handle(event);
+      if (line) line->second = navigator.aim();
+      return;
+    case Event::Kind::wheel:
+      if (!navigator.is_flying() && gui_.wants_mouse()) return;
+      if (!navigator.handle(event))
+        look.tone.exposure = std::clamp(look.tone.exposure + 0.25f * event.at.y, -20.0f, 20.0f);
+      return;
+    default:
+      return;
+  }
+}
+
+void Viewer::toggle_flying() {
+  navigator.set_flying(!navigator.is_flying());
+  screen_.capture_cursor(navigator.is_flying());
+}
+
+bool Viewer::handle_key(Key key) {
+  const auto flip = [](bool& choice) { choice = !choice; };
+  switch (key) {
+    case key::tab:
+      toggle_flying();
+      return true;
+    case key::escape:
+      if (navigator.is_flying()) toggle_flying();
+      look.help = false;
+      inquiry.unpin();
+      inquiry.clear_line();
+      return true;
+    case key::f1:
+      flip(look.help);
+      return true;
+    case key::f12:
+      save_picture(fmt::format("{}.png", session.title()), screen_.pixels());
+      return true;
+    case 'P':
+      flip(look.panel);
+      return true;
+    case 'G':
+      flip(look.wires);
+      return true;
+    case 'N':
+      flip(look.normals);
+      return true;
+    case 'B':
+      flip(look.boxes);
+      return true;
+    case 'R':
+      flip(look.rays);
+      return true;
+    case 'X':
+      flip(look.automatic_exposure);
+      return true;
+    case 'L':
+      look.show = Show::light;
+      return true;
+    case 'I':
+      look.show = Show::irradiance;
+      return true;
+    case 'O':
+      look.show = static_cast<Show>((static_cast<int>(look.show) + 1) % show_count);
+      return true;
+    case 'T':
+      look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % 4);
+      return true;
+    case ' ':
+      if (!session.has_scene()) return false;
+      session.status().is_paused ? session.live().resume() : session.live().pause();
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Shift and drag: a line whose profile is asked for. A click that does not drag pins the probe.
+void Viewer::handle_line(const Event& event) {
+  if (navigator.is_flying() || event.button != MouseButton::left) return;
+  if (event.down && navigator.is_shifted()) {
+    line = {navigator.aim(), navigator.aim()};
+  } else if (!event.down && line) {
+    inquiry.draw_line(navigator.pose(), navigator.space(), navigator.aspect(), line->first, line->second);
+    line.reset();
+  } else if (!event.down && navigator.is_click()) {
+    inquiry.is_pinned() ? inquiry.unpin() : inquiry.pin();
+  }
+}
+
+void Viewer::relight() {
+  if (session.has_scene() && session.mesh()) session.live().relight(lamps.lighting(*session.mesh()->patches));
+}
+
+void Viewer::save_picture(const std::filesystem::path& file, ScreenSize size) {
+  try {
+    write_png(file, painter_.picture(look, viewpoint(), size));
+    say(fmt::format("{} is written, {} x {} pixels", file.string(), size.width, size.height));
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+}
+
+void Viewer::save_solution(const std::filesystem::path& file) {
+  if (session.has_scene()) session.live().save_solution(file);
+}
+
+void Viewer::export_glb(const std::filesystem::path& file) {
+  if (session.has_scene()) session.live().export_glb(file, navigator.space().up, look.tone);
+}
+
+void Viewer::solve_by(const std::string& method) {
+  if (!session.has_scene()) return;
+  auto light = settings.live(session.live().file()).light;
+  light.method = method;
+  session.live().solve(light);
+}
+
+// ---- A frame ----
+
+Viewpoint Viewer::viewpoint() const { return {navigator.pose(), navigator.space(), navigator.box(), curve_}; }
+
+bool Viewer::is_at_rest() const {
+  return is_uploaded_ && exposure_.is_settled() && !navigator.is_moving() && !session.is_busy() &&
+         !inquiry.is_busy() && !instruments.is_busy();
+}
+
+void Viewer::note_changes() {
+  const Shown now{navigator.pose(),      look,
+                  curve_.scale,          session.light() ? session.light()->number : 0,
+                  instruments.version(), screen_.pixels()};
+  if (now == shown_ && is_uploaded_ && !line) {
+    ++unchanged_frames_;
+    return;
+  }
+  shown_ = now;
+  unchanged_frames_ = 0;
+  joined_ = 0;
+}
+
+// Where a processor draws, four samples a pixel take longer than a frame may: there edges are rough while
+// something moves, and afterwards rough pictures are joined, one a frame.
+void Viewer::draw_scene(bool fine) {
+  const bool is_rough = driver_.is_software && !fine;
+  const auto pixels = screen_.pixels();
+  const bool joins = is_rough && unchanged_frames_ > 3;
+  if (joins && joined_ >= shifts) return frame_.show_joined();
+  const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
+  frame_.begin(pixels, painter_.background(curve_), is_rough ? Edges::rough : Edges::sampled);
+  painter_.draw(look, viewpoint(), navigator.aspect(), 4.0f * screen_.text_scale(), tile);
+  frame_.resolve();
+  if (joins) frame_.join(joined_++);
+}
+
+void Viewer::frame(double seconds, bool fine) {
+  frame_seconds_ += 0.1 * (seconds - frame_seconds_);
+  said_left_ -= seconds;
+  if (said_left_ <= 0.0) said_.clear();
+  navigator.advance(seconds);
+  update(seconds);
+  is_uploaded_ = painter_.upload(fine ? 1.0 : upload_seconds);
+  note_changes();
+  draw_scene(fine);
+  gui_.begin(seconds);
+  panel(*this);
+  legend(*this);
+  probe_card(*this);
+  profile_card(*this);
+  key_line(*this);
+  luxel::dialogs(*this);
+  gui_.draw();
+}
+
+}  // namespace luxel

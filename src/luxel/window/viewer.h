@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/window/background.h"
+#include "luxel/window/exposure.h"
+#include "luxel/window/gui.h"
+#include "luxel/window/inquiry.h"
+#include "luxel/window/instruments.h"
+#include "luxel/window/lamp_board.h"
+#include "luxel/window/look.h"
+#include "luxel/window/navigator.h"
+#include "luxel/window/painter.h"
+#include "luxel/window/run_window.h"
+#include "luxel/window/session.h"
+
+namespace luxel {
+
+// The window itself: everything that is in it, and what a frame does. The parts are open to the panels and
+// to scripts, which do what a person could do with them.
+class Viewer {
+ public:
+  // Keeps references.
+  Viewer(Screen& screen, const WindowSettings& settings);
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  void handle(const Event& event);
+  // One frame, and what happens meanwhile in so many seconds. fine: smooth edges whatever they cost.
+  void frame(double seconds, bool fine);
+  // The last frame's pixels.
+  Image snapshot() const { return frame_.read(); }
+
+  // ---- What a person can do ----
+  void open(const std::filesystem::path& file) { session.open(file); }
+  void relight();  // as the lamp board says
+  void save_picture(const std::filesystem::path& file, ScreenSize size);
+  void save_solution(const std::filesystem::path& file);
+  void export_glb(const std::filesystem::path& file);
+  void solve_by(const std::string& method);
+  void toggle_flying();
+  void close() { is_closing_ = true; }
+
+  // ---- What there is to wait for ----
+  bool is_closing() const { return is_closing_; }
+  bool has_view() const { return has_home_; }  // home is known
+  // All that was put out is seen, and nothing moves.
+  bool is_at_rest() const;
+  // Frames may wait for a person: another would be the same.
+  bool may_sleep() const { return unchanged_frames_ > 12; }
+  const std::vector<std::string>& errors() const { return errors_; }  // all there were
+  void say(std::string sentence);                                     // on the screen for a few seconds
+  void complain(std::string sentence);                                // in a dialog
+
+  Session session;
+  Look look;
+  Navigator navigator;
+  Inquiry inquiry;
+  Instruments instruments;
+  LampBoard lamps;
+  const WindowSettings& settings;
+  std::deque<std::string> dialogs;            // errors to be read, the first is shown
+  std::optional<std::pair<Vec2, Vec2>> line;  // being drawn over the screen, [-1, 1]
+  const Painter& painter() const { return painter_; }
+  ScreenSize pixels() const { return screen_.pixels(); }
+  const std::string& said() const { return said_; }
+  double frame_seconds() const { return frame_seconds_; }  // lately
+
+ private:
+  bool handle_key(Key key);
+  void handle_line(const Event& event);
+  void update(double seconds);
+  void begin_scene();
+  void find_home();
+  void ask(double seconds);
+  void draw_scene(bool fine);
+  Viewpoint viewpoint() const;
+  void note_changes();
+
+  Screen& screen_;
+  Driver driver_ = current_driver();
+  Gui gui_;
+  Painter painter_;
+  Frame frame_;
+  Exposure exposure_;
+  ToneCurve curve_;
+  Background<Pose> finding_home_;
+  std::uint64_t scene_ = 0;  // that this is set up for
+  bool has_space_ = false, has_home_ = false, is_closing_ = false, is_uploaded_ = false;
+  std::uint64_t lit_geometry_ = 0;
+  std::vector<std::string> errors_;
+  std::string said_;
+  double said_left_ = 0.0, frame_seconds_ = 0.0;
+  std::size_t messages_seen_ = 0;
+  bool mouse_is_for_panels_ = false;
+
+  // What the last frame showed: while it stays, edges get smoother, and then frames may wait.
+  struct Shown {
+    Pose pose;
+    Look look;
+    float scale = 0.0f;
+    std::uint64_t light = 0, marks = 0;
+    ScreenSize size;
+    bool operator==(const Shown&) const = default;
+  } shown_;
+  int unchanged_frames_ = 0;  // since the scene, the view or an event changed
+  int joined_ = 0;            // rough pictures joined into the one that is seen
+};
+
+}  // namespace luxel
