@@ -28,12 +28,12 @@ void LiveRun::open() {
 }
 
 void LiveRun::open_scene() {
-  auto scene = std::make_shared<const Scene>(load_scene(file_, settings_.load, log(), opening_monitor()));
+  auto scene = std::make_shared<const Scene>(load_scene(file_, settings_.load, log(), closing_monitor()));
   if (scene->triangles.empty()) return;  // closed meanwhile
   auto how = settings_.patches;
   const bool refines = settings_.refine.mesh_error > 0.0;
   if (refines) how.target_count = RefineOptions::coarse_patches;
-  auto patches = make_patches(*scene, how, log(), opening_monitor());
+  auto patches = make_patches(*scene, how, log(), closing_monitor());
   if (patches.size() == 0) return;
   mesh_.scene = scene;
   mesh_.geometry = 1;
@@ -45,7 +45,7 @@ void LiveRun::open_scene() {
       options.light = light_.sampled;
       options.smooth = settings_.smooth;
       RefineReport report;
-      patches = refine_to_light(std::move(patches), options, report, workers_, opening_monitor());
+      patches = refine_to_light(std::move(patches), options, report, workers_, closing_monitor());
       mesh_error_ = report.mesh_error;
       mesh_.geometry = 2;
     }
@@ -105,7 +105,7 @@ LogSink LiveRun::log() {
   };
 }
 
-Monitor LiveRun::opening_monitor() {
+Monitor LiveRun::closing_monitor() {
   return [this](const Progress& progress) {
     const std::lock_guard lock(board_.mutex);
     board_.status.stage = progress.stage;

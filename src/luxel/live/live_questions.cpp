@@ -30,7 +30,7 @@ void LiveRun::answer_questions() {
 void LiveRun::find_faults() {
   if (!mesh_.scene)
     throw InputError(file_.string(), "faults are looked for in a scene's file; this one has no scene");
-  auto report = std::make_shared<const CheckReport>(diagnose(*mesh_.scene, {}, workers_, opening_monitor()));
+  auto report = std::make_shared<const CheckReport>(diagnose(*mesh_.scene, {}, workers_, closing_monitor()));
   const std::lock_guard lock(board_.mutex);
   board_.faults = std::move(report);
 }

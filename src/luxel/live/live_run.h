@@ -65,7 +65,7 @@ class LiveRun {
 
   void begin_stage(const char* stage);
   LogSink log();
-  Monitor opening_monitor();
+  Monitor closing_monitor();
 
   Board& board_;
   std::filesystem::path file_;

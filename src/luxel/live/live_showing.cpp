@@ -99,7 +99,9 @@ bool LiveRun::is_closing() const {
 void LiveRun::know_group_light() {
   if (!samples_ || !samples_->gathered.empty() || !settings_.keeps_transport) return;
   begin_stage("light groups");
-  samples_ = with_group_light(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);
+  auto samples =
+      with_group_light(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_, closing_monitor());
+  if (samples) samples_ = std::move(samples);
 }
 
 // What it came from, and what was changed: as `luxel relight` would be told.
@@ -163,6 +165,7 @@ void LiveRun::relight(const Lighting& lighting) {
     throw InputError(file_.string(),
                      "its light keeps no samples to relight with: solve it by the method sampled");
   know_group_light();
+  if (is_closing()) return;
   begin_stage("relight");
   if (!relighter_)
     relighter_ = std::make_unique<Relighter>(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 256;  // slots a chunk
+constexpr std::size_t grain = 32;  // slots a chunk
 
 }  // namespace
 

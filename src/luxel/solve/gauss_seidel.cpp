@@ -149,7 +149,7 @@ class Acceleration {
 GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<const float> direct,
                                std::span<const float> reflectance, std::span<float> radiosity,
                                std::span<float> irradiance, const GaussSeidelOptions& options,
-                               const Workers& workers) {
+                               const Workers& workers, const Monitor& monitor) {
   const auto bands = transport.bands();
   const auto begins = part_begins(transport.row_begins(), options.parts);
   Acceleration acceleration(options.memory, transport.size() * bands, workers);
@@ -163,6 +163,8 @@ GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<con
                                   begins[part + 1] * bands, workers);
       sweep.difference += change.difference;
       sweep.whole += change.whole;
+      report.is_stopped = tell(monitor, {"light"}) == Next::stop;
+      if (report.is_stopped) return report;
     }
     const auto change = sweep.whole > 0.0 ? sweep.difference / sweep.whole : 0.0;
     report.change.push_back(change);

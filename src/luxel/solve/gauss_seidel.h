@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "luxel/parallel/workers.h"
+#include "luxel/report/progress.h"
 #include "luxel/transport/operator.h"
 
 namespace luxel {
@@ -21,6 +22,7 @@ struct GaussSeidelReport {
   std::vector<double> change;  // of each sweep: sum of |new - old| over sum of |new|
   double distance = 0.0;       // estimated, to the fixed point, over the whole radiosity
   bool converged = false;
+  bool is_stopped = false;  // the monitor said so, amid a sweep
 };
 
 // Solves B = rho (D + F B) by block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one
@@ -31,10 +33,10 @@ struct GaussSeidelReport {
 //
 // direct (D), reflectance (rho), irradiance (out: D + F B): [row][band]. radiosity: the start and the result,
 // [element][band], at least the rows; what stands behind them (sinks) is left alone. Cost: one apply() a
-// sweep; memory: 2 * memory + 2 copies of the rows.
+// sweep; memory: 2 * memory + 2 copies of the rows. The monitor is asked after each part.
 GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<const float> direct,
                                std::span<const float> reflectance, std::span<float> radiosity,
                                std::span<float> irradiance, const GaussSeidelOptions& options,
-                               const Workers& workers);
+                               const Workers& workers, const Monitor& monitor = {});
 
 }  // namespace luxel

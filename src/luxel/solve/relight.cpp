@@ -48,9 +48,10 @@ std::vector<float> sky_radiosity(const PatchSet& patches) {
   return radiosity;
 }
 
+// Nothing where the monitor said stop.
 std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const SampledOperator& transport,
                                              const SampleState& state, std::span<const float> reflectance,
-                                             const Workers& workers) {
+                                             const Workers& workers, const Monitor& monitor = {}) {
   const auto bands = patches.band_count();
   const auto groups = patches.group_count();
   const auto slots = transport.sides().size();
@@ -60,7 +61,11 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
     const bool has_sky = g == sky_index(patches) || (groups == 1 && patches.has_sky());
     auto radiosity = dark_but_for_sky(transport, bands,
                                       has_sky ? sky_radiosity(patches) : std::vector<float>(bands, 0.0f));
-    const auto light = solve_replicates(transport, direct, reflectance, radiosity, tolerance, workers);
+    const auto told = [&](const Progress&) {
+      return tell(monitor, {"light groups", static_cast<double>(g) / static_cast<double>(groups)});
+    };
+    const auto light = solve_replicates(transport, direct, reflectance, radiosity, tolerance, workers, told);
+    if (light.is_stopped) return {};
     for (std::size_t r = 0; r < gathered.size(); ++r)
       workers.for_chunks(slots, grain, [&](std::size_t begin, std::size_t end, int) {
         for (auto s = begin; s < end; ++s)
@@ -86,12 +91,14 @@ std::uint64_t changed_fingerprint(std::uint64_t key, const PatchSet& patches) {
 
 std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
                                                     std::shared_ptr<const SampleState> state,
-                                                    const SampledOptions& options, const Workers& workers) {
+                                                    const SampledOptions& options, const Workers& workers,
+                                                    const Monitor& monitor) {
   Sampling sampling(patches, tracer, options, workers);
   sampling.take_up(*state);
   const SlotLight slots(patches, sampling.tree(), sampling.transport().sides(), false, workers);
   auto more = std::make_shared<SampleState>(*state);
-  more->gathered = solve_groups(patches, sampling.transport(), *state, slots.reflectance(), workers);
+  more->gathered = solve_groups(patches, sampling.transport(), *state, slots.reflectance(), workers, monitor);
+  if (more->gathered.empty()) return nullptr;
   return more;
 }
 

@@ -6,6 +6,7 @@
 
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/sampled.h"
@@ -15,10 +16,11 @@ namespace luxel {
 
 // What each light group's lamps give, once the light is solved for it alone: the part `gathered` of a state.
 // Cost: a solve for each group, some ten look-ups a ray; memory: one number a slot, band, group and
-// replicate. The same bits on any number of threads.
+// replicate. The same bits on any number of threads. Nothing where the monitor said stop.
 std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
                                                     std::shared_ptr<const SampleState> state,
-                                                    const SampledOptions& options, const Workers& workers);
+                                                    const SampledOptions& options, const Workers& workers,
+                                                    const Monitor& monitor = {});
 
 // Lights a scene anew from the samples of a run that kept them, without tracing a ray (but where hits were
 // streamed): what arrives is linear in what lamps emit, and the light of other reflectances is solved from

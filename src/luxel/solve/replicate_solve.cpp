@@ -31,14 +31,16 @@ std::vector<float> mean_of(std::span<const std::vector<float>> values, const Wor
 
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
-                                double tolerance, const Workers& workers) {
+                                double tolerance, const Workers& workers, const Monitor& monitor) {
   const auto count = reflectance.size();
   const auto replicates = static_cast<std::uint32_t>(direct.size());
   const auto mean_direct = mean_of(direct, workers);
   std::vector<float> irradiance(count);
   ReplicateLight light;
   light.iteration = gauss_seidel(transport.all_replicates(), mean_direct, reflectance, radiosity, irradiance,
-                                 {.tolerance = tolerance}, workers);
+                                 {.tolerance = tolerance}, workers, monitor);
+  light.is_stopped = light.iteration.is_stopped;
+  if (light.is_stopped) return light;
   light.gathered.assign(replicates, std::vector<float>(count));
   std::vector<float> own(radiosity.size());
   for (std::uint32_t r = 0; r < replicates; ++r) {
@@ -50,6 +52,8 @@ ReplicateLight solve_replicates(const SampledOperator& transport, std::span<cons
                 [&](std::size_t i) { own[i] = reflectance[i] * (direct[r][i] + gathered[i]); });
       transport.replicate(r).apply(own, gathered, 0, transport.sides().size(), workers);
     }
+    light.is_stopped = tell(monitor, {"light"}) == Next::stop;
+    if (light.is_stopped) return light;
   }
   const auto middle = mean_of(light.gathered, workers);
   for_all(count, workers, [&](std::size_t i) {

@@ -12,6 +12,7 @@ namespace luxel {
 
 // The light that reaches each slot from other surfaces, replicate by replicate.
 struct ReplicateLight {
+  bool is_stopped = false;                   // by the monitor; the rest counts for nothing then
   std::vector<std::vector<float>> gathered;  // [replicate], W/m², [slot * bands + band]
   GaussSeidelReport iteration;
 };
@@ -26,6 +27,6 @@ struct ReplicateLight {
 // same bits on any number of threads. Cost: one look-up a ray for each sweep and for each own bounce.
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
-                                double tolerance, const Workers& workers);
+                                double tolerance, const Workers& workers, const Monitor& monitor = {});
 
 }  // namespace luxel

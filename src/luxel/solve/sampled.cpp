@@ -66,7 +66,7 @@ class Run {
     } else {
       if (!show_first_light()) return finish(StopReason::stopped_by_user);
       sampling_.emplace(patches_, tracer_, options_, workers_);
-      sampling_->start(solution_);
+      if (!sampling_->start(solution_, sampling_monitor())) return finish(StopReason::stopped_by_user);
       prepare();
       begin_iteration();
     }
@@ -77,7 +77,7 @@ class Run {
     }
     while (true) {
       keep_state();
-      answer();
+      if (!answer()) return finish(StopReason::stopped_by_user);
       if (kept_) keeping_.keep(kept_);
       if (is_stopped(tell(monitor_, progress(&solution_)))) return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
@@ -167,11 +167,14 @@ class Run {
 
   // ---- The answer ----
 
-  void answer() {
+  // Returns false, and the last answer stays, if the monitor said stop.
+  bool answer() {
     auto direct =
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
-    auto solved = solve_replicates(sampling_->transport(), direct, light_->reflectance(), radiosity_,
-                                   tolerance, workers_);
+    auto solved =
+        solve_replicates(sampling_->transport(), direct, light_->reflectance(), radiosity_, tolerance,
+                         workers_, [this](const Progress&) { return tell(monitor_, progress(nullptr)); });
+    if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
@@ -195,6 +198,7 @@ class Run {
     report_.predicted_error = error_;
     light_->write(answer_, solution_);
     sign();
+    return true;
   }
 
   // ---- Whether it is good enough, and what would make it better ----

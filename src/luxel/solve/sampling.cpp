@@ -59,17 +59,43 @@ void Sampling::lay_out() {
                   transport_->shares());
 }
 
-void Sampling::start(const Solution& first_picture) {
+bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
+  const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
   lay_out();
   std::vector<std::uint32_t> all(transport_->sides().size());
   std::iota(all.begin(), all.end(), 0u);
   const auto first = first_samples(all.size(), options_.replicates);
-  rays_ += direct_->double_samples(all, first, workers_);
+  if (!take_direct(all, first, monitor)) return false;
   make_room(std::uint64_t{first} * options_.replicates * all.size());
-  rays_ += transport_->double_rays(all, first, workers_).value();
+  const auto traced = transport_->double_rays(all, first, workers_, told);
+  if (!traced) return false;
+  rays_ += *traced;
   leave_out_dark_sides(first_picture);
   check_memory();
   units_ = neighbour_begins(transport_->sides(), unit_positions);
+  return true;
+}
+
+bool Sampling::take_direct(std::span<const std::uint32_t> slots, std::uint32_t first,
+                           const Monitor& monitor) {
+  constexpr std::uint64_t turn_rays = 1 << 19;  // of a thread
+  constexpr std::size_t least_slots = 1 << 7;   // likewise: some chunks of a loop
+  const auto threads = static_cast<std::size_t>(workers_.threads());
+  while (!slots.empty()) {
+    auto count = slots.size();
+    if (!options_.ranks) {  // several ranks meet at the end of each turn: they take one
+      std::uint64_t rays = 0;
+      for (count = 0; count < slots.size() && (rays < turn_rays * threads || count < least_slots * threads);
+           ++count) {
+        const auto so_far = direct_->samples_a_slot()[slots[count]];
+        rays += std::uint64_t{options_.replicates} * (so_far > 0 ? so_far : first);
+      }
+    }
+    rays_ += direct_->double_samples(slots.first(count), first, workers_);
+    slots = slots.subspan(count);
+    if (tell(monitor, {"light", 0.0, rays_}) == Next::stop) return false;
+  }
+  return true;
 }
 
 void Sampling::take_up(const SampleState& state) {
@@ -136,8 +162,7 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
         if (doublings[n + u] > turn) gathered[transport_->rays_a_slot()[s]].push_back(s);
       }
     const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
-    rays_ += direct_->double_samples(direct, 0, workers_);
-    if (told({"light"}) == Next::stop) return false;
+    if (!take_direct(direct, 0, monitor)) return false;
     for (auto& [rays, slots] : gathered) {
       make_room(std::uint64_t{rays} * options_.replicates * slots.size());
       const auto traced = transport_->double_rays(std::move(slots), 0, workers_, told);

@@ -27,8 +27,8 @@ class Sampling {
            const Workers& workers);
 
   // The first samples of every side; then those that no light reaches are left out. first_picture: any light
-  // that is known to arrive somewhere.
-  void start(const Solution& first_picture);
+  // that is known to arrive somewhere. Returns false, and is of no use, if the monitor said stop.
+  bool start(const Solution& first_picture, const Monitor& monitor = {});
   // In place of start(): goes on where another was. Throws MismatchError where the state is not of these
   // patches and options.
   void take_up(const SampleState& state);
@@ -58,6 +58,8 @@ class Sampling {
   void make_room(std::uint64_t more_rays);
   // The samples of all sides: none yet.
   void lay_out();
+  // The monitor is asked a few times a second. Returns false if it said stop.
+  bool take_direct(std::span<const std::uint32_t> slots, std::uint32_t first, const Monitor& monitor);
   void leave_out_dark_sides(const Solution& first_picture);
   std::size_t direct_width() const { return patches_.group_count() * patches_.band_count(); }
 
