@@ -87,8 +87,7 @@ class Relight final : public Command {
     });
     console.clear_bar();
     Baked relit{relighter.patches(), std::move(solution)};
-    relit.patches.light_groups.clear();  // what was kept for each apart is not in the new file
-    for (auto& material : relit.patches.materials) material.light_group = 0;
+    join_light_groups(relit.patches);  // what was kept for each apart is not in the new file
     sign(relit, kept.baked.solution);
     console.say(fmt::format("{} light groups, {} patches, standard error {:.2g} %", patches.group_count(),
                             patches.size(), 100.0 * relit.solution.predicted_error));

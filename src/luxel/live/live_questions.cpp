@@ -95,8 +95,7 @@ void LiveRun::write(const FileOrder& order) {
     export_glb(file, *light->mesh.patches, light->solution, *light->smooth, glb->up, {.tone = glb->tone});
   } else if (light->is_relit) {
     auto patches = *light->mesh.patches;
-    patches.light_groups.clear();  // what was kept for each apart is not in the new file
-    for (auto& material : patches.materials) material.light_group = 0;
+    join_light_groups(patches);  // what was kept for each apart is not in the new file
     write_solution(file, patches, light->solution);
   } else if (light->bounces || !settings_.keeps_transport) {
     write_solution(file, *light->mesh.patches, light->solution);

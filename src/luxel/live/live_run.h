@@ -56,6 +56,7 @@ class LiveRun {
   void begin_bounces();
   void note_unshot(const Solution& light);
   void relight(const Lighting& lighting);
+  void set_lighting(const Lighting& lighting);
   void sign_relit(Solution& relit, const Lighting& lighting) const;
   void know_group_light();
   void show_bounces(std::optional<int> count);
@@ -79,6 +80,7 @@ class LiveRun {
   std::shared_ptr<const LiveLight> own_light_;  // newest of the scene's own lamps and colours
   Lighting lighting_;
   std::unique_ptr<Relighter> relighter_;  // of samples_
+  Lighting relit_;                        // as it is set there
   std::unique_ptr<Bounces> bounces_;      // likewise
   struct Second {
     std::filesystem::path file;

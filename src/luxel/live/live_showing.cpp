@@ -155,6 +155,20 @@ void LiveRun::show_bounces(std::optional<int> count) {
   publish(std::move(light));
 }
 
+// What is empty is as in the scene. Each costs something, so what stays is not set again.
+void LiveRun::set_lighting(const Lighting& lighting) {
+  const auto& patches = *mesh_.patches;
+  auto lamps = lighting.lamps;
+  if (lamps.empty()) lamps.assign(patches.group_count() * patches.band_count(), 1.0f);
+  auto reflectance = lighting.reflectance;
+  if (reflectance.empty())
+    for (const auto& material : patches.materials)
+      reflectance.insert(reflectance.end(), material.reflectance.begin(), material.reflectance.end());
+  if (lamps != relit_.lamps) relighter_->set_lamps(lamps);
+  if (reflectance != relit_.reflectance) relighter_->set_reflectance(reflectance);
+  relit_ = {std::move(lamps), std::move(reflectance)};
+}
+
 void LiveRun::relight(const Lighting& lighting) {
   lighting_ = lighting;
   if (lighting == Lighting{}) {
@@ -167,16 +181,11 @@ void LiveRun::relight(const Lighting& lighting) {
   know_group_light();
   if (is_closing()) return;
   begin_stage("relight");
-  if (!relighter_)
+  if (!relighter_) {
+    relit_ = {};
     relighter_ = std::make_unique<Relighter>(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_);
-  const auto& patches = *mesh_.patches;
-  std::vector<float> own;
-  for (const auto& material : patches.materials)
-    own.insert(own.end(), material.reflectance.begin(), material.reflectance.end());
-  relighter_->set_lamps(!lighting.lamps.empty()
-                            ? lighting.lamps
-                            : std::vector<float>(patches.group_count() * patches.band_count(), 1.0f));
-  relighter_->set_reflectance(!lighting.reflectance.empty() ? lighting.reflectance : own);
+  }
+  set_lighting(lighting);
   auto mesh = mesh_;
   mesh.patches = std::make_shared<const PatchSet>(relighter_->patches());
   auto light = light_of(std::move(mesh), relighter_->light());

@@ -91,4 +91,9 @@ void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules,
         groups.size(), most_light_groups));
 }
 
+void join_light_groups(PatchSet& patches) {
+  patches.light_groups.clear();
+  for (auto& material : patches.materials) material.light_group = 0;
+}
+
 }  // namespace luxel

@@ -27,4 +27,7 @@ inline constexpr const char* sky_group = "sky";  // the name of the sky's own gr
 // for each apart, so memory and the cost of what is summed up grow with them.
 void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules, PatchSet& patches);
 
+// All light is one again: for a file that keeps the light of none apart.
+void join_light_groups(PatchSet& patches);
+
 }  // namespace luxel

@@ -105,6 +105,7 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
 struct Relighter::State {
   PatchSet patches;                           // as they are now
   std::vector<std::vector<float>> emittance;  // [material], in the run
+  std::vector<float> reflectance;             // in the run, [material * bands + band]
   std::vector<float> sky;                     // in the run
   std::uint64_t fingerprint;                  // of the run's scene
   const Workers& workers;
@@ -113,8 +114,7 @@ struct Relighter::State {
   Sampling sampling;
   std::optional<SlotLight> slots;
   std::vector<float> weight;
-  // Of the run's reflectances, [replicate][(slot * groups + group) * bands + band]; empty with others.
-  std::vector<std::vector<float>> gathered;
+  bool reflects_as_in_run = true;  // so that the light the samples know of each group holds
 
   State(PatchSet of_run, const Tracer& tracer, std::shared_ptr<const SampleState> kept,
         const SampledOptions& run_options, const Workers& run_workers)
@@ -126,15 +126,20 @@ struct Relighter::State {
         options(run_options),
         sampling(patches, tracer, run_options, run_workers),
         weight(patches.group_count() * patches.band_count(), 1.0f) {
-    for (const auto& material : patches.materials) emittance.push_back(material.emittance);
+    for (const auto& material : patches.materials) {
+      emittance.push_back(material.emittance);
+      reflectance.insert(reflectance.end(), material.reflectance.begin(), material.reflectance.end());
+    }
     sampling.take_up(*samples);
     look_at_surfaces();
-    gathered = samples->gathered.empty()
-                   ? solve_groups(patches, sampling.transport(), *samples, slots->reflectance(), workers)
-                   : samples->gathered;
+    if (samples->gathered.empty()) {
+      auto more = std::make_shared<SampleState>(*samples);
+      more->gathered = solve_groups(patches, sampling.transport(), *samples, slots->reflectance(), workers);
+      samples = std::move(more);
+    }
     const auto width = sampling.transport().sides().size() * weight.size();
-    for (const auto& light : gathered)
-      if (gathered.size() != samples->replicates || light.size() != width)
+    for (const auto& light : samples->gathered)
+      if (samples->gathered.size() != samples->replicates || light.size() != width)
         throw MismatchError("the kept light of the lamps' groups is not of these patches");
   }
 
@@ -179,7 +184,7 @@ void Relighter::set_reflectance(const std::vector<float>& reflectance) {
   for (std::size_t m = 0; m < s.patches.materials.size(); ++m)
     std::copy_n(&reflectance[m * bands], bands, s.patches.materials[m].reflectance.begin());
   s.look_at_surfaces();
-  s.gathered.clear();
+  s.reflects_as_in_run = reflectance == s.reflectance;
   s.patches.scene_fingerprint = changed_fingerprint(s.fingerprint, s.patches);
 }
 
@@ -189,13 +194,13 @@ Solution Relighter::light() const {
   const auto groups = s.patches.group_count();
   auto direct = sum_of_groups(s.samples->direct, groups, bands, s.weight, s.workers);
   std::vector<std::vector<float>> gathered;
-  if (s.gathered.empty()) {
+  if (!s.reflects_as_in_run) {
     auto radiosity = dark_but_for_sky(s.sampling.transport(), bands, sky_radiosity(s.patches));
     gathered = solve_replicates(s.sampling.transport(), direct, s.slots->reflectance(), radiosity, tolerance,
                                 s.workers)
                    .gathered;
   } else {
-    gathered = sum_of_groups(s.gathered, groups, bands, s.weight, s.workers);
+    gathered = sum_of_groups(s.samples->gathered, groups, bands, s.weight, s.workers);
   }
   const auto answer = s.slots->answer(direct, gathered, s.options.error, s.workers);
   Solution solution;

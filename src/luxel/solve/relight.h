@@ -43,7 +43,8 @@ class Relighter {
   // How much brighter each light group is than in the run, at least 0: [group * bands + band]. Cost at 50,000
   // patches: tens of milliseconds.
   void set_lamps(std::vector<float> weight);
-  // [material * bands + band], in [0, 1). Costs a solve: as many look-ups as there are rays, some ten times.
+  // [material * bands + band], in [0, 1). Costs a solve for each light() from then on: as many look-ups as
+  // there are rays, some ten times. The run's own cost nothing again.
   void set_reflectance(const std::vector<float>& reflectance);
 
   // The light as it is now, with its errors. method, options and command line are the caller's.
