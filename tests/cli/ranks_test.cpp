@@ -48,6 +48,15 @@ TEST_F(Ranks, what_memory_cannot_hold_is_traced_again_by_each_for_its_own_rows) 
   EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf"));
 }
 
+TEST_F(Ranks, shooting_is_shared_too) {
+  const auto folder = fresh_folder("ranks_shooting");
+  const std::string shoot = "$LUXEL bake cornell-box.obj --method shooting --rays 3e5 --threads 1 --quiet ";
+  ASSERT_EQ(cli::run(folder, shoot + "-o one.vtkhdf").code, 0);
+  const auto run = cli::run(folder, mpirun(3) + shoot + "-o many.vtkhdf");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf"));
+}
+
 TEST_F(Ranks, a_rank_that_dies_ends_the_run_and_the_checkpoint_goes_on_with_another_number) {
   const auto folder = fresh_folder("ranks_dead");
   const auto line = bake + "--error 1% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf ";

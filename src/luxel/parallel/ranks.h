@@ -40,6 +40,13 @@ std::vector<T> of_all(const Ranks& ranks, const T& own) {
   return all;
 }
 
+// What the first rank has, in all; without ranks, one's own.
+template <typename T>
+T agreed(const Ranks* ranks, T own) {
+  if (ranks) ranks->from_first(std::as_writable_bytes(std::span<T>(&own, 1)));
+  return own;
+}
+
 // The lists of all ranks, one after the other.
 template <typename T>
 std::vector<T> joined(const Ranks& ranks, const std::vector<T>& own) {

@@ -274,12 +274,7 @@ class Run {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
   // That of the first rank, for decisions.
-  double agreed_elapsed() const { return agreed(elapsed()); }
-  template <typename T>
-  T agreed(T value) const {
-    if (ranks_) ranks_->from_first(std::as_writable_bytes(std::span<T>(&value, 1)));
-    return value;
-  }
+  double agreed_elapsed() const { return agreed(ranks_, elapsed()); }
 
   // Ranks must stop together: between answers, when the first one was asked to.
   Monitor monitor_of(const Monitor& monitor) {
@@ -289,7 +284,7 @@ class Run {
       return Next::go_on;
     };
   }
-  bool is_stopped(Next next) const { return agreed(next == Next::stop || stop_asked_); }
+  bool is_stopped(Next next) const { return agreed(ranks_, next == Next::stop || stop_asked_); }
   std::uint64_t rays() const { return first_rays_ + (sampling_ ? sampling_->rays() : 0); }
 
   // ---- What the caller hears ----

@@ -81,9 +81,10 @@ class Iteration {
 
   // The light of all bounces so far.
   Next show(Solution& solution, const Monitor& monitor) {
-    if (!options_.shows_bounces || !monitor) return Next::go_on;
+    if (!options_.shows_bounces || !monitor) return agreed(options_.ranks, Next::go_on);
     fill(solution);
-    return monitor({"light", 1.0 - report_.unshot_share, report_.rays, report_.predicted_error, &solution});
+    return agreed(options_.ranks, monitor({"light", 1.0 - report_.unshot_share, report_.rays,
+                                           report_.predicted_error, &solution}));
   }
 
   // One bounce. Returns the share of it that was done before the monitor said stop.

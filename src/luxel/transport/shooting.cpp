@@ -181,9 +181,7 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
     traced += count;
     ++done;
     const auto share = static_cast<double>(done) / static_cast<double>(batches);
-    std::array stops = {tell(monitor, {"light", share, traced}) == Next::stop};
-    if (ranks) ranks->from_first(std::as_writable_bytes(std::span(stops)));
-    if (stops[0]) break;
+    if (agreed(ranks, tell(monitor, {"light", share, traced})) == Next::stop) break;
   }
 
   Arrival arrival;
