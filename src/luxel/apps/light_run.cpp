@@ -51,6 +51,10 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     auto result =
         solve(baked, tracer, faces, steps.watch(record_.watch_for_light(console_.monitor())), keeping);
     stage.rays = result.rays;
+    if (ranks) {
+      result.ranks = ranks->size();
+      result.traffic = ranks->traffic();
+    }
     return result;
   });
   report_light(baked, solved);

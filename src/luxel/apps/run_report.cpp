@@ -139,6 +139,10 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
     json["streamed"] = report.streamed;
     json["predicted_memory_bytes"] = report.memory;
   }
+  if (report.ranks > 1)
+    json["ranks"] = {{"count", report.ranks},
+                     {"received_bytes", report.traffic.bytes},
+                     {"waited_seconds", report.traffic.seconds}};
   const auto& e = report.energy;
   json["power_W"] = {{"emitted", e.emitted}, {"from_sky", e.from_sky},           {"absorbed", e.absorbed},
                      {"escaped", e.escaped}, {"lost_at_backs", e.lost_at_backs}, {"unshot", e.unshot}};
@@ -286,6 +290,10 @@ std::string describe(const SolveReport& report) {
       "%\n",
       done, sum(e.emitted), from_sky > 0.0 ? fmt::format(" + from the sky {:.4g} W", from_sky) : "",
       percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
+  if (report.ranks > 1)
+    text +=
+        fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
+                    report.ranks, 1e-6 * static_cast<double>(report.traffic.bytes), report.traffic.seconds);
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", stop_name(report.stop),
                             quality(report.error_kind, report.predicted_error, report.error_95th,

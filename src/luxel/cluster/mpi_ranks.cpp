@@ -2,6 +2,7 @@
 #include "luxel/cluster/mpi_ranks.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <vector>
 
@@ -37,10 +38,12 @@ class MpiRanks final : public Ranks {
 
   std::size_t rank() const override { return rank_; }
   std::size_t size() const override { return size_; }
+  RankTraffic traffic() const override { return traffic_; }
 
   void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
                   std::span<const std::size_t> sizes) const override {
     const auto places = begins(sizes);
+    const Wait wait(*this, places.back() - own.size());
     if (places.back() <= largest_message) {
       const std::vector<int> counts(sizes.begin(), sizes.end());
       const std::vector<int> offsets(places.begin(), places.end() - 1);
@@ -58,11 +61,13 @@ class MpiRanks final : public Ranks {
   void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
                        std::span<const std::size_t> sizes) const override {
     if (rank_ > 0) {
+      const Wait wait(*this, 0);
       for (std::size_t i = 0; i < own.size(); i += largest_message)
         MPI_Send(own.data() + i, length(own.size(), i), MPI_BYTE, 0, 0, MPI_COMM_WORLD);
       return;
     }
     const auto places = begins(sizes);
+    const Wait wait(*this, places.back() - own.size());
     std::copy(own.begin(), own.end(), all.begin());
     for (std::size_t r = 1; r < size_; ++r)
       for (std::size_t i = 0; i < sizes[r]; i += largest_message)
@@ -70,10 +75,16 @@ class MpiRanks final : public Ranks {
                  MPI_COMM_WORLD, MPI_STATUS_IGNORE);
   }
 
-  void from_first(std::span<std::byte> bytes) const override { broadcast(bytes, 0); }
+  void from_first(std::span<std::byte> bytes) const override {
+    const Wait wait(*this, rank_ == 0 ? 0 : bytes.size());
+    broadcast(bytes, 0);
+  }
 
   void exchange(std::span<const std::span<const std::byte>> own,
                 std::span<const std::span<std::byte>> come) const override {
+    std::size_t bytes = 0;
+    for (const auto& part : come) bytes += part.size();
+    const Wait wait(*this, bytes - come[rank_].size());
     std::vector<MPI_Request> requests;
     for (std::size_t r = 0; r < size_; ++r) {
       for (std::size_t i = 0; i < come[r].size(); i += largest_message)
@@ -87,6 +98,23 @@ class MpiRanks final : public Ranks {
   }
 
  private:
+  // While there is one, the rank is waiting.
+  class Wait {
+   public:
+    Wait(const MpiRanks& ranks, std::size_t bytes_come) : traffic_(ranks.traffic_) {
+      traffic_.bytes += bytes_come;
+    }
+    ~Wait() {
+      traffic_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+    Wait(const Wait&) = delete;
+    Wait& operator=(const Wait&) = delete;
+
+   private:
+    RankTraffic& traffic_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  };
+
   static std::vector<std::size_t> begins(std::span<const std::size_t> sizes) {
     std::vector<std::size_t> places = {0};
     for (const auto size : sizes) places.push_back(places.back() + size);
@@ -102,6 +130,7 @@ class MpiRanks final : public Ranks {
 
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
+  mutable RankTraffic traffic_;
 };
 
 }  // namespace

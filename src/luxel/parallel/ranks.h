@@ -3,11 +3,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
 
 namespace luxel {
+
+// What a rank has got from the others so far, and how long it has waited for them and for it.
+struct RankTraffic {
+  std::uint64_t bytes = 0;
+  double seconds = 0.0;
+};
 
 // Processes that solve one scene together. Each holds the scene and takes the same decisions; rows are shared
 // out, and what one of them finds becomes known to all. Every call is made by all ranks, in the same order,
@@ -17,6 +24,7 @@ class Ranks {
   virtual ~Ranks() = default;
   virtual std::size_t rank() const = 0;
   virtual std::size_t size() const = 0;
+  virtual RankTraffic traffic() const { return {}; }  // where it is measured
 
   // What each rank gives, one after the other: sizes[r] bytes from rank r. The same in all ranks.
   virtual void all_gather(std::span<const std::byte> own, std::span<std::byte> all,

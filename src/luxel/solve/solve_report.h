@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/parallel/ranks.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/energy.h"
 
@@ -47,6 +48,8 @@ struct SolveReport {
   bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory
   std::uint64_t memory = 0;       // bytes the process was predicted to hold at its peak; 0: not predicted
   std::uint64_t dark_sides = 0;   // sides that no light reaches, as far as their first rays could tell
+  std::size_t ranks = 1;          // processes that shared the work
+  RankTraffic traffic;            // of this one
 };
 
 }  // namespace luxel

@@ -11,10 +11,11 @@ constexpr double good_enough = 1.01;   // and where it ends
 
 }  // namespace
 
-RowShares::RowShares(const Ranks* ranks, std::uint32_t positions_a_block, std::size_t positions)
+RowShares::RowShares(const Ranks* ranks, std::uint32_t positions_a_block,
+                     std::span<const std::uint32_t> positions)
     : ranks_(ranks && ranks->size() > 1 ? ranks : nullptr), positions_a_block_(positions_a_block) {
-  if (!ranks_) return;
-  owners_.resize(positions / positions_a_block + 1);
+  if (!ranks_ || positions.empty()) return;
+  owners_.resize(block_of(*std::max_element(positions.begin(), positions.end())) + 1);
   for (std::size_t b = 0; b < owners_.size(); ++b)
     owners_[b] = static_cast<std::uint32_t>(b % ranks_->size());
 }

@@ -16,8 +16,8 @@ namespace luxel {
 // ranks, all rows are mine and nothing is exchanged.
 class RowShares {
  public:
-  // positions: how many there are.
-  RowShares(const Ranks* ranks, std::uint32_t positions_a_block, std::size_t positions);
+  // positions: of all rows there will ever be.
+  RowShares(const Ranks* ranks, std::uint32_t positions_a_block, std::span<const std::uint32_t> positions);
 
   const Ranks* ranks() const { return ranks_; }
   std::size_t block_of(std::uint32_t position) const { return position / positions_a_block_; }

@@ -55,7 +55,7 @@ SampledOperator::SampledOperator(const PatchSet& patches, GatherSides sides, con
       tracer_(tracer),
       sides_(std::move(sides)),
       options_(options),
-      shares_(options.ranks, gather_block_positions, patches.size()),
+      shares_(options.ranks, gather_block_positions, sides_.position),
       block_begins_(neighbour_begins(sides_, gather_block_positions)),
       rays_a_slot_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
