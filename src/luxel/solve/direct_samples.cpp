@@ -34,7 +34,7 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
       const auto before = samples_[s];
       samples_[s] += more;
       ++doublings_[s];
-      if (!shares_.is_mine(sides_->position[s])) continue;
+      if (!shares_.is_dealt_to_me(i / grain)) continue;
       const auto share = static_cast<float>(more) / static_cast<float>(before + more);
       traced[begin / grain] +=
           light_.estimate(sides_->side[s], sides_->position[s], doublings_[s] - 1, more, estimate);
@@ -46,9 +46,9 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
     }
   });
   for (auto& mean : mean_)
-    shares_.share(
+    shares_.share_of(
         std::span(mean), width_, slots.size(), [&](std::size_t i) { return slots[i]; },
-        [&](std::size_t i) { return sides_->position[slots[i]]; });
+        [&](std::size_t i) { return shares_.dealt(i / grain); });
   const auto own = std::accumulate(traced.begin(), traced.end(), std::uint64_t{0});
   if (!shares_.ranks()) return own;
   const auto of_ranks = of_all(*shares_.ranks(), own);

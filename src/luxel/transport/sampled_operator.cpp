@@ -14,6 +14,8 @@
 namespace luxel {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::size_t rows_a_job = 4 * GatherRays::most_rows;
 constexpr std::size_t fetch_ahead = 16;           // hits
 constexpr std::size_t cached_numbers = 1u << 18;  // radiosities that stay near the processor: 1 MiB
@@ -128,7 +130,7 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
   const auto level = doublings_[slots[0]];
   const auto whole = std::uint64_t{options_.replicates} * per_replicate * slots.size();
   balance(slots);
-  const auto begin_time = std::chrono::steady_clock::now();
+  const auto begin_time = Clock::now();
   auto round = make_round({level, per_replicate, mine(slots), nullptr});
   if (!is_streamed_) {
     make_room(round);
@@ -138,23 +140,26 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
     const auto jobs_a_group = (rows + rows_a_job - 1) / rows_a_job;
     const auto jobs = (groups.size() - 1) * jobs_a_group;
     const auto turn = 32 * static_cast<std::size_t>(workers.threads());
+    std::vector<double> seconds(jobs);
     for (std::size_t from = 0; from < jobs; from += turn) {
       const auto to = std::min(jobs, from + turn);
       workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
         std::vector<std::uint32_t*> places(options_.replicates);
         for (auto job = from + begin; job < from + end; ++job) {
+          const auto job_begin = Clock::now();
           const auto* group = &groups[job / jobs_a_group];
           const auto row = job % jobs_a_group * rows_a_job;
           for (std::uint32_t r = 0; r < options_.replicates; ++r) places[r] = round.hits_of(r, group[0]);
           trace(round, std::span(round.slots).subspan(group[0], group[1] - group[0]), row,
                 std::min(rows, row + rows_a_job), places);
+          seconds[job] = std::chrono::duration<double>(Clock::now() - job_begin).count();
         }
       });
       const auto share = static_cast<double>(to) / static_cast<double>(jobs);
       const auto rays = static_cast<std::uint64_t>(share * static_cast<double>(whole));
       if (tell(monitor, {"light", share, rays}) == Next::stop) return {};
     }
-    learn_pace(round, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_time).count());
+    learn_pace(round, groups, seconds, std::chrono::duration<double>(Clock::now() - begin_time).count());
   }
   count(slots, per_replicate);
   rounds_.push_back(std::move(round));

@@ -135,7 +135,9 @@ class SampledOperator {
   // Gives rows away, or gets some, where that lets all ranks be done with such a round at once.
   void balance(std::span<const std::uint32_t> slots);
   void move_rows(std::vector<std::uint32_t> owners);
-  void learn_pace(const Round& own, double seconds);
+  // Of a round of its own that took so long: what each job did. groups: places of slots, [group + 1].
+  void learn_pace(const Round& own, std::span<const std::uint32_t> groups,
+                  std::span<const double> job_seconds, double seconds);
   // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
   // where the samples of the first slot go.
   void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
@@ -165,10 +167,8 @@ class SampledOperator {
   GatherSides sides_;
   SampledOperatorOptions options_;
   RowShares shares_;
-  struct Pace {
-    double rays = 0.0;  // of one replicate
-    double seconds = 0.0;
-  } pace_;  // of this rank
+  double busy_threads_ = 0.0;           // of this rank, mean, in its last round; 0: not known
+  std::vector<double> seconds_a_slot_;  // [block of shares_]: for one ray a replicate, as its owner measured
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
   std::vector<std::uint32_t> rays_a_slot_, doublings_;

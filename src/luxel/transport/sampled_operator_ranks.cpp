@@ -60,24 +60,38 @@ SampledOperator::Round SampledOperator::own_part(const Round& whole) const {
   return own;
 }
 
-// Older rounds count for less: they are small, and machines change.
-void SampledOperator::learn_pace(const Round& own, double seconds) {
+void SampledOperator::learn_pace(const Round& own, std::span<const std::uint32_t> groups,
+                                 std::span<const double> job_seconds, double seconds) {
   if (!shares_.ranks()) return;
-  pace_.rays =
-      0.5 * pace_.rays + static_cast<double>(own.per_replicate) * static_cast<double>(own.slots.size());
-  pace_.seconds = 0.5 * pace_.seconds + seconds;
+  const auto jobs_a_group = groups.size() > 1 ? job_seconds.size() / (groups.size() - 1) : 0;
+  double busy = 0.0;
+  std::vector<double> cost(shares_.owners().size(), 0.0), slots(cost.size(), 0.0);
+  for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
+    double whole = 0.0;
+    for (std::size_t j = 0; j < jobs_a_group; ++j) whole += job_seconds[g * jobs_a_group + j];
+    busy += whole;
+    for (auto i = groups[g]; i < groups[g + 1]; ++i) {
+      const auto block = shares_.block_of(sides_.position[own.slots[i]]);
+      cost[block] += whole / (groups[g + 1] - groups[g]);
+      slots[block] += 1.0;
+    }
+  }
+  if (!(busy > 0.0 && seconds > 0.0)) return;
+  busy_threads_ = busy / seconds;
+  seconds_a_slot_.resize(cost.size(), 0.0);
+  for (std::size_t b = 0; b < cost.size(); ++b)
+    if (slots[b] > 0.0) seconds_a_slot_[b] = cost[b] / (slots[b] * own.per_replicate);
 }
 
 void SampledOperator::balance(std::span<const std::uint32_t> slots) {
   if (!shares_.ranks()) return;
-  const auto paces = of_all(*shares_.ranks(), is_streamed_ ? Pace{} : pace_);
-  std::vector<double> speed;
-  for (const auto& pace : paces) {
-    if (!(pace.rays > 0.0 && pace.seconds > 0.0)) return;
-    speed.push_back(pace.rays / pace.seconds);
-  }
+  const auto speed = of_all(*shares_.ranks(), is_streamed_ ? 0.0 : busy_threads_);
+  if (*std::min_element(speed.begin(), speed.end()) <= 0.0) return;
   std::vector<double> load(shares_.owners().size(), 0.0);
   for (const auto s : slots) load[shares_.block_of(sides_.position[s])] += 1.0;
+  seconds_a_slot_.resize(load.size(), 0.0);
+  shares_.share_blocks(std::span(seconds_a_slot_));
+  for (std::size_t b = 0; b < load.size(); ++b) load[b] *= seconds_a_slot_[b];
   auto owners = balanced_owners(shares_.owners(), load, speed);
   if (owners != shares_.owners()) move_rows(std::move(owners));
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "luxel/random/address.h"
@@ -34,23 +33,15 @@ std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t pla
   return all;
 }
 
-// Those of all ranks together. Counters are integers: their sums have no order.
-Deposits::Sums of_all_ranks(Deposits::Sums own, std::size_t bands, const Ranks* ranks) {
+// What was added in all ranks together. Counters are integers: their sums have no order.
+Deposits::Sums take(Deposits& deposits, std::size_t bands, const Ranks* ranks, const Workers& workers) {
+  auto own = deposits.take(workers);
   if (!ranks) return own;
   const auto places = joined(*ranks, own.place);
   const auto sums = joined(*ranks, own.sum);
-  std::vector<std::size_t> order(places.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
-  Deposits::Sums all;
-  for (const auto e : order) {
-    if (all.place.empty() || all.place.back() != places[e]) {
-      all.place.push_back(places[e]);
-      all.sum.resize(all.sum.size() + bands, 0);
-    }
-    for (std::size_t b = 0; b < bands; ++b) all.sum[all.sum.size() - bands + b] += sums[e * bands + b];
-  }
-  return all;
+  for (std::size_t e = 0; e < places.size(); ++e)
+    deposits.add(0, places[e], std::span(sums).subspan(e * bands, bands));
+  return deposits.take(workers);
 }
 
 // Sends the rays of a chunk in blocks: first all of a block are made, then traced, then delivered. Every
@@ -186,12 +177,12 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
 
   Arrival arrival;
   arrival.scale = plan.scale;
-  const auto take = [&](Deposits& from) { return of_all_ranks(from.take(workers_), bands, ranks); };
-  auto arrived = take(arrived_);
+  const auto take_from = [&](Deposits& deposits) { return take(deposits, bands, ranks, workers_); };
+  auto arrived = take_from(arrived_);
   arrival.side = std::move(arrived.place);
   arrival.arrived = std::move(arrived.sum);
-  arrival.absorbed = spread_out(take(absorbed_), patches_.materials.size(), bands);
-  const auto whole = spread_out(take(whole_), whole_places, bands);
+  arrival.absorbed = spread_out(take_from(absorbed_), patches_.materials.size(), bands);
+  const auto whole = spread_out(take_from(whole_), whole_places, bands);
   const auto part = [&](Place place) {
     const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(place * bands);
     return std::vector<std::int64_t>(begin, begin + static_cast<std::ptrdiff_t>(bands));
