@@ -2,6 +2,7 @@
 // A scene that is solved in its own thread, as a window would use it.
 #include "luxel/live/live_scene.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -209,6 +210,26 @@ TEST(LiveScene, relights_in_proportion_and_back) {
   live.relight({});
   ASSERT_TRUE(wait_for_idle(live));
   EXPECT_EQ(front(live.light()), front(own));
+}
+
+TEST(LiveScene, relights_while_it_solves) {
+  LiveScene live(cornell, endless());
+  ASSERT_TRUE(wait_until([&] { return !live.status().history.empty(); }));
+  Lighting dark;
+  dark.lamps.assign(live.mesh()->patches->group_count() * 3, 0.0f);
+  live.relight(dark);
+  ASSERT_TRUE(wait_until([&] { return live.light()->is_relit; }));
+  EXPECT_FALSE(live.status().is_idle);
+  for (const auto H : front(live.light())) EXPECT_EQ(H, 0.0f);
+  const auto first = live.light()->number;
+  ASSERT_TRUE(wait_until([&] { return live.light()->number > first; }));
+  EXPECT_TRUE(live.light()->is_relit) << "the next answer is dark too";
+  live.relight({});
+  live.stop();
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_FALSE(live.light()->is_relit);
+  const auto& H = front(live.light());
+  EXPECT_GT(*std::max_element(H.begin(), H.end()), 0.0f);
 }
 
 TEST(LiveScene, opens_a_solution_and_relights_it_without_a_solve) {

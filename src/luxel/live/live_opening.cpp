@@ -72,7 +72,8 @@ void LiveRun::open_solution() {
   {
     const std::lock_guard lock(board_.mutex);
     board_.current = light_;
-    board_.status.method = solution.provenance.method;
+    board_.status.method = settings_.options_of ? light_.method : solution.provenance.method;
+    if (board_.status.method == LightOptions::by_sampling) board_.status.error_asked = light_.sampled.error;
     board_.status.error = solution.predicted_error;
     board_.status.rays = solution.provenance.rays;
     board_.status.stop = solution.stop;

@@ -54,15 +54,16 @@ void LiveRun::go() {
     if (!board_.solve && !board_.stops) board_.solve = SolveOrder{light_};
   }
   while (wait_for_orders()) {
-    while (const auto order = next_solve()) attempt([&] { solve(*order); });
-    std::optional<Lighting> lighting;
+    while (const auto order = next_solve()) {
+      attempt([&] { solve(*order); });
+      is_solving_ = false;  // it may have thrown
+    }
     std::optional<std::optional<int>> bounces;
     {
       const std::lock_guard lock(board_.mutex);
-      lighting = std::exchange(board_.lighting, {});
       bounces = std::exchange(board_.bounces, {});
     }
-    if (lighting) attempt([&] { relight(*lighting); });
+    take_lighting();
     if (bounces) attempt([&] { show_bounces(*bounces); });
     answer_questions();
   }
@@ -127,7 +128,11 @@ void LiveRun::solve(const SolveOrder& order) {
   const bool is_sampled = light_.method == LightOptions::by_sampling;
   SampleKeeping keeping;
   if (goes_on_with_samples(light_)) keeping.from = samples_;
-  if (is_sampled) keeping.keep = [this](auto state) { samples_ = std::move(state); };
+  if (is_sampled)
+    keeping.keep = [this](auto state) {
+      samples_ = std::move(state);
+      relighter_.reset();
+    };
   sampled_ = light_.sampled;
   if (!keeping.from) samples_.reset();
   relighter_.reset();
@@ -153,6 +158,7 @@ void LiveRun::solve(const SolveOrder& order) {
   Solution solution;
   solution.mesh_error = mesh_error_;
   if (settings_.sign) settings_.sign(solution.provenance, light_);
+  is_solving_ = true;
   const auto monitor = [this](const Progress& progress) { return watch(progress); };
   const auto report = [&] {
     try {
@@ -161,6 +167,7 @@ void LiveRun::solve(const SolveOrder& order) {
       throw InputError(file_.string(), error.what());  // it has no light; the solver knows no file
     }
   }();
+  is_solving_ = false;
   pace_.hold();
   bool is_interrupted = false;
   {
@@ -186,10 +193,14 @@ Next LiveRun::watch(const Progress& progress) {
   }
   if (progress.light != nullptr) {
     note_unshot(*progress.light);
-    if (lighting_ == Lighting{}) show(*progress.light, false);
+    if (lighting_ == Lighting{})
+      show(*progress.light, false);
+    else if (samples_)
+      attempt([&] { relight(lighting_); });
     ++step_;
   }
   pace_.hold();
+  if (samples_) take_lighting();
   answer_questions();
   std::unique_lock lock(board_.mutex);
   if (progress.light != nullptr && board_.is_stepping) board_.status.is_paused = board_.is_paused = true;
@@ -197,6 +208,7 @@ Next LiveRun::watch(const Progress& progress) {
     board_.status.rays_per_second = 0.0;
     board_.changed.wait(lock);
     lock.unlock();
+    if (samples_) take_lighting();
     answer_questions();
     lock.lock();
   }

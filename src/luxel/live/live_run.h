@@ -55,6 +55,7 @@ class LiveRun {
   bool goes_by_bounces() const;
   void begin_bounces();
   void note_unshot(const Solution& light);
+  void take_lighting();
   void relight(const Lighting& lighting);
   void set_lighting(const Lighting& lighting);
   void sign_relit(Solution& relit, const Lighting& lighting) const;
@@ -88,6 +89,7 @@ class LiveRun {
   };
   std::optional<Second> second_;  // solution, to compare with
   double mesh_error_ = 0.0;
+  bool is_solving_ = false;
 
   // Of the newest picture, and what it has more than the one before, W/m²; empty where light does not go by
   // bounces.

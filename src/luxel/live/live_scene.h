@@ -68,8 +68,10 @@ class LiveScene {
 
   // ---- The light ----
 
-  // Other lamps and colours, without a ray: of the newest samples, once no solve is under way. The last word
-  // counts. It stays said: light that is solved later is relit too.
+  // Other lamps and colours, without a ray: of the newest samples, for which a sampled solve that is under
+  // way waits. The last word counts. It stays said: each answer of a sampled solve is relit too. Light of
+  // another method is the scene's own. Cost: as that of Relighter; where a solve goes on, that of each
+  // group's light an answer.
   void relight(const Lighting& lighting);
 
   // The light after so many bounces, at least 0, of the newest samples and without a ray (see Bounces): the

@@ -169,6 +169,15 @@ void LiveRun::set_lighting(const Lighting& lighting) {
   relit_ = {std::move(lamps), std::move(reflectance)};
 }
 
+void LiveRun::take_lighting() {
+  std::optional<Lighting> lighting;
+  {
+    const std::lock_guard lock(board_.mutex);
+    lighting = std::exchange(board_.lighting, {});
+  }
+  if (lighting) attempt([&] { relight(*lighting); });
+}
+
 void LiveRun::relight(const Lighting& lighting) {
   lighting_ = lighting;
   if (lighting == Lighting{}) {
@@ -190,7 +199,8 @@ void LiveRun::relight(const Lighting& lighting) {
   mesh.patches = std::make_shared<const PatchSet>(relighter_->patches());
   auto light = light_of(std::move(mesh), relighter_->light());
   sign_relit(light.solution, lighting);
-  light.is_relit = light.is_last = true;
+  light.is_relit = true;
+  light.is_last = !is_solving_;
   publish(std::move(light));
 }
 
