@@ -36,6 +36,7 @@ constexpr Section sections[] = {
     {"load", "load_to_files", load_to_files},
     {"mesh", "error_against_patches", error_against_patches},
     {"relight", "relighting", changed_lamps_and_colours},
+    {"view", "frames_while_solving", frames_while_solving},
     {"ranks", "ranks_against_threads", processes_against_threads},
 };
 

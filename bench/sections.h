@@ -30,6 +30,7 @@ Json reconstruction(const Settings& settings);             // the drawn field ag
 Json load_to_files(const Settings& settings);              // all steps but the light
 Json changed_lamps_and_colours(const Settings& settings);  // relighting
 Json processes_against_threads(const Settings& settings);  // mpirun
+Json frames_while_solving(const Settings& settings);       // the window's frames, 95th and 99th percentile
 Json error_against_patches(const Settings& settings);      // patches of one size, and where light needs them
 
 }  // namespace luxel::bench

@@ -118,7 +118,7 @@ class Card : public testing::Test {
     surfaces_->set_mesh(patches_);
   }
 
-  Image draw(SurfaceView view, Edges edges = Edges::sampled) {
+  Image draw(SurfaceView view, EdgeSmoothing edges = EdgeSmoothing::sampled) {
     while (!surfaces_->upload(1.0)) {
     }
     const Pose pose{.eye = Vec3(0.0f, -1.0f, 0.0f)};
@@ -165,7 +165,7 @@ TEST_F(Card, every_tone_curve_gives_the_codes_that_the_processor_gives) {
 TEST_F(Card, rough_edges_change_no_colour) {
   surfaces_->set_light(patches_, light_, VertexValue::radiance);
   const ToneCurve curve{{.op = ToneOperator::clamp}, 0.1f};
-  expect_near(draw({.paint = Paint::light, .tone = curve}, Edges::rough), 20, curve(Vec3(0.8f * 5.0f / pi)));
+  expect_near(draw({.paint = Paint::light, .tone = curve}, EdgeSmoothing::rough), 20, curve(Vec3(0.8f * 5.0f / pi)));
 }
 
 TEST_F(Card, false_colours_are_those_of_the_legend) {
@@ -202,7 +202,7 @@ TEST_F(Card, rough_pictures_joined_have_smooth_edges) {
   marks.set(some);
   const Pose pose{.eye = Vec3(0.0f, -1.0f, 0.0f)};
   for (int shift = 0; shift < shifts; ++shift) {
-    frame.begin(size, Vec3(0.0f), Edges::rough);
+    frame.begin(size, Vec3(0.0f), EdgeSmoothing::rough);
     marks.draw(projection(pose, z_up, {Vec3(-1, 0, -1), Vec3(1, 0, 1)}, 2.0f, shifted_tile(shift, size)),
                1.0f, false);
     frame.resolve();

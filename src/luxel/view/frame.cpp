@@ -73,7 +73,7 @@ struct Frame::State {
   GlFramebuffer resolved, mean_frame;
   GlVertexArray nothing;
   GlProgram copy{cover_shader, copy_shader};
-  Edges edges = Edges::sampled;
+  EdgeSmoothing edges = EdgeSmoothing::sampled;
 
   void resize(ScreenSize to);
   void resize_sampled(ScreenSize to);
@@ -120,12 +120,12 @@ void Frame::State::cover(const GlTexture& with, float strength) const {
 Frame::Frame() : state_(std::make_unique<State>()) {}
 Frame::~Frame() = default;
 
-void Frame::begin(ScreenSize size, const Vec3& background, Edges edges) {
+void Frame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges) {
   auto& s = *state_;
   if (size != s.size) s.resize(size);
-  if (edges == Edges::sampled && size != s.sampled.size) s.resize_sampled(size);
+  if (edges == EdgeSmoothing::sampled && size != s.sampled.size) s.resize_sampled(size);
   s.edges = edges;
-  glBindFramebuffer(GL_FRAMEBUFFER, (edges == Edges::sampled ? s.sampled.frame : s.resolved).name());
+  glBindFramebuffer(GL_FRAMEBUFFER, (edges == EdgeSmoothing::sampled ? s.sampled.frame : s.resolved).name());
   glViewport(0, 0, size.width, size.height);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glEnable(GL_MULTISAMPLE);
@@ -137,7 +137,7 @@ void Frame::begin(ScreenSize size, const Vec3& background, Edges edges) {
 
 void Frame::resolve() {
   const auto& s = *state_;
-  if (s.edges == Edges::sampled) {
+  if (s.edges == EdgeSmoothing::sampled) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, s.sampled.frame.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, s.resolved.name());
     glBlitFramebuffer(0, 0, s.size.width, s.size.height, 0, 0, s.size.width, s.size.height,

@@ -10,7 +10,7 @@
 namespace luxel {
 
 // How edges become smooth.
-enum class Edges {
+enum class EdgeSmoothing {
   sampled,  // four samples a pixel, where the driver has them
   rough     // one: a fifth of the time where a processor draws
 };
@@ -26,7 +26,7 @@ class Frame {
 
   // Makes it ready to be drawn into, at this size (pixels), filled with a colour (linear, [0, 1]). Memory is
   // kept while the size stays. Throws DeviceError where the driver has none of this size.
-  void begin(ScreenSize size, const Vec3& background, Edges edges);
+  void begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges);
   // Samples become pixels. What is drawn from here on (panels) writes sRGB codes as they are, one sample a
   // pixel. Leaves the pixels as the current read framebuffer, for Screen::present().
   void resolve();

@@ -56,11 +56,11 @@ void files_section(Viewer& viewer) {
   if (line("solution", solution)) viewer.save_solution(solution.text.data());
   if (line("GLB", model)) viewer.export_glb(model.text.data());
   if (line("compare", other)) {
-    viewer.inquiry.compare(other.text.data());
+    viewer.compare(other.text.data());
     viewer.look.show = Show::difference;
   }
-  if (!viewer.inquiry.compared_with().empty())
-    ImGui::TextDisabled("beside %s", viewer.inquiry.compared_with().filename().string().c_str());
+  if (!viewer.compared_with().empty())
+    ImGui::TextDisabled("beside %s", viewer.compared_with().filename().string().c_str());
 }
 
 }  // namespace luxel

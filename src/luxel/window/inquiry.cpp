@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/window/inquiry.h"
 
-#include <exception>
-#include <utility>
-
-#include "luxel/reference/compare.h"
-
 namespace luxel {
 namespace {
 
@@ -22,8 +17,6 @@ void Inquiry::forget() {
   pinned_.reset();
   probe_.reset();
   clear_line();
-  compared_with_.clear();
-  difference_.reset();
 }
 
 void Inquiry::look_at(const LiveMesh& mesh, const LiveLight* light, const Pose& pose, const Space& space,
@@ -51,31 +44,5 @@ void Inquiry::update_profile(const LiveMesh& mesh, const LiveLight* light) {
   profile_ = luxel::profile(mesh, light, sights_);
   profiled_light_ = number;
 }
-
-void Inquiry::update_difference(const std::shared_ptr<const LiveLight>& light) {
-  if (auto done = comparing_.take()) {
-    difference_ = done->shares;
-    if (!done->error.empty()) {
-      error_ = done->error;
-      compared_with_.clear();
-    }
-  }
-  if (compared_with_.empty() || !light || comparing_.is_busy() || compared_light_ == light->number) return;
-  compared_light_ = light->number;
-  comparing_.start([light, file = compared_with_]() -> Compared {
-    try {
-      const auto other = read_solution(file);
-      // How far the light that is shown is from the other one, as a share of the other.
-      const Baked own{*light->mesh.patches, light->solution};
-      auto shares = relative_differences(other, own);
-      for (auto& share : shares) share *= 100.0f;
-      return {std::make_shared<const std::vector<float>>(std::move(shares)), {}};
-    } catch (const std::exception& error) {
-      return {nullptr, error.what()};
-    }
-  });
-}
-
-std::optional<std::string> Inquiry::take_error() { return std::exchange(error_, std::nullopt); }
 
 }  // namespace luxel

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "luxel/live/probe.h"
 #include "luxel/view/pose.h"
-#include "luxel/window/background.h"
 
 namespace luxel {
 
-// What a person asks the light: what is under the cursor, along a line, and how far another solution is from
-// it.
+// What a person asks the light: what is under the cursor, and along a line.
 class Inquiry {
  public:
   // Another scene: nothing is asked any more.
@@ -36,33 +31,13 @@ class Inquiry {
   void update_profile(const LiveMesh& mesh, const LiveLight* light);
   const std::vector<ProfilePoint>& profile() const { return profile_; }
 
-  // Reads a second solution, and compares the light with it whenever there is a newer one. What goes wrong
-  // becomes a sentence.
-  void compare(const std::filesystem::path& file) { compared_with_ = file, compared_light_ = 0; }
-  void update_difference(const std::shared_ptr<const LiveLight>& light);
-  const std::shared_ptr<const std::vector<float>>& difference() const { return difference_; }
-  const std::filesystem::path& compared_with() const { return compared_with_; }
-  std::optional<std::string> take_error();
-  bool is_busy() const { return comparing_.is_busy(); }
-
  private:
-  struct Compared {
-    std::shared_ptr<const std::vector<float>> shares;
-    std::string error;
-  };
-
   std::optional<Ray> pinned_;
   Ray last_{};
   std::optional<Probe> probe_;
   std::vector<Ray> sights_;
   std::uint64_t profiled_light_ = 0;
   std::vector<ProfilePoint> profile_;
-
-  std::filesystem::path compared_with_;
-  std::uint64_t compared_light_ = 0;
-  Background<Compared> comparing_;
-  std::shared_ptr<const std::vector<float>> difference_;
-  std::optional<std::string> error_;
 };
 
 }  // namespace luxel

@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "luxel/live/sample_rays.h"
 #include "luxel/live/tree_boxes.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::size_t most_normals = 100'000, most_boxes = 20'000;
+constexpr std::size_t most_normals = 100'000, most_boxes = 20'000, most_rays = 256;
 const Vec3 normal_colour(0.05f, 0.55f, 0.75f), outline_colour(1.0f, 0.75f, 0.05f);
+const Vec3 gather_colour(0.9f, 0.35f, 0.05f), lost_colour(0.25f, 0.3f, 0.5f);
+const Vec3 seen_colour(1.0f, 0.9f, 0.2f), blocked_colour(0.75f, 0.03f, 0.05f);
 
 void add_normals(const PatchSet& patches, Marks& marks) {
   const auto step = patches.size() / most_normals + 1;
@@ -22,6 +24,7 @@ void add_normals(const PatchSet& patches, Marks& marks) {
   }
 }
 
+// Neighbours get different colours.
 void add_boxes(const std::vector<Bounds>& boxes, Marks& marks) {
   const auto count = std::min(boxes.size(), most_boxes);
   for (std::size_t i = 0; i < count; ++i) {
@@ -35,50 +38,82 @@ void add_outline(const PatchSet& patches, std::size_t patch, Marks& marks) {
   for (std::size_t i = 0; i < 3; ++i) marks.add_segment(points[i], points[(i + 1) % 3], outline_colour);
 }
 
+// Rays that ask what other surfaces send, to what they hit; those that leave the scene are cut short.
+void add_gather_rays(const LiveLight& light, const Probe& probe, float size, Marks& marks) {
+  for (const auto& ray : gather_rays(light, probe.patch, probe.back, most_rays)) {
+    const bool hits = static_cast<bool>(ray.hit);
+    const auto end = ray.from + (hits ? ray.hit.distance : 0.3f * size) * ray.direction;
+    marks.add_segment(ray.from, end, hits ? gather_colour : lost_colour);
+    if (hits) marks.add_point(end, gather_colour);
+  }
+}
+
+void add_direct_rays(const LiveLight& light, const Probe& probe, Marks& marks) {
+  for (const auto& ray : direct_rays(light, probe.patch, probe.back, most_rays)) {
+    const auto& colour = ray.seen ? seen_colour : blocked_colour;
+    marks.add_segment(ray.from, ray.to, colour);
+    marks.add_point(ray.to, colour);
+  }
+}
+
+// Triangles and edges in the colours that `luxel check` gives their kinds.
+void add_faults(const Scene& scene, const CheckReport& report, Marks& marks) {
+  for (const auto& finding : report.findings) {
+    const auto ink = colour(finding.kind).linear;
+    for (const auto& edge : finding.edges) marks.add_segment(edge[0], edge[1], ink);
+    for (const auto triangle : finding.triangles) {
+      const auto& corners = scene.triangles[triangle];
+      for (std::size_t i = 0; i < 3; ++i)
+        marks.add_segment(scene.positions[corners[i]], scene.positions[corners[(i + 1) % 3]], ink);
+    }
+  }
+}
+
+float size_of(const PatchSet& patches) {
+  Bounds box;
+  for (const auto& vertex : patches.vertices) box.add(vertex);
+  return glm::length(box.size());
+}
+
 }  // namespace
 
 void Instruments::forget() {
-  boxes_.reset();
   made_ = {};
   marks_ = {};
   ++version_;
 }
 
-void Instruments::find_boxes(const LiveMesh& mesh) {
-  if (auto done = finding_boxes_.take(); done && (*done)->of == mesh.patches) boxes_ = *done;
-  if (boxes_ || finding_boxes_.is_busy()) return;
-  finding_boxes_.start([patches = mesh.patches] {
-    return std::make_shared<const Boxes>(
-        Boxes{patches, tree_boxes(*patches, make_patch_tree(*patches, Workers(1)))});
-  });
-}
-
 bool Instruments::update(const Look& look, const std::shared_ptr<const LiveMesh>& mesh,
-                         const std::shared_ptr<const LiveLight>& light, const std::optional<Probe>& probe,
-                         bool is_pinned) {
+                         const std::shared_ptr<const LiveLight>& light, const Inquiry& inquiry,
+                         const std::shared_ptr<const CheckReport>& faults) {
   if (!mesh) return false;
-  if (look.boxes) find_boxes(*mesh);
-  const bool has_side = probe && (is_pinned || look.rays || look.samples);
+  const auto& probe = inquiry.probe();
+  const bool asks_rays = look.rays || look.samples;
+  const bool has_side = probe && (inquiry.is_pinned() || asks_rays);
   const Made wanted{
       look.normals,
-      look.boxes,
+      look.boxes && mesh->tree,
       look.rays,
       look.samples,
       look.box_level,
-      look.rays || look.samples ? (light ? light->number : 0) : 0,
+      asks_rays && light ? light->number : 0,
       mesh->patches.get(),
-      boxes_.get(),
-      has_side ? std::optional<std::uint64_t>(2ull * probe->patch + probe->back) : std::nullopt};
+      look.faults ? faults.get() : nullptr,
+      has_side ? std::optional<std::uint64_t>(2ull * probe->patch + (probe->back ? 1 : 0)) : std::nullopt};
   if (wanted == made_) return false;
   made_ = wanted;
   marks_ = {};
   ++version_;
   const auto& patches = *mesh->patches;
-  if (look.normals) add_normals(patches, marks_);
-  if (look.boxes && boxes_ && !boxes_->levels.empty())
-    add_boxes(boxes_->levels[std::min(static_cast<std::size_t>(look.box_level), boxes_->levels.size() - 1)],
-              marks_);
+  if (wanted.normals) add_normals(patches, marks_);
+  if (wanted.boxes) {
+    const auto levels = tree_boxes(patches, *mesh->tree);
+    add_boxes(levels[std::min(static_cast<std::size_t>(look.box_level), levels.size() - 1)], marks_);
+  }
   if (has_side) add_outline(patches, probe->patch, marks_);
+  if (has_side && light && look.rays) add_gather_rays(*light, *probe, size_of(patches), marks_);
+  if (has_side && light && look.samples) add_direct_rays(*light, *probe, marks_);
+  if (wanted.faults != nullptr && mesh->scene) add_faults(*mesh->scene, *faults, marks_);
   return true;
 }
 

@@ -59,7 +59,7 @@ void look_section(Viewer& viewer) {
   show_choice(look);
   if (look.show == Show::light) tone_choice(look);
   if (viewer.painter().scale()) scale_choice(viewer, look);
-  if (look.show == Show::difference && viewer.inquiry.compared_with().empty())
+  if (look.show == Show::difference && viewer.compared_with().empty())
     ImGui::TextWrapped("There is no second solution yet: see Files.");
 }
 

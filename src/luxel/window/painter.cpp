@@ -42,7 +42,7 @@ ValueScale chosen_scale(const Look& look, bool logarithmic, ColourMap map) {
 
 void Painter::update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
                      const std::shared_ptr<const LiveLight>& light, const Look& look,
-                     const std::shared_ptr<const std::vector<float>>& difference) {
+                     const std::shared_ptr<const LiveDifference>& difference) {
   mesh_ = mesh;
   light_ = light;
   if (!mesh_) return;
@@ -72,8 +72,7 @@ void Painter::update_light(const Look& look) {
   vertex_value_ = what;
 }
 
-void Painter::update_side_values(const Look& look,
-                                 const std::shared_ptr<const std::vector<float>>& difference) {
+void Painter::update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference) {
   if (auto done = values_.take()) {
     side_values_ = *done;
     if (side_values_->empty()) side_values_.reset();
@@ -163,7 +162,7 @@ Image Painter::picture(const Look& look, const Viewpoint& from, ScreenSize size)
       const auto y = [&](int pixel) {
         return 1.0f - 2.0f * static_cast<float>(pixel) / static_cast<float>(size.height);
       };
-      frame.begin(piece, background(from.tone), Edges::sampled);
+      frame.begin(piece, background(from.tone), EdgeSmoothing::sampled);
       draw(look, from, aspect, 4.0f, {x(left), x(left + piece.width), y(top + piece.height), y(top)});
       frame.resolve();
       const auto part = frame.read();

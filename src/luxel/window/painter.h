@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "luxel/image/image.h"
+#include "luxel/live/live_answers.h"
 #include "luxel/live/live_state.h"
 #include "luxel/view/frame.h"
 #include "luxel/view/lines.h"
@@ -27,10 +28,10 @@ struct Viewpoint {
 // Brings what is looked at to the graphics card, as it was chosen to be seen, and draws it.
 class Painter {
  public:
-  // scene: its number; another one is another scene. difference: of a second solution, [side], or null.
+  // scene: its number; another one is another scene. difference: from a second solution, or null.
   void update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
               const std::shared_ptr<const LiveLight>& light, const Look& look,
-              const std::shared_ptr<const std::vector<float>>& difference);
+              const std::shared_ptr<const LiveDifference>& difference);
   // For about so many seconds. True where everything is there and shown.
   bool upload(double seconds);
 
@@ -45,7 +46,7 @@ class Painter {
 
  private:
   void update_light(const Look& look);
-  void update_side_values(const Look& look, const std::shared_ptr<const std::vector<float>>& difference);
+  void update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference);
   void update_scale(const Look& look);
   Paint paint(const Look& look) const;
 

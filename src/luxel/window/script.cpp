@@ -18,7 +18,7 @@ struct Verb {
   std::string_view usage;
 };
 constexpr Verb verbs[] = {
-    {"wait", 1, 2, "wait mesh|light|view|finished|idle, wait N frames, or wait N seconds"},
+    {"wait", 1, 2, "wait mesh|light|view|finished|error, wait N frames, or wait N seconds"},
     {"key", 1, 1, "key KEY"},
     {"hold", 2, 2, "hold KEY SECONDS"},
     {"down", 1, 1, "down KEY"},
@@ -42,6 +42,7 @@ constexpr Verb verbs[] = {
     {"save", 1, 99, "save FILE"},
     {"method", 1, 1, "method NAME"},
     {"error", 1, 1, "error SHARE"},
+    {"bounces", 1, 1, "bounces COUNT|all"},
     {"pause", 0, 0, "pause"},
     {"resume", 0, 0, "resume"},
     {"stop", 0, 0, "stop"},

@@ -142,7 +142,7 @@ void ScriptPlayer::wait(const Words& words) {
     waits_ = [=, &session] { return session.light() != nullptr || is_over(); };
   } else if (words[1] == "view") {
     waits_ = [=, this] { return (viewer_.has_view() && !viewer_.navigator.is_moving()) || is_over(); };
-  } else if (words[1] == "finished" || words[1] == "idle") {
+  } else if (words[1] == "finished") {
     waits_ = [=, this] { return (viewer_.has_view() && viewer_.is_at_rest()) || is_over(); };
   } else if (words[1] == "error") {
     waits_ = [this] { return !viewer_.errors().empty(); };
@@ -243,7 +243,7 @@ void ScriptPlayer::act(const ScriptAction& action) {
   if (verb == "set") return viewer_.look.set(words[1], words[2]);
   if (verb == "lamp") return change_lamp(words);
   if (verb == "paint") return paint(words);
-  if (verb == "compare") return viewer_.inquiry.compare(rest(words, 1));
+  if (verb == "compare") return viewer_.compare(rest(words, 1));
   if (verb == "snapshot") return write_png(rest(words, 1), viewer_.snapshot());
   if (verb == "picture")
     return viewer_.save_picture(rest(words, 3), {whole("a width", words[1]), whole("a height", words[2])});
@@ -251,6 +251,8 @@ void ScriptPlayer::act(const ScriptAction& action) {
     const auto file = rest(words, 1);
     return file.ends_with(".glb") ? viewer_.export_glb(file) : viewer_.save_solution(file);
   }
+  if (verb == "bounces")
+    return viewer_.show_bounces(words[1] == "all" ? std::nullopt : std::optional(whole("bounces", words[1])));
   if (verb == "expect") return expect(words);
   if (verb == "method") return viewer_.solve_by(words[1]);
   if (verb == "error")

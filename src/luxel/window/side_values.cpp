@@ -20,6 +20,11 @@ std::vector<float> on_both_sides(const Values& values) {
   return sides;
 }
 
+std::vector<float> per_cent(std::vector<float> shares) {
+  for (auto& share : shares) share *= 100.0f;
+  return shares;
+}
+
 // Of [patch][band] arrays, W/m² or lux; nothing at the back of a one-sided material.
 std::vector<float> band_values(const PatchSet& patches, bool lux, const std::vector<float>& front,
                                const std::vector<float>& back) {
@@ -41,14 +46,14 @@ std::vector<float> band_values(const PatchSet& patches, bool lux, const std::vec
 }  // namespace
 
 std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const LiveLight* light,
-                               const std::vector<float>* difference) {
+                               const LiveDifference* difference) {
   switch (show) {
     case Show::patch_size:
       return on_both_sides(patch_sizes(patches));
     case Show::level:
       return on_both_sides(patch_levels(patches));
     case Show::difference:
-      return difference == nullptr ? std::vector<float>() : *difference;
+      return difference == nullptr ? std::vector<float>() : per_cent(difference->relative);
     case Show::standard_error:
       if (light == nullptr) return {};
       return band_values(patches, lux, light->solution.standard_error_front,

@@ -4,16 +4,17 @@
 #include <memory>
 #include <vector>
 
+#include "luxel/live/live_answers.h"
 #include "luxel/live/live_state.h"
 #include "luxel/window/look.h"
 
 namespace luxel {
 
 // What surfaces show that is one number a patch side: [2 * patch + 1 for the back]. NaN where there is none.
-// light: may be null where the number is of the mesh alone. difference: of a second solution, or null.
+// light: may be null where the number is of the mesh alone. difference: from a second solution, or null.
 // Empty where nothing is known. Cost: linear.
 std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const LiveLight* light,
-                               const std::vector<float>* difference);
+                               const LiveDifference* difference);
 
 // Whether the numbers change with the light.
 bool is_of_light(Show show);

@@ -57,14 +57,17 @@ void Viewer::complain(std::string sentence) {
 void Viewer::begin_scene() {
   scene_ = session.number();
   has_space_ = has_home_ = false;
-  lit_geometry_ = 0;
   messages_seen_ = 0;
   lamps = {};
+  bounces.reset();
+  faults_.reset();
+  asked_faults_ = false;
+  compared_with_.clear();
   exposure_.forget();
   inquiry.forget();
   instruments.forget();
   screen_.set_title(fmt::format("{} - Luxel", session.title()));
-  if (settings.compare && scene_ == 1) inquiry.compare(*settings.compare);
+  if (settings.compare && scene_ == 1) compare(*settings.compare);
 }
 
 void Viewer::find_home() {
@@ -73,7 +76,6 @@ void Viewer::find_home() {
     const auto& patches = *mesh->patches;
     navigator.set_space(Space(settings.up.value_or(automatic_up(patches))), box_of(patches));
     has_space_ = true;
-    lamps = LampBoard(patches);
     if (settings.eye && settings.target && scene_ == 1) {
       const Camera camera{.eye = Vec3(*settings.eye - patches.origin),
                           .target = Vec3(*settings.target - patches.origin),
@@ -105,12 +107,16 @@ void Viewer::find_home() {
 void Viewer::update(double seconds) {
   session.update();
   for (auto& error : session.take_errors()) complain(std::move(error));
-  if (auto error = inquiry.take_error()) complain(std::move(*error));
   if (session.number() != scene_) begin_scene();
   if (!session.has_scene()) return;
   const auto& messages = session.status().messages;
   for (; messages_seen_ < messages.size(); ++messages_seen_) say(messages[messages_seen_].text);
   if (!session.mesh()) return;
+  // The patches that are lit come after those of the grey preview.
+  if (const auto& patches = session.mesh()->patches; patches != patches_) {
+    patches_ = patches;
+    lamps = LampBoard(*patches);
+  }
   find_home();
   ask(seconds);
 }
@@ -122,12 +128,15 @@ void Viewer::ask(double seconds) {
   const float aspect = navigator.aspect();
   inquiry.look_at(*mesh, light.get(), navigator.pose(), navigator.space(), aspect, navigator.aim());
   inquiry.update_profile(*mesh, light.get());
-  inquiry.update_difference(light);
-  if (instruments.update(look, mesh, light, inquiry.probe(), inquiry.is_pinned()))
-    painter_.set_marks(instruments.marks());
+  if (look.faults && !faults_) {
+    if (!asked_faults_) session.live().ask_faults();
+    asked_faults_ = true;
+    faults_ = session.live().faults();
+  }
+  if (instruments.update(look, mesh, light, inquiry, faults_)) painter_.set_marks(instruments.marks());
   curve_ = exposure_.curve(look.tone, look.automatic_exposure, light.get(), navigator.pose(),
                            navigator.space(), aspect, seconds);
-  painter_.update(scene_, mesh, light, look, inquiry.difference());
+  painter_.update(scene_, mesh, light, look, session.live().difference());
 }
 
 // ---- What a person does ----
@@ -258,6 +267,18 @@ void Viewer::save_picture(const std::filesystem::path& file, ScreenSize size) {
   }
 }
 
+void Viewer::compare(const std::filesystem::path& file) {
+  if (!session.has_scene()) return;
+  compared_with_ = file;
+  session.live().compare_with(file);
+}
+
+void Viewer::show_bounces(std::optional<int> count) {
+  if (!session.has_scene()) return;
+  bounces = count;
+  session.live().show_bounces(count);
+}
+
 void Viewer::save_solution(const std::filesystem::path& file) {
   if (session.has_scene()) session.live().save_solution(file);
 }
@@ -278,8 +299,7 @@ void Viewer::solve_by(const std::string& method) {
 Viewpoint Viewer::viewpoint() const { return {navigator.pose(), navigator.space(), navigator.box(), curve_}; }
 
 bool Viewer::is_at_rest() const {
-  return is_uploaded_ && exposure_.is_settled() && !navigator.is_moving() && !session.is_busy() &&
-         !inquiry.is_busy() && !instruments.is_busy();
+  return is_uploaded_ && exposure_.is_settled() && !navigator.is_moving() && !session.is_busy();
 }
 
 void Viewer::note_changes() {
@@ -303,7 +323,7 @@ void Viewer::draw_scene(bool fine) {
   const bool joins = is_rough && unchanged_frames_ > 3;
   if (joins && joined_ >= shifts) return frame_.show_joined();
   const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
-  frame_.begin(pixels, painter_.background(curve_), is_rough ? Edges::rough : Edges::sampled);
+  frame_.begin(pixels, painter_.background(curve_), is_rough ? EdgeSmoothing::rough : EdgeSmoothing::sampled);
   painter_.draw(look, viewpoint(), navigator.aspect(), 4.0f * screen_.text_scale(), tile);
   frame_.resolve();
   if (joins) frame_.join(joined_++);

@@ -43,6 +43,8 @@ class Viewer {
   void save_solution(const std::filesystem::path& file);
   void export_glb(const std::filesystem::path& file);
   void solve_by(const std::string& method);
+  void compare(const std::filesystem::path& file);  // the light with a second solution
+  void show_bounces(std::optional<int> count);      // the light after so many; nothing: all of it
   void toggle_flying();
   void close() { is_closing_ = true; }
 
@@ -63,13 +65,16 @@ class Viewer {
   Inquiry inquiry;
   Instruments instruments;
   LampBoard lamps;
+  std::optional<int> bounces;  // that are shown
   const WindowSettings& settings;
   std::deque<std::string> dialogs;            // errors to be read, the first is shown
   std::optional<std::pair<Vec2, Vec2>> line;  // being drawn over the screen, [-1, 1]
   const Painter& painter() const { return painter_; }
   ScreenSize pixels() const { return screen_.pixels(); }
   const std::string& said() const { return said_; }
-  double frame_seconds() const { return frame_seconds_; }  // lately
+  const std::filesystem::path& compared_with() const { return compared_with_; }
+  const std::shared_ptr<const CheckReport>& faults() const { return faults_; }  // null: not known yet
+  double frame_seconds() const { return frame_seconds_; }                       // lately
 
  private:
   bool handle_key(Key key);
@@ -92,8 +97,11 @@ class Viewer {
   Background<Pose> finding_home_;
   std::uint64_t scene_ = 0;  // that this is set up for
   bool has_space_ = false, has_home_ = false, is_closing_ = false, is_uploaded_ = false;
-  std::uint64_t lit_geometry_ = 0;
+  std::shared_ptr<const PatchSet> patches_;  // that the lamp board is of
   std::vector<std::string> errors_;
+  std::shared_ptr<const CheckReport> faults_;
+  bool asked_faults_ = false;
+  std::filesystem::path compared_with_;
   std::string said_;
   double said_left_ = 0.0, frame_seconds_ = 0.0;
   std::size_t messages_seen_ = 0;
