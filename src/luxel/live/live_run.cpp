@@ -179,6 +179,8 @@ void LiveRun::solve(const SolveOrder& order) {
   }
   if (is_interrupted) return;
   show(std::move(solution), true);
+  know_group_light();  // so that what is saved has it, and the first change of a lamp is as quick as the
+                       // others
   if (lighting_ == Lighting{}) return;
   if (samples_) return relight(lighting_);
   lighting_ = {};

@@ -99,8 +99,12 @@ bool LiveRun::is_closing() const {
 void LiveRun::know_group_light() {
   if (!samples_ || !samples_->gathered.empty() || !settings_.keeps_transport) return;
   begin_stage("light groups");
-  auto samples =
-      with_group_light(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_, closing_monitor());
+  const auto monitor = [this](const Progress& progress) {
+    const std::lock_guard lock(board_.mutex);
+    board_.status.done = progress.done;
+    return board_.closes || board_.solve || board_.error ? Next::stop : Next::go_on;
+  };
+  auto samples = with_group_light(*mesh_.patches, *mesh_.tracer, samples_, sampled_, workers_, monitor);
   if (samples) samples_ = std::move(samples);
 }
 
