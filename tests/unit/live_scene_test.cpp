@@ -282,6 +282,31 @@ TEST(LiveScene, shows_each_bounce_with_what_it_leaves_to_the_next) {
   EXPECT_EQ(live.status().stop, StopReason::converged);
 }
 
+TEST(LiveScene, dims_lamps_together_where_there_are_too_many_kinds) {
+  const auto obj = fresh("lamps.obj");
+  std::ofstream mtl(place("lamps.mtl"));
+  std::ofstream file(obj);
+  file << "mtllib luxel-live-lamps.mtl\nv 0 0 0\nv 80 0 0\nv 80 0 1\nusemtl floor\nf 1 3 2\n";
+  mtl << "newmtl floor\nKd 0.5 0.5 0.5\n";
+  for (int i = 0; i < 70; ++i) {
+    mtl << "newmtl lamp" << i << "\nKd 0 0 0\nKe 1 1 1\n";
+    file << "v " << i << " 1 0\nv " << i + 1 << " 1 0\nv " << i << " 1 1\nusemtl lamp" << i
+         << "\nf -3 -2 -1\n";
+  }
+  mtl.close();
+  file.close();
+  auto settings = coarse();
+  settings.patches.max_edge = no_max_edge;
+  LiveScene live(obj, settings);
+  ASSERT_TRUE(wait_for_idle(live));
+  EXPECT_EQ(live.status().error_message, "");
+  EXPECT_EQ(live.mesh()->patches->group_count(), 1u);
+  const auto messages = live.status().messages;
+  EXPECT_TRUE(std::any_of(messages.begin(), messages.end(), [](const Message& m) {
+    return m.text.find("all lamps are dimmed together") != std::string::npos;
+  }));
+}
+
 TEST(LiveScene, changes_its_method) {
   LiveScene live(cornell, endless());
   ASSERT_TRUE(wait_until([&] { return !live.status().history.empty(); }));

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fmt/format.h>
+
 #include "luxel/live/live_run.h"
 #include "luxel/load/load_scene.h"
 #include "luxel/patch/uncut_faces.h"
@@ -49,14 +51,25 @@ void LiveRun::open_scene() {
       mesh_error_ = report.mesh_error;
       mesh_.geometry = 2;
     }
-    if (settings_.keeps_transport || !settings_.groups.empty())
-      set_light_groups(*scene, settings_.groups, patches);
+    group_lamps(*scene, patches);
   } catch (const InputError& error) {
     throw InputError(file_.string(), error.what());
   }
   mesh_.patches = std::make_shared<const PatchSet>(std::move(patches));
   if (settings_.joins_faces) light_.dense.face = uncut_faces(*scene, *mesh_.patches);
-  build_tracer();
+  if (!is_closing()) build_tracer();
+}
+
+// Where nobody said which lamps belong together, too many of them are no reason to show nothing.
+void LiveRun::group_lamps(const Scene& scene, PatchSet& patches) {
+  if (!settings_.keeps_transport && settings_.groups.empty()) return;
+  try {
+    set_light_groups(scene, settings_.groups, patches);
+  } catch (const InputError& error) {
+    if (!settings_.groups.empty()) throw;
+    join_light_groups(patches);
+    warn(log(), fmt::format("all lamps are dimmed together: {}", error.what()));
+  }
 }
 
 void LiveRun::open_solution() {

@@ -31,6 +31,7 @@ class LiveRun {
   // ---- The file ----
   void open();
   void open_scene();
+  void group_lamps(const Scene& scene, PatchSet& patches);
   void open_solution();
   void build_tracer();
   void show_mesh();
