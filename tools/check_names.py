@@ -48,22 +48,22 @@ def stamp_of(entry, files, rules):
     return stamp.hexdigest()
 
 
-def check(entry, build):
+def check(entry):
     """clang-tidy's complaints about one file, empty if there are none. -w: warnings are the compiler's business."""
-    done = subprocess.run([TIDY, "--quiet", "-p", build, "--extra-arg=-w", entry["file"]],
+    done = subprocess.run([TIDY, "--quiet", "--extra-arg=-w", entry["file"], "--", *flags_of(entry)],
                           capture_output=True, text=True, check=False)
     return "" if done.returncode == 0 else done.stdout or done.stderr
 
 
 def flags_of(entry):
-    """The compiler's flags, without what names the file and its output."""
+    """The compiler's flags, without what names the file and its output, or headers that it has compiled."""
     words = shlex.split(entry["command"])
     first = next(i for i, word in enumerate(words) if word.startswith("-"))
     flags, skip = [], False
     for word in words[first:]:
-        if not skip and word not in ("-c", "-o", "-MT", "-MF", "-MD", entry["file"]):
+        if not skip and word not in ("-c", "-o", "-MT", "-MF", "-MD", "-include", "-Winvalid-pch", entry["file"]):
             flags.append(word)
-        skip = word in ("-o", "-MT", "-MF")
+        skip = word in ("-o", "-MT", "-MF", "-include")
     return tuple(flags)
 
 
@@ -102,7 +102,7 @@ def check_unit(unit, number, build):
         os.remove(path)
         if done.returncode == 0:
             return [""] * len(unit)
-    return [check(entry, build) for entry, _ in unit]
+    return [check(entry) for entry, _ in unit]
 
 
 def jobs_to_do(root, build):
