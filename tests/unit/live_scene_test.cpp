@@ -107,6 +107,20 @@ const std::vector<float>& front(const std::shared_ptr<const LiveLight>& light) {
   return light->solution.irradiance_front;
 }
 
+// What waits to be sent on, of what lamps emit.
+double unshot_share(const LiveLight& light) {
+  const auto& patches = *light.mesh.patches;
+  double unshot = 0.0;
+  double emitted = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t b = 0; b < 3; ++b) {
+      const double area = patches.area[p];
+      unshot += area * (light.unshot_front[3 * p + b] + light.unshot_back[3 * p + b]);
+      emitted += area * patches.material_of(p).emittance[b];
+    }
+  return unshot / emitted;
+}
+
 TEST(LiveScene, may_be_held_at_any_time_and_gives_the_same_light) {
   auto settings = coarse();
   settings.light.sampled.error = 0.02;
@@ -267,16 +281,7 @@ TEST(LiveScene, shows_each_bounce_with_what_it_leaves_to_the_next) {
     ASSERT_TRUE(wait_until([&] { return live.status().is_paused || live.status().is_idle; }));
     if (live.status().is_idle) break;
     const auto light = live.light();
-    const auto& patches = *light->mesh.patches;
-    double unshot = 0.0;
-    double emitted = 0.0;
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      for (std::size_t b = 0; b < 3; ++b) {
-        const double area = patches.area[p];
-        unshot += area * (light->unshot_front[3 * p + b] + light->unshot_back[3 * p + b]);
-        emitted += area * patches.material_of(p).emittance[b];
-      }
-    EXPECT_NEAR(unshot / emitted, light->solution.unshot_share, 1e-4) << "bounce " << bounces;
+    EXPECT_NEAR(unshot_share(*light), light->solution.unshot_share, 1e-4) << "bounce " << bounces;
   }
   EXPECT_GT(bounces, 2u);
   EXPECT_EQ(live.status().stop, StopReason::converged);
@@ -327,7 +332,6 @@ TEST(LiveScene, shows_the_bounces_of_its_samples) {
   LiveScene live(cornell, coarse());
   ASSERT_TRUE(wait_for_idle(live));
   const auto own = live.light();
-  const auto& patches = *own->mesh.patches;
   const auto after = [&](int bounces) {
     live.show_bounces(bounces);
     EXPECT_TRUE(wait_for_idle(live));
@@ -346,15 +350,7 @@ TEST(LiveScene, shows_the_bounces_of_its_samples) {
   for (const int bounces : {4, 2, 50}) {
     const auto light = after(bounces);
     EXPECT_EQ(light->bounces, bounces);
-    double unshot = 0.0;
-    double emitted = 0.0;
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      for (std::size_t b = 0; b < 3; ++b) {
-        const double area = patches.area[p];
-        unshot += area * (light->unshot_front[3 * p + b] + light->unshot_back[3 * p + b]);
-        emitted += area * patches.material_of(p).emittance[b];
-      }
-    EXPECT_NEAR(unshot / emitted, light->solution.unshot_share, 1e-5);
+    EXPECT_NEAR(unshot_share(*light), light->solution.unshot_share, 1e-5);
   }
   for (std::size_t i = 0; i < front(own).size(); ++i)
     EXPECT_NEAR(front(live.light())[i], front(own)[i], 1e-4f + 1e-4f * front(own)[i]);
