@@ -29,6 +29,13 @@ class Luxel:
                                  before.children_user - before.children_system)
         return report
 
+    def do(self, *words):
+        """`luxel WORDS...`, of a command that has no report."""
+        command = [os.path.join(self.programs, "luxel"), *map(str, words)]
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)}\ngave {done.returncode}\n{done.stderr}")
+
     def bench(self, file, *sections):
         command = [os.path.join(self.programs, "luxel-bench"), file, *(["--small"] if self.small else []), *sections]
         subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=True)

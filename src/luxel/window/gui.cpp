@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/window/gui.h"
 
+#include <algorithm>
 #include <cfloat>
+#include <iterator>
 #include <string>
 
 #include <backends/imgui_impl_opengl3.h>
@@ -14,9 +16,9 @@ namespace {
 
 constexpr float text_height = 13.0f;  // of the built-in font, which is made for it
 
+// Tab is left out: it goes between the two modes, not between fields.
 void map_keys(ImGuiIO& io) {
-  const std::pair<int, Key> keys[] = {{ImGuiKey_Tab, key::tab},
-                                      {ImGuiKey_LeftArrow, key::left},
+  const std::pair<int, Key> keys[] = {{ImGuiKey_LeftArrow, key::left},
                                       {ImGuiKey_RightArrow, key::right},
                                       {ImGuiKey_UpArrow, key::up},
                                       {ImGuiKey_DownArrow, key::down},
@@ -35,6 +37,7 @@ void map_keys(ImGuiIO& io) {
                                       {ImGuiKey_X, 'X'},
                                       {ImGuiKey_Y, 'Y'},
                                       {ImGuiKey_Z, 'Z'}};
+  std::fill(std::begin(io.KeyMap), std::end(io.KeyMap), -1);
   for (const auto& [theirs, ours] : keys) io.KeyMap[theirs] = ours;
 }
 

@@ -59,8 +59,9 @@ void progress(const LiveStatus& status) {
   if (status.rays > 0)
     ImGui::Text("%s rays in %s, %s/s", short_count(static_cast<double>(status.rays)).c_str(),
                 short_time(status.seconds).c_str(), short_count(status.rays_per_second).c_str());
-  if (status.error > 0.0)
-    ImGui::Text("error %.2f %% of %.2g %% asked for", 100.0 * status.error, 100.0 * status.error_asked);
+  const auto asked =
+      status.error_asked > 0.0 ? fmt::format(" of {:.2g} % asked for", 100.0 * status.error_asked) : "";
+  if (status.error > 0.0) ImGui::Text("error %.2f %%%s", 100.0 * status.error, asked.c_str());
   if (status.seconds_left && !status.is_idle)
     ImGui::Text("about %s left", short_time(*status.seconds_left).c_str());
 }
