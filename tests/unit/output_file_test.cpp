@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -88,7 +89,7 @@ TEST_F(OutputFileTest, two_writers_of_one_file_do_not_share_a_temporary) {
 }
 
 TEST_F(OutputFileTest, a_name_as_long_as_the_system_allows_can_be_written) {
-  const auto name = std::string(251, 'n') + ".png";
+  const auto name = fmt::format("{}.png", std::string(251, 'n'));
   write_file(path(name), "x");
   EXPECT_EQ(read_file(path(name)), "x");
 }
