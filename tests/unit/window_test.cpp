@@ -51,47 +51,49 @@ TEST(Look, choices_are_made_by_name_and_wrong_ones_are_said) {
 class Flight : public testing::Test {
  protected:
   Flight()
-      : navigator([this](float x, float y) -> std::optional<Vec3> {
-          const auto seen = sight(navigator.pose(), navigator.space(), navigator.aspect(), x, y);
+      : navigator_([this](float x, float y) -> std::optional<Vec3> {
+          const auto seen = sight(navigator_.pose(), navigator_.space(), navigator_.aspect(), x, y);
           if (!(seen.direction.z < 0.0f)) return std::nullopt;
           return seen.origin - seen.origin.z / seen.direction.z * seen.direction;
         }) {
-    navigator.set_screen({800, 600});
-    navigator.set_space(Space(Vec3(0.0f, 0.0f, 1.0f)), {Vec3(-4, -4, 0), Vec3(4, 4, 3)});
-    navigator.set_home({.eye = Vec3(0, -3, 2), .pitch = -0.5f}, false);
+    navigator_.set_screen({800, 600});
+    navigator_.set_space(Space(Vec3(0.0f, 0.0f, 1.0f)), {Vec3(-4, -4, 0), Vec3(4, 4, 3)});
+    navigator_.set_home({.eye = Vec3(0, -3, 2), .pitch = -0.5f}, false);
   }
-  void key(Key which, bool down) { navigator.handle({.kind = Event::Kind::key, .key = which, .down = down}); }
-  void move(float x, float y) { navigator.handle({.kind = Event::Kind::move, .at = Vec2(x, y)}); }
-  void button(bool down) { navigator.handle({.kind = Event::Kind::button, .down = down}); }
+  void key(Key which, bool down) {
+    navigator_.handle({.kind = Event::Kind::key, .key = which, .down = down});
+  }
+  void move(float x, float y) { navigator_.handle({.kind = Event::Kind::move, .at = Vec2(x, y)}); }
+  void button(bool down) { navigator_.handle({.kind = Event::Kind::button, .down = down}); }
 
-  Navigator navigator;
+  Navigator navigator_;
 };
 
 TEST_F(Flight, keys_move_the_eye_and_shift_is_faster) {
-  const auto begin = navigator.pose().eye;
+  const auto begin = navigator_.pose().eye;
   key('W', true);
-  navigator.advance(0.5);
-  const auto slow = glm::length(navigator.pose().eye - begin);
-  EXPECT_NEAR(slow, 0.5f * navigator.speed(), 1e-4f);
+  navigator_.advance(0.5);
+  const auto slow = glm::length(navigator_.pose().eye - begin);
+  EXPECT_NEAR(slow, 0.5f * navigator_.speed(), 1e-4f);
   key(key::shift, true);
-  navigator.advance(0.5);
-  EXPECT_NEAR(glm::length(navigator.pose().eye - begin), 5.0f * slow, 1e-3f);
+  navigator_.advance(0.5);
+  EXPECT_NEAR(glm::length(navigator_.pose().eye - begin), 5.0f * slow, 1e-3f);
   key('W', false);
-  const auto end = navigator.pose();
-  navigator.advance(0.5);
-  EXPECT_EQ(navigator.pose(), end);
+  const auto end = navigator_.pose();
+  navigator_.advance(0.5);
+  EXPECT_EQ(navigator_.pose(), end);
 }
 
 TEST_F(Flight, a_drag_turns_about_what_is_under_the_cursor) {
   move(500, 350);
-  const auto aim = navigator.aim();
-  const auto seen = sight(navigator.pose(), navigator.space(), navigator.aspect(), aim.x, aim.y);
+  const auto aim = navigator_.aim();
+  const auto seen = sight(navigator_.pose(), navigator_.space(), navigator_.aspect(), aim.x, aim.y);
   const auto held = seen.origin - seen.origin.z / seen.direction.z * seen.direction;
   button(true);
   move(560, 330);
   button(false);
-  EXPECT_FALSE(navigator.is_click());
-  const auto after = sight(navigator.pose(), navigator.space(), navigator.aspect(), aim.x, aim.y);
+  EXPECT_FALSE(navigator_.is_click());
+  const auto after = sight(navigator_.pose(), navigator_.space(), navigator_.aspect(), aim.x, aim.y);
   const auto way = glm::normalize(held - after.origin);
   EXPECT_LT(glm::length(way - after.direction), 1e-4f);
   EXPECT_GT(glm::length(after.origin - seen.origin), 0.1f);
@@ -100,31 +102,31 @@ TEST_F(Flight, a_drag_turns_about_what_is_under_the_cursor) {
 TEST_F(Flight, the_mouse_looks_around_only_while_flying) {
   move(400, 300);
   move(500, 300);
-  EXPECT_EQ(navigator.pose().turn, 0.0f);
-  navigator.set_flying(true);
+  EXPECT_EQ(navigator_.pose().turn, 0.0f);
+  navigator_.set_flying(true);
   move(400, 300);
   move(500, 300);
-  EXPECT_GT(navigator.pose().turn, 0.1f);
+  EXPECT_GT(navigator_.pose().turn, 0.1f);
 }
 
 TEST_F(Flight, views_are_kept_and_home_is_found_again) {
-  const auto begin = navigator.pose();
+  const auto begin = navigator_.pose();
   key(key::control, true);
   key('1', true);
   key('1', false);
   key(key::control, false);
-  ASSERT_TRUE(navigator.has_view(0));
+  ASSERT_TRUE(navigator_.has_view(0));
   move(400, 500);
   key('F', true);
-  navigator.advance(1.0);
-  EXPECT_NE(navigator.pose(), begin);
+  navigator_.advance(1.0);
+  EXPECT_NE(navigator_.pose(), begin);
   key('1', true);
-  navigator.advance(1.0);
-  EXPECT_LT(glm::length(navigator.pose().eye - begin.eye), 1e-5f);
-  navigator.go_to({});
+  navigator_.advance(1.0);
+  EXPECT_LT(glm::length(navigator_.pose().eye - begin.eye), 1e-5f);
+  navigator_.go_to({});
   key('H', true);
-  navigator.advance(1.0);
-  EXPECT_LT(glm::length(navigator.pose().eye - begin.eye), 1e-5f);
+  navigator_.advance(1.0);
+  EXPECT_LT(glm::length(navigator_.pose().eye - begin.eye), 1e-5f);
 }
 
 TEST(LampBoard, untouched_it_changes_nothing_and_a_slider_changes_its_own_group_alone) {
