@@ -204,7 +204,7 @@ Solution Relighter::light() const {
   }
   const auto answer = s.slots->answer(direct, gathered, s.options.error, s.workers);
   Solution solution;
-  s.slots->write(answer, solution);
+  s.slots->write(answer, solution, s.workers);
   solution.bands = s.patches.bands;
   solution.stop = StopReason::error_reached;
   solution.provenance.method = "sampled";

@@ -71,7 +71,7 @@ class Run {
       begin_iteration();
     }
     if (slots() == 0) {  // the sky finds no way in
-      light_->write(answer_, solution_);
+      light_->write(answer_, solution_, workers_);
       sign();
       return finish(StopReason::nothing_to_do);
     }
@@ -196,7 +196,7 @@ class Run {
     report_.rounds.push_back(round);
     report_.streamed = sampling_->transport().is_streamed();
     report_.predicted_error = error_;
-    light_->write(answer_, solution_);
+    light_->write(answer_, solution_, workers_);
     sign();
     return true;
   }

@@ -2,6 +2,7 @@
 #include "luxel/solve/slot_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace luxel {
@@ -52,28 +53,37 @@ SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
   return {std::move(spread), std::move(bias)};
 }
 
-void SlotLight::write(const Answer& answer, Solution& solution) const {
+void SlotLight::write(const Answer& answer, Solution& solution, const Workers& workers) const {
   const auto bands = patches_.band_count();
+  const auto numbers = patches_.size() * bands;
   auto& s = solution;
-  for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back,
-                      &s.standard_error_front, &s.standard_error_back})
-    array->assign(patches_.size() * bands, 0.0f);
-  for (auto* array : {&s.sharing_bias_front, &s.sharing_bias_back})
-    array->assign(answer.bias.empty() ? 0 : patches_.size() * bands, 0.0f);
-  for (std::size_t p = 0; p < patches_.size(); ++p)
-    for (std::size_t b = 0; b < bands; ++b)
-      s.radiosity_front[p * bands + b] = patches_.material_of(p).emittance[b];
-  for (std::size_t i = 0; i < reflectance_.size(); ++i) {
-    const auto side = sides_.side[i / bands];
-    const bool back = side % 2 == 1;
-    const auto at = side / 2 * bands + i % bands;
-    const auto H = std::max(0.0f, answer.mean[i]);
-    (back ? s.irradiance_back : s.irradiance_front)[at] = H;
-    (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
-    (back ? s.standard_error_back : s.standard_error_front)[at] = answer.standard_error[i];
-    if (!answer.bias.empty())
-      (back ? s.sharing_bias_back : s.sharing_bias_front)[at] = std::sqrt(std::max(0.0f, answer.bias[i]));
-  }
+  const bool shared = !answer.bias.empty();
+  const std::array arrays = {&s.irradiance_front,   &s.irradiance_back,      &s.radiosity_front,
+                             &s.radiosity_back,     &s.standard_error_front, &s.standard_error_back,
+                             &s.sharing_bias_front, &s.sharing_bias_back};
+  workers.for_chunks(arrays.size(), 1, [&](std::size_t i, std::size_t, int) {
+    arrays[i]->assign(shared || i < arrays.size() - 2 ? numbers : 0, 0.0f);
+  });
+  workers.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p)
+      std::copy_n(patches_.material_of(p).emittance.begin(), bands, &s.radiosity_front[p * bands]);
+  });
+  workers.for_chunks(area_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto slot = begin; slot < end; ++slot) {
+      const auto side = sides_.side[slot];
+      const bool back = side % 2 == 1;
+      for (std::size_t b = 0; b < bands; ++b) {
+        const auto i = slot * bands + b;
+        const auto at = side / 2 * bands + b;
+        const auto H = std::max(0.0f, answer.mean[i]);
+        (back ? s.irradiance_back : s.irradiance_front)[at] = H;
+        (back ? s.radiosity_back : s.radiosity_front)[at] += reflectance_[i] * H;
+        (back ? s.standard_error_back : s.standard_error_front)[at] = answer.standard_error[i];
+        if (shared)
+          (back ? s.sharing_bias_back : s.sharing_bias_front)[at] = std::sqrt(std::max(0.0f, answer.bias[i]));
+      }
+    }
+  });
   s.error_95th = answer.percentile_95;
   s.predicted_error = error_of(answer);
   s.predicted_bias = answer.light2 > 0.0 ? std::sqrt(answer.bias2 / answer.light2) : 0.0;

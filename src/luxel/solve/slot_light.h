@@ -41,7 +41,7 @@ class SlotLight {
                 const Workers& workers, const Guide& guide = {}) const;
 
   // Fills the light of the solution and all its errors.
-  void write(const Answer& answer, Solution& solution) const;
+  void write(const Answer& answer, Solution& solution, const Workers& workers) const;
 
  private:
   const PatchSet& patches_;
