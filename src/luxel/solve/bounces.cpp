@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/bounces.h"
 
-#include <algorithm>
 #include <numeric>
 #include <vector>
 
+#include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/slot_light.h"
 #include "luxel/solve/stochastic_jacobi.h"
@@ -13,17 +13,6 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t grain = 16384;  // numbers a chunk
-
-std::vector<float> mean_direct(const PatchSet& patches, const SampleState& state, const Workers& workers) {
-  const auto direct = sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers);
-  std::vector<float> mean(direct[0].size());
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    float sum = 0.0f;
-    for (const auto& replicate : direct) sum += replicate[i];
-    mean[i] = sum / static_cast<float>(direct.size());
-  }
-  return mean;
-}
 
 }  // namespace
 
@@ -48,7 +37,8 @@ struct Bounces::State {
         rays(state.rays + state.first_rays),
         sampling(of_run, tracer, run_options, run_workers) {
     sampling.take_up(state);
-    direct = mean_direct(patches, state, workers);
+    direct = mean_of(sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers),
+                     workers);
     const SlotLight slots(patches, sampling.tree(), sampling.transport().sides(), false, workers);
     area.assign(slots.area().begin(), slots.area().end());
     reflectance.assign(slots.reflectance().begin(), slots.reflectance().end());

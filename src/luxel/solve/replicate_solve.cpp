@@ -16,18 +16,18 @@ void for_all(std::size_t count, const Workers& workers, Body body) {
   });
 }
 
-std::vector<float> mean_of(std::span<const std::vector<float>> values, const Workers& workers) {
-  std::vector<float> mean(values[0].size());
-  const auto share = 1.0f / static_cast<float>(values.size());
+}  // namespace
+
+std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Workers& workers) {
+  std::vector<float> mean(replicates[0].size());
+  const auto share = 1.0f / static_cast<float>(replicates.size());
   for_all(mean.size(), workers, [&](std::size_t i) {
     float sum = 0.0f;
-    for (const auto& v : values) sum += v[i];
+    for (const auto& v : replicates) sum += v[i];
     mean[i] = share * sum;
   });
   return mean;
 }
-
-}  // namespace
 
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,

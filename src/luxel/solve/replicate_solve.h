@@ -10,6 +10,10 @@
 
 namespace luxel {
 
+// The mean of some replicates, number by number; at least one of them. The same bits on any number of
+// threads.
+std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Workers& workers);
+
 // The light that reaches each slot from other surfaces, replicate by replicate.
 struct ReplicateLight {
   bool is_stopped = false;                   // by the monitor; the rest counts for nothing then
