@@ -46,14 +46,10 @@ struct Bounces::State {
   }
 
   void begin() {
-    const auto bands = patches.band_count();
-    const auto& transport = sampling.transport();
     bounces = 0;
     unshot = 0.0;
     irradiance.assign(direct.size(), 0.0f);
-    reflected.assign(transport.elements() * bands, 0.0f);
-    for (std::size_t b = 0; b < bands; ++b)
-      reflected[transport.escaped() * bands + b] = static_cast<float>(patches.sky_radiosity(b));
+    reflected = dark_but_for_sky(sampling.transport(), patches);
   }
 
   void bounce() {

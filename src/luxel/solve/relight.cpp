@@ -32,22 +32,6 @@ std::vector<std::vector<float>> of_group(std::span<const std::vector<float>> lig
   return sum_of_groups(light, groups, bands, alone, workers);
 }
 
-// The start of an iteration in which the sky shines as given and nothing else yet.
-std::vector<float> dark_but_for_sky(const SampledOperator& transport, std::size_t bands,
-                                    const std::vector<float>& sky_radiosity) {
-  std::vector<float> radiosity(transport.elements() * bands, 0.0f);
-  std::copy(sky_radiosity.begin(), sky_radiosity.end(),
-            radiosity.begin() + static_cast<std::ptrdiff_t>(transport.escaped() * bands));
-  return radiosity;
-}
-
-std::vector<float> sky_radiosity(const PatchSet& patches) {
-  std::vector<float> radiosity;
-  for (std::size_t b = 0; b < patches.band_count(); ++b)
-    radiosity.push_back(static_cast<float>(patches.sky_radiosity(b)));
-  return radiosity;
-}
-
 // Nothing where the monitor said stop.
 std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const SampledOperator& transport,
                                              const SampleState& state, std::span<const float> reflectance,
@@ -59,8 +43,8 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
   for (std::size_t g = 0; g < groups; ++g) {
     const auto direct = of_group(state.direct, g, groups, bands, workers);
     const bool has_sky = g == sky_index(patches) || (groups == 1 && patches.has_sky());
-    auto radiosity = dark_but_for_sky(transport, bands,
-                                      has_sky ? sky_radiosity(patches) : std::vector<float>(bands, 0.0f));
+    auto radiosity = has_sky ? dark_but_for_sky(transport, patches)
+                             : std::vector<float>(transport.elements() * bands, 0.0f);
     const auto told = [&](const Progress&) {
       return tell(monitor, {"light groups", static_cast<double>(g) / static_cast<double>(groups)});
     };
@@ -195,7 +179,7 @@ Solution Relighter::light() const {
   auto direct = sum_of_groups(s.samples->direct, groups, bands, s.weight, s.workers);
   std::vector<std::vector<float>> gathered;
   if (!s.reflects_as_in_run) {
-    auto radiosity = dark_but_for_sky(s.sampling.transport(), bands, sky_radiosity(s.patches));
+    auto radiosity = dark_but_for_sky(s.sampling.transport(), s.patches);
     gathered = solve_replicates(s.sampling.transport(), direct, s.slots->reflectance(), radiosity, tolerance,
                                 s.workers)
                    .gathered;

@@ -29,6 +29,14 @@ std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const
   return mean;
 }
 
+std::vector<float> dark_but_for_sky(const SampledOperator& transport, const PatchSet& patches) {
+  const auto bands = patches.band_count();
+  std::vector<float> radiosity(transport.elements() * bands, 0.0f);
+  for (std::size_t b = 0; b < bands; ++b)
+    radiosity[transport.escaped() * bands + b] = static_cast<float>(patches.sky_radiosity(b));
+  return radiosity;
+}
+
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
                                 double tolerance, const Workers& workers, const Monitor& monitor) {

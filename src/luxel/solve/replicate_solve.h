@@ -14,6 +14,9 @@ namespace luxel {
 // threads.
 std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Workers& workers);
 
+// The start of an iteration in which the sky shines and nothing else yet: W/m², [element * bands + band].
+std::vector<float> dark_but_for_sky(const SampledOperator& transport, const PatchSet& patches);
+
 // The light that reaches each slot from other surfaces, replicate by replicate.
 struct ReplicateLight {
   bool is_stopped = false;                   // by the monitor; the rest counts for nothing then

@@ -122,16 +122,13 @@ class Run {
 
   // Where the iteration begins: with what the shot light says.
   void begin_iteration() {
-    radiosity_.assign(sampling_->transport().elements() * bands_, 0.0f);
+    radiosity_ = dark_but_for_sky(sampling_->transport(), patches_);
     for (std::size_t s = 0; s < slots(); ++s) {
       const auto patch = side(s) / 2;
       const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
       for (std::size_t b = 0; b < bands_; ++b)
         radiosity_[s * bands_ + b] = patches_.material_of(patch).reflectance[b] * H[patch * bands_ + b];
     }
-    for (std::size_t b = 0; b < bands_; ++b)
-      radiosity_[sampling_->transport().escaped() * bands_ + b] =
-          static_cast<float>(patches_.sky_radiosity(b));
   }
 
   void take_up(const SampleState& state) {
