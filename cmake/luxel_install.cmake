@@ -13,12 +13,13 @@ set(LUXEL_PUBLIC_HEADERS
     file/output_file.h
     parallel/ranks.h parallel/workers.h
     cluster/mpi_ranks.h
-    image/image.h image/image_file.h
-    scene/camera.h scene/material.h scene/name_pattern.h scene/scene.h
+    image/image.h image/image_file.h image/raster.h
+    scene/camera.h scene/material.h scene/name_pattern.h scene/point_light.h
+    scene/scene.h scene/texture.h
     mesh/clean_triangles.h mesh/edges.h mesh/pieces.h mesh/rims.h mesh/t_junctions.h mesh/vertex_weld.h
     load/load_scene.h
     patch/light_groups.h patch/make_patches.h patch/patch_set.h patch/patch_tree.h patch/uncut_faces.h
-    trace/tracer.h
+    trace/point_sight.h trace/tracer.h
     solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
     transport/dense_operator.h transport/form_factor_row.h transport/gather_sides.h transport/hemicube.h
     transport/hemicube_operator.h transport/hemicube_pixels.h transport/lamp_check.h transport/lines_operator.h
@@ -37,7 +38,10 @@ set(LUXEL_PUBLIC_HEADERS
     reference/batch_means.h reference/compare.h reference/difference_picture.h reference/final_gather.h
     reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
     reference/surface_point.h
-    export/export_coloured.h export/export_mesh.h
+    lightmap/dilate.h lightmap/gather_texels.h lightmap/lightmap.h lightmap/lightmap_picture.h lightmap/make_charts.h lightmap/make_lightmap.h
+    lightmap/pack_charts.h lightmap/side_edges.h lightmap/solve_seams.h
+    export/export_coloured.h export/export_mesh.h export/export_page.h
+    export/mesh_program.h
     live/light_value.h live/live_answers.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
     live/sample_rays.h live/tree_boxes.h)
 

@@ -19,6 +19,11 @@ if(LUXEL_SANITIZE)
   target_link_options(luxel_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(LUXEL_FUZZ)
+  target_compile_options(luxel_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                                               -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+endif()
+
 # fmt is text, used wherever a sentence is made; glm is the vector type of every signature: both are everywhere.
 function(luxel_room name)
   cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})

@@ -3,11 +3,12 @@
 """Holds names to .clang-tidy: check_names.py BUILD_FOLDER [JOBS], after a build there.
 
 clang-tidy takes seconds a file, nearly all of them for the headers. So files that can stand in one
-translation unit are read as one, and one by one only where something is wrong there. A file that passed is not read
-again until it, a header of ours that it includes, its command or .clang-tidy changes: the stamp of everything that
-passed is kept in BUILD_FOLDER/names.
+translation unit are read as one; where something is wrong there, its halves are read, and theirs. A file that passed
+is not read again until it, a header of ours that it includes, its command or .clang-tidy changes: the stamp of
+everything that passed is kept in BUILD_FOLDER/names.
 """
 import concurrent.futures
+import functools
 import hashlib
 import json
 import os
@@ -18,10 +19,12 @@ import sys
 
 TIDY = "clang-tidy-14"
 OURS = ("src", "tests", "bench", "tools")
-TOGETHER = 12  # files in one unit, at most
+TOGETHER = 40  # files in one unit, at most
 # What a line at the left margin declares: two files that declare the same cannot stand in one unit.
-DECLARED = [re.compile(r"^(?:class|struct|enum class|enum|using|union)\s+(\w+)"), re.compile(r"^TEST\w*\((.*)\)"),
-            re.compile(r"^(?=[A-Za-z])(?!TEST|using|namespace|class|struct|enum|union)[\w:<>,&*\s\[\]\"]*?\b(\w+)\s*[({=;]")]
+TYPE = re.compile(r"^(?:class|struct|enum class|enum|using|union)\s+(\w+)\b(?!\s*;)")
+TEST = re.compile(r"^((?:TYPED_)?TEST\w*\(.*\)|INSTANTIATE\w*\(.*)")
+OTHER = re.compile(r"^(?=[A-Za-z])(?!using|namespace|class|struct|enum|union|TEST|TYPED_TEST|INSTANTIATE)"
+                   r"[\w:<>,&*\s\[\]\"]*?\b((?:\w+::)*\w+)\s*([({=;].*)")
 
 
 def headers_of_objects(build, root):
@@ -36,6 +39,11 @@ def headers_of_objects(build, root):
         elif ": #deps" in line:
             current = headers[line.split(": #deps")[0]] = []
     return headers
+
+
+def object_of(entry):
+    words = shlex.split(entry["command"])
+    return words[words.index("-o") + 1]
 
 
 def stamp_of(entry, files, rules):
@@ -56,65 +64,103 @@ def check(entry):
 
 
 def flags_of(entry):
-    """The compiler's flags, without what names the file and its output, or headers that it has compiled."""
+    """The compiler's flags, without what names the file and its output, headers that it has compiled, and how code is
+    to be made."""
     words = shlex.split(entry["command"])
     first = next(i for i, word in enumerate(words) if word.startswith("-"))
     flags, skip = [], False
     for word in words[first:]:
         if not skip and word not in ("-c", "-o", "-MT", "-MF", "-MD", "-include", "-Winvalid-pch", entry["file"]):
-            flags.append(word)
+            if not re.match(r"-([OfW]|pthread)", word):
+                flags.append(word)
         skip = word in ("-o", "-MT", "-MF", "-include")
     return tuple(flags)
 
 
+def all_flags_of(entries):
+    """Those of all files, each once: where headers are, and what is defined, does not differ between them."""
+    flags = {}
+    for entry in entries:
+        of_one = list(flags_of(entry))
+        while of_one:
+            flag = (of_one.pop(0), of_one.pop(0)) if of_one[0] == "-isystem" else (of_one.pop(0),)
+            flags[flag] = None
+    return [word for flag in flags for word in flag]
+
+
+@functools.cache
 def declared_in(path):
+    """Names that stand for one thing in a translation unit; members of classes, with :: in them, never meet."""
     names = set()
     with open(path, encoding="utf-8") as file:
         for line in file:
-            names.update(found.group(1) for found in (rule.match(line) for rule in DECLARED) if found)
+            found = TYPE.match(line) or TEST.match(line) or OTHER.match(line)
+            if found and "::" not in found.group(1):
+                names.add(found.group(1))
+            if line.startswith("enum ") and not line.startswith("enum class"):
+                names.update(re.findall(r"\w+", line.partition("{")[2]))
     return names
 
 
+@functools.cache
+def types_in(path):
+    with open(path, encoding="utf-8") as file:
+        return {found.group(1): path for found in map(TYPE.match, file) if found}
+
+
 def units_of(jobs):
-    """Lists of jobs that are read as one: with the same flags, that declare different names."""
+    """Lists of jobs that are read as one: what a file declares itself, no other one or its headers do, and no two
+    headers name a type alike."""
     units = []
     for job in jobs:
-        names, kind = declared_in(job[0]["file"]), flags_of(job[0])
+        headers = [path for path in job[2] if path.endswith(".h")]
+        shared = set().union(*map(declared_in, headers))
+        types = {name: path for header in headers for name, path in types_in(header).items()}
+        own = declared_in(job[0]["file"]) - shared
         for unit in units:
-            if unit["kind"] == kind and len(unit["jobs"]) < TOGETHER and not names & unit["names"]:
+            if (len(unit["jobs"]) < TOGETHER and not own & (unit["own"] | unit["shared"]) and not shared & unit["own"]
+                    and all(unit["types"].get(name, path) == path for name, path in types.items())):
                 break
         else:
-            unit = {"kind": kind, "jobs": [], "names": set()}
+            unit = {"jobs": [], "own": set(), "shared": set(), "types": {}}
             units.append(unit)
         unit["jobs"].append(job)
-        unit["names"] |= names
+        unit["own"] |= own
+        unit["shared"] |= shared
+        unit["types"] |= types
     return [unit["jobs"] for unit in units]
 
 
-def check_unit(unit, number, build):
+def check_unit(unit, name):
     """The complaints about each job of a unit, empty where there are none."""
-    if len(unit) > 1:
-        path = os.path.join(build, f"names-{number}.cpp")
-        with open(path, "w", encoding="utf-8") as file:
-            file.writelines(f'#include "{entry["file"]}"\n' for entry, _ in unit)
-        done = subprocess.run([TIDY, "--quiet", "--extra-arg=-w", path, "--", *flags_of(unit[0][0])],
-                              capture_output=True, text=True, check=False)
-        os.remove(path)
-        if done.returncode == 0:
-            return [""] * len(unit)
-    return [check(entry) for entry, _ in unit]
+    if len(unit) == 1:
+        return [check(unit[0][0])]
+    path = name + ".cpp"
+    with open(path, "w", encoding="utf-8") as file:
+        file.writelines(f'#include "{entry["file"]}"\n' for entry, *_ in unit)
+    done = subprocess.run([TIDY, "--quiet", "--extra-arg=-w", path, "--", *all_flags_of(e for e, *_ in unit)],
+                          capture_output=True, text=True, check=False)
+    os.remove(path)
+    if done.returncode == 0:
+        return [""] * len(unit)
+    half = len(unit) // 2
+    return check_unit(unit[:half], name + "a") + check_unit(unit[half:], name + "b")
 
 
 def jobs_to_do(root, build):
-    """(entry, stamp) of each file of ours, in the order of compile_commands.json, each file once."""
+    """(entry, stamp, headers) of each file of ours, in the order of compile_commands.json, each file once."""
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
         entries = {entry["file"]: entry for entry in json.load(file)}
     with open(os.path.join(root, ".clang-tidy"), "rb") as file:
         rules = file.read()
     headers = headers_of_objects(build, root)
     folders = tuple(os.path.join(root, folder) + os.sep for folder in OURS)
-    return [(entry, stamp_of(entry, headers.get(entry.get("output", ""), []), rules))
-            for entry in entries.values() if entry["file"].startswith(folders) and os.path.isfile(entry["file"])]
+    jobs = []
+    for entry in entries.values():
+        if entry["file"].startswith(folders) and os.path.isfile(entry["file"]):
+            of_entry = headers.get(object_of(entry), [])
+            jobs.append((entry, stamp_of(entry, of_entry, rules), of_entry))
+    return jobs
 
 
 def main():
@@ -131,14 +177,14 @@ def main():
     complaints = []
     units = units_of(todo)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        results = pool.map(lambda i: check_unit(units[i], i, build), range(len(units)))
+        results = pool.map(lambda i: check_unit(units[i], os.path.join(build, f"names-{i}")), range(len(units)))
         for unit, found in zip(units, results):
-            for (_, stamp), complaint in zip(unit, found):
+            for (_, stamp, _), complaint in zip(unit, found):
                 complaints += [complaint] if complaint else []
                 if not complaint:
                     passed.add(stamp)
     with open(passed_file, "w", encoding="utf-8") as file:
-        file.writelines(stamp + "\n" for _, stamp in every if stamp in passed)
+        file.writelines(stamp + "\n" for _, stamp, _ in every if stamp in passed)
     for complaint in dict.fromkeys(complaints):
         print(complaint.strip())
     print(f"{len(every)} files, {len(todo)} of them new or changed, {len(complaints)} with complaints")

@@ -12,7 +12,7 @@ import os
 import sys
 import time
 
-from figures import measured, pictures, viewer
+from figures import lightmap, measured, pictures, sharing, viewer
 from figures.runs import Luxel, keep_json
 from figures.scenes import ROOT
 
@@ -27,7 +27,9 @@ SECTIONS = {
                 ["method-path-traced.png", "method-gathered.png", "method-gathered-difference.png"] +
                 [f"method-{method}{what}.png" for method in pictures.METHODS
                  for what in ("", "-difference", "-patches")]),
+    "lightmap": (lightmap.lightmap, lightmap.NAMES),
     "viewer": (viewer.viewer, viewer.NAMES),
+    "sharing": (sharing.page, sharing.NAMES),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),
     "bench": (measured.bench, ["time-against-polygons.svg", "time-against-lamps.svg"]),

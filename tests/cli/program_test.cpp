@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Misuse{"$LUXEL", 2, "--help"}, Misuse{"$LUXEL fly", 2, "--help"}, Misuse{"$LUXEL bake", 2, "SCENE"},
         Misuse{"$LUXEL bake cornell-box.obj", 2, "-o"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .png"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .html .png"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb -o a.glb", 2, "twice"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --rays 5X", 2, "50M"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method shooting --tolerance 2", 2, "0.9"},

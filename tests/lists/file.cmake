@@ -1,2 +1,3 @@
 luxel_test(unit/output_file ROOMS file)
 luxel_test(unit/read_file ROOMS file)
+luxel_test(unit/compact ROOMS file LIBRARIES ZLIB::ZLIB)

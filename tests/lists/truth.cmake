@@ -14,3 +14,5 @@ luxel_test(truth/thin_things ROOMS solve reference load LIBRARIES luxel_truth_sc
 luxel_test(truth/relight ROOMS solve LIBRARIES luxel_known_rooms)
 luxel_test(statistics/merge ROOMS solve LIBRARIES luxel_known_rooms)
 luxel_test(repeat/resume ROOMS solve LIBRARIES luxel_truth_scenes)
+luxel_test(truth/textures ROOMS solve)
+luxel_test(truth/point_lights ROOMS solve reference LIBRARIES luxel_truth_scenes)

@@ -9,6 +9,7 @@
 
 #include "luxel/export/export_mesh.h"
 #include "luxel/file/output_file.h"
+#include "luxel/image/image.h"
 #include "luxel/report/error.h"
 
 #include "support/lit_patches.h"
@@ -276,6 +277,40 @@ TEST(ExportGlb, a_place_that_cannot_be_written_is_a_device_error) {
   EXPECT_THROW(export_glb(file("no_such_folder") / "a.glb", lit.patches, lit.solution, light, Vec3(0, 1, 0)),
                DeviceError);
   EXPECT_THROW(export_glb("/dev/full", lit.patches, lit.solution, light, Vec3(0, 1, 0)), DeviceError);
+}
+
+// The irradiance of the first material of two_colours(), by linear sRGB.
+TEST(ExportGlb, irradiance_goes_with_the_colours) {
+  const auto model = exported(two_colours());
+  const auto irradiance = values<float>(model, model.meshes[0].primitives[0].attributes.at("_IRRADIANCE"));
+  ASSERT_EQ(irradiance.size(), 9u);
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(irradiance[3 * v + c], (v == 1 ? 0.5f : 0.375f) * pi_f, 1e-5f);
+  const auto& light = model.asset.extras.Get("light");
+  EXPECT_EQ(light.Get("as").Get<std::string>(), "vertex");
+  EXPECT_EQ(light.Get("attributes").Get("_IRRADIANCE").Get("unit").Get<std::string>(), "W/m2 by linear sRGB");
+  EXPECT_EQ(light.Get("attributes").Get("COLOR_0").Get("scale").GetNumberAsDouble(), 1.0);
+}
+
+TEST(ExportGlb, godot_gets_codes_that_its_importer_decodes) {
+  auto options = clamped;
+  const auto linear = exported(two_colours(), Vec3(0, 1, 0), options);
+  options.program = MeshProgram::godot;
+  const auto coded = exported(two_colours(), Vec3(0, 1, 0), options);
+  EXPECT_EQ(coded.materials[0].name, "red-vcol");
+  EXPECT_FALSE(coded.meshes[0].primitives[0].attributes.contains("_IRRADIANCE"));
+  const auto at = [](const tinygltf::Model& model) {
+    return values<std::uint16_t>(model, model.meshes[0].primitives[0].attributes.at("COLOR_0"));
+  };
+  const auto a = at(linear), b = at(coded);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_NEAR(b[i] / 65535.0f, i % 4 == 3 ? 1.0f : srgb_encode(a[i] / 65535.0f), 1e-4f);
+}
+
+TEST(ExportGlb, every_program_has_a_word) {
+  for (const auto word : mesh_program_names()) EXPECT_EQ(name(*mesh_program(word)), word);
+  EXPECT_FALSE(mesh_program("maya"));
 }
 
 }  // namespace

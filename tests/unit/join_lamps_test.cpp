@@ -76,7 +76,7 @@ TEST(JoinLamps, what_is_folded_bent_or_has_a_hole_stays_in_pieces) {
 
 TEST(JoinLamps, other_materials_and_doubled_pieces_are_kept_apart) {
   auto striped = mesh(6, tilted);
-  for (std::size_t i = 0; i < striped.size(); ++i) striped[i].material = i < 36 ? 0 : 1;
+  for (std::size_t i = 0; i < striped.size(); ++i) striped[i].surface = i < 36 ? 0 : 1;
   EXPECT_EQ(lamps_of(striped), 2u);
   auto doubled = mesh(6, tilted);
   const auto once = doubled;

@@ -9,19 +9,19 @@
 namespace luxel {
 namespace {
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
 
 // The only material of a triangle that uses m of an MTL file.
 Material load_material(SceneFiles& files, const std::string& mtl, const LoadOptions& options = {}) {
   files.write("room.mtl", mtl);
-  const auto scene = files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n", options);
+  const auto scene = files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n", options);
   check_scene(scene);
   return scene.materials.at(0);
 }
 
 std::string refusal(SceneFiles& files, const std::string& mtl) {
   files.write("room.mtl", mtl);
-  return files.refusal_of_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  return files.refusal_of_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
 }
 
 // A texture half black, half white, whose mean is exactly a half.
@@ -71,9 +71,10 @@ TEST(LoadMtl, negative_colours_name_file_and_line) {
 TEST(LoadMtl, a_reflectance_too_high_is_lowered_and_told_once) {
   SceneFiles files;
   files.write("room.mtl", "newmtl a\nKd 1 1 0.5\nnewmtl b\nKd 3 0 0\nnewmtl c\nKd 0.9 0.9 0.9\n");
-  const auto scene = files.load_text(
-      "mtllib room.mtl\n" + triangle + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n",
-      {.max_reflectance = 0.95f});
+  const auto scene =
+      files.load_text("mtllib room.mtl\n" + triangle +
+                          "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n",
+                      {.max_reflectance = 0.95f});
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.95f, 0.95f, 0.5f));
   EXPECT_EQ(scene.materials[1].reflectance, Vec3(0.95f, 0, 0));
   EXPECT_EQ(scene.materials[2].reflectance, Vec3(0.9f));
@@ -128,7 +129,7 @@ TEST(LoadMtl, texture_names_start_at_the_folder_of_the_mtl) {
   files.write("sub/room.mtl", "newmtl m\nmap_Kd textures\\half.png\n");
   std::filesystem::create_directories(files.path("sub/textures"));
   write_half_white(files.path("sub/textures/half.png"));
-  const auto scene = files.load_text("mtllib sub\\room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  const auto scene = files.load_text("mtllib sub\\room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.5f));
   EXPECT_TRUE(files.warnings().empty()) << files.all_warnings();
 }
@@ -145,8 +146,9 @@ TEST(LoadMtl, missing_textures_are_told_in_one_sentence) {
   files.write(
       "room.mtl",
       "newmtl a\nmap_Kd x.png\nnewmtl b\nKd 0.4 0.4 0.4\nmap_Kd my wood.png\nnewmtl c\nmap_Kd x.png\n");
-  const auto scene = files.load_text("mtllib room.mtl\n" + triangle +
-                                     "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+  const auto scene =
+      files.load_text("mtllib room.mtl\n" + triangle +
+                      "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.5f));
   EXPECT_EQ(scene.materials[1].reflectance, Vec3(0.2f));
   EXPECT_EQ(
@@ -183,7 +185,7 @@ TEST(LoadMtl, a_missing_emissive_texture_emits_nothing) {
 
 TEST(ReadMtl, steps_over_texture_options) {
   const auto name = [](const std::string& operands) {
-    return read_mtl("newmtl m\nmap_Kd " + operands, "x.mtl").at(0).map_kd;
+    return read_mtl("newmtl m\nmap_Kd " + operands, "x.mtl").at(0).map_kd.name;
   };
   EXPECT_EQ(name("wood.png"), "wood.png");
   EXPECT_EQ(name("  my wood.png  "), "my wood.png");
@@ -198,7 +200,7 @@ TEST(ReadMtl, steps_over_texture_options) {
 TEST(ReadMtl, keywords_may_be_written_in_any_case) {
   const auto material = read_mtl("newmtl m\nkd 0.5 0.5 0.5\nMAP_KD a.png\n", "x.mtl").at(0);
   EXPECT_EQ(material.kd, Vec3(0.5f));
-  EXPECT_EQ(material.map_kd, "a.png");
+  EXPECT_EQ(material.map_kd.name, "a.png");
 }
 
 TEST(ReadMtl, what_stands_before_the_first_newmtl_belongs_to_nobody) {
@@ -208,28 +210,29 @@ TEST(ReadMtl, what_stands_before_the_first_newmtl_belongs_to_nobody) {
 
 TEST(Mtllib, a_missing_file_is_told_with_its_line) {
   SceneFiles files;
-  const auto scene = files.load_text("\nmtllib gone.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  const auto scene = files.load_text("\nmtllib gone.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].name, "m");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.5f));
   EXPECT_EQ(files.all_warnings(),
             "room.obj:2: the material file 'gone.mtl' was not found beside the OBJ file\n"
-            "room.obj:6: no MTL file describes 'm'; a grey of 0.5 is taken\n");
+            "room.obj:9: no MTL file describes 'm'; a grey of 0.5 is taken\n");
 }
 
 TEST(Mtllib, a_name_the_file_lacks_is_told_with_line_and_file) {
   SceneFiles files;
   files.write("room.mtl", "newmtl other\nKd 1 0 0\n");
-  const auto scene = files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  const auto scene = files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.5f));
-  EXPECT_EQ(files.all_warnings(), "room.obj:5: 'room.mtl' does not describe 'm'; a grey of 0.5 is taken\n");
+  EXPECT_EQ(files.all_warnings(), "room.obj:8: 'room.mtl' does not describe 'm'; a grey of 0.5 is taken\n");
 }
 
 TEST(Mtllib, several_files_on_one_line_are_all_read) {
   SceneFiles files;
   files.write("a.mtl", "newmtl a\nKd 0.1 0.1 0.1\nnewmtl both\nKd 0.3 0.3 0.3\n");
   files.write("b.mtl", "newmtl b\nKd 0.2 0.2 0.2\nnewmtl both\nKd 0.4 0.4 0.4\n");
-  const auto scene = files.load_text("mtllib  gone.mtl a.mtl\tb.mtl \n" + triangle +
-                                     "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl both\nf 1 2 3\n");
+  const auto scene =
+      files.load_text("mtllib  gone.mtl a.mtl\tb.mtl \n" + triangle +
+                      "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl both\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.1f));
   EXPECT_EQ(scene.materials[1].reflectance, Vec3(0.2f));
   EXPECT_EQ(scene.materials[2].reflectance, Vec3(0.3f));  // the first one found counts
@@ -239,7 +242,7 @@ TEST(Mtllib, several_files_on_one_line_are_all_read) {
 TEST(Mtllib, a_file_name_may_hold_blanks) {
   SceneFiles files;
   files.write("my room.mtl", "newmtl m\nKd 0.1 0.1 0.1\n");
-  const auto scene = files.load_text("mtllib my room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  const auto scene = files.load_text("mtllib my room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.1f));
   EXPECT_TRUE(files.warnings().empty()) << files.all_warnings();
 }
@@ -248,7 +251,7 @@ TEST(Mtllib, may_come_after_the_faces_and_twice) {
   SceneFiles files;
   files.write("room.mtl", "newmtl  m \nKd 0.1 0.1 0.1\n");
   const auto scene =
-      files.load_text(triangle + "usemtl  m  \nf 1 2 3\ng x\nmtllib room.mtl\nmtllib room.mtl\n");
+      files.load_text(triangle + "usemtl  m  \nf 1/1 2/2 3/3\ng x\nmtllib room.mtl\nmtllib room.mtl\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.1f));
   EXPECT_TRUE(files.warnings().empty()) << files.all_warnings();
 }
@@ -256,7 +259,7 @@ TEST(Mtllib, may_come_after_the_faces_and_twice) {
 TEST(Mtllib, a_file_without_materials_does_no_harm) {
   SceneFiles files;
   files.write("room.mtl", "");
-  const auto scene = files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  const auto scene = files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(scene.materials[0].reflectance, Vec3(0.5f));
 }
 
@@ -269,7 +272,7 @@ TEST(Mtllib, a_binary_file_is_refused) {
 TEST(Mtllib, a_folder_of_that_name_is_not_found) {
   SceneFiles files;
   std::filesystem::create_directory(files.path("room.mtl"));
-  files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1 2 3\n");
+  files.load_text("mtllib room.mtl\n" + triangle + "usemtl m\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(files.warnings().at(0),
             "room.obj:1: the material file 'room.mtl' was not found beside the OBJ file");
 }

@@ -26,15 +26,17 @@ TEST(LoadScene, a_missing_file_is_named) {
 TEST(LoadScene, a_folder_is_no_scene) {
   SceneFiles files;
   std::filesystem::create_directory(files.path("room.obj"));
-  EXPECT_EQ(files.refusal("room.obj"), "room.obj: it is a folder; name the .obj file inside it");
+  EXPECT_EQ(files.refusal("room.obj"),
+            "room.obj: it is a folder; name the scene's file inside it (.obj, .glb or .gltf)");
 }
 
 TEST(LoadScene, other_endings_are_told_what_to_become) {
   SceneFiles files;
-  for (const std::string name : {"room.gltf", "room.GLB", "room.ply", "room.stl", "room"}) {
+  for (const std::string name : {"room.fbx", "room.GLT", "room.ply", "room.stl", "room"}) {
     files.write(name, "solid");
     const auto refusal = files.refusal(name);
-    EXPECT_NE(refusal.find(name + ": expected a file that ends in .obj, found "), std::string::npos)
+    EXPECT_NE(refusal.find(name + ": expected a file that ends in .obj, .glb or .gltf, found "),
+              std::string::npos)
         << refusal;
     EXPECT_NE(refusal.find("convert"), std::string::npos) << refusal;
   }

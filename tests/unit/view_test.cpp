@@ -162,11 +162,11 @@ TEST_F(Card, every_tone_curve_gives_the_codes_that_the_processor_gives) {
     }
 }
 
-TEST_F(Card, rough_edges_change_no_colour) {
+TEST_F(Card, rough_and_coarse_edges_change_no_colour) {
   surfaces_->set_light(patches_, light_, VertexValue::radiance);
   const ToneCurve curve{{.op = ToneOperator::clamp}, 0.1f};
-  expect_near(draw({.paint = Paint::light, .tone = curve}, EdgeSmoothing::rough), 20,
-              curve(Vec3(0.8f * 5.0f / pi)));
+  for (const auto edges : {EdgeSmoothing::rough, EdgeSmoothing::coarse, EdgeSmoothing::rough})
+    expect_near(draw({.paint = Paint::light, .tone = curve}, edges), 20, curve(Vec3(0.8f * 5.0f / pi)));
 }
 
 TEST_F(Card, false_colours_are_those_of_the_legend) {

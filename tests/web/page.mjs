@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES]
+// node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size 800x600] [--like PICTURE.png]
 // Shows the file on a web page (three.js in Debian's Chromium, headless) and photographs it. Eye and target
-// are in glTF's axes, Y up. Fails if the page has an error, or the picture is black or of one colour.
+// are in glTF's axes, Y up. Fails if the page has an error, or the picture is black or of one colour, or differs from
+// PICTURE by 1 % of the display's range or more, in the mean.
 import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { dirname, extname, join, normalize } from 'node:path';
-import { env, exit } from 'node:process';
+import { exit } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { chromium } from 'playwright-core';
+import { difference, launch } from './browser.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.glb': 'model/gltf-binary' };
@@ -27,22 +28,6 @@ function serve(glb) {
     response.end(bytes ?? '');
   });
   return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
-}
-
-// Swiftshader draws in software: the same picture on every machine, with no need for a graphics card.
-function launch() {
-  return chromium.launch({
-    executablePath: env.CHROMIUM ?? '/usr/bin/chromium',
-    headless: true,
-    args: [
-      '--no-sandbox',
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
-      '--disable-background-networking',
-      '--disable-component-update',
-      '--no-first-run',
-    ],
-  });
 }
 
 // Mean and spread of the brightness in the drawn picture, 0 to 255, as the page itself sees it.
@@ -64,48 +49,55 @@ function statistics(page) {
   });
 }
 
-async function photograph(url, out) {
+async function photograph(url, out, size, like) {
   const browser = await launch();
   try {
-    const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
+    const page = await browser.newPage({ viewport: { width: size[0], height: size[1] } });
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
     await page.goto(url);
     await page.waitForFunction('window.result', null, { timeout: 60_000 });
     const result = await page.evaluate('window.result');
-    await page.screenshot({ path: out });
-    return { ...result, ...(await statistics(page)), complaints };
+    const shot = await page.screenshot({ path: out });
+    const off = like ? await difference(page, shot, await readFile(like)) : 0;
+    return { ...result, ...(await statistics(page)), off, complaints };
   } finally {
     await browser.close();
   }
 }
 
-function verdict({ error, unlit, triangles, mean, spread, complaints }) {
+function verdict({ error, unlit, triangles, mean, spread, off, complaints }) {
   if (error) return `the page failed: ${error}`;
   if (complaints.length > 0) return `the page complained: ${complaints.join('; ')}`;
   if (!unlit) return 'a material is not unlit';
   if (triangles === 0) return 'no triangle was drawn';
   if (mean < 1) return 'the picture is black';
   if (spread < 1) return 'the picture is of one colour';
+  if (off >= 0.01) return 'that is not the picture it should be like';
   return null;
 }
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
-  options: { eye: { type: 'string' }, target: { type: 'string' }, fov: { type: 'string' } },
+  options: {
+    eye: { type: 'string' }, target: { type: 'string' }, fov: { type: 'string' },
+    size: { type: 'string', default: '800x600' }, like: { type: 'string' },
+  },
 });
 const [glb, out] = positionals;
 if (positionals.length !== 2 || !(await stat(glb).catch(() => null))) {
-  console.error('usage: node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES]');
+  console.error('usage: node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size WxH] [--like PNG]');
   exit(2);
 }
+const { size, like, ...view } = values;
 const server = await serve(glb);
-const seen = await photograph(`http://127.0.0.1:${server.address().port}/?${new URLSearchParams(values)}`, out);
+const address = `http://127.0.0.1:${server.address().port}/?${new URLSearchParams(view)}`;
+const seen = await photograph(address, out, size.split('x').map(Number), like);
 server.close();
 const wrong = verdict(seen);
 console.log(
   `${glb}: ${seen.triangles ?? 0} triangles drawn, brightness ${seen.mean.toFixed(1)} +- ${seen.spread.toFixed(1)}` +
-    `${wrong ? `: ${wrong}` : ''}`,
+    `${like ? `, ${(100 * seen.off).toFixed(3)} % from ${like}` : ''}${wrong ? `: ${wrong}` : ''}`,
 );
 exit(wrong ? 1 : 0);

@@ -41,3 +41,25 @@ def write_furnace(folder):
     with open(path, "w", encoding="ascii") as file:
         file.write(FURNACE)
     return path
+
+
+# A second lamp on the left wall of the box, bluish.
+SIDE_LAMP = ("v -0.275 0.30 -0.35", "v -0.275 0.42 -0.35", "v -0.275 0.42 -0.20", "v -0.275 0.30 -0.20", "g side",
+             "usemtl side")
+SIDE_MATERIAL = "\nnewmtl side\nKd 0.5 0.5 0.5\nKe 4 7 12\n"
+
+
+def write_two_lamps(folder):
+    """The Cornell box with two lamps, `lamp` and `side`; the path of its OBJ."""
+    with open(BOX, encoding="utf-8") as file:
+        box = file.read()
+    first = box.count("\nv ") + 1
+    path = os.path.join(folder, "two-lamps.obj")
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        file.write(box.replace("cornell-box.mtl", "two-lamps.mtl"))
+        file.write("\n".join(["", *SIDE_LAMP, f"f {first} {first + 1} {first + 2} {first + 3}", ""]))
+    with open(BOX.replace(".obj", ".mtl"), encoding="utf-8") as file:
+        materials = file.read()
+    with open(os.path.join(folder, "two-lamps.mtl"), "w", encoding="utf-8", newline="\n") as file:
+        file.write(materials + SIDE_MATERIAL)
+    return path

@@ -31,6 +31,7 @@ class Bake final : public Command {
       return load_scene(file, settings_.scene.load, console.log(), console.monitor());
     });
     if (interrupted()) return stopped_before_light(console);
+    if (!scene.cameras.empty()) settings_.picture.of_scene = scene.cameras.front();
     auto kept = run_to_go_on(settings_.keep, fingerprint(scene), options());
 
     // 2. What it is cut into.

@@ -40,6 +40,7 @@ std::unique_ptr<Command> make_relight(CommandLine& line);
 std::unique_ptr<Command> make_merge(CommandLine& line);
 std::unique_ptr<Command> make_render(CommandLine& line);
 std::unique_ptr<Command> make_export(CommandLine& line);
+std::unique_ptr<Command> make_lightmap_command(CommandLine& line);
 std::unique_ptr<Command> make_reference(CommandLine& line);
 std::unique_ptr<Command> make_compare(CommandLine& line);
 std::unique_ptr<Command> make_info(CommandLine& line);

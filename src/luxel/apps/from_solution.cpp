@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "luxel/apps/commands.h"
@@ -21,6 +23,10 @@ class FromSolution final : public Command {
     if (pictures) {
       picture_.declare(options);
       picture_.declare_gather(options);
+    } else {
+      look_.declare_mesh(options);
+      look_.declare_title(options);
+      picture_.declare_camera(options);
     }
     run_.declare(options, kinds_);
   }
@@ -30,12 +36,19 @@ class FromSolution final : public Command {
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
-    const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
-    take_up_from(baked.solution.provenance);
-    return write_and_finish(baked, nullptr, options(), run_, look_, picture_, workers, console, record);
+    const auto kept = record.stage("read", [&](auto&) { return read(); });
+    take_up_from(kept.baked.solution.provenance);
+    return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,
+                            {nullptr, kept.samples});
   }
 
  private:
+  // Pages dim lamps by what the run kept of each; nothing else here needs it.
+  KeptRun read() const {
+    if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_page)) return read_kept_run(file_);
+    return {read_solution(file_), nullptr};
+  }
+
   // Which way is up was said when the solution was made; it need not be said again.
   void take_up_from(const Provenance& provenance) {
     if (look_.up != "auto") return;
@@ -58,8 +71,9 @@ std::unique_ptr<Command> make_render(CommandLine& line) {
 }
 
 std::unique_ptr<Command> make_export(CommandLine& line) {
-  return std::make_unique<FromSolution>(line.command("export", "make a lit mesh, or a copy, of a solution"),
-                                        mesh_kinds, false);
+  return std::make_unique<FromSolution>(
+      line.command("export", "make a lit mesh, a page to share, or a copy, of a solution"), mesh_kinds,
+      false);
 }
 
 }  // namespace luxel

@@ -18,7 +18,7 @@ namespace {
 class Info final : public Command {
  public:
   explicit Info(OptionSet& options) : Command(options) {
-    options.set_positional("FILE", file_, "a solution (.vtkhdf) or a scene (.obj)");
+    options.set_positional("FILE", file_, "a solution (.vtkhdf) or a scene (.obj, .glb, .gltf)");
     options.add_flag("json", json_, "print JSON");
   }
 

@@ -72,7 +72,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     console_.clear_bar();
   }
   auto written = write_outputs(baked, &tracer, settings_.run, settings_.look, settings_.picture, workers_,
-                               console_, record_, samples.get());
+                               console_, record_, {samples.get(), samples});
   for (const auto& file : steps.write(baked, tracer, written.camera, settings_.look, settings_.picture,
                                       workers_, console_, record_))
     written.files.push_back(file);

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "luxel/apps/page_output.h"
 #include "luxel/export/export_mesh.h"
+#include "luxel/export/export_page.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/reference/final_gather.h"
@@ -17,7 +19,6 @@
 #include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
-namespace {
 
 std::string ending(const std::filesystem::path& path) {
   auto text = path.extension().string();
@@ -25,6 +26,8 @@ std::string ending(const std::filesystem::path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
+
+namespace {
 
 bool is_among(const std::string& word, const std::string& words) {
   std::istringstream stream(words);
@@ -38,7 +41,8 @@ void write_mesh(const std::string& output, const Baked& baked, const std::option
   if (ending(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution, samples);
   if (ending(output) == ".ply")
     return export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
-  export_glb(output, baked.patches, baked.solution, *light, up_of(look, baked.patches), {.tone = look.tone});
+  export_glb(output, baked.patches, baked.solution, *light, up_of(look, baked.patches),
+             {.tone = look.tone, .program = look.program});
 }
 
 // The files a run will write, each at a place of its own.
@@ -70,6 +74,8 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
 
 bool is_picture(const std::string& output) { return is_among(ending(output), picture_kinds); }
 
+bool is_page(const std::string& output) { return ending(output) == ".html"; }
+
 namespace {
 
 // The light a camera is found by: the same whatever method the picture's own light comes from, and however
@@ -97,7 +103,9 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
                  smallest_aspect, largest_aspect);
   Camera camera;
   camera.up = up;
-  if (!picture.eye || !picture.target)
+  if (picture.of_scene && !picture.eye && !picture.target)
+    camera = *picture.of_scene;
+  else if (!picture.eye || !picture.target)
     camera = automatic_camera(baked.patches, light_at_a_glance(baked.patches, tracer, workers), tracer,
                               workers, up, aspect);
   if (picture.eye) camera.eye = Vec3(*picture.eye - baked.patches.origin);
@@ -124,6 +132,8 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
   for (const auto& output : run.outputs) {
     if (!is_among(ending(output), kinds))
       throw UsageError(fmt::format("-o {}: expected an ending among {}", output, kinds));
+    if (const auto why = page_is_missing(); is_page(output) && !why.empty())
+      throw DeviceError(fmt::format("-o {}: {}", output, why));
     places.add("-o", output);
   }
   if (!run.report.empty()) places.add("--report", run.report);
@@ -133,7 +143,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
 
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const SampleState* samples) {
+                      Console& console, RunRecord& record, const KeptSamples& samples) {
   // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
   const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : ending(o) == ".vtkhdf" ? 0 : 1; };
@@ -153,7 +163,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         return make_smooth_light(baked.patches, baked.solution, look.smooth, workers);
       });
     }
-    if (is_picture(output) && !radiance) {
+    if ((is_picture(output) || is_page(output)) && !written.camera) {
       if (!tracer) {
         console.announce("hierarchy");
         own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
@@ -161,6 +171,8 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
       }
       written.camera =
           record.stage("camera", [&](auto&) { return camera_of(picture, look, baked, *tracer, workers); });
+    }
+    if (is_picture(output) && !radiance) {
       radiance = record.stage("picture", [&](auto& stage) {
         const auto pixels = static_cast<std::uint64_t>(picture.render.width) *
                             static_cast<std::uint64_t>(picture.render.height);
@@ -192,7 +204,10 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
       console.announce(stage);
       record.stage(stage, [&](auto&) {
         if (is_picture(output)) return write_picture(output, *radiance, look.tone);
-        write_mesh(output, baked, light, look, samples);
+        if (is_page(output))
+          return write_page(output, baked, *light, samples.for_pages, *tracer, *written.camera, look,
+                            workers);
+        write_mesh(output, baked, light, look, samples.for_solutions);
       });
       console.clear_bar();
       written.files.push_back(output);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +16,13 @@
 
 namespace luxel {
 
+// The ending of a file's name with its dot, in small letters.
+std::string ending(const std::filesystem::path& path);
+
 // The files a solution can become.
 inline constexpr const char* picture_kinds = ".png .exr .hdr";
-inline constexpr const char* mesh_kinds = ".glb .ply .vtkhdf";
-inline constexpr const char* all_kinds = ".glb .ply .png .exr .hdr .vtkhdf";
+inline constexpr const char* mesh_kinds = ".glb .ply .html .vtkhdf";
+inline constexpr const char* all_kinds = ".glb .ply .html .png .exr .hdr .vtkhdf";
 
 // What can be refused before hours are spent. Throws UsageError where there is no output, one's ending is not
 // among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made. A
@@ -31,6 +35,7 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches);
 
 // Whether it is one of picture_kinds, by its ending.
 bool is_picture(const std::string& output);
+bool is_page(const std::string& output);
 
 // The camera that the settings name, counted from the patches' origin; what they leave open is found.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
@@ -39,6 +44,12 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
 // radiance: W/(m² sr), tone-mapped where the ending asks for it. Throws DeviceError.
 void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone);
 
+// What is known of the samples behind the light, where it is.
+struct KeptSamples {
+  const SampleState* for_solutions = nullptr;         // kept in solutions
+  std::shared_ptr<const SampleState> for_pages = {};  // the light of each group of lamps comes from it
+};
+
 struct Written {
   std::vector<std::string> files;
   std::optional<Camera> camera;  // of the pictures, if any was taken; from the patches' origin
@@ -46,10 +57,9 @@ struct Written {
 };
 
 // Writes each output. Builds what it needs once: the smooth light, and a tracer when there is a picture and
-// none is given. After an interrupt that came before, what there is still gets written. samples: kept in
-// solutions.
+// none is given. After an interrupt that came before, what there is still gets written.
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const SampleState* samples = nullptr);
+                      Console& console, RunRecord& record, const KeptSamples& samples = {});
 
 }  // namespace luxel

@@ -100,12 +100,13 @@ class Reference final : public Command {
   }
 
   // A solution's own light stays, to find a view by.
-  Baked read(Console& console, RunRecord& record) const {
+  Baked read(Console& console, RunRecord& record) {
     if (is_of_solution()) return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
     const auto scene = record.stage("load", [&](auto&) {
       return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
     });
     if (interrupted()) return {};
+    if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
     baked.patches = record.stage("patches", [&](auto&) {
       return make_patches(scene, scene_.patches, console.log(), console.monitor());

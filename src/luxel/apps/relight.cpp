@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "luxel/apps/bake_settings.h"
 #include "luxel/apps/colour_text.h"
 #include "luxel/apps/commands.h"
 #include "luxel/apps/console.h"
 #include "luxel/apps/finish.h"
+#include "luxel/apps/keep_settings.h"
 #include "luxel/apps/outputs.h"
+#include "luxel/apps/page_output.h"
 #include "luxel/scene/name_pattern.h"
 
 namespace luxel {
@@ -56,6 +57,7 @@ class Relight final : public Command {
         "reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
         "another reflectance (0.98 at most): #rrggbb, linear red,green,blue or one number", reflectances_));
     look_.declare(options);
+    look_.declare_title(options);
     picture_.declare(options);
     picture_.declare_gather(options);
     run_.declare(options, all_kinds);
@@ -77,7 +79,7 @@ class Relight final : public Command {
     console.announce("hierarchy");
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, workers); });
     console.announce("transport");
-    const auto options_then = sampled_options(kept.baked.solution.provenance);
+    const auto options_then = sampled_options_of(kept.baked.solution.provenance);
     Relighter relighter(patches, tracer, kept.samples, options_then, workers);
     console.announce("light");
     auto solution = record.stage("light", [&](auto&) {
@@ -149,15 +151,6 @@ class Relight final : public Command {
         std::copy(colour.begin(), colour.end(), reflectance.begin() + static_cast<std::ptrdiff_t>(m * bands));
     }
     return reflectance;
-  }
-
-  // How the run sampled.
-  static SampledOptions sampled_options(const Provenance& provenance) {
-    BakeSettings settings;
-    OptionSet all("bake", "");
-    settings.declare(all);
-    all.take_up(provenance.options);
-    return settings.light.sampled;
   }
 
   // Pictures of one room in several lights are taken from one place: where the light as it was is seen from.

@@ -110,11 +110,15 @@ void RefineSettings::declare(OptionSet& set) {
            [this] { return fmt::format("{}", max_patches); }});
 }
 
-void PictureSettings::declare_view(OptionSet& set) {
+void PictureSettings::declare_camera(OptionSet& set) {
   set.heading("Picture");
   set.add_point("eye", "x,y,z m", eye, "where the camera stands");
   set.add_point("target", "x,y,z m", target, "what the middle of the picture shows");
   add_or_auto(set, "fov", "degrees", vertical_fov, automatic_fov, parse_fov, "vertical field of view");
+}
+
+void PictureSettings::declare_view(OptionSet& set) {
+  declare_camera(set);
   set.add_number("width", "pixels", render.width, 1, 32768, "width of the picture");
   set.add_number("height", "pixels", render.height, 1, 32768, "height of the picture");
 }
@@ -139,6 +143,24 @@ void PictureSettings::check() const {
 
 void LookSettings::declare_up(OptionSet& set) {
   set.add_choice("up", {"auto", "y", "z"}, up, "which way is up");
+}
+
+void LookSettings::declare_title(OptionSet& set) {
+  set.add_text("title", "TEXT", title, "of a page (.html); empty: its file's name");
+}
+
+void LookSettings::declare_mesh(OptionSet& set) {
+  set.add({"for", "PROGRAM",
+           fmt::format("the program that a .glb is for: {}", fmt::join(mesh_program_names(), ", ")),
+           [this](const std::string& text) {
+             const auto found = mesh_program(text);
+             if (!found)
+               throw UsageError(fmt::format("--for: expected one of {}, not '{}'",
+                                            fmt::join(mesh_program_names(), ", "), text));
+             program = *found;
+           },
+           [this] { return std::string(name(program)); }});
+  set.add_choice("as", {"vertex"}, light_as, "how a .glb has its light: at its vertices");
 }
 
 void LookSettings::declare(OptionSet& set) {

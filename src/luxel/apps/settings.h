@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "luxel/apps/option_set.h"
+#include "luxel/export/mesh_program.h"
 #include "luxel/load/load_scene.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/refine/refine_to_light.h"
@@ -70,6 +71,7 @@ struct LightSettings : LightOptions {
 struct PictureSettings {
   static constexpr float automatic_fov = 0.0f;
   std::optional<Vec3d> eye, target;    // m, in the file's coordinates
+  std::optional<Camera> of_scene;      // what the scene's file has, where neither is given
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays a pixel of a final gather; 0: none
@@ -77,6 +79,7 @@ struct PictureSettings {
   void check() const;
   // Camera and size; then how a solution is drawn.
   void declare_view(OptionSet& set);
+  void declare_camera(OptionSet& set);
   void declare(OptionSet& set);
   void declare_gather(OptionSet& set);
 };
@@ -85,7 +88,12 @@ struct LookSettings {
   std::string up = "auto";
   SmoothOptions smooth;
   ToneOptions tone;
+  std::string title;                       // of a page; empty: the file's name
+  MeshProgram program = MeshProgram::any;  // that reads a GLB
+  std::string light_as = "vertex";         // how a GLB has its light
   void declare_up(OptionSet& set);
+  void declare_title(OptionSet& set);
+  void declare_mesh(OptionSet& set);
   void declare(OptionSet& set);
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -9,6 +11,8 @@
 #include "luxel/export/glb_model.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/utf8.h"
+#include "luxel/image/image.h"
+#include "luxel/photometry/luminous_efficacy.h"
 
 namespace luxel {
 namespace {
@@ -18,38 +22,47 @@ struct Columns {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;
   std::vector<Rgba16> colour;
+  std::vector<Vec3> irradiance;
 };
 
-Columns columns_of(const LitMesh& mesh, const LitPart& part) {
+Vec3 srgb_codes(const Vec3& c) { return {srgb_encode(c.r), srgb_encode(c.g), srgb_encode(c.b)}; }
+
+Columns columns_of(const LitMesh& mesh, const LitPart& part, const MeshHabits& habits) {
   Columns columns;
   for (std::size_t i = 0; i < part.smooth.size(); ++i) {
     const auto v = mesh.vertex(part, i);
     columns.position.push_back(v.position);
     columns.normal.push_back(v.normal);
-    columns.colour.push_back(quantise(v.colour));
+    columns.colour.push_back(quantise(habits.colours_are_srgb ? srgb_codes(v.colour) : v.colour));
+    if (habits.keeps_irradiance) columns.irradiance.push_back(v.irradiance);
   }
   return columns;
 }
 
-tinygltf::Primitive add_primitive(tinygltf::Model& model, const LitMesh& mesh, const LitPart& part) {
-  const auto columns = columns_of(mesh, part);
+tinygltf::Primitive add_primitive(tinygltf::Model& model, const LitMesh& mesh, const LitPart& part,
+                                  const MeshHabits& habits) {
+  const auto columns = columns_of(mesh, part, habits);
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   add_vertices(model, primitive, columns.position, columns.colour);
   primitive.attributes["NORMAL"] = add_array(model, columns.normal, vector_of_floats);
+  if (habits.keeps_irradiance)
+    primitive.attributes["_IRRADIANCE"] = add_array(model, columns.irradiance, vector_of_floats);
   primitive.indices = add_indices(model, part.triangles, part.smooth.size());
   return primitive;
 }
 
-void add_mesh(tinygltf::Model& model, const PatchSet& patches, const LitMesh& mesh) {
+void add_mesh(tinygltf::Model& model, const PatchSet& patches, const LitMesh& mesh,
+              const MeshHabits& habits) {
   tinygltf::Mesh lit;
   lit.name = "lit surfaces";
   auto last_material = std::numeric_limits<std::size_t>::max();
   for (const auto& part : mesh.parts()) {
     if (part.material != last_material)
-      model.materials.push_back(unlit_material(patches.materials[part.material].name));
+      model.materials.push_back(
+          unlit_material(fmt::format("{}{}", patches.materials[part.material].name, habits.material_suffix)));
     last_material = part.material;
-    lit.primitives.push_back(add_primitive(model, mesh, part));
+    lit.primitives.push_back(add_primitive(model, mesh, part, habits));
     lit.primitives.back().material = static_cast<int>(model.materials.size() - 1);
   }
   model.meshes.push_back(std::move(lit));
@@ -62,9 +75,35 @@ tinygltf::Node lit_root() {
   return root;
 }
 
-tinygltf::Value provenance_of(const Solution& solution) {
+tinygltf::Value words(std::string_view text) { return tinygltf::Value(std::string(text)); }
+
+// What the numbers at the vertices are.
+tinygltf::Value light_of(const ToneCurve& curve, const MeshProgram program) {
+  const auto habits = habits_of(program);
+  tinygltf::Value::Object attributes = {
+      {"COLOR_0", tinygltf::Value(tinygltf::Value::Object{
+                      {"quantity", words("radiance after the tone curve")},
+                      {"unit", words("1: the display's white")},
+                      {"encoding", words(habits.colours_are_srgb ? "sRGB codes" : "linear sRGB")},
+                      {"tone", words(name(curve.options.op))},
+                      {"scale", tinygltf::Value(static_cast<double>(curve.scale))},
+                  })}};
+  if (habits.keeps_irradiance)
+    attributes.emplace("_IRRADIANCE", tinygltf::Value(tinygltf::Value::Object{
+                                          {"quantity", words("irradiance")},
+                                          {"unit", words("W/m2 by linear sRGB")},
+                                          {"radiance", words("reflectance * irradiance / pi")},
+                                          {"lumens_per_watt", tinygltf::Value(luminous_efficacy)},
+                                      }));
+  return tinygltf::Value(tinygltf::Value::Object{{"made_for", words(name(program))},
+                                                 {"as", words("vertex")},
+                                                 {"attributes", tinygltf::Value(std::move(attributes))}});
+}
+
+tinygltf::Value provenance_of(const Solution& solution, tinygltf::Value light) {
   const auto& from = solution.provenance;
   return tinygltf::Value(tinygltf::Value::Object{
+      {"light", std::move(light)},
       {"method", tinygltf::Value(valid_utf8(from.method))},
       {"rays", tinygltf::Value(static_cast<double>(from.rays))},
       {"seed", tinygltf::Value(fmt::format("{}", from.seed))},
@@ -82,11 +121,11 @@ void export_glb(const std::filesystem::path& path, const PatchSet& patches, cons
   tinygltf::Model model;
   model.asset.version = "2.0";
   model.asset.generator = valid_utf8("Luxel " + solution.provenance.program_version);
-  model.asset.extras = provenance_of(solution);
+  model.asset.extras = provenance_of(solution, light_of(mesh.curve(), options.program));
   if (!mesh.parts().empty()) {  // glTF knows no empty mesh
     model.extensionsUsed = {"KHR_materials_unlit"};
     model.buffers.emplace_back();
-    add_mesh(model, patches, mesh);
+    add_mesh(model, patches, mesh, habits_of(options.program));
     add_root(model, lit_root(), up, patches.origin);
   }
   write_glb(path, model);

@@ -67,9 +67,9 @@ std::vector<std::vector<std::uint32_t>> patches_by_side(const PatchSet& patches,
 // number: [smooth vertex]; its vertex in the part at hand, or unnumbered; left as it was found.
 constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
 
-LitPart part_of(const std::vector<std::uint32_t>& patches, const SmoothLight& light, std::size_t material,
-                bool back, std::vector<std::uint32_t>& number) {
-  LitPart part{material, back, {}, {}};
+LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, const SmoothLight& light,
+                std::size_t material, bool back, std::vector<std::uint32_t>& number) {
+  LitPart part{material, back, {}, {}, VertexShares(all)};
   part.triangles.reserve(patches.size());
   for (const auto p : patches) {
     auto corners = light.corners[p];
@@ -80,6 +80,7 @@ LitPart part_of(const std::vector<std::uint32_t>& patches, const SmoothLight& li
         part.smooth.push_back(corner);
       }
       corner = n;
+      part.shares.add(n, p);
     }
     if (back) std::swap(corners[1], corners[2]);
     part.triangles.push_back(corners);
@@ -98,7 +99,8 @@ LitMesh::LitMesh(const PatchSet& patches, const Solution& solution, const Smooth
   std::vector<std::uint32_t> number(light.size(), unnumbered);
   const auto sides = patches_by_side(patches, solution);
   for (std::size_t side = 0; side < sides.size(); ++side)
-    if (!sides[side].empty()) parts_.push_back(part_of(sides[side], light, side / 2, side % 2 == 1, number));
+    if (!sides[side].empty())
+      parts_.push_back(part_of(patches, sides[side], light, side / 2, side % 2 == 1, number));
 }
 
 LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
@@ -109,8 +111,8 @@ LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
   v.normal = part.back ? -light_.normal[s] : light_.normal[s];
   const auto here = of_element(irradiance, s, colours_.bands());
   v.irradiance = Vec3(colours_.rgb(here));
-  v.colour =
-      curve_(in_gamut(radiance_of(patches_.materials[part.material], part.back, here.data(), colours_)));
+  v.colour = curve_(in_gamut(
+      radiance_of(patches_.materials[part.material], part.back, here.data(), colours_, part.shares.at(i))));
   return v;
 }
 

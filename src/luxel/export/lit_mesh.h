@@ -9,6 +9,7 @@
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
+#include "luxel/surface/vertex_shares.h"
 #include "luxel/tone/tone.h"
 
 namespace luxel {
@@ -19,6 +20,7 @@ struct LitPart {
   bool back = false;                                    // triangles are wound, normals turned, to face there
   std::vector<std::uint32_t> smooth;                    // [vertex]: index into SmoothLight
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into smooth
+  VertexShares shares;                                  // of the vertices
 };
 
 // What a vertex of a part shows.
@@ -40,6 +42,8 @@ class LitMesh {
   // fell on it.
   const std::vector<LitPart>& parts() const { return parts_; }
   LitVertex vertex(const LitPart& part, std::size_t i) const;
+  // What made the colours of radiance.
+  const ToneCurve& curve() const { return curve_; }
 
  private:
   const PatchSet& patches_;

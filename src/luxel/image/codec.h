@@ -5,8 +5,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "luxel/image/image.h"
+#include "luxel/image/image_file.h"
+#include "luxel/image/raster.h"
 
 namespace luxel {
 
@@ -23,16 +26,16 @@ struct CodecError : std::runtime_error {
 // Throws CodecError unless 1 <= width, height <= largest_side.
 void check_size(std::int64_t width, std::int64_t height);
 
-// 8-bit sRGB RGB, tightly packed, as linear pixels.
-Image image_from_codes(int width, int height, const std::uint8_t* rgb);
+// The pixels of a file of linear values.
+inline Raster of_numbers(Image image) { return {image.width, image.height, {}, std::move(image.pixels)}; }
 
-std::string encode_png(const Image& display);
+std::string encode_png(const Image& display, const PictureNotes& notes = {});
 std::string encode_exr(const Image& linear);
 std::string encode_hdr(const Image& linear);
 
-Image decode_png(std::string_view bytes);
-Image decode_exr(std::string_view bytes);
-Image decode_hdr(std::string_view bytes);
-Image decode_stb(std::string_view bytes);  // JPEG, BMP, TGA
+Raster decode_png(std::string_view bytes);
+Raster decode_exr(std::string_view bytes);
+Raster decode_hdr(std::string_view bytes);
+Raster decode_stb(std::string_view bytes);  // JPEG, BMP, TGA
 
 }  // namespace luxel

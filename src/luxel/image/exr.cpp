@@ -113,11 +113,11 @@ std::string encode_exr(const Image& linear) {
   return std::move(memory.bytes);
 }
 
-Image decode_exr(std::string_view bytes) {
+Raster decode_exr(std::string_view bytes) {
   try {
     MemoryIn memory(bytes);
     Imf::InputFile file(memory, 0);
-    return read_channels(file);
+    return of_numbers(read_channels(file));
   } catch (const CodecError&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uint64_t largest_file = std::uint64_t{512} << 20;
 
-void write_encoded(const fs::path& path, const Image& image, std::string (*encode)(const Image&)) {
+template <typename Encode>
+void write_encoded(const fs::path& path, const Image& image, const Encode& encode) {
   const auto refuse = [&](const std::string& reason) {
     throw DeviceError(fmt::format("cannot write {}: {}", path.string(), reason));
   };
@@ -41,7 +42,7 @@ bool ends_in_tga(const fs::path& path) {
 }
 
 // Only formats asked for reach a decoder: stb knows more of them, less well tested.
-Image decode(const fs::path& path, std::string_view bytes) {
+Raster decode(const fs::path& path, std::string_view bytes) {
   const auto begins = [&](std::string_view magic) { return bytes.substr(0, magic.size()) == magic; };
   if (begins("\x89PNG\r\n\x1a\n")) return decode_png(bytes);
   if (begins("\x76\x2f\x31\x01")) return decode_exr(bytes);
@@ -59,30 +60,25 @@ void check_size(std::int64_t width, std::int64_t height) {
                                  width, height, largest_side));
 }
 
-Image image_from_codes(int width, int height, const std::uint8_t* rgb) {
-  float linear[256];
-  for (int i = 0; i < 256; ++i) linear[i] = srgb_decode(static_cast<float>(i) / 255.0f);
-  Image image(width, height);
-  for (auto& pixel : image.pixels) {
-    pixel = Vec3(linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]);
-    rgb += 3;
-  }
-  return image;
+void write_png(const fs::path& path, const Image& display, const PictureNotes& notes) {
+  write_encoded(path, display, [&](const Image& image) { return encode_png(image, notes); });
 }
-
-void write_png(const fs::path& path, const Image& display) { write_encoded(path, display, encode_png); }
 void write_exr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_exr); }
 void write_hdr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_hdr); }
 
-Image read_image(const fs::path& path) {
-  const auto bytes = read_file(path, largest_file);
+Raster decode_raster(std::string_view bytes, const std::string& name) {
   try {
-    return decode(path, bytes);
+    return decode(name, bytes);
   } catch (const CodecError& e) {
-    throw InputError(path.string(), e.what());
+    throw InputError(name, e.what());
   } catch (const std::bad_alloc&) {
-    throw InputError(path.string(), "the picture does not fit into memory; make it smaller");
+    throw InputError(name, "the picture does not fit into memory; make it smaller");
   }
 }
+
+Raster read_raster(const fs::path& path) {
+  return decode_raster(read_file(path, largest_file), path.string());
+}
+Image read_image(const fs::path& path) { return as_image(read_raster(path)); }
 
 }  // namespace luxel

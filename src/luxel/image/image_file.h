@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "luxel/image/image.h"
 
@@ -12,7 +15,9 @@ namespace luxel {
 // made in memory first.
 
 // 8-bit sRGB PNG of a display-referred image: clamped to [0, 1], sRGB encoded, rounded, with an sRGB chunk.
-void write_png(const std::filesystem::path& path, const Image& display);
+// notes: keywords of up to 79 Latin letters and what they say, as text chunks of the file.
+using PictureNotes = std::vector<std::pair<std::string, std::string>>;
+void write_png(const std::filesystem::path& path, const Image& display, const PictureNotes& notes = {});
 // Scene-referred linear values as they are: OpenEXR (half floats, ZIP; within ±65504) and Radiance RGBE (0 to
 // 1e38).
 void write_exr(const std::filesystem::path& path, const Image& linear);

@@ -51,12 +51,12 @@ bool read_header(Decoder& decoder) {
   return true;
 }
 
-// All kinds of PNG become 8-bit RGB.
+// All kinds of PNG become 8-bit RGBA.
 bool start_pixels(Decoder& decoder) {
   if (setjmp(png_jmpbuf(decoder.png))) return false;
   png_set_expand(decoder.png);
   png_set_scale_16(decoder.png);
-  png_set_strip_alpha(decoder.png);
+  png_set_add_alpha(decoder.png, 0xff, PNG_FILLER_AFTER);
   png_set_gray_to_rgb(decoder.png);
   png_set_interlace_handling(decoder.png);
   png_read_update_info(decoder.png, decoder.info);
@@ -70,9 +70,34 @@ bool read_pixels(Decoder& decoder, png_bytepp rows) {
   return true;
 }
 
+// As the PNG specification's appendix has it.
+std::uint32_t cyclic_redundancy_check(std::string_view bytes) {
+  std::uint32_t crc = 0xffffffffu;
+  for (const auto byte : bytes) {
+    crc ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1u) ? 0xedb88320u : 0u);
+  }
+  return ~crc;
+}
+
+// libpng's simplified interface writes no text.
+std::string text_chunk(const std::string& keyword, const std::string& text) {
+  const auto number = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xffu);
+    return bytes;
+  };
+  std::string chunk = "tEXt";
+  chunk += keyword;
+  chunk += '\0';
+  chunk += text;
+  return number(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk +
+         number(cyclic_redundancy_check(chunk));
+}
+
 }  // namespace
 
-std::string encode_png(const Image& display) {
+std::string encode_png(const Image& display, const PictureNotes& notes) {
   std::vector<std::uint8_t> codes;
   codes.reserve(3 * display.pixels.size());
   for (const auto& pixel : display.pixels)
@@ -89,10 +114,13 @@ std::string encode_png(const Image& display) {
   if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, codes.data(), 0, nullptr))
     throw CodecError(png.message);
   bytes.resize(size);
+  constexpr std::size_t end_of_header = 33;  // signature and IHDR
+  for (auto note = notes.rbegin(); note != notes.rend(); ++note)
+    bytes.insert(end_of_header, text_chunk(note->first, note->second));
   return bytes;
 }
 
-Image decode_png(std::string_view bytes) {
+Raster decode_png(std::string_view bytes) {
   Decoder decoder;
   decoder.rest = bytes;
   const auto refuse = [&] {
@@ -104,13 +132,14 @@ Image decode_png(std::string_view bytes) {
   check_size(width, height);
   if (!start_pixels(decoder)) refuse();
 
+  Raster raster{static_cast<int>(width), static_cast<int>(height), {}, {}};
   const std::size_t stride = png_get_rowbytes(decoder.png, decoder.info);
-  if (stride != std::size_t{3} * width) throw CodecError("the PNG picture is of an unknown kind");
-  std::vector<std::uint8_t> codes(stride * height);
+  if (stride != sizeof(Raster::Code) * width) throw CodecError("the PNG picture is of an unknown kind");
+  raster.codes.resize(std::size_t{width} * height);
   std::vector<png_bytep> rows(height);
-  for (std::size_t y = 0; y < height; ++y) rows[y] = codes.data() + y * stride;
+  for (std::size_t y = 0; y < height; ++y) rows[y] = raster.codes[y * width].data();
   if (!read_pixels(decoder, rows.data())) refuse();
-  return image_from_codes(static_cast<int>(width), static_cast<int>(height), codes.data());
+  return raster;
 }
 
 }  // namespace luxel

@@ -78,7 +78,7 @@ Vec3 color(const Rgbe& rgbe) {
 
 }  // namespace
 
-Image decode_hdr(std::string_view bytes) {
+Raster decode_hdr(std::string_view bytes) {
   Reader in(bytes);
   bool is_rgbe = false;
   for (auto line = in.line(); !line.empty(); line = in.line()) is_rgbe |= line == "FORMAT=32-bit_rle_rgbe";
@@ -98,7 +98,7 @@ Image decode_hdr(std::string_view bytes) {
     }
     for (int x = 0; x < width; ++x) image.at(x, y) = color(row[x]);
   }
-  return image;
+  return of_numbers(std::move(image));
 }
 
 }  // namespace luxel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -40,15 +41,18 @@ std::string encode_hdr(const Image& linear) {
   return bytes;
 }
 
-Image decode_stb(std::string_view bytes) {
+Raster decode_stb(std::string_view bytes) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) refuse();
   check_size(width, height);
-  const std::unique_ptr<stbi_uc, Free> rgb(stbi_load_from_memory(data, size, &width, &height, &channels, 3));
-  if (!rgb) refuse();
-  return image_from_codes(width, height, rgb.get());
+  const std::unique_ptr<stbi_uc, Free> rgba(stbi_load_from_memory(data, size, &width, &height, &channels, 4));
+  if (!rgba) refuse();
+  Raster raster{width, height, {}, {}};
+  raster.codes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::memcpy(raster.codes.data(), rgba.get(), raster.codes.size() * sizeof(Raster::Code));
+  return raster;
 }
 
 }  // namespace luxel

@@ -54,8 +54,7 @@ LightValue radiosity_of(const LiveLight& light, std::size_t patch, bool back) {
   std::vector<double> reflected;
   if (!error.empty()) {
     reflected = of_patch(error, patch, bands);
-    const auto& reflectance = light.mesh.patches->material_of(patch).reflectance;
-    for (std::size_t b = 0; b < bands; ++b) reflected[b] *= reflectance[b];
+    for (std::size_t b = 0; b < bands; ++b) reflected[b] *= light.mesh.patches->reflectance(patch, b);
   }
   return value_of(light.mesh.patches->colours(),
                   of_patch(back ? s.radiosity_back : s.radiosity_front, patch, bands), reflected);

@@ -24,8 +24,8 @@ void LiveRun::begin_bounces() {
   if (!goes_by_bounces()) return;
   const auto& patches = *mesh_.patches;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto& emittance = patches.material_of(p).emittance;
-    radiosity_front_.insert(radiosity_front_.end(), emittance.begin(), emittance.end());
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      radiosity_front_.push_back(patches.emittance(p, b));
   }
   radiosity_back_.assign(radiosity_front_.size(), 0.0f);
 }

@@ -35,27 +35,38 @@ void say(const Tally& tally, const char* noun, const char* what, const char* con
 
 Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
                const Monitor& monitor) {
+  const auto text = read_text(path, path.string());
+  return load_obj(text, path, options, log, monitor);
+}
+
+Scene load_obj(std::string_view text, const std::filesystem::path& path, const LoadOptions& options,
+               const LogSink& log, const Monitor& monitor) {
   const auto source = path.string();
-  const auto text = read_text(path, source);
   const auto mesh = read_obj(text, source, options.scale, monitor);
   if (!mesh) return {};
   expect_faces(*mesh, text, source);
 
   Scene scene;
   scene.source = source;
-  place_positions(*mesh, options.scale, scene);
+  Reach reach;
+  for (const auto& corner : mesh->corners) reach.add(mesh->positions[corner.position]);
+  place_positions(mesh->positions, reach, options.scale, scene);
   scene.groups = mesh->groups;
   scene.objects = mesh->objects;
-  const auto turned = make_triangles(*mesh, scene, monitor);
-  if (!turned) return {};
   const auto library = read_libraries(mesh->libraries, path, log);
-  scene.materials = make_materials(mesh->materials, library, source, options, log);
+  make_materials(mesh->materials, library, options, scene, log);
+  const auto tallies = make_triangles(*mesh, scene, monitor);
+  if (!tallies) return {};
 
   say(mesh->short_faces, "face", "of fewer than three corners", "dropped", source, log);
   say(mesh->faces_without_material, "face", "before any usemtl", "the material 'default' is taken", source,
       log);
   say(mesh->unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source, log);
-  say(*turned, "triangle", "wound against the vertex normals", "turned round", source, log);
+  if (!scene.uv_sets.empty())
+    say(mesh->unreadable_uvs, "texture coordinate", "not of finite numbers", "0 is taken", source, log);
+  say(tallies->without_uv, "face", "of textured materials without texture coordinates",
+      "the mean colours are taken", source, log);
+  say(tallies->turned, "triangle", "wound against the vertex normals", "turned round", source, log);
   return scene;
 }
 

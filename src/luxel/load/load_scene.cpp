@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/load/apply_spectra.h"
+#include "luxel/load/load_gltf.h"
 #include "luxel/load/load_obj.h"
 #include "luxel/load/name_list.h"
 #include "luxel/load/text.h"
@@ -22,7 +23,8 @@ struct Reader {
   std::string_view ending;
   Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&, const Monitor&);
 };
-constexpr auto readers = std::to_array<Reader>({{".obj", load_obj}});
+constexpr auto readers =
+    std::to_array<Reader>({{".obj", load_obj}, {".glb", load_gltf}, {".gltf", load_gltf}});
 
 void check_options(const LoadOptions& options) {
   if (!(options.scale > 0.0 && std::isfinite(options.scale)))
@@ -45,7 +47,7 @@ void check_is_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError(path.string(), "no such file");
   if (std::filesystem::is_directory(status))
-    throw InputError(path.string(), "it is a folder; name the .obj file inside it");
+    throw InputError(path.string(), "it is a folder; name the scene's file inside it (.obj, .glb or .gltf)");
 }
 
 const Reader& reader_of(const std::filesystem::path& path) {
@@ -54,8 +56,9 @@ const Reader& reader_of(const std::filesystem::path& path) {
     if (reader.ending == ending) return reader;
   throw InputError(
       path.string(),
-      fmt::format("expected a file that ends in .obj, found {}; convert the scene to OBJ with MTL",
-                  ending.empty() ? "no ending" : "'" + ending + "'"));
+      fmt::format(
+          "expected a file that ends in .obj, .glb or .gltf, found {}; convert the scene to one of these",
+          ending.empty() ? "no ending" : "'" + ending + "'"));
 }
 
 // For each material, whether any of the patterns names it. A pattern that names none is most likely a typing
@@ -86,8 +89,7 @@ void apply_one_sided(const std::vector<std::string>& patterns, Scene& scene) {
 void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
   const auto selected = select(patterns, scene, "flip");
   for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-    if (selected[static_cast<std::size_t>(scene.triangle_material[i])])
-      std::swap(scene.triangles[i][1], scene.triangles[i][2]);
+    if (selected[static_cast<std::size_t>(scene.triangle_material[i])]) turn_triangle(scene, i);
 }
 
 void repair(const LoadOptions& options, Scene& scene, const LogSink& log) {

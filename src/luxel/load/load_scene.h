@@ -27,15 +27,20 @@ struct LoadOptions {
       0;  // with spectra: so many wavelengths at even steps; 0: those of the file, see apply_spectra()
 };
 
-// Reads a scene by the file's ending: .obj (with its .mtl and textures).
-// Throws InputError with file and line for anything that cannot be read; says warnings (a missing MTL or
-// texture and the default taken, turned faces, capped reflectances) and what repairs on request changed to
-// log. Welding comes before orienting, and both before flipping, which so has the last word. Cost: about half
-// a second a million faces, and what decoding its textures takes.
+// Reads a scene by the file's ending: .obj (with its .mtl and textures), .glb or .gltf (glTF 2.0, with its
+// buffers and pictures).
+// Throws InputError with file and line (or JSON path) for anything that cannot be read; says warnings (a
+// missing MTL or texture and the default taken, turned faces, capped reflectances) and what repairs on
+// request changed to log. Welding comes before orienting, and both before flipping, which so has the last
+// word. Cost: about half a second a million faces, and what decoding its textures takes.
 //
 // OBJ as Luxel reads it: metres, Y up or Z up as it comes; materials are two-sided; Ke is radiance in W/(m²
-// sr); Kd times the mean linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes
+// sr); Kd times the linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes
 // freely through what has d below 0.5; vertex normals, where given, say which side of a face is its front.
+//
+// glTF as Luxel reads it: metres, Y up; base colour times (1 - metallic) is the reflectance; emission is
+// luminance in cd/m², lamps have candela and lux, and all of these become watts by luminous_efficacy; what is
+// not doubleSided absorbs at its back; light passes freely where alpha says that less than half is there.
 //
 // Coordinates are read in doubles. A scene that reaches farther from the file's zero than eight times its own
 // size (the longest side of its box) gets an origin in its midst, and positions count from there: a room of 5

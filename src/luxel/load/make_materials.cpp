@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/load/make_materials.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "luxel/load/name_list.h"
-#include "luxel/load/texture_means.h"
+#include "luxel/load/raster_colours.h"
+#include "luxel/load/texture_files.h"
+#include "luxel/load/used_textures.h"
 
 namespace luxel {
 namespace {
+
+constexpr float half_solid = 0.5f;
+
+// OBJ counts v from the bottom of a picture, Luxel from its top.
+TextureUse use_of(const MtlTexture& mtl, std::uint32_t texture) {
+  TextureUse use{.texture = texture};
+  use.placement = {mtl.scale.x, 0.0f, mtl.offset.x, 0.0f, -mtl.scale.y, 1.0f - mtl.offset.y};
+  if (mtl.clamps) use.wrap = {Wrap::clamp, Wrap::clamp};
+  return use;
+}
 
 class MaterialMaker {
  public:
@@ -15,16 +31,18 @@ class MaterialMaker {
       : library_(library), options_(options) {}
 
   Material make(const NamedLine& use);
+  const std::vector<Texture>& textures() const { return files_.textures(); }
   void say_warnings(const std::string& source, const LogSink& log) const;
 
  private:
-  Vec3 reflectance(const MaterialLibrary::Entry& entry);
-  Vec3 radiance(const MaterialLibrary::Entry& entry);
+  void cut_holes(const MaterialLibrary::Entry& entry, Material& material);
+  void reflect(const MaterialLibrary::Entry& entry, Material& material);
+  void emit(const MaterialLibrary::Entry& entry, Material& material);
   void light_mirror(const MtlMaterial& mtl, Material& material);
 
   const MaterialLibrary& library_;
   const LoadOptions& options_;
-  TextureMeans reflecting_, emitting_;
+  TextureFiles files_;
 
   // Names of materials, for the warnings.
   std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, mirrors_, emitting_twice_;
@@ -35,11 +53,13 @@ Material MaterialMaker::make(const NamedLine& use) {
   Material material;
   material.name = use.name;
   material.reflectance = Vec3(default_reflectance);
+  material.textures.most_reflectance = options_.max_reflectance;
   const auto found = library_.entries.find(use.name);
   if (found != library_.entries.end()) {
-    material.reflectance = reflectance(found->second);
-    material.emittance = pi * radiance(found->second);
-    material.opaque = material.is_lamp() || found->second.material.opacity.value_or(1.0f) >= 0.5f;
+    cut_holes(found->second, material);
+    reflect(found->second, material);
+    emit(found->second, material);
+    material.opaque = material.is_lamp() || found->second.material.opacity.value_or(1.0f) >= half_solid;
     if (!material.opaque) transparent_.push_back(use.name);
     if (material.opaque) light_mirror(found->second.material, material);
   } else if (use.line > 0) {
@@ -61,28 +81,52 @@ void MaterialMaker::light_mirror(const MtlMaterial& mtl, Material& material) {
   const bool is_black = material.reflectance == Vec3(0.0f) && !material.is_lamp();
   if (!is_black || mtl.ks.value_or(Vec3(0.0f)) == Vec3(0.0f)) return;
   material.reflectance = *mtl.ks;
+  material.textures.reflectance = std::nullopt;
   mirrors_.push_back(mtl.name);
 }
 
-Vec3 MaterialMaker::reflectance(const MaterialLibrary::Entry& entry) {
+// Where what holds back light, d times the picture, is less than half there.
+void MaterialMaker::cut_holes(const MaterialLibrary::Entry& entry, Material& material) {
   const auto& mtl = entry.material;
-  if (mtl.map_kd.empty()) {
+  const auto opacity = mtl.opacity.value_or(1.0f);
+  if (mtl.map_d.name.empty() || opacity < half_solid) return;
+  const auto picture = files_.find(TextureFiles::Purpose::holes, entry.folder, mtl.map_d.name, mtl.name);
+  if (!picture) return;
+  material.textures.cutout = use_of(mtl.map_d, files_.mask_of(*picture));
+  material.textures.cutout_threshold = half_solid / std::min(opacity, 1.0f);
+}
+
+void MaterialMaker::reflect(const MaterialLibrary::Entry& entry, Material& material) {
+  const auto& mtl = entry.material;
+  if (mtl.map_kd.name.empty()) {
     if (!mtl.kd) colorless_.push_back(mtl.name);
-    return mtl.kd.value_or(Vec3(default_reflectance));
+    material.reflectance = mtl.kd.value_or(Vec3(default_reflectance));
+    return;
   }
-  const auto mean = reflecting_.mean(entry.folder, mtl.map_kd, mtl.name);
-  return mtl.kd.value_or(Vec3(1.0f)) * mean.value_or(Vec3(default_reflectance));
+  const auto factor = mtl.kd.value_or(Vec3(1.0f));
+  const auto picture =
+      files_.find(TextureFiles::Purpose::reflectance, entry.folder, mtl.map_kd.name, mtl.name);
+  material.reflectance = factor * Vec3(default_reflectance);
+  if (!picture) return;
+  material.textures.reflectance = use_of(mtl.map_kd, *picture);
+  material.textures.reflectance_factor = factor;
+  material.reflectance = factor * mean_colour(files_.raster(*picture));
 }
 
 // Ke alone where both are given: exporters write it beside map_Ke in two meanings, as a factor and as 0.
-Vec3 MaterialMaker::radiance(const MaterialLibrary::Entry& entry) {
+void MaterialMaker::emit(const MaterialLibrary::Entry& entry, Material& material) {
   const auto& mtl = entry.material;
-  if (mtl.map_ke.empty()) return mtl.ke.value_or(Vec3(0.0f));
+  material.emittance = pi * mtl.ke.value_or(Vec3(0.0f));
+  if (mtl.map_ke.name.empty()) return;
   if (mtl.ke) {
     emitting_twice_.push_back(mtl.name);
-    return *mtl.ke;
+    return;
   }
-  return emitting_.mean(entry.folder, mtl.map_ke, mtl.name).value_or(Vec3(0.0f));
+  const auto picture = files_.find(TextureFiles::Purpose::emission, entry.folder, mtl.map_ke.name, mtl.name);
+  if (!picture) return;
+  material.textures.emittance = use_of(mtl.map_ke, *picture);
+  material.textures.emittance_factor = Vec3(pi);
+  material.emittance = pi * mean_colour(files_.raster(*picture));
 }
 
 void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) const {
@@ -103,20 +147,18 @@ void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) 
       transparent_, "");
   say("mirrors are not modelled: the specular colour Ks is taken as diffuse for", mirrors_, "");
   say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
-  reflecting_.say_warnings(source, fmt::format("{} is taken for the mean", default_reflectance), log);
-  emitting_.say_warnings(source, "0 is taken for the mean, so that nothing is emitted", log);
+  files_.say_warnings(source, log);
 }
 
 }  // namespace
 
-std::vector<Material> make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
-                                     const std::string& source, const LoadOptions& options,
-                                     const LogSink& log) {
+void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
+                    const LoadOptions& options, Scene& scene, const LogSink& log) {
   MaterialMaker maker(library, options);
-  std::vector<Material> materials;
-  for (const auto& use : used) materials.push_back(maker.make(use));
-  maker.say_warnings(source, log);
-  return materials;
+  for (const auto& use : used) scene.materials.push_back(maker.make(use));
+  maker.say_warnings(scene.source, log);
+  scene.textures = maker.textures();
+  keep_used_textures(scene);
 }
 
 }  // namespace luxel

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
 #include "luxel/load/load_scene.h"
 #include "luxel/load/material_library.h"
@@ -13,10 +11,9 @@ namespace luxel {
 // The reflectance of what no file describes: a middle grey.
 inline constexpr float default_reflectance = 0.5f;
 
-// One Material for each name that faces use, in their order, from the library and its textures. What is
-// missing or cannot be taken as it is becomes a warning, one a kind.
-std::vector<Material> make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
-                                     const std::string& source, const LoadOptions& options,
-                                     const LogSink& log);
+// Gives the scene one Material for each name that faces use, in their order, from the library, and the
+// textures that these use. What is missing or cannot be taken as it is becomes a warning, one a kind.
+void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
+                    const LoadOptions& options, Scene& scene, const LogSink& log);
 
 }  // namespace luxel

@@ -9,9 +9,15 @@
 
 namespace luxel {
 
+struct TriangleTallies {
+  Tally turned;      // triangles that were turned round
+  Tally without_uv;  // faces that lack texture coordinates, of materials that have a picture
+};
+
 // Fills the scene's triangle arrays from the mesh's polygons, each triangle wound so that its front is where
-// the vertex normals point, if all its corners have one. Returns the triangles that were turned round for
-// that; nothing where the monitor says stop. The scene's positions must be in place.
-std::optional<Tally> make_triangles(const ObjMesh& mesh, Scene& scene, const Monitor& monitor);
+// the vertex normals point, if all its corners have one; and its set of texture coordinates, where materials
+// have pictures. Faces that lack them get their material without its pictures, which is added to the scene's.
+// Nothing where the monitor says stop. The scene's positions and materials must be in place.
+std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Monitor& monitor);
 
 }  // namespace luxel

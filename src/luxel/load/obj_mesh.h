@@ -29,10 +29,12 @@ struct NamedLine {
 // What an OBJ file says, polygons and all, before it becomes a Scene. Every face has three corners or more.
 struct ObjMesh {
   static constexpr std::uint32_t no_normal = 0xffffffff;
+  static constexpr std::uint32_t no_uv = 0xffffffff;
 
   struct Corner {
     std::uint32_t position = 0;
     std::uint32_t normal = no_normal;
+    std::uint32_t uv = no_uv;
   };
   struct Face {
     std::size_t first_corner = 0;  // its corners end where those of the next face begin
@@ -44,6 +46,7 @@ struct ObjMesh {
 
   std::vector<Vec3d> positions;  // as the file has them
   std::vector<Vec3> normals;     // any length; zero where the file's cannot be read
+  std::vector<Vec2> uvs;         // finite; zero where the file's cannot be read
   std::vector<Corner> corners;
   std::vector<Face> faces;
   std::vector<std::string> groups;   // those that hold faces
@@ -54,6 +57,7 @@ struct ObjMesh {
 
   Tally short_faces;         // of fewer than three corners, dropped
   Tally unreadable_normals;  // vn
+  Tally unreadable_uvs;      // vt
   Tally faces_without_material;
 };
 

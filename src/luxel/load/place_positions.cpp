@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace luxel {
 namespace {
@@ -11,15 +10,8 @@ namespace {
 double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 
 // Subtracting it is exact where it matters: from coordinates between half of it and twice as much.
-Vec3d origin_of(const ObjMesh& mesh, double scale) {
-  Vec3d low(std::numeric_limits<double>::infinity());
-  Vec3d high = -low;
-  for (const auto& corner : mesh.corners) {
-    low = glm::min(low, mesh.positions[corner.position]);
-    high = glm::max(high, mesh.positions[corner.position]);
-  }
-  low *= scale;
-  high *= scale;
+Vec3d origin_of(const Reach& reach, double scale) {
+  const auto low = scale * reach.low, high = scale * reach.high;
   const auto size = largest(high - low);
   if (!(size > 0.0) || largest(glm::max(glm::abs(low), glm::abs(high))) <= far_in_sizes * size)
     return Vec3d(0.0);
@@ -31,13 +23,13 @@ Vec3d origin_of(const ObjMesh& mesh, double scale) {
 
 }  // namespace
 
-void place_positions(const ObjMesh& mesh, double scale, Scene& scene) {
-  scene.origin = origin_of(mesh, scale);
-  scene.positions.reserve(mesh.positions.size());
+void place_positions(std::span<const Vec3d> positions, const Reach& reach, double scale, Scene& scene) {
+  scene.origin = origin_of(reach, scale);
+  scene.positions.reserve(positions.size());
   if (scene.origin == Vec3d(0.0)) {
-    for (const auto& p : mesh.positions) scene.positions.push_back(Vec3(p) * static_cast<float>(scale));
+    for (const auto& p : positions) scene.positions.push_back(Vec3(p) * static_cast<float>(scale));
   } else {
-    for (const auto& p : mesh.positions) scene.positions.emplace_back(p * scale - scene.origin);
+    for (const auto& p : positions) scene.positions.emplace_back(p * scale - scene.origin);
   }
 }
 

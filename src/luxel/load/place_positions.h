@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/load/obj_mesh.h"
+#include <limits>
+#include <span>
+
 #include "luxel/scene/scene.h"
 
 namespace luxel {
@@ -11,9 +13,20 @@ namespace luxel {
 // the scene's size from each other.
 inline constexpr double far_in_sizes = 8.0;
 
-// Fills positions and origin of the scene: coordinates times scale, in floats. Where the box of all that
-// faces use reaches farther than far_in_sizes, they are taken in doubles from its middle, rounded along each
+// The box of what faces use, in the file's coordinates.
+struct Reach {
+  Vec3d low = Vec3d(std::numeric_limits<double>::infinity());
+  Vec3d high = Vec3d(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3d& position) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+};
+
+// Fills positions and origin of the scene: coordinates times scale, in floats. Where the reach of all that
+// faces use goes farther than far_in_sizes, they are taken in doubles from its middle, rounded along each
 // axis to a multiple of the power of two that is next above its longest side.
-void place_positions(const ObjMesh& mesh, double scale, Scene& scene);
+void place_positions(std::span<const Vec3d> positions, const Reach& reach, double scale, Scene& scene);
 
 }  // namespace luxel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -54,42 +55,57 @@ float read_opacity(const Statement& statement) {
   return *number;
 }
 
-// Steps over options such as "-s 1 1 1 -clamp on" to the name behind them, which may hold blanks.
-std::string read_texture_name(std::string_view operands) {
-  struct Option {
-    std::string_view name;
-    int least, most;  // arguments; those beyond the least are taken while they are numbers
-  };
-  static constexpr auto options = std::to_array<Option>({{"-blendu", 1, 1},
-                                                         {"-blendv", 1, 1},
-                                                         {"-bm", 1, 1},
-                                                         {"-boost", 1, 1},
-                                                         {"-cc", 1, 1},
-                                                         {"-clamp", 1, 1},
-                                                         {"-colorspace", 1, 1},
-                                                         {"-imfchan", 1, 1},
-                                                         {"-mm", 2, 2},
-                                                         {"-o", 1, 3},
-                                                         {"-s", 1, 3},
-                                                         {"-t", 1, 3},
-                                                         {"-texres", 1, 1},
-                                                         {"-type", 1, 1}});
+struct TextureOption {
+  std::string_view name;
+  int least, most;  // arguments; those beyond the least are taken while they are numbers
+};
+constexpr auto texture_options = std::to_array<TextureOption>({{"-blendu", 1, 1},
+                                                               {"-blendv", 1, 1},
+                                                               {"-bm", 1, 1},
+                                                               {"-boost", 1, 1},
+                                                               {"-cc", 1, 1},
+                                                               {"-clamp", 1, 1},
+                                                               {"-colorspace", 1, 1},
+                                                               {"-imfchan", 1, 1},
+                                                               {"-mm", 2, 2},
+                                                               {"-o", 1, 3},
+                                                               {"-s", 1, 3},
+                                                               {"-t", 1, 3},
+                                                               {"-texres", 1, 1},
+                                                               {"-type", 1, 1}});
+
+// What one option says, if it matters. "-s 2" scales u alone, as the format has it.
+void take_option(std::string_view option, std::span<const std::string_view> arguments, MtlTexture& texture) {
+  if (option == "-clamp") texture.clamps = arguments[0] == "on";
+  auto* pair = option == "-s" ? &texture.scale : option == "-o" ? &texture.offset : nullptr;
+  for (int i = 0; pair && i < 2 && i < static_cast<int>(arguments.size()); ++i)
+    if (const auto number = read_number(arguments[static_cast<std::size_t>(i)])) (*pair)[i] = *number;
+}
+
+// Takes options such as "-s 1 1 1 -clamp on", then the name behind them, which may hold blanks.
+MtlTexture read_texture(std::string_view operands) {
+  MtlTexture texture;
   auto rest = operands;
   for (;;) {
     auto behind = rest;
     const auto word = take_word(behind);
-    const auto option =
-        std::find_if(options.begin(), options.end(), [&](const Option& known) { return known.name == word; });
-    if (option == options.end()) break;
+    const auto option = std::find_if(texture_options.begin(), texture_options.end(),
+                                     [&](const TextureOption& known) { return known.name == word; });
+    if (option == texture_options.end()) break;
+    std::vector<std::string_view> arguments;
     for (int i = 0; i < option->most; ++i) {
       auto after = behind;
-      if (const auto argument = take_word(after); i >= option->least && !read_number(argument)) break;
+      const auto argument = take_word(after);
+      if (i >= option->least && !read_number(argument)) break;
+      arguments.push_back(argument);
       behind = after;
     }
+    take_option(word, arguments, texture);
     rest = behind;
   }
   if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"') rest = rest.substr(1, rest.size() - 2);
-  return std::string(rest);
+  texture.name = rest;
+  return texture;
 }
 
 }  // namespace
@@ -109,8 +125,9 @@ std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& sour
     if (key == "kd") material.kd = read_color(statement);
     if (key == "ks") material.ks = read_color(statement);
     if (key == "ke") material.ke = read_radiance(statement);
-    if (key == "map_kd") material.map_kd = read_texture_name(operands);
-    if (key == "map_ke") material.map_ke = read_texture_name(operands);
+    if (key == "map_kd") material.map_kd = read_texture(operands);
+    if (key == "map_ke") material.map_ke = read_texture(operands);
+    if (key == "map_d") material.map_d = read_texture(operands);
     if (key == "d") material.opacity = read_opacity(statement);
   }
   return materials;

@@ -10,14 +10,22 @@
 
 namespace luxel {
 
+// A picture that an MTL file names, and how it lies: a place (u, v) of the face is at scale * (u, v) + offset
+// of the picture, whose v counts from the bottom.
+struct MtlTexture {
+  std::string name;          // of the file, as written; empty where there is none
+  Vec2 scale = Vec2(1.0f);   // -s
+  Vec2 offset = Vec2(0.0f);  // -o
+  bool clamps = false;       // -clamp on: its border goes on for ever; else it repeats
+};
+
 // What an MTL file says of one material, as far as diffuse light cares.
 struct MtlMaterial {
   std::string name;
   std::optional<Vec3> kd;  // reflectance, 0 or more
   std::optional<Vec3> ks;  // specular colour, 0 or more
   std::optional<Vec3> ke;  // radiance, W/(m² sr), 0 or more
-  std::string map_kd;      // file name without options, as written; empty where there is none
-  std::string map_ke;
+  MtlTexture map_kd, map_ke, map_d;
   std::optional<float> opacity;  // d; Tr is passed over, since exporters disagree about its meaning
 };
 

@@ -22,6 +22,7 @@ constexpr std::size_t statements_a_report = 1 << 14;
 // The indices of a corner as the file counts them; 0 where there is none.
 struct CornerIndices {
   int position = 0;
+  int uv = 0;
   int normal = 0;
 };
 
@@ -35,7 +36,7 @@ std::optional<CornerIndices> read_corner(std::string_view word) {
       const auto [stop, error] = std::from_chars(field.data(), end, indices[i]);
       if (error != std::errc() || stop != end) return std::nullopt;
     }
-    if (field.size() == word.size()) return CornerIndices{indices[0], indices[2]};
+    if (field.size() == word.size()) return CornerIndices{indices[0], indices[1], indices[2]};
     word.remove_prefix(field.size() + 1);
   }
   return std::nullopt;
@@ -86,12 +87,14 @@ class ObjReader {
   void take_statement();
   void add_position();
   void add_normal();
+  void add_uv();
   void add_face();
   std::uint32_t resolve(int index, std::size_t count, const char* what) const;
+  std::uint32_t resolve_uv(int index) const;
   void use_material();
   void use_object();
   std::uint32_t current_material();
-  void check_ranges() const;
+  void check_ranges();
 
   std::string_view text_;
   Statements statements_;
@@ -112,6 +115,7 @@ void ObjReader::take_statement() {
   const auto keyword = take_word(operands_);
   if (keyword == "v") return add_position();
   if (keyword == "vn") return add_normal();
+  if (keyword == "vt") return add_uv();
   if (keyword == "f") return add_face();
   if (keyword == "usemtl") return use_material();
   if (keyword == "g") return groups_.set(name());
@@ -135,6 +139,16 @@ void ObjReader::add_normal() {
   mesh_.normals.push_back(n.value_or(Vec3(0.0f)));
 }
 
+// One number alone is of a picture that is a line; a third one is a depth that no picture has.
+void ObjReader::add_uv() {
+  auto words = numbers();
+  const auto u = read_number(take_word(words));
+  const auto second = take_word(words);
+  const auto v = second.empty() ? std::optional(0.0f) : read_number(second);
+  if (!u || !v) mesh_.unreadable_uvs.add(statements_.line());
+  mesh_.uvs.push_back(u && v ? Vec2(*u, *v) : Vec2(0.0f));
+}
+
 void ObjReader::add_face() {
   const auto first_corner = mesh_.corners.size();
   auto words = numbers();
@@ -145,7 +159,7 @@ void ObjReader::add_face() {
     const auto position = resolve(corner->position, mesh_.positions.size(), "vertex");
     const auto normal =
         corner->normal == 0 ? ObjMesh::no_normal : resolve(corner->normal, mesh_.normals.size(), "normal");
-    mesh_.corners.push_back({position, normal});
+    mesh_.corners.push_back({position, normal, resolve_uv(corner->uv)});
   }
   if (mesh_.corners.size() < first_corner + 3) {
     mesh_.corners.resize(first_corner);
@@ -166,6 +180,14 @@ std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what)
   return static_cast<std::uint32_t>(count - back);
 }
 
+// One that leads nowhere costs the face its picture, not the scene its face: tools that strip coordinates
+// leave such behind. check_ranges() finds those beyond the end.
+std::uint32_t ObjReader::resolve_uv(int index) const {
+  const auto from_start =
+      index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(mesh_.uvs.size()) + index;
+  return index != 0 && from_start >= 0 ? static_cast<std::uint32_t>(from_start) : ObjMesh::no_uv;
+}
+
 void ObjReader::use_material() {
   materials_.set(name());
   material_line_ = operands_.empty() ? 0 : statements_.line();
@@ -184,11 +206,11 @@ std::uint32_t ObjReader::current_material() {
   return number;
 }
 
-void ObjReader::check_ranges() const {
+void ObjReader::check_ranges() {
   std::size_t face = 0;
   for (std::size_t i = 0; i < mesh_.corners.size(); ++i) {
     while (face + 1 < mesh_.faces.size() && mesh_.faces[face + 1].first_corner <= i) ++face;
-    const auto& corner = mesh_.corners[i];
+    auto& corner = mesh_.corners[i];
     const auto check = [&](std::uint32_t index, std::size_t count, const char* what) {
       if (index >= count)
         throw InputError(source_, mesh_.faces[face].line,
@@ -197,6 +219,7 @@ void ObjReader::check_ranges() const {
     };
     check(corner.position, mesh_.positions.size(), "vertex");
     if (corner.normal != ObjMesh::no_normal) check(corner.normal, mesh_.normals.size(), "normal");
+    if (corner.uv >= mesh_.uvs.size()) corner.uv = ObjMesh::no_uv;
   }
 }
 

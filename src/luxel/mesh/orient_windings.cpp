@@ -78,13 +78,11 @@ OrientReport orient_windings(Scene& scene) {
   const auto pieces =
       find_pieces(weld.positions(), clean.kept, find_edges(clean.kept, weld.positions().size()));
   OrientReport report{plan_windings(scene, weld.positions(), clean.kept, pieces), pieces.pieces.size()};
-  const auto turn = [&](std::uint32_t triangle) {
-    std::swap(scene.triangles[triangle][1], scene.triangles[triangle][2]);
-  };
   for (std::size_t t = 0; t < clean.kept.size(); ++t)
-    if (report.plan.turn[t] != 0) turn(clean.kept[t].triangle);
+    if (report.plan.turn[t] != 0) turn_triangle(scene, clean.kept[t].triangle);
   for (const auto& twin : clean.twins)
-    if (report.plan.turn[twin.kept] != 0 && !is_lamp(scene, twin.triangle)) turn(twin.triangle);
+    if (report.plan.turn[twin.kept] != 0 && !is_lamp(scene, twin.triangle))
+      turn_triangle(scene, twin.triangle);
   return report;
 }
 

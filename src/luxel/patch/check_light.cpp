@@ -6,7 +6,7 @@
 namespace luxel {
 
 void check_light(const PatchSet& patches) {
-  if (patches.has_sky()) return;
+  if (patches.has_sky() || !patches.point_lights.empty()) return;
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (patches.material_of(p).is_lamp()) return;
   throw InputError(

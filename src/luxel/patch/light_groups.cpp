@@ -29,6 +29,7 @@ std::vector<std::string> lamp_names(const PatchSet& patches) {
   std::vector<std::string> names;
   for (const auto& material : patches.materials)
     if (material.is_lamp()) names.push_back(material.name);
+  for (const auto& light : patches.point_lights) names.push_back(light.light.name);
   return names;
 }
 
@@ -78,6 +79,13 @@ void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules,
     }
     patches.material[p] = at->second;
   }
+  for (auto& light : patches.point_lights) {
+    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const LightGroupRule& each) {
+      return matches(each.pattern, light.light.name);
+    });
+    light.light_group = index_of(rule == rules.end() ? light.light.name : rule->name);
+    if (rule != rules.end()) is_used[static_cast<std::size_t>(rule - rules.begin())] = 1;
+  }
   for (std::size_t r = 0; r < rules.size(); ++r)
     if (!is_used[r])
       throw InputError(fmt::format(
@@ -94,6 +102,7 @@ void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules,
 void join_light_groups(PatchSet& patches) {
   patches.light_groups.clear();
   for (auto& material : patches.materials) material.light_group = 0;
+  for (auto& light : patches.point_lights) light.light_group = 0;
 }
 
 }  // namespace luxel

@@ -11,6 +11,7 @@
 
 #include "luxel/math/triangle.h"
 #include "luxel/mesh/clean_triangles.h"
+#include "luxel/patch/colour_patches.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/cut_contacts.h"
 #include "luxel/patch/set_bands.h"
@@ -189,6 +190,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
     say_what_was_cut(lines, before, patches, log);
   }
   patches.vertices = weld.take();
+  lay_textures(patches, scene);
   return patches;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numbers>
@@ -11,10 +12,15 @@
 #include "luxel/photometry/band_colours.h"
 #include "luxel/photometry/waveband.h"
 #include "luxel/scene/material.h"
+#include "luxel/scene/point_light.h"
+#include "luxel/scene/texture.h"
 
 namespace luxel {
 
 enum class PatchId : std::uint32_t {};
+
+// What no patch reflects more than, whatever its texture and its material are changed to.
+inline constexpr float most_reflectance = 0.999f;
 
 // A material as the transport sees it: one number a band.
 struct BandMaterial {
@@ -23,8 +29,16 @@ struct BandMaterial {
   std::vector<float> reflectance;  // [band], [0, 1)
   std::vector<float> emittance;    // [band], W/m² in the band, front side
   std::uint32_t light_group = 0;   // of PatchSet::light_groups; counts for lamps only
+  MaterialTextures textures = {};
 
   bool is_lamp() const;
+};
+
+// A lamp without a surface, as the transport sees it.
+struct BandPointLight {
+  PointLight light;              // what it says of colour counts no more
+  std::vector<float> intensity;  // [band]: W/sr in the band, or W/m² of a directional one
+  std::uint32_t light_group = 0;
 };
 
 // Another surface touches this one along an edge of its patches, or passes through it there: on the side that
@@ -51,12 +65,21 @@ struct PatchSet {
   std::vector<std::string> bands;   // names: "red", "green", "blue", or "400 nm", "404 nm" and so on
   std::vector<Waveband> wavebands;  // [band], where light is solved by wavelength; else empty
   std::vector<BandMaterial> materials;
+  std::vector<BandPointLight> point_lights;
   std::vector<float> sky;  // [band], W/(m² sr): radiance of what lies around the scene; empty: dark
   // Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
   // sky. Empty: all light is one.
   std::vector<std::string> light_groups;
   std::uint64_t scene_fingerprint = 0;
   Vec3d origin = Vec3d(0.0);  // m, as in Scene
+
+  // Where textures, or the colours of corners, colour surfaces; else all of these are empty.
+  std::vector<Texture> textures;
+  std::vector<UvSet> uv_sets;                       // [set], of the patches' corners
+  std::vector<std::array<Vec3, 3>> corner_colours;  // [patch][corner], linear
+  // Over what the patch's material reflects, and emits: in the mean over the patch, of what holes leave of
+  // it. `area` is that of what they leave.
+  std::vector<float> reflectance_share, emittance_share;  // [patch][band]
 
   std::size_t size() const { return corners.size(); }
   std::size_t band_count() const { return bands.size(); }
@@ -68,6 +91,18 @@ struct PatchSet {
   }
   const BandMaterial& material_of(std::size_t patch) const {
     return materials[static_cast<std::size_t>(material[patch])];
+  }
+  // Of a patch, in the mean over its area: [0, 1).
+  float reflectance(std::size_t patch, std::size_t band) const {
+    const auto of_material = material_of(patch).reflectance[band];
+    return reflectance_share.empty()
+               ? of_material
+               : std::min(most_reflectance, of_material * reflectance_share[patch * bands.size() + band]);
+  }
+  // Likewise, W/m² in the band, of its front.
+  float emittance(std::size_t patch, std::size_t band) const {
+    const auto of_material = material_of(patch).emittance[band];
+    return emittance_share.empty() ? of_material : of_material * emittance_share[patch * bands.size() + band];
   }
   std::array<Vec3, 3> points(std::size_t patch) const {
     const auto& c = corners[patch];

@@ -8,6 +8,7 @@
 
 #include "luxel/math/triangle.h"
 #include "luxel/mesh/triangle_shape.h"
+#include "luxel/patch/colour_patches.h"
 
 namespace luxel {
 namespace {
@@ -129,6 +130,7 @@ class Refiner {
     set.scene_fingerprint = old.scene_fingerprint;
     set.origin = old.origin;
     set.sky = old.sky;
+    set.point_lights = old.point_lights;
     for (std::uint32_t p = 0; p < old.size(); ++p) cut(p);
     inherit_contacts();
   }
@@ -191,7 +193,9 @@ class Refiner {
 }  // namespace
 
 RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked) {
-  return Refiner(patches, is_marked).take();
+  auto refined = Refiner(patches, is_marked).take();
+  inherit_textures(refined.patches, patches, refined.parent);
+  return refined;
 }
 
 }  // namespace luxel

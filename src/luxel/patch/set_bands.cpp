@@ -12,11 +12,23 @@
 namespace luxel {
 namespace {
 
+// What was measured goes before textures; without one, the colour of corners is on the material's own.
+MaterialTextures textures_of(const Material& m) {
+  auto textures = m.textures;
+  if (!m.reflectance_spectrum.empty()) textures.reflectance.reset();
+  if (!m.emittance_spectrum.empty()) textures.emittance.reset();
+  if (!textures.reflectance) textures.reflectance_factor = m.reflectance;
+  return textures;
+}
+
 void set_plain_bands(PatchSet& patches, const Scene& scene) {
   const auto three = [](const Vec3& rgb) { return std::vector<float>{rgb.r, rgb.g, rgb.b}; };
   patches.bands = {"red", "green", "blue"};
   for (const auto& m : scene.materials)
-    patches.materials.push_back({m.name, m.two_sided, three(m.reflectance), three(m.emittance)});
+    patches.materials.push_back(
+        {m.name, m.two_sided, three(m.reflectance), three(m.emittance), 0, textures_of(m)});
+  for (const auto& light : scene.point_lights)
+    patches.point_lights.push_back({light, three(light.intensity)});
   if (scene.sky != Vec3(0.0f)) patches.sky = three(scene.sky);
 }
 
@@ -70,8 +82,10 @@ void set_bands(PatchSet& patches, const Scene& scene) {
   patches.wavebands = spectra.bands();
   for (const auto& band : patches.wavebands) patches.bands.push_back(fmt::format("{} nm", band.wavelength));
   for (const auto& m : scene.materials)
-    patches.materials.push_back(
-        {m.name, m.two_sided, spectra.reflectance(m), spectra.light(m.emittance, m.emittance_spectrum)});
+    patches.materials.push_back({m.name, m.two_sided, spectra.reflectance(m),
+                                 spectra.light(m.emittance, m.emittance_spectrum), 0, textures_of(m)});
+  for (const auto& light : scene.point_lights)
+    patches.point_lights.push_back({light, spectra.light(light.intensity, {})});
   auto sky = spectra.light(scene.sky, scene.sky_spectrum);
   if (std::any_of(sky.begin(), sky.end(), [](float x) { return x > 0.0f; })) patches.sky = std::move(sky);
 }

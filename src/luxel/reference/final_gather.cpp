@@ -52,12 +52,11 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
                           std::span<double> H) {
     const auto hit = paths.direct(x, numbers, one, H).first;
     if (!hit || !is_reflecting(patches, hit.patch, hit.back)) return;
-    const auto& emittance = patches.material_of(hit.patch).emittance;
     for (std::size_t b = 0; b < bands; ++b) {
       const auto at = bands * hit.patch + b;
-      H[b] += hit.back
-                  ? static_cast<double>(solution.radiosity_back[at])
-                  : static_cast<double>(solution.radiosity_front[at]) - static_cast<double>(emittance[b]);
+      H[b] += hit.back ? static_cast<double>(solution.radiosity_back[at])
+                       : static_cast<double>(solution.radiosity_front[at]) -
+                             static_cast<double>(patches.emittance(hit.patch, b));
     }
   };
   const auto radiance_of_pixel = [&](std::size_t pixel) {

@@ -7,6 +7,7 @@
 #include "luxel/patch/check_light.h"
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
+#include "luxel/trace/point_sight.h"
 
 namespace luxel {
 namespace {
@@ -25,9 +26,8 @@ LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers&
   Trail trail;
   // value: irradiance over the lamp's emittance.
   const auto add = [&](std::size_t patch, double value) {
-    const auto& emittance = patches_.material_of(patch).emittance;
     for (std::size_t b = 0; b < sum.size(); ++b)
-      sum[b] += weight[b] * value * static_cast<double>(emittance[b]);
+      sum[b] += weight[b] * value * static_cast<double>(patches_.emittance(patch, b));
   };
   // Densities per steradian: of the shadow ray's direction, and of the cosine ray's.
   const auto lamp_density = [&](std::size_t patch, double distance, double cosine) {
@@ -47,6 +47,15 @@ LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers&
       if (!tracer_.occluded({x.position, Vec3(way / distance)}, static_cast<float>(distance)))
         add(y.patch, cosine_density(here) / (lamp_density(y.patch, distance, there) + cosine_density(here)));
     }
+  }
+
+  for (const auto& lamp : patches_.point_lights) {
+    const auto sight = sight_of(lamp.light, Vec3d(x.position), Vec3d(x.normal));
+    if (!(sight.irradiance > 0.0)) continue;
+    ++trail.rays;
+    if (tracer_.occluded({x.position, Vec3(sight.direction)}, sight.distance)) continue;
+    for (std::size_t b = 0; b < sum.size(); ++b)
+      sum[b] += weight[b] * sight.irradiance * static_cast<double>(lamp.intensity[b]);
   }
 
   // 2. Where the light goes that the surface itself would send.
@@ -76,8 +85,8 @@ LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumb
     const auto v = uniform4(key, 2 * vertex + 1);
 
     // Roulette keeps what a path carries, in its brightest band, at one.
-    const auto& reflectance = patches_.material_of(hit.patch).reflectance;
-    for (std::size_t b = 0; b < weight.size(); ++b) weight[b] *= static_cast<double>(reflectance[b]);
+    for (std::size_t b = 0; b < weight.size(); ++b)
+      weight[b] *= static_cast<double>(patches_.reflectance(hit.patch, b));
     const auto survival = std::min(1.0, *std::max_element(weight.begin(), weight.end()));
     if (!(static_cast<double>(u[0]) < survival)) break;
     for (auto& w : weight) w /= survival;

@@ -94,7 +94,6 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
     array->assign(patches.size() * bands, 0.0f);
   std::vector<double> relative;
   for (std::size_t side = 0; side < 2 * patches.size(); ++side) {
-    const auto& material = patches.material_of(side / 2);
     const bool back = side % 2 == 1;
     const auto wide = widening_of(sides.means().batches(side));
     double error2 = 0.0;
@@ -103,10 +102,10 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
       const auto i = side / 2 * bands + b;
       const auto H = sides.means().mean(side, b);
       const auto error = wide * std::sqrt(sides.means().variance(side, b));
-      const auto emittance = back ? 0.0f : material.emittance[b];
+      const auto emittance = back ? 0.0f : patches.emittance(side / 2, b);
       const auto h = static_cast<float>(H);
       (back ? s.irradiance_back : s.irradiance_front)[i] = h;
-      (back ? s.radiosity_back : s.radiosity_front)[i] = emittance + material.reflectance[b] * h;
+      (back ? s.radiosity_back : s.radiosity_front)[i] = emittance + patches.reflectance(side / 2, b) * h;
       (back ? s.standard_error_back : s.standard_error_front)[i] = static_cast<float>(error);
       error2 += error * error;
       light2 += H * H;
@@ -127,12 +126,11 @@ void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& rep
        {&report.emitted, &report.from_sky, &report.absorbed, &report.escaped, &report.lost_at_backs})
     part->assign(bands, 0.0);
   for (std::size_t side = 0; side < 2 * patches.size(); ++side) {
-    const auto& material = patches.material_of(side / 2);
     for (std::size_t b = 0; b < bands; ++b) {
       const auto H = sides.means().mean(side, b);
-      const auto rho = static_cast<double>(material.reflectance[b]);
+      const auto rho = static_cast<double>(patches.reflectance(side / 2, b));
       const auto emitted =
-          side % 2 == 0 ? sides.area(side) * static_cast<double>(material.emittance[b]) : 0.0;
+          side % 2 == 0 ? sides.area(side) * static_cast<double>(patches.emittance(side / 2, b)) : 0.0;
       const auto leaves = emitted + sides.area(side) * rho * H;
       report.emitted[b] += emitted;
       report.from_sky[b] +=

@@ -43,10 +43,9 @@ class SeenPoints {
     scratch.assign(bands(), 0.0);
     irradiance(surface_point(patches_, hit.patch, hit.back, {hit.u, hit.v}), numbers.vertex, path_key,
                std::span<double>(scratch));
-    const auto& material = patches_.material_of(hit.patch);
     for (std::size_t b = 0; b < bands(); ++b) {
-      const auto back_to_eye = static_cast<double>(material.reflectance[b]) * scratch[b] * per_pi;
-      const auto own = hit.back ? 0.0 : static_cast<double>(material.emittance[b]) * per_pi;
+      const auto back_to_eye = static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] * per_pi;
+      const auto own = hit.back ? 0.0 : static_cast<double>(patches_.emittance(hit.patch, b)) * per_pi;
       radiance += (own + back_to_eye) * colours_.of(b);
       reflected += back_to_eye * colours_.of(b);
     }

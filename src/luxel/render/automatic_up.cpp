@@ -43,7 +43,8 @@ Vote lamps_downwards(const PatchSet& patches) {
   Vote vote;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     double emittance = 0.0;
-    for (const auto e : patches.material_of(i).emittance) emittance += static_cast<double>(e);
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      emittance += static_cast<double>(patches.emittance(i, b));
     const Vec3d n(patches.normal[i]);
     vote.add(-n.y, -n.z, emittance * static_cast<double>(patches.area[i]));
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/patch/colour_patches.h"
 #include "luxel/random/address.h"
 #include "luxel/render/pinhole.h"
 #include "luxel/report/error.h"
@@ -38,6 +39,7 @@ struct Shot {
   const Pinhole& pinhole;
   const RenderOptions& options;
   const BandColours& colours;
+  const FineColours& fine;
   Vec3d sky;  // W/(m² sr)
 };
 
@@ -53,7 +55,8 @@ Vec3d radiance_at(const Shot& shot, const Hit& hit, std::vector<float>& here) {
     const auto* at = &irradiance[bands * corners[corner]];
     for (std::size_t band = 0; band < bands; ++band) here[band] += weight[corner] * at[band];
   }
-  return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours);
+  const auto share = share_of_place(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
+  return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours, share);
 }
 
 // The mean over the pixel's square (a box filter), one jittered sample in each cell of a grid.
@@ -80,8 +83,9 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
   const Pinhole pinhole(camera, options.width, options.height);
   const auto colours = patches.colours();
   const auto& sky = patches.sky;
-  const Shot shot{
-      patches, light, tracer, pinhole, options, colours, sky.empty() ? Vec3d(0.0) : colours.rgb(sky)};
+  const FineColours fine(patches);
+  const Shot shot{patches, light,   tracer, pinhole,
+                  options, colours, fine,   sky.empty() ? Vec3d(0.0) : colours.rgb(sky)};
   Image picture(options.width, options.height);
 
   const auto width = static_cast<std::size_t>(options.width);

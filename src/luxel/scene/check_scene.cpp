@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "luxel/photometry/observer.h"
@@ -21,6 +23,8 @@ void check_lengths(const Scene& scene) {
   expect(scene.triangle_line.size(), "triangle_line");
   expect(scene.triangle_group.size(), "triangle_group");
   if (!scene.objects.empty()) expect(scene.triangle_object.size(), "triangle_object");
+  for (const auto& set : scene.uv_sets) expect(set.size(), "entry of each of the uv_sets");
+  if (!scene.corner_colours.empty()) expect(scene.corner_colours.size(), "corner_colours");
 }
 
 void check_index(const Scene& scene, std::size_t triangle, std::size_t index, std::size_t count,
@@ -65,6 +69,58 @@ void check_material(const Scene& scene, const Material& material) {
                        fmt::format("expected the emittance of material '{}' to be 0 or more, found {}",
                                    material.name, emitted));
   }
+}
+
+void check_use(const Scene& scene, const Material& material, const std::optional<TextureUse>& use) {
+  if (!use) return;
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(scene.source, fmt::format("material '{}': {}", material.name, what));
+  };
+  if (use->texture >= scene.textures.size())
+    refuse(fmt::format("it names texture {}, but there are only {} (numbered from 0)", use->texture,
+                       scene.textures.size()));
+  if (use->uv_set >= scene.uv_sets.size())
+    refuse(fmt::format("it names set {} of texture coordinates, but there are only {} (numbered from 0)",
+                       use->uv_set, scene.uv_sets.size()));
+  for (const auto number : use->placement)
+    if (!std::isfinite(number)) refuse("expected finite numbers for where its texture lies");
+}
+
+void check_textures(const Scene& scene) {
+  for (const auto& material : scene.materials)
+    for (const auto* use :
+         {&material.textures.reflectance, &material.textures.emittance, &material.textures.cutout})
+      check_use(scene, material, *use);
+  for (const auto& texture : scene.textures)
+    if (!texture.raster || texture.raster->width < 1 || texture.raster->height < 1)
+      throw InputError(scene.source, fmt::format("expected pixels in texture '{}'", texture.name));
+  for (const auto& set : scene.uv_sets)
+    for (std::size_t i = 0; i < set.size(); ++i)
+      for (const auto& uv : set[i])
+        if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+          throw InputError(scene.source, scene.triangle_line[i],
+                           fmt::format("expected finite texture coordinates for triangle {}", i));
+  for (const auto& corners : scene.corner_colours)
+    for (const auto& colour : corners)
+      for (int band = 0; band < 3; ++band)
+        if (!(colour[band] >= 0.0f && colour[band] <= 1.0f))
+          throw InputError(scene.source,
+                           fmt::format("expected colours of corners in [0, 1], found {}", colour[band]));
+}
+
+void check_point_light(const Scene& scene, const PointLight& light) {
+  const auto refuse = [&](const char* what) {
+    throw InputError(scene.source, fmt::format("lamp '{}': expected {}", light.name, what));
+  };
+  if (!is_finite(light.position)) refuse("a finite position");
+  if (light.kind != PointLightKind::point && !(std::abs(glm::length(light.direction) - 1.0f) < 1e-3f))
+    refuse("a direction of length 1");
+  for (int band = 0; band < 3; ++band)
+    if (!(light.intensity[band] >= 0.0f && std::isfinite(light.intensity[band])))
+      refuse("an intensity of 0 or more");
+  if (light.kind == PointLightKind::spot &&
+      !(light.cos_outer >= -1.0f && light.cos_outer < light.cos_inner && light.cos_inner <= 1.0f))
+    refuse("an inner angle smaller than the outer one");
 }
 
 void check_sky(const Scene& scene) {
@@ -131,6 +187,8 @@ void check_scene(const Scene& scene) {
   check_positions(scene);
   check_triangles(scene);
   for (const auto& material : scene.materials) check_material(scene, material);
+  check_textures(scene);
+  for (const auto& light : scene.point_lights) check_point_light(scene, light);
   check_sky(scene);
   check_spectra(scene);
   for (const auto& camera : scene.cameras) check_camera(scene, camera);

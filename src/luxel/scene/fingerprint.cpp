@@ -60,6 +60,63 @@ void add_spectra(WordHash& hash, const Scene& scene) {
   add_spectrum(hash, scene.sky_spectrum);
 }
 
+void add_use(WordHash& hash, const std::optional<TextureUse>& use) {
+  hash.add(std::uint32_t{use.has_value()});
+  if (!use) return;
+  hash.add(use->texture);
+  hash.add(use->uv_set);
+  for (const auto number : use->placement) hash.add(number);
+  for (const auto wrap : use->wrap) hash.add(static_cast<std::uint32_t>(wrap));
+}
+
+void add_raster(WordHash& hash, const Raster& raster) {
+  hash.add(static_cast<std::uint32_t>(raster.width));
+  hash.add(static_cast<std::uint32_t>(raster.height));
+  for (const auto& code : raster.codes)
+    hash.add(std::uint32_t{code[0]} | std::uint32_t{code[1]} << 8 | std::uint32_t{code[2]} << 16 |
+             std::uint32_t{code[3]} << 24);
+  for (const auto& pixel : raster.linear) hash.add(pixel);
+}
+
+void add_textures(WordHash& hash, const Scene& scene) {
+  hash.add_length(scene.textures.size());
+  for (const auto& texture : scene.textures) add_raster(hash, *texture.raster);
+  hash.add_length(scene.uv_sets.size());
+  for (const auto& set : scene.uv_sets)
+    for (const auto& corners : set)
+      for (const auto& uv : corners) {
+        hash.add(uv.x);
+        hash.add(uv.y);
+      }
+  for (const auto& material : scene.materials) {
+    add_use(hash, material.textures.reflectance);
+    add_use(hash, material.textures.emittance);
+    add_use(hash, material.textures.cutout);
+    hash.add(material.textures.reflectance_factor);
+    hash.add(material.textures.emittance_factor);
+    hash.add(material.textures.most_reflectance);
+    hash.add(material.textures.cutout_threshold);
+  }
+}
+
+void add_colours(WordHash& hash, const Scene& scene) {
+  hash.add_length(scene.corner_colours.size());
+  for (const auto& corners : scene.corner_colours)
+    for (const auto& colour : corners) hash.add(colour);
+}
+
+void add_lights(WordHash& hash, const Scene& scene) {
+  hash.add_length(scene.point_lights.size());
+  for (const auto& light : scene.point_lights) {
+    hash.add(static_cast<std::uint32_t>(light.kind));
+    hash.add(light.position);
+    hash.add(light.direction);
+    hash.add(light.intensity);
+    hash.add(light.cos_inner);
+    hash.add(light.cos_outer);
+  }
+}
+
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
@@ -81,6 +138,9 @@ std::uint64_t fingerprint(const Scene& scene) {
   if (scene.origin != Vec3d(0.0))
     for (int axis = 0; axis < 3; ++axis) hash.add(scene.origin[axis]);
   if (!scene.wavelengths.empty()) add_spectra(hash, scene);
+  if (!scene.textures.empty()) add_textures(hash, scene);
+  if (!scene.corner_colours.empty()) add_colours(hash, scene);
+  if (!scene.point_lights.empty()) add_lights(hash, scene);
   return hash.value();
 }
 

@@ -7,6 +7,7 @@
 
 #include "luxel/math/vector.h"
 #include "luxel/photometry/spectrum.h"
+#include "luxel/scene/texture.h"
 
 namespace luxel {
 
@@ -20,6 +21,10 @@ struct Material {
   bool two_sided = true;          // false: the back absorbs what meets it and is counted
 
   bool opaque = true;  // false: light passes as if it were not there (a pane of glass)
+
+  // In the place of the colours above, which stay the means over the pictures, for who asks for the material
+  // as a whole: what is textured has a mean above 0 in each band in which its texture is anywhere.
+  MaterialTextures textures = {};
 
   std::optional<Vec3> stated_reflectance = {};  // what the file said, where load lowered it
 

@@ -10,6 +10,8 @@
 #include "luxel/math/vector.h"
 #include "luxel/scene/camera.h"
 #include "luxel/scene/material.h"
+#include "luxel/scene/point_light.h"
+#include "luxel/scene/texture.h"
 
 namespace luxel {
 
@@ -35,6 +37,12 @@ struct Scene {
   std::vector<Material> materials;   // at least one
   std::vector<Camera> cameras;       // as the file gave them; often none
 
+  std::vector<Texture> textures;                    // those that materials use
+  std::vector<UvSet> uv_sets;                       // those that materials use; each for all triangles
+  std::vector<std::array<Vec3, 3>> corner_colours;  // [triangle][corner], linear, [0, 1]: reflectance is
+                                                    // times these; empty where the file has none
+  std::vector<PointLight> point_lights;             // lamps without a surface; often none
+
   // m, in the file's coordinates: what positions and cameras are counted from. 0 but in a scene so far from
   // the file's zero that floats would round its surfaces, see load_scene(). What a person gives or reads
   // stays in the file's coordinates, origin + position.
@@ -48,6 +56,9 @@ struct Scene {
   bool averages_spectra = false;    // around each wavelength, not read at it: where these are few
   Spectrum sky_spectrum;            // W/(m² sr nm), instead of `sky`; empty: nothing measured
 };
+
+// Turns a triangle round: its front becomes its back; what belongs to its corners goes with them.
+void turn_triangle(Scene& scene, std::size_t triangle);
 
 // The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/solution/solution_layout.h"
+#include "luxel/solution/surface_file.h"
 
 namespace luxel {
 namespace {
@@ -147,6 +148,7 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   if (auto fault = fault_in_wavebands(patches); !fault.empty()) return fault;
   if (auto fault = fault_in_sky(patches); !fault.empty()) return fault;
   if (auto fault = fault_in_light_groups(patches); !fault.empty()) return fault;
+  if (auto fault = fault_in_surface(patches); !fault.empty()) return fault;
   if (const auto& o = patches.origin; !(std::isfinite(o.x) && std::isfinite(o.y) && std::isfinite(o.z)))
     return "the origin is not finite";
   for (std::size_t i = 0; i < patches.vertices.size(); ++i)

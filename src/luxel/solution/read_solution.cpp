@@ -15,6 +15,7 @@
 #include "luxel/solution/sample_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
+#include "luxel/solution/surface_file.h"
 
 namespace luxel {
 namespace {
@@ -159,6 +160,8 @@ Baked read_baked(const Hdf5Reader& file) {
   patches.materials = read_materials(file, patches.band_count());
   read_light_groups(file, patches);
   if (file.has("Luxel/sky")) patches.sky = file.array<float>("Luxel/sky", patches.band_count());
+  read_surface(file, patches);
+  read_point_lights(file, patches);
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   patches.contacts = read_contacts(file);

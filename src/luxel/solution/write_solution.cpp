@@ -15,6 +15,7 @@
 #include "luxel/solution/sample_file.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solution/solution_layout.h"
+#include "luxel/solution/surface_file.h"
 
 namespace luxel {
 namespace {
@@ -133,6 +134,8 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   add_origin(file, "Luxel/origin", patches.origin);
   if (!patches.sky.empty()) file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
   add_contacts(file, patches);
+  add_surface(file, patches);
+  add_point_lights(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }
 

@@ -76,7 +76,7 @@ struct Bounces::State {
     for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back})
       array->assign(patches.size() * bands, 0.0f);
     for (std::size_t i = 0; i < s.radiosity_front.size(); ++i)
-      s.radiosity_front[i] = patches.material_of(i / bands).emittance[i % bands];
+      s.radiosity_front[i] = patches.emittance(i / bands, i % bands);
     const auto& sides = sampling.transport().sides();
     for (std::size_t i = 0; i < irradiance.size(); ++i) {
       const auto side = sides.side[i / bands];

@@ -41,8 +41,7 @@ class Run {
                         &solution_.radiosity_back})
       array->assign(count, 0.0f);
     for (std::size_t i = 0; i < count; ++i)
-      solution_.radiosity_front[i] =
-          patches_.material_of(i / patches_.band_count()).emittance[i % patches_.band_count()];
+      solution_.radiosity_front[i] = patches_.emittance(i / patches_.band_count(), i % patches_.band_count());
     auto& energy = report_.energy;
     energy.emitted = energy.unshot = emitted_power(patches_);
     for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})

@@ -32,9 +32,10 @@ double steps_of(const PatchSet& patches, const JacobiOptions& options) {
   double area = 0.0;
   double reflected = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto& rho = patches.material_of(p).reflectance;
+    auto rho = 0.0f;
+    for (std::size_t b = 0; b < patches.band_count(); ++b) rho = std::max(rho, patches.reflectance(p, b));
     area += double{patches.area[p]};
-    reflected += double{patches.area[p]} * double{*std::max_element(rho.begin(), rho.end())};
+    reflected += double{patches.area[p]} * double{rho};
   }
   const auto mean = std::clamp(reflected / area, 0.01, 0.98);
   const auto steps = std::max(1.0, std::ceil(std::log(options.tolerance) / std::log(mean)));

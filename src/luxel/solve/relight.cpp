@@ -68,6 +68,7 @@ std::uint64_t changed_fingerprint(std::uint64_t key, const PatchSet& patches) {
     add(material.emittance);
   }
   add(patches.sky);
+  for (const auto& light : patches.point_lights) add(light.intensity);
   return key;
 }
 
@@ -91,6 +92,7 @@ struct Relighter::State {
   std::vector<std::vector<float>> emittance;  // [material], in the run
   std::vector<float> reflectance;             // in the run, [material * bands + band]
   std::vector<float> sky;                     // in the run
+  std::vector<BandPointLight> point_lights;   // in the run
   std::uint64_t fingerprint;                  // of the run's scene
   const Workers& workers;
   std::shared_ptr<const SampleState> samples;
@@ -104,6 +106,7 @@ struct Relighter::State {
         const SampledOptions& run_options, const Workers& run_workers)
       : patches(std::move(of_run)),
         sky(patches.sky),
+        point_lights(patches.point_lights),
         fingerprint(patches.scene_fingerprint),
         workers(run_workers),
         samples(std::move(kept)),
@@ -152,6 +155,11 @@ void Relighter::set_lamps(std::vector<float> weight) {
     auto& material = s.patches.materials[m];
     for (std::size_t b = 0; b < bands; ++b)
       material.emittance[b] = s.weight[material.light_group * bands + b] * s.emittance[m][b];
+  }
+  for (std::size_t i = 0; i < s.point_lights.size(); ++i) {
+    auto& light = s.patches.point_lights[i];
+    for (std::size_t b = 0; b < bands; ++b)
+      light.intensity[b] = s.weight[light.light_group * bands + b] * s.point_lights[i].intensity[b];
   }
   for (std::size_t b = 0; b < s.sky.size(); ++b)
     s.patches.sky[b] = s.weight[(s.patches.group_count() - 1) * bands + b] * s.sky[b];

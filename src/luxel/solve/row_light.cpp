@@ -12,12 +12,11 @@ RowLight::RowLight(const RowOperator& transport) {
   const auto& patches = transport.patches();
   for (std::size_t slot = 0; slot < transport.size(); ++slot) {
     const auto side = transport.sides().side[slot];
-    const auto& material = patches.material_of(side / 2);
     const auto escaped = std::max(0.0, transport.losses().escaped[slot]);
     area.push_back(patches.area[side / 2]);
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
-      reflectance.push_back(material.reflectance[b]);
-      emittance.push_back(side % 2 == 0 ? material.emittance[b] : 0.0f);
+      reflectance.push_back(patches.reflectance(side / 2, b));
+      emittance.push_back(side % 2 == 0 ? patches.emittance(side / 2, b) : 0.0f);
       from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(b)));
     }
   }

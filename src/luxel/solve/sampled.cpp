@@ -127,7 +127,7 @@ class Run {
       const auto patch = side(s) / 2;
       const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
       for (std::size_t b = 0; b < bands_; ++b)
-        radiosity_[s * bands_ + b] = patches_.material_of(patch).reflectance[b] * H[patch * bands_ + b];
+        radiosity_[s * bands_ + b] = patches_.reflectance(patch, b) * H[patch * bands_ + b];
     }
   }
 

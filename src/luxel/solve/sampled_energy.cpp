@@ -21,14 +21,14 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
     for (auto block = first; block < last; ++block) {
       auto* sum = &sums[block * width];
       for (std::size_t s = begins[block]; s < begins[block + 1]; ++s) {
-        const auto& material = patches.material_of(sides.side[s] / 2);
-        const double area = patches.area[sides.side[s] / 2];
+        const auto patch = sides.side[s] / 2;
+        const double area = patches.area[patch];
         const auto rays = static_cast<double>(transport.rays_a_slot()[s]) * replicates;
         area_a_ray[s] = area / rays;
         for (std::size_t b = 0; b < bands; ++b) {
-          const double rho = material.reflectance[b];
+          const double rho = patches.reflectance(patch, b);
           const double H = irradiance[s * bands + b];
-          const double own = sides.side[s] % 2 == 0 ? static_cast<double>(material.emittance[b]) : 0.0;
+          const double own = sides.side[s] % 2 == 0 ? static_cast<double>(patches.emittance(patch, b)) : 0.0;
           carried[s * bands + b] = area_a_ray[s] * (own + rho * H);
           sum[b] += area * (1.0 - rho) * H;
         }

@@ -24,8 +24,7 @@ SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const Gathe
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto patch = sides.side[s] / 2;
     area_[s] = patches.area[patch];
-    const auto& reflectance = patches.material_of(patch).reflectance;
-    std::copy(reflectance.begin(), reflectance.end(), &reflectance_[s * bands]);
+    for (std::size_t b = 0; b < bands; ++b) reflectance_[s * bands + b] = patches.reflectance(patch, b);
   }
   if (shares && sides.size() >= least_shared_slots) sharing_.emplace(patches, tree, sides, workers);
 }
@@ -66,7 +65,7 @@ void SlotLight::write(const Answer& answer, Solution& solution, const Workers& w
   });
   workers.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p)
-      std::copy_n(patches_.material_of(p).emittance.begin(), bands, &s.radiosity_front[p * bands]);
+      for (std::size_t b = 0; b < bands; ++b) s.radiosity_front[p * bands + b] = patches_.emittance(p, b);
   });
   workers.for_chunks(area_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto slot = begin; slot < end; ++slot) {

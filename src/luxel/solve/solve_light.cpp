@@ -12,6 +12,10 @@ SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution&
                         const LightOptions& options, const Workers& workers, const Monitor& monitor,
                         const SampleKeeping& keeping) {
   const auto& method = options.method;
+  if (!patches.point_lights.empty() && method != LightOptions::by_sampling)
+    throw InputError(fmt::format(
+        "lamp '{}' has no surface: such lamps are solved by --method sampled alone, and by luxel reference",
+        patches.point_lights.front().light.name));
   if (method == LightOptions::by_shooting)
     return solve_stochastic_jacobi(patches, tracer, solution, options.shooting, workers, monitor);
   if (method == LightOptions::by_dense)

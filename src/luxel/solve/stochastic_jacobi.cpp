@@ -10,6 +10,7 @@
 
 #include "luxel/patch/check_light.h"
 #include "luxel/report/error.h"
+#include "luxel/trace/point_sight.h"
 #include "luxel/transport/patch_emitter.h"
 #include "luxel/transport/shooting.h"
 #include "luxel/transport/side_power.h"
@@ -46,8 +47,6 @@ class Iteration {
     for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
       part->assign(bands_, 0.0);
     report_.back_loss.assign(patches.materials.size(), 0.0);
-    for (const auto& material : patches.materials)
-      reflectance_.insert(reflectance_.end(), material.reflectance.begin(), material.reflectance.end());
     unshot_power_ = sum(unshot_.watts);
     report_.unshot_share = 1.0;
     if (patches.has_sky()) add_sky(patches, tracer);
@@ -126,14 +125,14 @@ class Iteration {
       const auto range = entries_between(arrival.side, side_of(begin, false), side_of(end, false));
       for (auto e = range.begin; e < range.end; ++e) {
         const auto side = arrival.side[e];
-        const auto* rho = &reflectance_[static_cast<std::size_t>(patches_.material[side / 2]) * bands_];
         for (std::size_t b = 0; b < bands_; ++b) {
           const auto power = watts(arrival.arrived[e * bands_ + b]);
-          const auto reflected = rho[b] * power;
+          const double rho = patches_.reflectance(side / 2, b);
+          const auto reflected = rho * power;
           arrived_[side * bands_ + b] += power;
           unshot_.watts[e * bands_ + b] = reflected;
           unshot[chunk] += reflected;
-          absorbed[chunk * bands_ + b] += (1.0 - rho[b]) * power;
+          absorbed[chunk * bands_ + b] += (1.0 - rho) * power;
           irradiance[chunk] += power / static_cast<double>(patches_.area[side / 2]);
         }
       }
@@ -175,8 +174,7 @@ class Iteration {
   const Workers& workers_;
   std::size_t bands_;
   Shooter shooter_;
-  std::vector<double> reflectance_;  // [material][band]
-  std::vector<double> arrived_;      // W, [side][band]
+  std::vector<double> arrived_;  // W, [side][band]
   SidePower unshot_;
   double unshot_power_ = 0.0;  // W, all bands: the sum of unshot_
   double emitted_ = 0.0;       // W, all bands: by lamps, and by the sky in the steps so far
@@ -197,20 +195,19 @@ void Iteration::fill(Solution& solution) {
   std::vector<double> squares((patches_.size() + grain - 1) / grain, 0.0);
   workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) {
-      const auto& material = patches_.material_of(p);
       const double area = patches_.area[p];
       double front_power = 0.0;
       double back_power = 0.0;
       for (std::size_t b = 0; b < bands_; ++b) {
         const auto i = p * bands_ + b;
-        const double rho = material.reflectance[b];
+        const double rho = patches_.reflectance(p, b);
         const auto front = arrived_[side_of(p, false) * bands_ + b];
         const auto back = arrived_[side_of(p, true) * bands_ + b];
         front_power += front;
         back_power += back;
         solution.irradiance_front[i] = static_cast<float>(front / area);
         solution.irradiance_back[i] = static_cast<float>(back / area);
-        solution.radiosity_front[i] = static_cast<float>(material.emittance[b] + rho * (front / area));
+        solution.radiosity_front[i] = static_cast<float>(patches_.emittance(p, b) + rho * (front / area));
         solution.radiosity_back[i] = static_cast<float>(rho * (back / area));
       }
       squares[begin / grain] += (front_power * front_power + back_power * back_power) / area;
@@ -234,22 +231,21 @@ std::vector<double> emitted_power(const PatchSet& patches) {
   std::vector<double> power(patches.band_count(), 0.0);
   const auto lamps = lamp_power(patches);
   for (std::size_t i = 0; i < lamps.watts.size(); ++i) power[i % power.size()] += lamps.watts[i];
+  for (const auto& lamp : patches.point_lights)
+    for (std::size_t b = 0; b < power.size(); ++b)
+      power[b] += emitting_angle(lamp.light) * static_cast<double>(lamp.intensity[b]);
   return power;
 }
 
 std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {
   // In a closed scene of mean reflectance rho every watt is shot 1 / (1 - rho) times.
-  std::vector<double> mean_reflectance;
-  for (const auto& material : patches.materials) {
-    const auto& rho = material.reflectance;
-    mean_reflectance.push_back(std::accumulate(rho.begin(), rho.end(), 0.0) /
-                               static_cast<double>(rho.size()));
-  }
   double area = 0.0;
   double reflected = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     area += patches.area[p];
-    reflected += patches.area[p] * mean_reflectance[static_cast<std::size_t>(patches.material[p])];
+    double rho = 0.0;
+    for (std::size_t b = 0; b < patches.band_count(); ++b) rho += double{patches.reflectance(p, b)};
+    reflected += patches.area[p] * (rho / static_cast<double>(patches.band_count()));
   }
   const auto once = std::max(0.05, 1.0 - reflected / area);
   return static_cast<std::uint64_t>(

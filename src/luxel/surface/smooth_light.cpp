@@ -101,16 +101,33 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
   return make_smooth_light(patches, solution, options, Workers(1));
 }
 
+SurfaceShare share_of_patch(const PatchSet& patches, std::size_t patch) {
+  const auto of = [&](const std::vector<float>& shares) {
+    return shares.empty() ? nullptr : &shares[patch * patches.band_count()];
+  };
+  return {of(patches.reflectance_share), of(patches.emittance_share)};
+}
+
+SurfaceShare share_of_place(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
+                            float v) {
+  auto share = share_of_patch(patches, patch);
+  share.fine_reflectance = fine.reflectance(patch, u, v);
+  share.fine_emittance = fine.emittance(patch, u, v);
+  return share;
+}
+
 Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
-                  const BandColours& colours) {
-  Vec3d radiance(0.0);
-  if (back && !material.two_sided) return radiance;
+                  const BandColours& colours, const SurfaceShare& share) {
+  Vec3d emitted(0.0), reflected(0.0);
+  if (back && !material.two_sided) return reflected;
   for (std::size_t b = 0; b < material.reflectance.size(); ++b) {
-    const auto emittance = back ? 0.0f : material.emittance[b];
-    radiance +=
-        static_cast<double>((emittance + material.reflectance[b] * irradiance[b]) / pi) * colours.of(b);
+    auto reflectance = material.reflectance[b];
+    if (share.reflectance) reflectance = std::min(most_reflectance, reflectance * share.reflectance[b]);
+    reflected += static_cast<double>(reflectance * irradiance[b] / pi) * colours.of(b);
+    const auto emittance = material.emittance[b] * (share.emittance ? share.emittance[b] : 1.0f);
+    if (!back) emitted += static_cast<double>(emittance / pi) * colours.of(b);
   }
-  return radiance;
+  return emitted * Vec3d(share.fine_emittance) + reflected * Vec3d(share.fine_reflectance);
 }
 
 }  // namespace luxel

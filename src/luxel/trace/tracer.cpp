@@ -8,8 +8,10 @@
 #endif
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "luxel/report/error.h"
 
@@ -27,18 +29,75 @@ void throw_on_error(RTCDevice device, const char* what) {
                                                       : "error " + std::to_string(static_cast<int>(error))));
 }
 
-void attach_patches(RTCDevice device, RTCScene scene, const PatchSet& patches) {
+// Of one patch with holes.
+struct Holes {
+  TextureUse use;
+  std::shared_ptr<const Raster> raster;
+  float threshold = 0.5f;
+  std::array<Vec2, 3> uv;
+
+  bool is_hole(float u, float v) const {
+    const auto place = use.place((1.0f - u - v) * uv[0] + u * uv[1] + v * uv[2]);
+    return raster->alpha(pixel_at(*raster, use, place)) < threshold;
+  }
+};
+
+// Some of the patches, as one geometry of Embree.
+struct Part {
+  std::vector<std::uint32_t> patch;  // [triangle]; forgotten once attached where it is all patches
+  std::vector<Holes> holes;          // [triangle], or none
+};
+
+// Materials are asked only where there are holes: who traces bare geometry need not have any.
+std::array<Part, 2> parts_of(const PatchSet& patches) {
+  std::array<Part, 2> parts;
+  if (std::none_of(patches.materials.begin(), patches.materials.end(),
+                   [](const BandMaterial& m) { return m.textures.cutout.has_value(); })) {
+    parts[0].patch.resize(patches.size());
+    std::iota(parts[0].patch.begin(), parts[0].patch.end(), 0u);
+    return parts;
+  }
+  for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    const auto& textures = patches.material_of(p).textures;
+    const auto& cutout = textures.cutout;
+    auto& part = parts[cutout ? 1 : 0];
+    part.patch.push_back(p);
+    if (cutout)
+      part.holes.push_back({*cutout, patches.textures[cutout->texture].raster, textures.cutout_threshold,
+                            patches.uv_sets[cutout->uv_set][p]});
+  }
+  return parts;
+}
+
+// A ray goes on through holes. Embree asks about each triangle it finds on the way, in any order.
+void pass_holes(const RTCFilterFunctionNArguments* asked) {
+  const auto& part = *static_cast<const Part*>(asked->geometryUserPtr);
+  for (unsigned i = 0; i < asked->N; ++i) {
+    if (asked->valid[i] != -1) continue;
+    const auto triangle = RTCHitN_primID(asked->hit, asked->N, i);
+    if (part.holes[triangle].is_hole(RTCHitN_u(asked->hit, asked->N, i), RTCHitN_v(asked->hit, asked->N, i)))
+      asked->valid[i] = 0;
+  }
+}
+
+void attach(RTCDevice device, RTCScene scene, const PatchSet& patches, Part& part, unsigned number) {
+  if (part.patch.empty()) return;
   const auto geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(Vec3), patches.vertices.size());
-  auto* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                          sizeof(patches.corners[0]), patches.size());
+  auto* vertices = static_cast<Vec3*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), patches.vertices.size()));
+  auto* indices = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(patches.corners[0]), part.patch.size()));
   if (vertices && indices) {
-    std::memcpy(vertices, patches.vertices.data(), patches.vertices.size() * sizeof(Vec3));
-    std::memcpy(indices, patches.corners.data(), patches.size() * sizeof(patches.corners[0]));
+    std::copy(patches.vertices.begin(), patches.vertices.end(), vertices);
+    for (std::size_t i = 0; i < part.patch.size(); ++i) indices[i] = patches.corners[part.patch[i]];
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+    if (!part.holes.empty()) {
+      rtcSetGeometryUserData(geometry, &part);
+      rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
+      rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
+    }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometryByID(scene, geometry, number);
   }
   rtcReleaseGeometry(geometry);
   throw_on_error(device, "geometry");
@@ -49,6 +108,7 @@ void attach_patches(RTCDevice device, RTCScene scene, const PatchSet& patches) {
 struct Tracer::State {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::array<Part, 2> parts;  // those without holes, those with
 
   State() = default;
   State(const State&) = delete;
@@ -68,7 +128,9 @@ Tracer::Tracer(const PatchSet& patches, const Workers& workers) : state_(std::ma
   state_->scene = rtcNewScene(state_->device);
   rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(state_->scene, RTC_BUILD_QUALITY_HIGH);
-  attach_patches(state_->device, state_->scene, patches);
+  state_->parts = parts_of(patches);
+  for (unsigned i = 0; i < 2; ++i) attach(state_->device, state_->scene, patches, state_->parts[i], i);
+  if (state_->parts[1].patch.empty()) state_->parts[0].patch = {};
   workers.run([this] { rtcJoinCommitScene(state_->scene); });
   throw_on_error(state_->device, "build of the hierarchy");
 }
@@ -110,7 +172,8 @@ Hit Tracer::nearest(const Ray& ray) const {
 #endif
   Hit hit;
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.patch = query.hit.primID;
+  const auto& numbers = state_->parts[query.hit.geomID].patch;
+  hit.patch = numbers.empty() ? query.hit.primID : numbers[query.hit.primID];
   // Embree's normal of a triangle with counter-clockwise corners points to the front, as ours.
   hit.back = glm::dot(ray.direction, Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)) > 0.0f;
   hit.distance = query.ray.tfar;

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "luxel/random/address.h"
 #include "luxel/random/sobol.h"
+#include "luxel/trace/point_sight.h"
 #include "luxel/transport/lamp_choices.h"
 #include "luxel/transport/lamp_sample.h"
 #include "luxel/transport/patch_emitter.h"
@@ -119,6 +121,8 @@ DirectLight::DirectLight(const PatchSet& patches, const Tracer& tracer, const La
                          const DirectOptions& options)
     : patches_(patches), tracer_(tracer), lamps_(lamps), options_(options), tree_(lamps) {
   for (const auto& lamp : lamps.triangles()) lift_.push_back(origin_lift(lamp.corner));
+  for (const auto& light : patches.point_lights)
+    point_weight_.push_back(std::accumulate(light.intensity.begin(), light.intensity.end(), 0.0));
 }
 
 // Both ends are lifted off their planes by the bound on rounding, which so keeps the lamp's own triangle
@@ -181,7 +185,7 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
   const bool control_variate = options_.control_variate && !options_.multiple_importance;
   auto& choices = work.choices;
   choose_lamps(choices, side, options_.replicates * per_replicate);
-  if (choices.empty()) return 0;
+  if (choices.empty() && point_weight_.empty()) return 0;
 
   // 1. Rays. Lamps that stand alone are tallied, the others added as they come.
   const auto known = choices.lamps().size();
@@ -190,15 +194,16 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
   const auto per_sample = 1.0 / static_cast<double>(per_replicate);
   work.tally.assign(replicates * known, {});
   work.sum.assign(replicates * width, 0.0);
-  std::uint64_t rays = 0;
-  for_each_term(side, choices, position, round, per_replicate, nullptr,
-                [&](std::uint32_t r, const Term& term) {
-                  if (term.choice < known)
-                    work.tally[r * known + term.choice] += {term.given, term.seen ? term.given : 0.0};
-                  else if (term.seen)
-                    add_radiance(&work.sum[r * width], term.given * per_sample, lamps_, term.lamp);
-                  rays += term.rays;
-                });
+  auto rays = add_point_lights(side, position, round, per_replicate, work.sum);
+  if (!choices.empty())
+    for_each_term(side, choices, position, round, per_replicate, nullptr,
+                  [&](std::uint32_t r, const Term& term) {
+                    if (term.choice < known)
+                      work.tally[r * known + term.choice] += {term.given, term.seen ? term.given : 0.0};
+                    else if (term.seen)
+                      add_radiance(&work.sum[r * width], term.given * per_sample, lamps_, term.lamp);
+                    rays += term.rays;
+                  });
 
   // 2. Each replicate corrected by what the others saw.
   work.whole.assign(known, {});
@@ -217,6 +222,44 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
   }
   std::transform(work.sum.begin(), work.sum.end(), out.begin(),
                  [](double v) { return static_cast<float>(v); });
+  return rays;
+}
+
+// sum: [replicate][group][band].
+std::uint64_t DirectLight::add_point_lights(const Side& side, std::uint32_t position, std::uint32_t round,
+                                            std::uint32_t per_replicate, std::span<double> sum) const {
+  if (point_weight_.empty()) return 0;
+  const auto& lights = patches_.point_lights;
+  const auto bands = lamps_.bands(), width = lamps_.groups() * bands;
+  const Vec3d normal(side.emitter.normal());
+  thread_local std::vector<PointSight> sights;
+  thread_local std::vector<double> up_to;  // [light]: what it and those before would give
+  sights.resize(lights.size());
+  up_to.resize(lights.size());
+  std::uint64_t rays = 0;
+  for (std::uint32_t r = 0; r < options_.replicates; ++r) {
+    const Numbers numbers(options_, side.index, position, round, per_replicate, r);
+    for (std::uint32_t k = 0; k < per_replicate; ++k) {
+      const auto u = numbers.at(k);
+      const auto from = side.emitter.point(u[2], u[3]);
+      double whole = 0.0;
+      for (std::size_t i = 0; i < lights.size(); ++i) {
+        sights[i] = sight_of(lights[i].light, Vec3d(from), normal);
+        up_to[i] = whole += point_weight_[i] * sights[i].irradiance;
+      }
+      if (!(whole > 0.0)) continue;
+      const auto chosen = static_cast<std::size_t>(
+          std::upper_bound(up_to.begin(), up_to.end() - 1, static_cast<double>(u[0]) * whole) -
+          up_to.begin());
+      const auto& sight = sights[chosen];
+      ++rays;
+      if (tracer_.occluded({from, Vec3(sight.direction)}, sight.distance)) continue;
+      const auto& light = lights[chosen];
+      const auto given = whole / point_weight_[chosen] / per_replicate;
+      auto* out = &sum[r * width + (lamps_.groups() > 1 ? light.light_group * bands : 0)];
+      for (std::size_t b = 0; b < bands; ++b) out[b] += given * static_cast<double>(light.intensity[b]);
+    }
+  }
   return rays;
 }
 

@@ -36,8 +36,9 @@ struct DirectOptions {
   bool multiple_importance = false;
 };
 
-// Irradiance of one side of a patch straight from the lamps, by shadow rays. The radiance of lamps is
-// constant, so only what is hidden needs samples: the estimate is
+// Irradiance of one side of a patch straight from the lamps, by shadow rays. Lamps without a surface are
+// sampled apart, one for each ray, in proportion to what they would give the very point. Of all others: The
+// radiance of lamps is constant, so only what is hidden needs samples: the estimate is
 //   sum over lamps of mean(c V) + beta (U - mean(c)),
 // c the unshadowed sample, V its visibility, U the closed form of its mean, beta the visibility met by the
 // other replicates (of that lamp, drawn to that of all lamps while samples are few). So beta is independent
@@ -69,6 +70,8 @@ class DirectLight {
 
  private:
   struct Side;
+  std::uint64_t add_point_lights(const Side& side, std::uint32_t position, std::uint32_t round,
+                                 std::uint32_t per_replicate, std::span<double> sum) const;
   // What one ray says.
   struct Term {
     std::size_t choice = 0;
@@ -97,7 +100,8 @@ class DirectLight {
   const Lamps& lamps_;
   DirectOptions options_;
   LightTree tree_;
-  std::vector<float> lift_;  // [triangle], m
+  std::vector<float> lift_;           // [triangle], m
+  std::vector<double> point_weight_;  // [point light]: intensity summed over bands
 };
 
 }  // namespace luxel

@@ -109,7 +109,7 @@ class Joining {
     for (std::size_t i = 0; i < group.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto other = neighbour(edge(group[i], k));
-        if (other == none || lamp_of_[other] != none || pieces_[other].material != pieces_[first].material ||
+        if (other == none || lamp_of_[other] != none || pieces_[other].surface != pieces_[first].surface ||
             glm::dot(normal, glm::normalize(area2_of(pieces_[other]))) < parallel)
           continue;
         lamp_of_[other] = first;

@@ -13,7 +13,7 @@ namespace luxel {
 // A triangle of light as the mesh has it.
 struct LampPiece {
   std::array<Vec3, 3> corner;  // m, counter-clockwise seen from the front
-  std::size_t material = 0;
+  std::size_t surface = 0;     // pieces of one surface shine alike
 };
 
 // Pieces that are one lamp.
@@ -22,7 +22,7 @@ struct JoinedLamp {
   std::vector<std::uint32_t> pieces;  // that fill it
 };
 
-// Joins pieces that share edges, lie in one plane but for the rounding of floats, are of one material and
+// Joins pieces that share edges, lie in one plane but for the rounding of floats, are of one surface and
 // fill a convex polygon with at most half as many triangles (a panel that was meshed is a panel again). All
 // others stay as they are, one triangle each. Every piece, none of them without area, is in one lamp. Cost: n
 // log n.

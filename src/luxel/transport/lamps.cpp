@@ -41,11 +41,23 @@ std::array<Vec3, 3> joined(const PatchSet& patches, std::size_t begin, std::size
   return {a, b, c};
 }
 
-// What the mesh has of lamps: input triangles where patches fill them, else patches.
+// Whether patches of the material shine alike.
+bool shines_evenly(const BandMaterial& material) {
+  return !material.textures.emittance && !material.textures.cutout;
+}
+
+bool shines(const PatchSet& patches, std::size_t patch) {
+  for (std::size_t b = 0; b < patches.band_count(); ++b)
+    if (patches.emittance(patch, b) > 0.0f) return true;
+  return false;
+}
+
+// What the mesh has of lamps: input triangles where patches of even light fill them, else patches.
 struct Pieces {
   std::vector<LampPiece> pieces;
-  std::vector<std::uint32_t> patches;  // all that shine
-  std::vector<std::uint32_t> piece;    // [i], of patches[i]
+  std::vector<std::uint32_t> patches;    // all that shine
+  std::vector<std::uint32_t> piece;      // [i], of patches[i]
+  std::vector<std::size_t> first_patch;  // [piece]
 
   explicit Pieces(const PatchSet& all) {
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
@@ -55,7 +67,8 @@ struct Pieces {
       if (!all.material_of(begin).is_lamp()) continue;
       const auto area = std::accumulate(all.area.data() + begin, all.area.data() + end, 0.0);
       const auto whole = joined(all, begin, end);
-      if (std::fabs(triangle_area(whole[0], whole[1], whole[2]) - area) <= area_tolerance * area) {
+      if (shines_evenly(all.material_of(begin)) &&
+          std::fabs(triangle_area(whole[0], whole[1], whole[2]) - area) <= area_tolerance * area) {
         add(all, whole, begin, end);
       } else {
         for (auto p = begin; p < end; ++p) add(all, all.points(p), p, p + 1);
@@ -66,13 +79,30 @@ struct Pieces {
  private:
   void add(const PatchSet& all, const std::array<Vec3, 3>& corner, std::size_t begin, std::size_t end) {
     if (!(triangle_area(corner[0], corner[1], corner[2]) > 0.0)) return;
+    const auto material = static_cast<std::size_t>(all.material[begin]);
+    // What a texture colours is of one surface with nothing else.
+    const bool is_even = shines_evenly(all.materials[material]);
+    if (!is_even && !shines(all, begin)) return;
     for (auto p = begin; p < end; ++p) {
       patches.push_back(static_cast<std::uint32_t>(p));
       piece.push_back(static_cast<std::uint32_t>(pieces.size()));
     }
-    pieces.push_back({corner, static_cast<std::size_t>(all.material[begin])});
+    pieces.push_back({corner, is_even ? material : all.materials.size() + begin});
+    first_patch.push_back(begin);
   }
 };
+
+// W/m² by band, of a piece's area: what holes leave of the patch shines for all of it.
+std::vector<float> emittance_of(const PatchSet& patches, std::size_t patch) {
+  std::vector<float> emittance;
+  const auto [a, b, c] = patches.points(patch);
+  const auto& material = patches.material_of(patch);
+  const auto covered =
+      material.textures.cutout ? patches.area[patch] / static_cast<float>(triangle_area(a, b, c)) : 1.0f;
+  for (std::size_t band = 0; band < patches.band_count(); ++band)
+    emittance.push_back(covered * patches.emittance(patch, band));
+  return emittance;
+}
 
 }  // namespace
 
@@ -82,9 +112,11 @@ Lamps::Lamps(const PatchSet& patches)
   std::vector<std::uint32_t> lamp_of_piece(found.pieces.size());
   for (const auto& lamp : join_lamps(found.pieces)) {
     for (const auto p : lamp.pieces) lamp_of_piece[p] = static_cast<std::uint32_t>(triangles_.size());
-    const auto& material = patches.materials[found.pieces[lamp.pieces[0]].material];
+    const auto first = found.first_patch[lamp.pieces[0]];
+    const auto emittance = emittance_of(patches, first);
     for (std::size_t i = 2; i < lamp.corners.size(); ++i) {
-      add({lamp.corners[0], lamp.corners[i - 1], lamp.corners[i]}, material);
+      add({lamp.corners[0], lamp.corners[i - 1], lamp.corners[i]}, emittance,
+          groups_ > 1 ? patches.material_of(first).light_group : 0);
       triangles_.back().fan_goes_on = i + 1 < lamp.corners.size();
     }
   }
@@ -103,7 +135,7 @@ std::uint32_t Lamps::lamp_at(std::size_t patch, const Vec3& point) const {
   return lamp;
 }
 
-void Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material) {
+void Lamps::add(const std::array<Vec3, 3>& corner, std::span<const float> emittance, std::uint32_t group) {
   LampTriangle lamp;
   lamp.corner = corner;
   const auto [a, b, c] = corner;
@@ -112,19 +144,19 @@ void Lamps::add(const std::array<Vec3, 3>& corner, const BandMaterial& material)
   lamp.normal = normal2 / (2.0 * lamp.area);
   lamp.longest_edge = std::max(
       {glm::length(Vec3d(b) - Vec3d(a)), glm::length(Vec3d(c) - Vec3d(b)), glm::length(Vec3d(a) - Vec3d(c))});
-  for (const auto emittance : material.emittance) {
-    radiance_.push_back(static_cast<float>(static_cast<double>(emittance) / std::numbers::pi));
-    lamp.weight += static_cast<double>(emittance) / std::numbers::pi;
+  for (const auto own : emittance) {
+    radiance_.push_back(static_cast<float>(static_cast<double>(own) / std::numbers::pi));
+    lamp.weight += static_cast<double>(own) / std::numbers::pi;
   }
   if (triangles_.empty())
-    for (const auto emittance : material.emittance)
-      colour_.push_back(static_cast<double>(emittance) / (std::numbers::pi * lamp.weight));
+    for (const auto own : emittance)
+      colour_.push_back(static_cast<double>(own) / (std::numbers::pi * lamp.weight));
   for (std::size_t band = 0; band < bands_; ++band) {
-    const auto share = static_cast<double>(material.emittance[band]) / (std::numbers::pi * lamp.weight);
+    const auto share = static_cast<double>(emittance[band]) / (std::numbers::pi * lamp.weight);
     if (std::fabs(share - colour_[band]) > colour_tolerance) one_colour_ = false;
   }
   triangles_.push_back(lamp);
-  group_.push_back(groups_ > 1 ? material.light_group : 0);
+  group_.push_back(group);
 }
 
 }  // namespace luxel

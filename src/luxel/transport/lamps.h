@@ -48,7 +48,7 @@ class Lamps {
   std::span<const double> colour() const { return colour_; }
 
  private:
-  void add(const std::array<Vec3, 3>& corner, const BandMaterial& material);
+  void add(const std::array<Vec3, 3>& corner, std::span<const float> emittance, std::uint32_t group);
 
   std::vector<LampTriangle> triangles_;
   std::vector<std::uint32_t> lamp_of_patch_;  // the first of its polygon

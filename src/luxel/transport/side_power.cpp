@@ -14,8 +14,9 @@ SidePower lamp_power(const PatchSet& patches) {
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (!shines[static_cast<std::size_t>(patches.material[p])]) continue;
     power.side.push_back(static_cast<std::uint32_t>(side_of(p, false)));
-    for (const auto emittance : patches.material_of(p).emittance)
-      power.watts.push_back(static_cast<double>(patches.area[p]) * static_cast<double>(emittance));
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      power.watts.push_back(static_cast<double>(patches.area[p]) *
+                            static_cast<double>(patches.emittance(p, b)));
   }
   return power;
 }

@@ -7,6 +7,7 @@
 
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/smooth_light.h"
+#include "luxel/surface/vertex_shares.h"
 
 namespace luxel {
 
@@ -29,6 +30,7 @@ class DrawVertices {
 
   const std::vector<DrawVertex>& vertices() const { return vertices_; }
   const std::vector<std::array<std::uint32_t, 3>>& corners() const { return corners_; }  // [patch]
+  const VertexShares& shares() const { return shares_; }
 
  private:
   std::uint32_t vertex(std::uint32_t smooth, std::uint32_t material);
@@ -38,6 +40,7 @@ class DrawVertices {
   std::vector<DrawVertex> vertices_;
   std::vector<std::array<std::uint32_t, 3>> corners_;
   std::vector<std::uint32_t> latest_;  // [smooth vertex]: the latest of its draw vertices
+  VertexShares shares_;
   std::vector<std::uint32_t> before_;  // [draw vertex]: the one of the same smooth vertex before it
 };
 
@@ -50,7 +53,7 @@ enum class VertexValue {
 struct TwoSides {
   Vec3 front, back;
 };
-TwoSides value_of(const DrawVertex& vertex, VertexValue what, const PatchSet& patches,
-                  const BandColours& colours, const SmoothLight& light);
+TwoSides value_of(const DrawVertex& vertex, const SurfaceShare& share, VertexValue what,
+                  const PatchSet& patches, const BandColours& colours, const SmoothLight& light);
 
 }  // namespace luxel

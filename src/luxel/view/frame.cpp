@@ -66,6 +66,12 @@ struct Frame::State {
     GlRenderbuffer colour, depth;
     GlFramebuffer frame;
   } sampled;
+  // A quarter of the pixels, likewise.
+  struct Coarse {
+    ScreenSize size{0, 0};
+    GlRenderbuffer colour, depth;
+    GlFramebuffer frame;
+  } coarse;
   // One a pixel; the mean of several pictures.
   ScreenSize size{0, 0}, mean_size{0, 0};
   GlTexture pixels, mean;
@@ -77,7 +83,9 @@ struct Frame::State {
 
   void resize(ScreenSize to);
   void resize_sampled(ScreenSize to);
+  void resize_coarse(ScreenSize to);
   void resize_mean(ScreenSize to);
+  const GlFramebuffer& drawn_into() const;
   void cover(const GlTexture& with, float strength) const;
 };
 
@@ -97,6 +105,18 @@ void Frame::State::resize_sampled(ScreenSize to) {
   attach_rendered(&sampled.colour, sampled.depth, std::min(4, static_cast<int>(most)), to);
   check_complete(to);
   sampled.size = to;
+}
+
+void Frame::State::resize_coarse(ScreenSize to) {
+  glBindFramebuffer(GL_FRAMEBUFFER, coarse.frame.name());
+  attach_rendered(&coarse.colour, coarse.depth, 0, to);
+  check_complete(to);
+  coarse.size = to;
+}
+
+const GlFramebuffer& Frame::State::drawn_into() const {
+  if (edges == EdgeSmoothing::coarse) return coarse.frame;
+  return edges == EdgeSmoothing::sampled ? sampled.frame : resolved;
 }
 
 void Frame::State::resize_mean(ScreenSize to) {
@@ -124,9 +144,12 @@ void Frame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges) 
   auto& s = *state_;
   if (size != s.size) s.resize(size);
   if (edges == EdgeSmoothing::sampled && size != s.sampled.size) s.resize_sampled(size);
+  const ScreenSize half{(size.width + 1) / 2, (size.height + 1) / 2};
+  if (edges == EdgeSmoothing::coarse && half != s.coarse.size) s.resize_coarse(half);
   s.edges = edges;
-  glBindFramebuffer(GL_FRAMEBUFFER, (edges == EdgeSmoothing::sampled ? s.sampled.frame : s.resolved).name());
-  glViewport(0, 0, size.width, size.height);
+  glBindFramebuffer(GL_FRAMEBUFFER, s.drawn_into().name());
+  const auto drawn = edges == EdgeSmoothing::coarse ? half : size;
+  glViewport(0, 0, drawn.width, drawn.height);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glEnable(GL_MULTISAMPLE);
   glDisable(GL_SCISSOR_TEST);
@@ -137,13 +160,16 @@ void Frame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges) 
 
 void Frame::resolve() {
   const auto& s = *state_;
-  if (s.edges == EdgeSmoothing::sampled) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, s.sampled.frame.name());
+  if (s.edges != EdgeSmoothing::rough) {
+    const bool is_coarse = s.edges == EdgeSmoothing::coarse;
+    const auto from = is_coarse ? s.coarse.size : s.size;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, s.drawn_into().name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, s.resolved.name());
-    glBlitFramebuffer(0, 0, s.size.width, s.size.height, 0, 0, s.size.width, s.size.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, s.size.width, s.size.height, GL_COLOR_BUFFER_BIT,
+                      is_coarse ? GL_LINEAR : GL_NEAREST);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
+  glViewport(0, 0, s.size.width, s.size.height);
   glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_DEPTH_TEST);
 }

@@ -12,7 +12,8 @@ namespace luxel {
 // How edges become smooth.
 enum class EdgeSmoothing {
   sampled,  // four samples a pixel, where the driver has them
-  rough     // one: a fifth of the time where a processor draws
+  rough,    // one: a fifth of the time where a processor draws
+  coarse    // one for four pixels: where that still takes too long while something moves
 };
 
 // A framebuffer of our own, sRGB, with depth: the same off screen and in a window, so that pictures of both

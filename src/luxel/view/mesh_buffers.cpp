@@ -88,17 +88,19 @@ void MeshBuffers::draw() const {
 }
 
 ValueBuffer::ValueBuffer(const PatchSet& patches, const SmoothLight& light, VertexValue what,
-                         const std::vector<DrawVertex>& vertices)
+                         const DrawVertices& vertices)
     : patches_(patches), light_(light), what_(what), vertices_(vertices), colours_(patches.colours()) {
-  allocate_buffer<TwoSides>(GL_ARRAY_BUFFER, buffer_, vertices.size());
+  allocate_buffer<TwoSides>(GL_ARRAY_BUFFER, buffer_, vertices.vertices().size());
 }
 
 bool ValueBuffer::go_on() {
-  const auto count = std::min(slice / 4, vertices_.size() - sent_);  // each is worth some arithmetic
+  const auto count =
+      std::min(slice / 4, vertices_.vertices().size() - sent_);  // each is worth some arithmetic
   if (count == 0) return false;
   std::vector<TwoSides> values(count);
   for (std::size_t i = 0; i < count; ++i)
-    values[i] = value_of(vertices_[sent_ + i], what_, patches_, colours_, light_);
+    values[i] = value_of(vertices_.vertices()[sent_ + i], vertices_.shares().at(sent_ + i), what_, patches_,
+                         colours_, light_);
   send(GL_ARRAY_BUFFER, buffer_, sent_, values.data(), count);
   sent_ += count;
   return true;

@@ -27,7 +27,7 @@ class MeshBuffers {
   bool go_on();
   bool is_done() const { return triangles_ == patches_.size(); }
   // Of a mesh for values, when it is done.
-  const std::vector<DrawVertex>& vertices() const { return found_->vertices(); }
+  const DrawVertices& vertices() const { return *found_; }
 
   // values: two vec3 a vertex.
   void take_values(const GlBuffer& values) const;
@@ -52,7 +52,7 @@ class MeshBuffers {
 class ValueBuffer {
  public:
   ValueBuffer(const PatchSet& patches, const SmoothLight& light, VertexValue what,
-              const std::vector<DrawVertex>& vertices);
+              const DrawVertices& vertices);
   bool go_on();
   const GlBuffer& buffer() const { return buffer_; }
 
@@ -60,7 +60,7 @@ class ValueBuffer {
   const PatchSet& patches_;
   const SmoothLight& light_;
   VertexValue what_;
-  const std::vector<DrawVertex>& vertices_;
+  const DrawVertices& vertices_;
   BandColours colours_;
   GlBuffer buffer_;
   std::size_t sent_ = 0;

@@ -35,7 +35,8 @@ std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Spa
       }
       const auto& irradiance = hit.back ? light.solution.irradiance_back : light.solution.irradiance_front;
       seen.push_back(in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
-                                          irradiance.data() + hit.patch * bands, colours)));
+                                          irradiance.data() + hit.patch * bands, colours,
+                                          share_of_patch(patches, hit.patch))));
     }
   return seen;
 }

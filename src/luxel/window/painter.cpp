@@ -23,7 +23,7 @@ std::vector<float> vertex_values(const LiveLight& light, bool lux) {
   const auto colours = patches.colours();
   std::vector<float> values;
   for (std::size_t v = 0; v < light.smooth->size(); v += light.smooth->size() / 20'000 + 1) {
-    const auto both = value_of({static_cast<std::uint32_t>(v), 0},
+    const auto both = value_of({static_cast<std::uint32_t>(v), 0}, {},
                                lux ? VertexValue::lux : VertexValue::watts, patches, colours, *light.smooth);
     values.push_back(std::max(both.front.x, both.back.x));
   }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double upload_seconds = 0.005;  // of a frame, for what goes to the card
 constexpr double said_seconds = 4.0;
+constexpr double slow_frame = 0.025;  // s, of late: then a single long one may be seen
 
 Bounds box_of(const PatchSet& patches) {
   Bounds box;
@@ -316,14 +317,21 @@ void Viewer::note_changes() {
 }
 
 // Where a processor draws, four samples a pixel take longer than a frame may: there edges are rough while
-// something moves, and afterwards rough pictures are joined, one a frame.
+// something moves, and coarse where even that is slow, and afterwards rough pictures are joined, one a frame.
 void Viewer::draw_scene(bool fine) {
   const bool is_rough = driver_.is_software && !fine;
+  const bool is_moving = unchanged_frames_ == 0;
+  // It stays so for this scene: quick coarse frames say nothing of what fine ones would take.
+  if (is_rough && is_moving && frame_seconds_ > slow_frame) slow_scene_ = scene_;
+  const bool is_coarse = is_rough && is_moving && slow_scene_ == scene_;
   const auto pixels = screen_.pixels();
   const bool joins = is_rough && unchanged_frames_ > 3;
   if (joins && joined_ >= shifts) return frame_.show_joined();
   const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
-  frame_.begin(pixels, painter_.background(curve_), is_rough ? EdgeSmoothing::rough : EdgeSmoothing::sampled);
+  frame_.begin(pixels, painter_.background(curve_),
+               is_coarse  ? EdgeSmoothing::coarse
+               : is_rough ? EdgeSmoothing::rough
+                          : EdgeSmoothing::sampled);
   painter_.draw(look, viewpoint(), navigator.aspect(), 4.0f * screen_.text_scale(), tile);
   frame_.resolve();
   if (joins) frame_.join(joined_++);

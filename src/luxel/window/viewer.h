@@ -116,8 +116,9 @@ class Viewer {
     ScreenSize size;
     bool operator==(const Shown&) const = default;
   } shown_;
-  int unchanged_frames_ = 0;  // since the scene, the view or an event changed
-  int joined_ = 0;            // rough pictures joined into the one that is seen
+  int unchanged_frames_ = 0;                 // since the scene, the view or an event changed
+  std::optional<std::uint64_t> slow_scene_;  // whose frames took too long
+  int joined_ = 0;                           // rough pictures joined into the one that is seen
 };
 
 }  // namespace luxel

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/apps/commands.h"
+#include "luxel/apps/console.h"
+#include "luxel/apps/finish.h"
+#include "luxel/apps/lightmap_settings.h"
+#include "luxel/apps/outputs.h"
+#include "luxel/apps/settings.h"
+#include "luxel/image/image_file.h"
+#include "luxel/lightmap/lightmap_picture.h"
+#include "luxel/lightmap/make_lightmap.h"
+
+namespace luxel {
+namespace {
+
+constexpr const char* page_kinds = ".exr .png";
+
+// "map.exr", "map-2.exr", "map-3.exr", ...
+std::string name_of_page(const std::string& output, std::size_t page) {
+  if (page == 0) return output;
+  const std::filesystem::path path(output);
+  auto named = path;
+  named.replace_filename(fmt::format("{}-{}{}", path.stem().string(), page + 1, path.extension().string()));
+  return named.string();
+}
+
+// What 999 of 1000 texels with light do not exceed: a lamp's own neighbourhood shall not darken all else.
+float automatic_white(const Lightmap& lightmap) {
+  std::vector<float> values;
+  for (const auto& page : lightmap.pages)
+    for (const auto& p : page.irradiance.pixels)
+      if (const auto most = std::max({p.r, p.g, p.b}); most > 0.0f) values.push_back(most);
+  if (values.empty()) return 1.0f;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - values.size() / 1000);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+std::string describe(const Lightmap& lightmap, const LightmapReport& report) {
+  const auto& texels = report.texels;
+  auto text = fmt::format("{} charts on {} page{} of {} x {} texels; {} texels with light of their own",
+                          report.charts, lightmap.atlas.pages, lightmap.atlas.pages == 1 ? "" : "s",
+                          lightmap.atlas.page_size, lightmap.atlas.page_size, texels.texels);
+  if (texels.gathered > 0)
+    text += fmt::format(", {} of them gathered with {} rays", texels.gathered, texels.rays);
+  if (texels.short_of_it > 0) text += fmt::format(" ({} with a larger error than asked)", texels.short_of_it);
+  if (report.seams.places > 0)
+    text +=
+        fmt::format("\nseams: {} places, difference {:.2g} % before and {:.2g} % after", report.seams.places,
+                    100.0 * report.seams.difference_before, 100.0 * report.seams.difference_after);
+  return text;
+}
+
+// `lightmap`: the light of a solution on pages.
+class LightmapCommand final : public Command {
+ public:
+  explicit LightmapCommand(OptionSet& options) : Command(options) {
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
+    settings_.declare(options);
+    picture_.declare_view(options);
+    look_.declare_up(options);
+    run_.declare(options, page_kinds);
+  }
+
+  int run() override {
+    check();
+    Console console(run_.quiet);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
+    std::optional<Tracer> tracer;
+    if (settings_.lightmap.texels.error > 0.0 || !settings_.preview.empty())
+      record.stage("hierarchy", [&](auto&) { tracer.emplace(baked.patches, workers); });
+
+    LightmapReport report;
+    console.announce("charts");
+    const auto lightmap = record.stage("lightmap", [&](auto& stage) {
+      auto made = make_lightmap(baked.patches, baked.solution, tracer ? &*tracer : nullptr,
+                                settings_.lightmap, workers, &report, console.monitor());
+      stage.rays = report.texels.rays;
+      return made;
+    });
+    console.clear_bar();
+    console.say(describe(lightmap, report));
+    auto files = record.stage("write", [&](auto&) { return write(lightmap); });
+    std::optional<Camera> camera;
+    if (!settings_.preview.empty()) {
+      camera =
+          record.stage("camera", [&](auto&) { return camera_of(picture_, look_, baked, *tracer, workers); });
+      record.stage("picture", [&](auto&) {
+        const auto picture =
+            lightmap_picture(baked.patches, lightmap, *tracer, *camera, picture_.render, workers);
+        write_picture(settings_.preview, picture, look_.tone);
+      });
+      files.push_back(settings_.preview);
+    }
+    finish({.command = options().name(),
+            .baked = &baked,
+            .camera = camera,
+            .origin = baked.patches.origin,
+            .outputs = files,
+            .options = &options(),
+            .record = &record},
+           run_, console);
+    return report.texels.stopped ? exit_stopped_early : exit_fine;
+  }
+
+ private:
+  void check() const {
+    const auto expect = [](const char* option, const std::string& file, const std::string& kinds) {
+      if (kinds.find(ending(file)) == std::string::npos || ending(file).empty())
+        throw UsageError(fmt::format("{} {}: expected an ending among {}", option, file, kinds));
+    };
+    auto run = run_;
+    for (const auto& output : run.outputs) expect("-o", output, page_kinds);
+    if (!settings_.error_map.empty()) {
+      expect("--error-map", settings_.error_map, ".exr");
+      run.outputs.push_back(settings_.error_map);
+    }
+    if (!settings_.preview.empty()) {
+      expect("--preview", settings_.preview, picture_kinds);
+      run.outputs.push_back(settings_.preview);
+    }
+    check_before_work(run, picture_, picture_kinds);
+  }
+
+  std::vector<std::string> write(const Lightmap& lightmap) const {
+    const auto white = settings_.white == LightmapSettings::automatic_white
+                           ? automatic_white(lightmap)
+                           : static_cast<float>(settings_.white);
+    std::vector<std::string> files;
+    for (std::size_t p = 0; p < lightmap.pages.size(); ++p) {
+      const auto& page = lightmap.pages[p];
+      for (const auto& output : run_.outputs) {
+        files.push_back(name_of_page(output, p));
+        if (ending(output) == ".exr")
+          write_exr(files.back(), page.irradiance);
+        else
+          write_page_png(files.back(), page.irradiance, white);
+      }
+      if (settings_.error_map.empty()) continue;
+      files.push_back(name_of_page(settings_.error_map, p));
+      write_exr(files.back(), page.standard_error);
+    }
+    return files;
+  }
+
+  static void write_page_png(const std::string& file, Image page, float white) {
+    for (auto& pixel : page.pixels) pixel /= white;
+    write_png(file, page,
+              {{"Encoding", "sRGB of irradiance / white"}, {"White W/m2", fmt::format("{}", white)}});
+  }
+
+  std::string file_;
+  LightmapSettings settings_;
+  PictureSettings picture_;
+  LookSettings look_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_lightmap_command(CommandLine& line) {
+  return std::make_unique<LightmapCommand>(
+      line.command("lightmap", "lay the light of a solution out on pages of texels"));
+}
+
+}  // namespace luxel

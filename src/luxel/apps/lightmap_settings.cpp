@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/apps/lightmap_settings.h"
+
+#include <fmt/format.h>
+
+#include "luxel/apps/quantity.h"
+
+namespace luxel {
+namespace {
+
+double parse_gather(const std::string& text) {
+  if (text == "none") return 0.0;
+  if (const auto share = parse_share(text); share && *share > 0.0) return *share;
+  throw UsageError(fmt::format(
+      "--final-gather: expected none or a share above 0 and below 1, such as 2% or 0.02, not '{}'", text));
+}
+
+double parse_white(const std::string& text) {
+  if (text == "auto") return LightmapSettings::automatic_white;
+  if (const auto number = parse_double(text); number && *number > 0.0 && *number < 1e9) return *number;
+  throw UsageError(fmt::format("--png-white: expected auto or W/m² above 0, not '{}'", text));
+}
+
+}  // namespace
+
+void LightmapSettings::declare(OptionSet& set) {
+  set.heading("Pages");
+  set.add_number("texels-per-metre", "1/m", lightmap.texels_per_metre, 1e-6, 1e6,
+                 "texels along a metre of a surface, at least");
+  set.add_number("page", "texels", lightmap.page_size, 8, 16384,
+                 "largest width and height of a page; what does not fit goes on further ones");
+  set.add_number("margin", "texels", lightmap.margin, 0, 64,
+                 "between charts, and at the edge of a page; filled with the light beside");
+  set.add_number("crease-angle", "degrees", lightmap.crease_angle, 0.0f, 180.0f,
+                 "neighbours that meet at a sharper angle are different surfaces");
+  set.heading("Texels");
+  auto& texels = lightmap.texels;
+  set.add(
+      {"final-gather", "share",
+       "gather light anew, until a texel's standard error is this, where the solution's patches do not do; "
+       "none: nowhere",
+       [&texels](const std::string& text) { texels.error = parse_gather(text); },
+       [&texels] { return texels.error == 0.0 ? std::string("none") : as_share(texels.error); }});
+  set.add_number("gather-rays", "count", texels.most_rays, 64u, 1u << 20,
+                 "cosine rays that a texel may take for that, and as many to lamps");
+  set.add_count("seed", texels.seed, "of the gather's rays");
+  set.heading("Files");
+  set.add({"png-white", "W/m²",
+           "irradiance that a PNG shows as white; auto: what 999 of 1000 lit texels stay below",
+           [this](const std::string& text) { white = parse_white(text); },
+           [this] { return white == automatic_white ? std::string("auto") : fmt::format("{}", white); }});
+  set.add_text("error-map", "FILE", error_map,
+               "an EXR file for the standard error of each texel, W/m², in the same places");
+  set.add_text("preview", "FILE", preview,
+               "a picture (.png .exr .hdr) of the scene as a reader of the pages sees it");
+}
+
+}  // namespace luxel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace luxel {
+
+// The program that a GLB is for: glTF is read with habits. docs/baking.md has what each of them does.
+enum class MeshProgram { any, three, babylon, godot, blender, unity, unreal };
+
+// The words of the command line: any, three, babylon, godot, blender, unity, unreal.
+std::string_view name(MeshProgram program);
+std::optional<MeshProgram> mesh_program(std::string_view word);
+std::span<const std::string_view> mesh_program_names();
+
+// What a file is made like for it.
+struct MeshHabits {
+  // Attributes of one's own are read, so that the irradiance is worth its 12 bytes a vertex.
+  bool keeps_irradiance = true;
+  // Colours are stored in eight bits, and the program decodes sRGB when it is told by the name of a material:
+  // so the dark is not cut into steps. Against glTF, which wants them linear.
+  bool colours_are_srgb = false;
+  std::string_view material_suffix = "";
+};
+
+MeshHabits habits_of(MeshProgram program);
+
+}  // namespace luxel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/page_arrays.h"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "luxel/export/utf8.h"
+
+namespace luxel {
+
+static_assert(std::endian::native == std::endian::little, "a page's numbers are little-endian, as ours are");
+
+void PageArrays::add(std::string_view name, const std::vector<float>& values) {
+  append(name, "f32", values.data(), values.size(), sizeof(float));
+}
+
+void PageArrays::add(std::string_view name, const std::vector<std::uint32_t>& values) {
+  append(name, "u32", values.data(), values.size(), sizeof(std::uint32_t));
+}
+
+void PageArrays::add(std::string_view name, const std::vector<std::uint16_t>& values) {
+  append(name, "f16", values.data(), values.size(), sizeof(std::uint16_t));
+}
+
+void PageArrays::add(std::string_view name, const std::vector<std::uint8_t>& values) {
+  append(name, "u8", values.data(), values.size(), 1);
+}
+
+void PageArrays::append(std::string_view name, std::string_view type, const void* from, std::size_t count,
+                        std::size_t size) {
+  const auto* bytes = static_cast<const char*>(from);
+  for (std::size_t b = 0; b < size; ++b)
+    for (std::size_t i = 0; i < count; ++i) bytes_ += bytes[i * size + b];
+  list_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}\",\"count\":{}}}", list_.empty() ? "" : ",", name,
+                       type, count);
+}
+
+std::string page_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : valid_utf8(text)) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\' || c == '<' || c == '>' || c == '&' || code < 0x20)
+      out += fmt::format("\\u{:04x}", code);
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace luxel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/export/export_page.h"
+#include "luxel/export/page_mesh.h"
+
+namespace luxel {
+
+// The light of a page's vertices in halves: [group][front, then back][vertex][component]. Plain colour has
+// three components, the irradiance (W/m²). Light by wavelength has five: what is reflected of it as linear
+// sRGB (W/m²), for a page cannot know what a material makes of each wavelength; what lux it gives, divided by
+// the luminous efficacy; all its power (W/m²).
+struct PageLight {
+  std::size_t components = 3;
+  float unit = 1.0f;  // W/m² of a half's 1
+  std::vector<std::uint16_t> halves;
+};
+
+PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const SmoothLight& light,
+                          std::span<const GroupLight> groups);
+
+// What textures, or the colours of corners, make of a material at the page's vertices, times the material's
+// own, in halves: [vertex][red, green, blue]. Empty where nothing of the scene has any. Of light by
+// wavelength the reflectance is in the light already, and here 1.
+struct PageShares {
+  std::vector<std::uint16_t> reflectance, emittance;
+};
+
+PageShares make_page_shares(const PatchSet& patches, const PageMesh& mesh);
+
+// Standard errors of illuminance of the sides in steps of a twelfth of an octave: [whole, then each
+// group][front, then back][triangle]. 255 is `largest`, 254 a twelfth of an octave less; 0: none, or dark.
+struct PageErrors {
+  double largest = 0.0;  // lux
+  std::vector<std::uint8_t> codes;
+};
+
+PageErrors make_page_errors(const PatchSet& patches, const PageMesh& mesh, const Solution& solution,
+                            std::span<const GroupLight> groups);
+
+}  // namespace luxel

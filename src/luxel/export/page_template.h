@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace luxel {
+
+// The page without a scene: what web/ was bundled into when this program was built (cmake/luxel_page.cmake).
+// Empty where Node.js or its packages were missing then.
+std::string_view page_template();
+// The reason, as one line; else empty.
+std::string_view page_obstacle();
+
+}  // namespace luxel

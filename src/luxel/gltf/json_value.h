@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace luxel {
+
+// A place in a JSON text: what stands there, or nothing, and the path to it, which every error names:
+// "room.gltf: /nodes/3/mesh: expected ...". Copies share the text. What is asked of a value that is not there
+// is answered by what the caller says is to be taken then; what is there must be of the kind asked for.
+// Cheap: a path and a pointer.
+class JsonValue {
+ public:
+  // Parses a text; source is for errors. Throws InputError naming the line where it is no JSON.
+  static JsonValue parse(std::string_view text, std::string source);
+
+  explicit operator bool() const { return node_ != nullptr; }
+  const std::string& path() const { return path_; }
+  const std::string& source() const;
+
+  // A member of an object; nothing where there is none, or where this itself is not there.
+  JsonValue operator[](std::string_view key) const;
+  // An element of an array, below size().
+  JsonValue operator[](std::size_t index) const;
+  // The number of elements of an array; 0 where this is not there.
+  std::size_t size() const;
+  std::vector<std::string> keys() const;  // of an object, in the order of the alphabet
+
+  double number(double otherwise) const;  // finite
+  double number() const;                  // which must be there
+  std::size_t whole(std::size_t otherwise) const;
+  std::size_t whole() const;
+  bool truth(bool otherwise) const;
+  std::string text(const std::string& otherwise) const;
+  std::string text() const;
+  std::vector<double> numbers(const std::vector<double>& otherwise) const;  // so many, each finite
+
+  // Throws InputError: "source: path: message".
+  [[noreturn]] void refuse(const std::string& message) const;
+
+ private:
+  struct Document;
+  JsonValue(std::shared_ptr<const Document> document, const void* node, std::string path);
+  JsonValue at(const void* node, std::string path) const;
+  [[noreturn]] void refuse_kind(std::string_view expected) const;
+  void expect_there(std::string_view expected) const;
+
+  std::shared_ptr<const Document> document_;
+  const void* node_ = nullptr;  // in the document
+  std::string path_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/lightmap/lightmap.h"
+
+namespace luxel {
+
+// Gives empty texels around charts the mean of those beside them that hold light (of eight), ring after ring,
+// so that smaller copies of a page (mip levels) and wider filters read no darkness there. The standard error
+// goes with the light. rings: how far out, texels.
+void dilate(Lightmap& lightmap, int rings);
+
+}  // namespace luxel

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/lightmap/gather_texels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/lightmap/point_gather.h"
+#include "luxel/lightmap/texel_places.h"
+#include "luxel/random/address.h"
+#include "luxel/report/error.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t texel_step = 0x7465786cu;  // keeps these streams apart from others of the seed
+constexpr std::uint32_t fewest_rays = 64;
+constexpr std::size_t texels_a_chunk = 64;
+constexpr std::size_t texels_between_calls = 1 << 12;  // of the monitor
+
+void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+           const TexelOptions& options, const Lightmap& lightmap) {
+  const auto values = patches.size() * patches.band_count();
+  if (solution.bands != patches.bands || solution.irradiance_front.size() != values ||
+      solution.irradiance_back.size() != values || light.corners.size() != patches.size())
+    throw MismatchError(
+        fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
+  if (lightmap.atlas.chart_of.size() != 2 * patches.size())
+    throw MismatchError(fmt::format("the atlas has {} sides but the patches have {}: lay out this scene",
+                                    lightmap.atlas.chart_of.size(), 2 * patches.size()));
+  if (!(options.error >= 0.0 && options.error <= 1.0))
+    throw InputError(
+        fmt::format("the error asked of a texel must be from 0 to 1, but it is {}", options.error));
+  if (options.most_rays < fewest_rays)
+    throw InputError(
+        fmt::format("a final gather takes at least {} rays a texel, not {}", fewest_rays, options.most_rays));
+}
+
+// What the solution says of single sides and places.
+class SolvedLight {
+ public:
+  SolvedLight(const PatchSet& patches, const Solution& solution, const SmoothLight& light)
+      : patches_(patches), solution_(solution), light_(light), colours_(patches.colours()) {}
+
+  Vec3d at(const TexelPlace& place) const {
+    const auto bands = colours_.bands();
+    Vec3d sum(0.0);
+    for (std::size_t b = 0; b < bands; ++b)
+      sum += smooth_irradiance(light_, place.side, place.weights, b, bands) * colours_.of(b);
+    return sum;
+  }
+
+  Vec3d mean(std::uint32_t side) const {
+    return colours_.rgb(row(side % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back, side));
+  }
+
+  Vec3d standard_error(std::uint32_t side) const {
+    const auto& errors = side % 2 == 0 ? solution_.standard_error_front : solution_.standard_error_back;
+    if (errors.empty()) return Vec3d(0.0);
+    const auto* of_band = row(errors, side);
+    Vec3d variance(0.0);
+    for (std::size_t b = 0; b < colours_.bands(); ++b) {
+      const auto part = static_cast<double>(of_band[b]) * colours_.of(b);
+      variance += part * part;
+    }
+    return glm::sqrt(variance);
+  }
+
+  // What smooth light may be wrong by on this side, W/m².
+  double doubt(std::uint32_t side) const {
+    std::array<Vec3d, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = at({side, {k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f}, Texel::inside});
+    const auto misfit = (corner[0] + corner[1] + corner[2]) / 3.0 - mean(side);
+    double rise = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) rise = std::max(rise, glm::length(corner[(k + 1) % 3] - corner[k]));
+    constexpr double share_of_rise = 0.25;
+    return std::max({glm::length(standard_error(side)), glm::length(misfit), share_of_rise * rise});
+  }
+
+ private:
+  const float* row(const std::vector<float>& values, std::uint32_t side) const {
+    return values.data() + side / 2 * colours_.bands();
+  }
+
+  const PatchSet& patches_;
+  const Solution& solution_;
+  const SmoothLight& light_;
+  BandColours colours_;
+};
+
+// The length of the mean irradiance of all sides that have a place, W/m².
+double mean_light(const PatchSet& patches, const SolvedLight& light, const Atlas& atlas) {
+  Vec3d sum(0.0);
+  double area = 0.0;
+  for (std::uint32_t side = 0; side < atlas.chart_of.size(); ++side) {
+    if (!atlas.has(side)) continue;
+    sum += static_cast<double>(patches.area[side / 2]) * light.mean(side);
+    area += static_cast<double>(patches.area[side / 2]);
+  }
+  return area > 0.0 ? glm::length(sum) / area : 0.0;
+}
+
+// From where the rays of a texel leave: a little inside the patch, so that what stands along its border is
+// before the point and not above it.
+SurfacePoint point_of(const PatchSet& patches, const Atlas& atlas, const TexelPlace& place) {
+  constexpr float most_drawn_in = 0.25f;  // of the way to the centroid
+  constexpr float from_border = 0.02f;    // texels
+  const auto& t = atlas.corners[place.side];
+  const auto b = t[1] - t[0], c = t[2] - t[0];
+  const auto longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
+  const auto third_height = std::abs(b.x * c.y - b.y * c.x) / (3.0f * longest);
+  const auto drawn_in =
+      third_height > 0.0f ? std::min(most_drawn_in, from_border / third_height) : most_drawn_in;
+  return surface_point(patches, place.side / 2, place.side % 2 == 1,
+                       place.weights + drawn_in * (Vec2(1.0f / 3.0f) - place.weights));
+}
+
+struct Wanting {
+  std::uint32_t page, texel;
+};
+
+// Fills all texels with the smooth light; returns those it does not do for.
+std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
+                                 double error, double least, Lightmap& lightmap, TexelReport& report) {
+  std::vector<Wanting> wanting;
+  const auto& atlas = lightmap.atlas;
+  std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; not yet known
+  const auto wants = [&](std::uint32_t side) {
+    if (is_wanting[side] < 0)
+      is_wanting[side] = light.doubt(side) > error * std::max(glm::length(light.mean(side)), least) ? 1 : 0;
+    return is_wanting[side] > 0;
+  };
+  for (std::uint32_t p = 0; p < places.size(); ++p) {
+    auto& page = lightmap.pages.emplace_back();
+    page.irradiance = page.standard_error = Image(atlas.page_size, atlas.page_size);
+    page.texels.assign(places[p].size(), Texel::empty);
+    for (std::uint32_t i = 0; i < places[p].size(); ++i) {
+      const auto& place = places[p][i];
+      page.texels[i] = place.kind;
+      if (place.kind == Texel::empty) continue;
+      ++report.texels;
+      page.irradiance.pixels[i] = in_gamut(light.at(place));
+      page.standard_error.pixels[i] = Vec3(light.standard_error(place.side));
+      if (error > 0.0 && wants(place.side)) wanting.push_back({p, i});
+    }
+  }
+  return wanting;
+}
+
+}  // namespace
+
+TexelReport gather_texels(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+                          const Tracer* tracer, const TexelOptions& options, const Workers& workers,
+                          Lightmap& lightmap, const Monitor& monitor) {
+  check(patches, solution, light, options, lightmap);
+  const auto& atlas = lightmap.atlas;
+  const auto places = find_texel_places(atlas, workers);
+  const SolvedLight solved(patches, solution, light);
+  const auto least = options.dark * mean_light(patches, solved, atlas);
+  TexelReport report;
+  lightmap.pages.clear();
+  const auto wanting = interpolate(places, solved, tracer ? options.error : 0.0, least, lightmap, report);
+  if (wanting.empty()) return report;
+
+  const PointGather gather(patches, light, *tracer);
+  const PointGather::Bounds bounds{options.error, least, options.most_rays};
+  std::vector<PointGather::Result> results(std::min(wanting.size(), texels_between_calls));
+  for (std::size_t first = 0; first < wanting.size(); first += texels_between_calls) {
+    const auto share = static_cast<double>(first) / static_cast<double>(wanting.size());
+    if (tell(monitor, {"texels", share, report.rays}) == Next::stop) {
+      report.stopped = true;
+      return report;
+    }
+    const auto count = std::min(wanting.size() - first, texels_between_calls);
+    workers.for_chunks(count, texels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) {
+        const auto [page, texel] = wanting[first + i];
+        const auto& place = places[page][texel];
+        results[i] = gather.at(point_of(patches, atlas, place), bounds,
+                               mix64(stream_key(options.seed, texel_step, texel) + page));
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      auto& page = lightmap.pages[wanting[first + i].page];
+      page.irradiance.pixels[wanting[first + i].texel] = in_gamut(results[i].irradiance);
+      page.standard_error.pixels[wanting[first + i].texel] = Vec3(results[i].standard_error);
+      report.rays += results[i].rays;
+      ++report.gathered;
+      report.short_of_it += results[i].reached ? 0 : 1;
+    }
+  }
+  tell(monitor, {"texels", 1.0, report.rays});
+  return report;
+}
+
+}  // namespace luxel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/lightmap/gather_texels.h"
+#include "luxel/lightmap/lightmap.h"
+#include "luxel/lightmap/solve_seams.h"
+#include "luxel/parallel/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
+#include "luxel/solution/solution.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+struct LightmapOptions {
+  double texels_per_metre = 20.0;
+  int page_size = 1024;        // texels, the most a page is wide and high
+  int margin = 2;              // texels between charts; filled from both sides
+  float crease_angle = 30.0f;  // degrees, as in SmoothOptions
+  TexelOptions texels = {};
+};
+
+struct LightmapReport {
+  std::size_t charts = 0;
+  TexelReport texels;
+  SeamReport seams;
+};
+
+// A lightmap of all lit surfaces: charts are made and packed, texels gathered, seams solved, margins filled.
+// tracer: none, and there is no final gather. The same bytes on any number of threads. After the monitor's
+// stop the rest of the texels hold interpolated light. Throws what the stages throw.
+Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
+                       const LightmapOptions& options, const Workers& workers,
+                       LightmapReport* report = nullptr, const Monitor& monitor = {});
+
+}  // namespace luxel

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/lightmap/point_gather.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "luxel/random/address.h"
+#include "luxel/random/sobol.h"
+#include "luxel/reference/batch_means.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t replicates = 8;
+constexpr std::uint32_t first_samples = 4;  // a replicate
+
+}  // namespace
+
+PointGather::PointGather(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer)
+    : patches_(patches), light_(light), paths_(patches, tracer), colours_(patches.colours()) {}
+
+PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bounds,
+                                    std::uint64_t key) const {
+  const auto bands = colours_.bands();
+  const std::vector<double> one(bands, 1.0);
+  std::vector<double> sums(replicates * bands, 0.0);
+  Result result;
+  const auto sample = [&](const OwenSobol& points, std::uint32_t i, std::span<double> sum) {
+    const VertexNumbers numbers{{points.at(i, 0), points.at(i, 1)},
+                                {points.at(i, 4), points.at(i, 2), points.at(i, 3)}};
+    const auto trail = paths_.direct(point, numbers, one, sum);
+    result.rays += trail.rays;
+    const auto& hit = trail.first;
+    if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
+    const auto side = 2 * hit.patch + (hit.back ? 1 : 0);
+    for (std::size_t b = 0; b < bands; ++b)
+      sum[b] += static_cast<double>(patches_.reflectance(hit.patch, b)) *
+                smooth_irradiance(light_, side, {hit.u, hit.v}, b, bands);
+  };
+  Vec3d before(0.0);  // variance
+  const auto judge = [&](std::uint32_t samples) {
+    std::array<Vec3d, replicates> means;
+    result.irradiance = Vec3d(0.0);
+    for (std::size_t r = 0; r < replicates; ++r) {
+      means[r] = colours_.rgb(std::span(sums).subspan(r * bands, bands)) / static_cast<double>(samples);
+      result.irradiance += means[r] / static_cast<double>(replicates);
+    }
+    Vec3d variance(0.0);
+    for (const auto& mean : means)
+      variance += (mean - result.irradiance) * (mean - result.irradiance) /
+                  static_cast<double>(replicates * (replicates - 1));
+    // To stop where the spread happens to be small would make errors look smaller than they are: the spread
+    // of half the samples has as much to say.
+    const auto of_half = before;
+    before = variance;
+    if (samples > first_samples) variance = 0.5 * (variance + 0.5 * of_half);
+    result.standard_error = widening_of(replicates) * glm::sqrt(variance);
+    const auto whole = std::max(glm::length(result.irradiance), bounds.least);
+    result.reached =
+        samples > first_samples && std::sqrt(variance.x + variance.y + variance.z) <= bounds.error * whole;
+  };
+
+  for (std::uint32_t from = 0, to = first_samples;; from = to, to *= 2) {
+    for (std::uint32_t r = 0; r < replicates; ++r) {
+      const OwenSobol points(mix64(key + (r + 1) * 0x9e3779b97f4a7c15u));
+      for (auto i = from; i < to; ++i) sample(points, i, std::span(sums).subspan(r * bands, bands));
+    }
+    judge(to);
+    if (result.reached || 2 * to * replicates > bounds.most_rays) return result;
+  }
+}
+
+}  // namespace luxel

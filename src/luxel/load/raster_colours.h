@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/image/raster.h"
+
+namespace luxel {
+
+// The mean linear colour of all pixels, whatever their alpha. Finite, 0 or more.
+Vec3 mean_colour(const Raster& raster);
+
+float mean_alpha(const Raster& raster);
+// The lowest alpha of all pixels.
+float least_alpha(const Raster& raster);
+
+// A white picture that is there where the other one is bright: its alpha is the other's grey, as its codes
+// have it (no light, a plain number).
+Raster with_grey_as_alpha(const Raster& raster);
+
+// How metallic a picture says that surfaces are: its blue, a plain number and no colour, in [0, 1].
+struct MetalRange {
+  float least = 0.0f, mean = 0.0f, most = 0.0f;
+};
+MetalRange metal_range(const Raster& raster);
+
+// What is left of the colours of `base` (white where there is none) for diffuse light: times
+// 1 - factor * metal, which covers the same surface and may be of another size.
+Raster without_metal(const Raster* base, const Raster& metal, float factor);
+
+}  // namespace luxel

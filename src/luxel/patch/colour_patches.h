@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+// Lays the scene's textures and the colours of its corners on patches that were cut from its triangles
+// (PatchSet::triangle), and colours them. Nothing is done where the scene has neither.
+void lay_textures(PatchSet& patches, const Scene& scene);
+
+// The same for patches that are parts of others, which `parent` names. Their areas are those of the whole
+// triangles still.
+void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent);
+
+// How fine textures are within patches: what a point is over what its patch is in the mean, so that pictures
+// show more than patches. Immutable once made; memory 24 bytes a patch where there are textures, else none.
+class FineColours {
+ public:
+  // Keeps a reference.
+  explicit FineColours(const PatchSet& patches);
+
+  // Linear sRGB, of (1-u-v) a + u b + v c: times what the patch reflects, and emits. 1 without textures.
+  Vec3 reflectance(std::size_t patch, float u, float v) const;
+  Vec3 emittance(std::size_t patch, float u, float v) const;
+
+ private:
+  Vec3 at(const std::optional<TextureUse>& use, const std::vector<Vec3>& mean, std::size_t patch, float u,
+          float v) const;
+
+  const PatchSet& patches_;
+  std::vector<Vec3> reflectance_mean_, emittance_mean_;  // [patch], of the texture; empty where there is none
+};
+
+}  // namespace luxel

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/scene/scene.h"
+
+#include <utility>
+
+namespace luxel {
+
+Bounds bounds(const Scene& scene) {
+  Bounds box;
+  for (const auto& triangle : scene.triangles)
+    for (const auto corner : triangle) box.add(scene.positions[corner]);
+  return box;
+}
+
+void turn_triangle(Scene& scene, std::size_t triangle) {
+  std::swap(scene.triangles[triangle][1], scene.triangles[triangle][2]);
+  for (auto& set : scene.uv_sets) std::swap(set[triangle][1], set[triangle][2]);
+  if (!scene.corner_colours.empty())
+    std::swap(scene.corner_colours[triangle][1], scene.corner_colours[triangle][2]);
+}
+
+}  // namespace luxel

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solution/surface_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "luxel/image/raster.h"
+
+namespace luxel {
+namespace {
+
+constexpr auto no_texture = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t largest_side = 16384;
+const std::string group = "Luxel/surface";
+const std::string lights = "Luxel/point_lights";
+
+template <typename T>
+Hdf5Array flat(const std::vector<T>& values) {
+  return flat_array(std::span<const T>(values));
+}
+template <typename T>
+Hdf5Array rows_of(const std::vector<T>& values, std::size_t columns) {
+  return table(std::span<const T>(values), values.size() / columns, columns);
+}
+
+// One column of the table of materials: how a texture lies on each.
+struct UseColumn {
+  const char* name;
+  std::optional<TextureUse> MaterialTextures::*use;
+};
+constexpr auto columns = std::to_array<UseColumn>({{"reflectance", &MaterialTextures::reflectance},
+                                                   {"emittance", &MaterialTextures::emittance},
+                                                   {"cutout", &MaterialTextures::cutout}});
+
+void add_uses(Hdf5Writer& file, const PatchSet& patches, const UseColumn& column) {
+  std::vector<std::uint32_t> which;  // texture, set, wrap of x, wrap of y
+  std::vector<float> placement;
+  for (const auto& material : patches.materials) {
+    const auto& use = material.textures.*column.use;
+    const auto u = use.value_or(TextureUse{});
+    which.insert(which.end(), {use ? u.texture : no_texture, u.uv_set, static_cast<std::uint32_t>(u.wrap[0]),
+                               static_cast<std::uint32_t>(u.wrap[1])});
+    placement.insert(placement.end(), u.placement.begin(), u.placement.end());
+  }
+  file.add_array(fmt::format("{}/{}_texture", group, column.name), rows_of(which, 4));
+  file.add_array(fmt::format("{}/{}_placement", group, column.name), rows_of(placement, 6), "1");
+}
+
+void read_uses(const Hdf5Reader& file, PatchSet& patches, const UseColumn& column) {
+  const auto n = patches.materials.size();
+  const auto which = file.array<std::uint32_t>(fmt::format("{}/{}_texture", group, column.name), n, 4);
+  const auto placement = file.array<float>(fmt::format("{}/{}_placement", group, column.name), n, 6);
+  constexpr auto last_wrap = static_cast<std::uint32_t>(Wrap::clamp);
+  for (std::size_t m = 0; m < n; ++m) {
+    const auto* w = &which[4 * m];
+    if (w[0] == no_texture) continue;
+    if (w[2] > last_wrap || w[3] > last_wrap) file.refuse_as_damaged("a texture is wrapped in no known way");
+    TextureUse use{w[0], w[1], {}, {static_cast<Wrap>(w[2]), static_cast<Wrap>(w[3])}};
+    std::copy_n(&placement[6 * m], 6, use.placement.begin());
+    patches.materials[m].textures.*column.use = use;
+  }
+}
+
+void add_texture(Hdf5Writer& file, const std::string& name, const Raster& raster) {
+  file.add_group(name);
+  file.add_array(name + "/size", flat(std::vector<std::uint32_t>{static_cast<std::uint32_t>(raster.width),
+                                                                 static_cast<std::uint32_t>(raster.height)}));
+  if (raster.codes.empty()) return file.add_array(name + "/linear", vectors(raster.linear), "1");
+  std::vector<std::uint8_t> codes;
+  codes.reserve(4 * raster.codes.size());
+  for (const auto& code : raster.codes) codes.insert(codes.end(), code.begin(), code.end());
+  file.add_array(name + "/codes", rows_of(codes, 4));
+}
+
+std::shared_ptr<const Raster> read_texture(const Hdf5Reader& file, const std::string& name) {
+  const auto size = file.array<std::uint32_t>(name + "/size", 2);
+  for (const auto side : size)
+    if (side < 1 || side > largest_side) file.refuse_as_damaged(fmt::format("'{}' has no such size", name));
+  auto raster =
+      std::make_shared<Raster>(Raster{static_cast<int>(size[0]), static_cast<int>(size[1]), {}, {}});
+  const auto pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+  if (file.has(name + "/linear")) {
+    raster->linear = file.vectors(name + "/linear", pixels);
+    return raster;
+  }
+  const auto codes = file.array<std::uint8_t>(name + "/codes", pixels, 4);
+  raster->codes.resize(pixels);
+  for (std::size_t i = 0; i < codes.size(); ++i) raster->codes[i / 4][i % 4] = codes[i];
+  return raster;
+}
+
+template <typename Vec>
+std::vector<float> numbers_of(const std::vector<std::array<Vec, 3>>& corners) {
+  std::vector<float> numbers;
+  for (const auto& three : corners)
+    for (const auto& corner : three)
+      for (int i = 0; i < Vec::length(); ++i) numbers.push_back(corner[i]);
+  return numbers;
+}
+
+template <typename Vec>
+std::vector<std::array<Vec, 3>> corners_of(const Hdf5Reader& file, const std::string& name, std::size_t n) {
+  constexpr std::size_t width = Vec::length();
+  const auto numbers = file.array<float>(name, 3 * n, width);
+  std::vector<std::array<Vec, 3>> corners(n);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    corners[i / (3 * width)][i / width % 3][static_cast<int>(i % width)] = numbers[i];
+  return corners;
+}
+
+bool has_surface(const PatchSet& patches) {
+  return !patches.uv_sets.empty() || !patches.corner_colours.empty() || !patches.reflectance_share.empty() ||
+         !patches.emittance_share.empty();
+}
+
+void read_factors(const Hdf5Reader& file, PatchSet& patches) {
+  const auto n = patches.materials.size();
+  const auto reflectance = file.vectors(group + "/reflectance_factor", n);
+  const auto emittance = file.vectors(group + "/emittance_factor", n);
+  const auto limits = file.array<float>(group + "/limits", n, 2);
+  for (std::size_t m = 0; m < n; ++m) {
+    auto& textures = patches.materials[m].textures;
+    textures.reflectance_factor = reflectance[m];
+    textures.emittance_factor = emittance[m];
+    textures.most_reflectance = limits[2 * m];
+    textures.cutout_threshold = limits[2 * m + 1];
+  }
+}
+
+bool all_in(const std::vector<float>& values, float least) {
+  return std::all_of(values.begin(), values.end(), [&](float x) { return x >= least && std::isfinite(x); });
+}
+
+}  // namespace
+
+void add_surface(Hdf5Writer& file, const PatchSet& patches) {
+  if (!has_surface(patches)) return;
+  file.add_group(group);
+  for (const auto& column : columns) add_uses(file, patches, column);
+  std::vector<Vec3> reflectance, emittance;
+  std::vector<float> limits;
+  for (const auto& material : patches.materials) {
+    reflectance.push_back(material.textures.reflectance_factor);
+    emittance.push_back(material.textures.emittance_factor);
+    limits.insert(limits.end(), {material.textures.most_reflectance, material.textures.cutout_threshold});
+  }
+  file.add_array(group + "/reflectance_factor", vectors(reflectance), "1");
+  file.add_array(group + "/emittance_factor", vectors(emittance), "W/m^2");
+  file.add_array(group + "/limits", rows_of(limits, 2), "1");
+  std::vector<std::string> names;
+  for (const auto& texture : patches.textures) names.push_back(texture.name);
+  if (!names.empty()) file.add_strings(group + "/texture_name", names);
+  for (std::size_t t = 0; t < patches.textures.size(); ++t)
+    add_texture(file, fmt::format("{}/texture_{}", group, t), *patches.textures[t].raster);
+  for (std::size_t s = 0; s < patches.uv_sets.size(); ++s)
+    file.add_array(fmt::format("{}/uv_{}", group, s), rows_of(numbers_of(patches.uv_sets[s]), 2), "1");
+  if (!patches.corner_colours.empty())
+    file.add_array(group + "/corner_colours", rows_of(numbers_of(patches.corner_colours), 3), "1");
+  for (const auto& [name, shares] : {std::pair("reflectance_share", &patches.reflectance_share),
+                                     std::pair("emittance_share", &patches.emittance_share)})
+    if (!shares->empty())
+      file.add_array(fmt::format("{}/{}", group, name), rows_of(*shares, patches.band_count()), "1");
+}
+
+void read_surface(const Hdf5Reader& file, PatchSet& patches) {
+  if (!file.has(group)) return;
+  for (const auto& column : columns) read_uses(file, patches, column);
+  read_factors(file, patches);
+  const auto n = patches.size();
+  if (file.has(group + "/texture_name")) {
+    const auto count = file.rows(group + "/texture_name");
+    for (const auto& name : file.strings(group + "/texture_name", count))
+      patches.textures.push_back(
+          {name, read_texture(file, fmt::format("{}/texture_{}", group, patches.textures.size()))});
+  }
+  for (std::size_t s = 0; file.has(fmt::format("{}/uv_{}", group, s)); ++s)
+    patches.uv_sets.push_back(corners_of<Vec2>(file, fmt::format("{}/uv_{}", group, s), n));
+  if (file.has(group + "/corner_colours"))
+    patches.corner_colours = corners_of<Vec3>(file, group + "/corner_colours", n);
+  for (const auto& [name, shares] : {std::pair("reflectance_share", &patches.reflectance_share),
+                                     std::pair("emittance_share", &patches.emittance_share)})
+    if (const auto path = fmt::format("{}/{}", group, name); file.has(path))
+      *shares = file.array<float>(path, n, patches.band_count());
+}
+
+void add_point_lights(Hdf5Writer& file, const PatchSet& patches) {
+  if (patches.point_lights.empty()) return;
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> kind, in_group;
+  std::vector<Vec3> place, direction;
+  std::vector<float> intensity, cosines;
+  for (const auto& [light, bands, light_group] : patches.point_lights) {
+    names.push_back(light.name);
+    kind.push_back(static_cast<std::uint32_t>(light.kind));
+    in_group.push_back(light_group);
+    place.push_back(light.position);
+    direction.push_back(light.direction);
+    intensity.insert(intensity.end(), bands.begin(), bands.end());
+    cosines.insert(cosines.end(), {light.cos_inner, light.cos_outer});
+  }
+  file.add_group(lights);
+  file.add_strings(lights + "/name", names);
+  file.add_array(lights + "/kind", flat(kind));
+  file.add_array(lights + "/light_group", flat(in_group));
+  file.add_array(lights + "/place", vectors(place), "m");
+  file.add_array(lights + "/direction", vectors(direction), "1");
+  file.add_array(lights + "/intensity", rows_of(intensity, patches.band_count()), "W/sr");
+  file.add_array(lights + "/cosines", rows_of(cosines, 2), "1");
+}
+
+void read_point_lights(const Hdf5Reader& file, PatchSet& patches) {
+  if (!file.has(lights)) return;
+  const auto n = file.rows(lights + "/kind");
+  const auto bands = patches.band_count();
+  const auto names = file.strings(lights + "/name", n);
+  const auto kind = file.array<std::uint32_t>(lights + "/kind", n);
+  const auto in_group = file.array<std::uint32_t>(lights + "/light_group", n);
+  const auto place = file.vectors(lights + "/place", n);
+  const auto direction = file.vectors(lights + "/direction", n);
+  const auto intensity = file.array<float>(lights + "/intensity", n, bands);
+  const auto cosines = file.array<float>(lights + "/cosines", n, 2);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (kind[i] > static_cast<std::uint32_t>(PointLightKind::directional))
+      file.refuse_as_damaged(fmt::format("lamp '{}' is of no known kind", names[i]));
+    auto& [light, of_bands, light_group] = patches.point_lights.emplace_back();
+    light.name = names[i];
+    light.kind = static_cast<PointLightKind>(kind[i]);
+    light.position = place[i];
+    light.direction = direction[i];
+    light.cos_inner = cosines[2 * i];
+    light.cos_outer = cosines[2 * i + 1];
+    of_bands.assign(&intensity[i * bands], &intensity[i * bands] + bands);
+    light_group = in_group[i];
+  }
+}
+
+std::string fault_in_surface(const PatchSet& patches) {
+  const auto n = patches.size();
+  const auto values = n * patches.band_count();
+  for (const auto* shares : {&patches.reflectance_share, &patches.emittance_share})
+    if (!shares->empty() && (shares->size() != values || !all_in(*shares, 0.0f)))
+      return "what patches reflect and emit over their materials is not one number, 0 or more, for each band";
+  for (const auto& set : patches.uv_sets)
+    if (set.size() != n) return "texture coordinates are not there for all patches";
+  if (!patches.corner_colours.empty() && patches.corner_colours.size() != n)
+    return "colours of corners are not there for all patches";
+  for (const auto& material : patches.materials)
+    for (const auto& column : columns)
+      if (const auto& use = material.textures.*column.use;
+          use && (use->texture >= patches.textures.size() || use->uv_set >= patches.uv_sets.size()))
+        return fmt::format("material '{}' names texture {} of {}, set {} of {}", material.name, use->texture,
+                           patches.textures.size(), use->uv_set, patches.uv_sets.size());
+  for (const auto& light : patches.point_lights)
+    if (light.intensity.size() != patches.band_count() || !all_in(light.intensity, 0.0f) ||
+        light.light_group >= patches.group_count())
+      return fmt::format("lamp '{}' does not have one intensity, 0 or more, for each band", light.light.name);
+  return {};
+}
+
+}  // namespace luxel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/hdf5_reader.h"
+#include "luxel/solution/hdf5_writer.h"
+
+namespace luxel {
+
+// Textures, how they lie on the patches, and what patches differ by from their materials: the group
+// Luxel/surface, which is there only where the patches have any of it.
+void add_surface(Hdf5Writer& file, const PatchSet& patches);
+// Into patches whose mesh, bands and materials have been read.
+void read_surface(const Hdf5Reader& file, PatchSet& patches);
+
+// Lamps without a surface, likewise: Luxel/point_lights.
+void add_point_lights(Hdf5Writer& file, const PatchSet& patches);
+void read_point_lights(const Hdf5Reader& file, PatchSet& patches);
+
+// What is wrong with them, or nothing.
+std::string fault_in_surface(const PatchSet& patches);
+
+}  // namespace luxel

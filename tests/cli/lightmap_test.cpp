@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lightmaps as a person makes them.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "luxel/file/output_file.h"
+#include "luxel/image/image_file.h"
+
+#include "cli/run_program.h"
+
+namespace luxel::cli {
+namespace {
+
+using Json = nlohmann::json;
+const std::string bake =
+    "$LUXEL bake cornell-box.obj --max-edge 0.15 --error 20% --quiet -o box.vtkhdf > bake.txt && ";
+const std::string lightmap = "$LUXEL lightmap box.vtkhdf --texels-per-metre 20 ";
+
+TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
+  const auto folder = fresh_folder("lightmap");
+  const auto run =
+      cli::run(folder, bake + lightmap +
+                           "-o map.exr -o map.png --png-white 50 --final-gather 20% "
+                           "--error-map error.exr --preview view.png --width 40 --height 30 --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("charts on 1 page of 64 x 64 texels"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("gathered with"), std::string::npos) << run.err;
+  const auto json = Json::parse(run.out);
+  EXPECT_EQ(json["command"], "lightmap");
+  EXPECT_EQ(json["outputs"], Json({"map.exr", "map.png", "error.exr", "view.png"}));
+  const auto page = read_image(folder / "map.exr"), codes = read_image(folder / "map.png"),
+             error = read_image(folder / "error.exr");
+  ASSERT_EQ(page.width, 64);
+  ASSERT_EQ(error.pixels.size(), page.pixels.size());
+  // What the file says of its numbers: white is 50 W/m².
+  EXPECT_NE(read_file(folder / "map.png")
+                .find(std::string("tEXtWhite W/m2\0"
+                                  "50",
+                                  17)),
+            std::string::npos);
+  for (std::size_t i = 0; i < page.pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const auto shown = 50.0f * codes.pixels[i][c], there = std::min(50.0f, page.pixels[i][c]);
+      EXPECT_NEAR(shown, there, 0.01f * there + 0.02f);
+    }
+  EXPECT_GT(mean_color(error).g, 0.0f);
+  EXPECT_LT(mean_color(error).g, 0.5f * mean_color(page).g);
+  EXPECT_GT(mean_color(read_image(folder / "view.png")).g, 0.05f);
+}
+
+TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_its_pages) {
+  const auto folder = fresh_folder("lightmap_repeats");
+  const auto run =
+      cli::run(folder, bake + lightmap + "-o a.exr --page 32 --final-gather none --threads 1 --quiet && " +
+                           lightmap + "-o b.exr --page 32 --final-gather none --threads 5 --quiet");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.substr(0, 21), "a.exr\na-2.exr\na-3.exr");
+  EXPECT_EQ(read_file(folder / "a.exr"), read_file(folder / "b.exr"));
+  EXPECT_EQ(read_file(folder / "a-2.exr"), read_file(folder / "b-2.exr"));
+}
+
+TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
+  const auto folder = fresh_folder("lightmap_refuses");
+  ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
+  struct Misuse {
+    std::string options, word;
+    int code;
+  };
+  for (const auto& misuse :
+       {Misuse{"", "at least one -o", 2}, Misuse{"-o map.glb", "expected an ending among .exr .png", 2},
+        Misuse{"-o map.exr --final-gather 2", "such as 2%", 2},
+        Misuse{"-o map.exr --error-map error.png", "among .exr", 2},
+        Misuse{"-o map.exr --error-map map.exr", "given twice", 2},
+        Misuse{"-o map.exr --texels-per-metre 1e6", "fewer texels a metre", 1},
+        Misuse{"-o map.exr --page 8 --margin 4", "margin", 1}}) {
+    const auto run = cli::run(folder, "$LUXEL lightmap box.vtkhdf " + misuse.options);
+    EXPECT_EQ(run.code, misuse.code) << misuse.options;
+    EXPECT_NE(run.err.find(misuse.word), std::string::npos) << misuse.options << '\n' << run.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "map.exr"));
+}
+
+}  // namespace
+}  // namespace luxel::cli

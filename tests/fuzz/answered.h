@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "luxel/report/error.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+// Whatever the bytes, a reader gives a sound scene, or refuses them with an InputError that names the file.
+// Anything else ends the program, which is what libFuzzer looks for.
+template <typename Load>
+int answered(const std::uint8_t* data, std::size_t size, Load load) {
+  try {
+    load(std::string_view(reinterpret_cast<const char*>(data), size));
+  } catch (const InputError& error) {
+    if (std::string_view(error.what()).find("nowhere/") == std::string_view::npos) std::abort();
+    return 0;
+  }
+  return 0;
+}
+
+// A scene that was read must be sound: what check_scene() says of it is a fault of the reader.
+inline void expect_sound(const Scene& scene) {
+  try {
+    check_scene(scene);
+  } catch (const InputError&) {
+    std::abort();
+  }
+}
+
+}  // namespace luxel
