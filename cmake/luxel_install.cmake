@@ -18,7 +18,7 @@ set(LUXEL_PUBLIC_HEADERS
     scene/scene.h scene/texture.h
     mesh/clean_triangles.h mesh/edges.h mesh/pieces.h mesh/rims.h mesh/t_junctions.h mesh/vertex_weld.h
     load/load_scene.h
-    patch/light_groups.h patch/make_patches.h patch/patch_set.h patch/patch_tree.h patch/uncut_faces.h
+    patch/colour_patches.h patch/light_groups.h patch/make_patches.h patch/patch_set.h patch/patch_tree.h patch/uncut_faces.h
     trace/point_sight.h trace/tracer.h
     solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
     transport/dense_operator.h transport/form_factor_row.h transport/gather_sides.h transport/hemicube.h
@@ -31,7 +31,7 @@ set(LUXEL_PUBLIC_HEADERS
     viewfactors/check_view_factors.h viewfactors/enforce.h viewfactors/exact_view_factors.h
     viewfactors/sample_view_factors.h viewfactors/view_elements.h viewfactors/view_factors.h
     viewfactors/view_factors_file.h
-    surface/smooth_light.h
+    surface/smooth_light.h surface/vertex_fit.h
     refine/refine_to_light.h
     tone/tone.h
     render/automatic_camera.h render/render.h
@@ -39,8 +39,8 @@ set(LUXEL_PUBLIC_HEADERS
     reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
     reference/surface_point.h
     lightmap/dilate.h lightmap/gather_texels.h lightmap/lightmap.h lightmap/lightmap_picture.h lightmap/make_charts.h lightmap/make_lightmap.h
-    lightmap/pack_charts.h lightmap/side_edges.h lightmap/solve_seams.h
-    export/export_coloured.h export/export_mesh.h export/export_page.h
+    lightmap/pack_charts.h lightmap/radiance_pages.h lightmap/side_edges.h lightmap/solve_seams.h
+    export/export_coloured.h export/export_kept.h export/export_mesh.h export/export_page.h
     export/mesh_program.h
     live/light_value.h live/live_answers.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
     live/sample_rays.h live/tree_boxes.h)

@@ -151,6 +151,18 @@ def check_includes(name, lines, includes):
             yield name, number, complaint
 
 
+def check_own_header(root, name, lines):
+    """A file begins with its own header, which so is compiled with nothing before it."""
+    own = re.sub(r"^src/(.*)\.cpp$", r"\1.h", name)
+    if own == name or not os.path.isfile(os.path.join(root, "src", own)):
+        return
+    for number, line in enumerate(lines, 1):
+        if re.match(r"\s*#\s*include", line):
+            if f'"{own}"' not in line:
+                yield name, number, f'its own header comes first: #include "{own}"'
+            return
+
+
 def check_text(name, lines):
     """What holds for every text file, whatever its room."""
     if name.endswith(SOURCE) and len(lines) > MAX_LINES:
@@ -180,6 +192,7 @@ def check_file(root, name, includes):
     yield from check_text(name, lines)
     if name.endswith((".h", ".cpp")):
         yield from check_includes(name, lines, includes)
+        yield from check_own_header(root, name, lines)
 
 
 def public_headers(root):

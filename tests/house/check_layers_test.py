@@ -67,6 +67,13 @@ class CheckLayers(unittest.TestCase):
         gone = {**public, "cmake/luxel_install.cmake": "set(LUXEL_PUBLIC_HEADERS\n    scene/gone.h)\n"}
         self.assertIn("luxel/scene/gone.h does not exist", [v[2] for v in self.found(gone)])
 
+    def test_a_file_begins_with_its_own_header(self):
+        header = LICENCE + "#pragma once\n"
+        files = {"src/luxel/scene/a.h": header, "src/luxel/scene/a.cpp": LICENCE + '#include "luxel/scene/a.h"\n'}
+        self.assertEqual(self.found(files), [])
+        files["src/luxel/scene/a.cpp"] = LICENCE + '#include <vector>\n#include "luxel/scene/a.h"\n'
+        self.check(files, "src/luxel/scene/a.cpp", 2, "its own header comes first")
+
     def test_an_include_relative_to_the_file_is_refused(self):
         self.check_line("math", '#include "vector.h"', "from the root of the sources")
 

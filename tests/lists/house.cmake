@@ -12,9 +12,16 @@ add_test(NAME "house: every picture of the documents is committed or made by ./d
          COMMAND ${LUXEL_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/../house/figures_test.py)
 
 # One source file a header with nothing before it, compiled with the outside libraries of its own room: a header that
-# leans on what others include, or lets another room's library through, fails. The programs may include everything.
+# leans on what others include, or lets another room's library through, fails. The programs may include everything. Of a
+# header with a source file of its own the build does this: check_layers.py sees that it comes first there.
 function(luxel_headers_alone room)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/luxel/${room}/*.h)
+  foreach(header ${headers})
+    string(REGEX REPLACE "h$" "cpp" source ${header})
+    if(EXISTS ${PROJECT_SOURCE_DIR}/src/${source})
+      list(REMOVE_ITEM headers ${header})
+    endif()
+  endforeach()
   if(headers)
     foreach(header ${headers})
       file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers/${header}.cpp CONTENT "#include \"${header}\"\n")
@@ -36,7 +43,7 @@ if(NOT LUXEL_SANITIZE)
   endforeach()
   luxel_headers_alone(apps CLI11::CLI11 nlohmann_json::nlohmann_json)
   target_compile_definitions(luxel_apps_headers PRIVATE $<TARGET_PROPERTY:luxel,COMPILE_DEFINITIONS>)
-  add_test(NAME "house: every header compiles alone"
+  add_test(NAME "house: every header without a source file compiles alone"
            COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target luxel_headers)
 
   add_test(NAME "house: an outside project finds an installed Luxel and builds the README's program"
@@ -45,6 +52,6 @@ if(NOT LUXEL_SANITIZE)
   add_test(NAME "docs: every command in the documents runs"
            COMMAND ${LUXEL_PYTHON} -B ${PROJECT_SOURCE_DIR}/tools/check_docs_commands.py ${PROJECT_SOURCE_DIR}
                    ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
-  set_tests_properties("house: every header compiles alone" "docs: every command in the documents runs"
+  set_tests_properties("house: every header without a source file compiles alone" "docs: every command in the documents runs"
                        PROPERTIES TIMEOUT 1200 COST 1000)
 endif()

@@ -61,7 +61,7 @@ class Bake final : public Command {
         settings_.light.joins_faces ? uncut_faces(scene, baked.patches) : std::vector<std::uint32_t>();
     return LightRun(settings_, file, options(), workers, console, record)
         .run(baked, settings_.refine.is_asked() && !kept ? &refined : nullptr, faces,
-             kept ? kept->samples : nullptr);
+             kept ? kept->samples : nullptr, &scene);
   }
 
  private:

@@ -14,6 +14,7 @@ void BakeSettings::declare(OptionSet& set) {
   light.declare(set);
   keep.declare(set);
   look.declare(set);
+  mesh.declare(set);
   picture.declare(set);
   run.declare(set, all_kinds);
   light.declare_run(set);
@@ -23,6 +24,7 @@ void BakeSettings::declare(OptionSet& set) {
 void BakeSettings::check() const {
   scene.check();
   light.check();
+  mesh.check();
   check_before_work(run, picture, all_kinds, keep.checkpoint);
 }
 

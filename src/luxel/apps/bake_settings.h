@@ -2,6 +2,7 @@
 #pragma once
 
 #include "luxel/apps/keep_settings.h"
+#include "luxel/apps/mesh_settings.h"
 #include "luxel/apps/settings.h"
 
 namespace luxel {
@@ -13,6 +14,7 @@ struct BakeSettings {
   LightSettings light;
   KeepSettings keep;
   LookSettings look;
+  MeshSettings mesh;
   PictureSettings picture;
   RunSettings run;
 

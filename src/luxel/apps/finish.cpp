@@ -16,9 +16,10 @@ void finish(const RunReport& report, const RunSettings& run, Console& console) {
 
 int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
                      const RunSettings& run, const LookSettings& look, const PictureSettings& picture,
-                     const Workers& workers, Console& console, RunRecord& record,
-                     const KeptSamples& samples) {
-  const auto written = write_outputs(baked, tracer, run, look, picture, workers, console, record, samples);
+                     const Workers& workers, Console& console, RunRecord& record, const KeptSamples& samples,
+                     const MeshWish& mesh) {
+  const auto written =
+      write_outputs(baked, tracer, run, look, picture, workers, console, record, samples, mesh);
   finish({.command = options.name(),
           .baked = &baked,
           .camera = written.camera,

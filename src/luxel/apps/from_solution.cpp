@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "luxel/apps/bake_settings.h"
 #include "luxel/apps/commands.h"
 #include "luxel/apps/console.h"
 #include "luxel/apps/finish.h"
@@ -24,7 +26,10 @@ class FromSolution final : public Command {
       picture_.declare(options);
       picture_.declare_gather(options);
     } else {
-      look_.declare_mesh(options);
+      mesh_.declare(options);
+      options.add_text("scene", "FILE", scene_,
+                       "what was solved: a .glb keeps what a glTF file says, or, with --keep-topology, any "
+                       "file's triangles");
       look_.declare_title(options);
       picture_.declare_camera(options);
     }
@@ -33,13 +38,20 @@ class FromSolution final : public Command {
 
   int run() override {
     check_before_work(run_, picture_, kinds_);
+    mesh_.check();
+    if (mesh_.keep_topology && scene_.empty())
+      throw UsageError("--keep-topology needs the file that has the triangles: give --scene FILE as well");
     Console console(run_.quiet);
     const Workers workers(run_.threads);
     RunRecord record;
     const auto kept = record.stage("read", [&](auto&) { return read(); });
     take_up_from(kept.baked.solution.provenance);
+    std::optional<Scene> scene;
+    double scale = 1.0;
+    if (!scene_.empty())
+      scene = record.stage("load", [&](auto&) { return scene_of_solution(kept.baked, scale, console); });
     return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,
-                            {nullptr, kept.samples});
+                            {nullptr, kept.samples}, {&mesh_, scene ? &*scene : nullptr, scale});
   }
 
  private:
@@ -56,8 +68,23 @@ class FromSolution final : public Command {
       if (key == "up" && (value == "y" || value == "z")) look_.up = value;
   }
 
+  // The scene, loaded as it was when it was solved.
+  Scene scene_of_solution(const Baked& baked, double& metres_a_unit, Console& console) const {
+    BakeSettings of_bake;
+    OptionSet all("bake", "");
+    of_bake.declare(all);
+    all.take_up(baked.solution.provenance.options);
+    metres_a_unit = of_bake.scene.load.scale;
+    auto scene = load_scene(scene_, of_bake.scene.load, console.log(), console.monitor());
+    if (fingerprint(scene) != baked.patches.scene_fingerprint)
+      throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", scene_, file_));
+    return scene;
+  }
+
   std::string kinds_;
   std::string file_;
+  std::string scene_;
+  MeshSettings mesh_;
   LookSettings look_;
   PictureSettings picture_;
   RunSettings run_;

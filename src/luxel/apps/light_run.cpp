@@ -29,7 +29,7 @@ LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionS
       record_(record) {}
 
 int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<std::uint32_t>& faces,
-                  std::shared_ptr<const SampleState> from) {
+                  std::shared_ptr<const SampleState> from, const Scene* scene) {
   StepPictures steps(settings_.light.each_step);
   const auto* ranks = settings_.light.sampled.ranks;
   const bool is_first = !ranks || ranks->rank() == 0;  // of several ranks, the one that writes
@@ -71,8 +71,9 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     });
     console_.clear_bar();
   }
-  auto written = write_outputs(baked, &tracer, settings_.run, settings_.look, settings_.picture, workers_,
-                               console_, record_, {samples.get(), samples});
+  auto written =
+      write_outputs(baked, &tracer, settings_.run, settings_.look, settings_.picture, workers_, console_,
+                    record_, {samples.get(), samples}, {&settings_.mesh, scene, settings_.scene.load.scale});
   for (const auto& file : steps.write(baked, tracer, written.camera, settings_.look, settings_.picture,
                                       workers_, console_, record_))
     written.files.push_back(file);

@@ -26,9 +26,9 @@ class LightRun {
            Console& console, RunRecord& record);
 
   // baked: patches and provenance; the light is filled in. faces: see uncut_faces(), where they count. from:
-  // where to go on. Returns the exit code.
+  // where to go on. scene: of the patches, where it is at hand. Returns the exit code.
   int run(Baked& baked, const RefineReport* refined, const std::vector<std::uint32_t>& faces,
-          std::shared_ptr<const SampleState> from);
+          std::shared_ptr<const SampleState> from, const Scene* scene);
 
  private:
   SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,

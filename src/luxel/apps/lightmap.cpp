@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -14,6 +13,7 @@
 #include "luxel/image/image_file.h"
 #include "luxel/lightmap/lightmap_picture.h"
 #include "luxel/lightmap/make_lightmap.h"
+#include "luxel/lightmap/radiance_pages.h"
 
 namespace luxel {
 namespace {
@@ -27,33 +27,6 @@ std::string name_of_page(const std::string& output, std::size_t page) {
   auto named = path;
   named.replace_filename(fmt::format("{}-{}{}", path.stem().string(), page + 1, path.extension().string()));
   return named.string();
-}
-
-// What 999 of 1000 texels with light do not exceed: a lamp's own neighbourhood shall not darken all else.
-float automatic_white(const Lightmap& lightmap) {
-  std::vector<float> values;
-  for (const auto& page : lightmap.pages)
-    for (const auto& p : page.irradiance.pixels)
-      if (const auto most = std::max({p.r, p.g, p.b}); most > 0.0f) values.push_back(most);
-  if (values.empty()) return 1.0f;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - values.size() / 1000);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-std::string describe(const Lightmap& lightmap, const LightmapReport& report) {
-  const auto& texels = report.texels;
-  auto text = fmt::format("{} charts on {} page{} of {} x {} texels; {} texels with light of their own",
-                          report.charts, lightmap.atlas.pages, lightmap.atlas.pages == 1 ? "" : "s",
-                          lightmap.atlas.page_size, lightmap.atlas.page_size, texels.texels);
-  if (texels.gathered > 0)
-    text += fmt::format(", {} of them gathered with {} rays", texels.gathered, texels.rays);
-  if (texels.short_of_it > 0) text += fmt::format(" ({} with a larger error than asked)", texels.short_of_it);
-  if (report.seams.places > 0)
-    text +=
-        fmt::format("\nseams: {} places, difference {:.2g} % before and {:.2g} % after", report.seams.places,
-                    100.0 * report.seams.difference_before, 100.0 * report.seams.difference_after);
-  return text;
 }
 
 // `lightmap`: the light of a solution on pages.
@@ -131,7 +104,7 @@ class LightmapCommand final : public Command {
 
   std::vector<std::string> write(const Lightmap& lightmap) const {
     const auto white = settings_.white == LightmapSettings::automatic_white
-                           ? automatic_white(lightmap)
+                           ? white_of(irradiance_pages(lightmap))
                            : static_cast<float>(settings_.white);
     std::vector<std::string> files;
     for (std::size_t p = 0; p < lightmap.pages.size(); ++p) {

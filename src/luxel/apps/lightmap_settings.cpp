@@ -15,6 +15,12 @@ double parse_gather(const std::string& text) {
       "--final-gather: expected none or a share above 0 and below 1, such as 2% or 0.02, not '{}'", text));
 }
 
+std::optional<double> parse_texels(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  if (const auto number = parse_double(text); number && *number >= 1e-6 && *number <= 1e6) return *number;
+  throw UsageError(fmt::format("--texels-per-metre: expected auto or 1e-6 to 1e6, not '{}'", text));
+}
+
 double parse_white(const std::string& text) {
   if (text == "auto") return LightmapSettings::automatic_white;
   if (const auto number = parse_double(text); number && *number > 0.0 && *number < 1e9) return *number;
@@ -23,17 +29,21 @@ double parse_white(const std::string& text) {
 
 }  // namespace
 
-void LightmapSettings::declare(OptionSet& set) {
-  set.heading("Pages");
-  set.add_number("texels-per-metre", "1/m", lightmap.texels_per_metre, 1e-6, 1e6,
-                 "texels along a metre of a surface, at least");
+void LightmapSettings::declare_pages(OptionSet& set) {
+  set.add({"texels-per-metre", "1/m",
+           "texels along a metre of a surface, at least; auto: as many as fill half of a page of 512 x 512",
+           [this](const std::string& text) { lightmap.texels_per_metre = parse_texels(text); },
+           [this] {
+             return lightmap.texels_per_metre ? fmt::format("{}", *lightmap.texels_per_metre)
+                                              : std::string("auto");
+           }});
   set.add_number("page", "texels", lightmap.page_size, 8, 16384,
                  "largest width and height of a page; what does not fit goes on further ones");
   set.add_number("margin", "texels", lightmap.margin, 0, 64,
                  "between charts, and at the edge of a page; filled with the light beside");
-  set.add_number("crease-angle", "degrees", lightmap.crease_angle, 0.0f, 180.0f,
-                 "neighbours that meet at a sharper angle are different surfaces");
-  set.heading("Texels");
+}
+
+void LightmapSettings::declare_texels(OptionSet& set) {
   auto& texels = lightmap.texels;
   set.add(
       {"final-gather", "share",
@@ -43,7 +53,16 @@ void LightmapSettings::declare(OptionSet& set) {
        [&texels] { return texels.error == 0.0 ? std::string("none") : as_share(texels.error); }});
   set.add_number("gather-rays", "count", texels.most_rays, 64u, 1u << 20,
                  "cosine rays that a texel may take for that, and as many to lamps");
-  set.add_count("seed", texels.seed, "of the gather's rays");
+}
+
+void LightmapSettings::declare(OptionSet& set) {
+  set.heading("Pages");
+  declare_pages(set);
+  set.add_number("crease-angle", "degrees", lightmap.crease_angle, 0.0f, 180.0f,
+                 "neighbours that meet at a sharper angle are different surfaces");
+  set.heading("Texels");
+  declare_texels(set);
+  set.add_count("seed", lightmap.texels.seed, "of the gather's rays");
   set.heading("Files");
   set.add({"png-white", "W/m²",
            "irradiance that a PNG shows as white; auto: what 999 of 1000 lit texels stay below",
@@ -53,6 +72,21 @@ void LightmapSettings::declare(OptionSet& set) {
                "an EXR file for the standard error of each texel, W/m², in the same places");
   set.add_text("preview", "FILE", preview,
                "a picture (.png .exr .hdr) of the scene as a reader of the pages sees it");
+}
+
+std::string describe(const Lightmap& lightmap, const LightmapReport& report) {
+  const auto& texels = report.texels;
+  auto text = fmt::format("{} charts on {} page{} of {} x {} texels; {} texels with light of their own",
+                          report.charts, lightmap.atlas.pages, lightmap.atlas.pages == 1 ? "" : "s",
+                          lightmap.atlas.page_size, lightmap.atlas.page_size, texels.texels);
+  if (texels.gathered > 0)
+    text += fmt::format(", {} of them gathered with {} rays", texels.gathered, texels.rays);
+  if (texels.short_of_it > 0) text += fmt::format(" ({} with a larger error than asked)", texels.short_of_it);
+  if (report.seams.places > 0)
+    text +=
+        fmt::format("\nseams: {} places, difference {:.2g} % before and {:.2g} % after", report.seams.places,
+                    100.0 * report.seams.difference_before, 100.0 * report.seams.difference_after);
+  return text;
 }
 
 }  // namespace luxel

@@ -15,6 +15,12 @@ struct LightmapSettings {
   double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
   std::string error_map, preview;  // files; empty: none
   void declare(OptionSet& set);
+  // How pages are laid out and texels gathered, for commands that put them into meshes.
+  void declare_pages(OptionSet& set);
+  void declare_texels(OptionSet& set);
 };
+
+// A sentence or two for a person.
+std::string describe(const Lightmap& lightmap, const LightmapReport& report);
 
 }  // namespace luxel

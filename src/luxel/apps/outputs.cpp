@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/apps/mesh_output.h"
 #include "luxel/apps/page_output.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_page.h"
@@ -39,10 +40,7 @@ bool is_among(const std::string& word, const std::string& words) {
 void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
                 const LookSettings& look, const SampleState* samples) {
   if (ending(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution, samples);
-  if (ending(output) == ".ply")
-    return export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
-  export_glb(output, baked.patches, baked.solution, *light, up_of(look, baked.patches),
-             {.tone = look.tone, .program = look.program});
+  export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
 }
 
 // The files a run will write, each at a place of its own.
@@ -143,7 +141,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
 
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const KeptSamples& samples) {
+                      Console& console, RunRecord& record, const KeptSamples& samples, const MeshWish& mesh) {
   // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
   const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : ending(o) == ".vtkhdf" ? 0 : 1; };
@@ -156,19 +154,22 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
   std::optional<Image> radiance;
   std::exception_ptr failure;  // one file that cannot be written does not cost the others
   for (const auto& output : outputs) {
-    const bool is_smooth = ending(output) != ".vtkhdf" && !(is_picture(output) && picture.gather > 0);
+    const bool on_pages = ending(output) == ".glb" && mesh.settings && mesh.settings->on_pages();
+    const bool is_smooth =
+        ending(output) != ".vtkhdf" && !on_pages && !(is_picture(output) && picture.gather > 0);
     if (is_smooth && !light) {
       console.announce("surface");
       light = record.stage("surface", [&](auto&) {
         return make_smooth_light(baked.patches, baked.solution, look.smooth, workers);
       });
     }
-    if ((is_picture(output) || is_page(output)) && !written.camera) {
-      if (!tracer) {
-        console.announce("hierarchy");
-        own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
-        tracer = &*own_tracer;
-      }
+    const bool is_seen = is_picture(output) || is_page(output);
+    if (!tracer && (is_seen || (on_pages && needs_rays(*mesh.settings)))) {
+      console.announce("hierarchy");
+      own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
+      tracer = &*own_tracer;
+    }
+    if (is_seen && !written.camera) {
       written.camera =
           record.stage("camera", [&](auto&) { return camera_of(picture, look, baked, *tracer, workers); });
     }
@@ -207,6 +208,8 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         if (is_page(output))
           return write_page(output, baked, *light, samples.for_pages, *tracer, *written.camera, look,
                             workers);
+        if (ending(output) == ".glb")
+          return write_lit_glb(output, baked, light, mesh, look, tracer, workers, console);
         write_mesh(output, baked, light, look, samples.for_solutions);
       });
       console.clear_bar();

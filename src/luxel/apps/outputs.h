@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "luxel/apps/console.h"
+#include "luxel/apps/mesh_settings.h"
 #include "luxel/apps/run_record.h"
 #include "luxel/apps/settings.h"
 #include "luxel/parallel/workers.h"
@@ -60,6 +61,7 @@ struct Written {
 // none is given. After an interrupt that came before, what there is still gets written.
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const KeptSamples& samples = {});
+                      Console& console, RunRecord& record, const KeptSamples& samples = {},
+                      const MeshWish& mesh = {});
 
 }  // namespace luxel

@@ -53,7 +53,7 @@ class Resume final : public Command {
     console.say(fmt::format("{}: {} patches, goes on after {} rays", file_, kept.baked.patches.size(),
                             provenance.rays));
     return LightRun(settings, file_, options(), workers, console, record)
-        .run(kept.baked, nullptr, {}, kept.samples);
+        .run(kept.baked, nullptr, {}, kept.samples, nullptr);
   }
 
  private:

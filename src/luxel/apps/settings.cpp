@@ -149,20 +149,6 @@ void LookSettings::declare_title(OptionSet& set) {
   set.add_text("title", "TEXT", title, "of a page (.html); empty: its file's name");
 }
 
-void LookSettings::declare_mesh(OptionSet& set) {
-  set.add({"for", "PROGRAM",
-           fmt::format("the program that a .glb is for: {}", fmt::join(mesh_program_names(), ", ")),
-           [this](const std::string& text) {
-             const auto found = mesh_program(text);
-             if (!found)
-               throw UsageError(fmt::format("--for: expected one of {}, not '{}'",
-                                            fmt::join(mesh_program_names(), ", "), text));
-             program = *found;
-           },
-           [this] { return std::string(name(program)); }});
-  set.add_choice("as", {"vertex"}, light_as, "how a .glb has its light: at its vertices");
-}
-
 void LookSettings::declare(OptionSet& set) {
   set.heading("Look");
   declare_up(set);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "luxel/apps/option_set.h"
-#include "luxel/export/mesh_program.h"
 #include "luxel/load/load_scene.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/refine/refine_to_light.h"
@@ -88,12 +87,9 @@ struct LookSettings {
   std::string up = "auto";
   SmoothOptions smooth;
   ToneOptions tone;
-  std::string title;                       // of a page; empty: the file's name
-  MeshProgram program = MeshProgram::any;  // that reads a GLB
-  std::string light_as = "vertex";         // how a GLB has its light
+  std::string title;  // of a page; empty: the file's name
   void declare_up(OptionSet& set);
   void declare_title(OptionSet& set);
-  void declare_mesh(OptionSet& set);
   void declare(OptionSet& set);
 };
 

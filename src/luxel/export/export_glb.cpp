@@ -11,7 +11,6 @@
 #include "luxel/export/glb_model.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/utf8.h"
-#include "luxel/image/image.h"
 #include "luxel/photometry/luminous_efficacy.h"
 
 namespace luxel {
@@ -24,8 +23,6 @@ struct Columns {
   std::vector<Rgba16> colour;
   std::vector<Vec3> irradiance;
 };
-
-Vec3 srgb_codes(const Vec3& c) { return {srgb_encode(c.r), srgb_encode(c.g), srgb_encode(c.b)}; }
 
 Columns columns_of(const LitMesh& mesh, const LitPart& part, const MeshHabits& habits) {
   Columns columns;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/export/utf8.h"
+#include "luxel/export/y_up.h"
 #include "luxel/file/output_file.h"
 #include "luxel/report/error.h"
 
@@ -24,38 +25,7 @@ void check_size(const std::filesystem::path& path, const tinygltf::Model& model)
                                                 bytes));
 }
 
-// The quaternion (x, y, z, w) of the shortest turn from up to +Y: up x y for the axis and 1 + up.y for the
-// angle, as half angles would have it. Empty where there is nothing to turn.
-std::vector<double> turn_to_y_up(const Vec3& up) {
-  const auto length = glm::length(Vec3d(up));
-  if (!(length > 0.0) || !std::isfinite(length))
-    throw InputError(fmt::format("the direction upwards must be a vector of some length, but it is {} {} {}",
-                                 up.x, up.y, up.z));
-  const auto u = Vec3d(up) / length;
-  if (u.y >= 1.0) return {};
-  const auto axis = glm::cross(u, Vec3d(0.0, 1.0, 0.0));
-  const auto w = 1.0 + u.y;
-  const auto norm = std::sqrt(glm::dot(axis, axis) + w * w);
-  if (norm < 1e-6) return {1.0, 0.0, 0.0, 0.0};  // upside down: half a turn about any level axis
-  return {axis.x / norm, axis.y / norm, axis.z / norm, w / norm};
-}
-
-// A point turned by a quaternion, or as it is by none.
-Vec3d turned(const std::vector<double>& rotation, const Vec3d& p) {
-  if (rotation.empty()) return p;
-  const Vec3d axis(rotation[0], rotation[1], rotation[2]);
-  const auto t = 2.0 * glm::cross(axis, p);
-  return p + rotation[3] * t + glm::cross(axis, t);
-}
-
 }  // namespace
-
-Rgba16 quantise(const Vec3& colour) {
-  const auto channel = [](float c) {
-    return static_cast<std::uint16_t>(std::lround(std::clamp(c, 0.0f, 1.0f) * 65535.0f));
-  };
-  return {channel(colour.r), channel(colour.g), channel(colour.b), 65535};
-}
 
 void add_vertices(tinygltf::Model& model, tinygltf::Primitive& primitive, const std::vector<Vec3>& positions,
                   const std::vector<Rgba16>& colours) {

@@ -11,6 +11,7 @@
 
 #include <tiny_gltf.h>
 
+#include "luxel/export/quantise.h"
 #include "luxel/math/bounds.h"
 
 namespace luxel {
@@ -19,11 +20,6 @@ namespace luxel {
 // up. The home of TinyGLTF's header, together with the files that include this one.
 
 static_assert(std::endian::native == std::endian::little, "a GLB's numbers are little-endian, as ours are");
-
-using Rgba16 = std::array<std::uint16_t, 4>;
-
-// A linear colour, clamped to [0, 1], opaque.
-Rgba16 quantise(const Vec3& colour);
 
 struct GlbElement {
   int component, type, target;

@@ -32,27 +32,6 @@ std::span<const float> of_element(const std::vector<float>& values, std::size_t 
   return std::span(values).subspan(element * bands, bands);
 }
 
-bool back_is_lit(const Solution& solution, std::size_t patch) {
-  const auto back = of_element(solution.irradiance_back, patch, solution.bands.size());
-  return std::any_of(back.begin(), back.end(), [](float h) { return h > 0.0f; });
-}
-
-// One curve for the whole mesh, from every side that sends light out.
-ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const BandColours& colours,
-                    const ToneOptions& tone) {
-  std::vector<Vec3> radiance;
-  std::vector<float> areas;
-  const auto add = [&](const std::vector<float>& radiosity, std::size_t patch) {
-    radiance.push_back(in_gamut(colours.rgb(of_element(radiosity, patch, colours.bands()))) / pi);
-    areas.push_back(patches.area[patch]);
-  };
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    add(solution.radiosity_front, p);
-    if (back_is_lit(solution, p)) add(solution.radiosity_back, p);
-  }
-  return fit_curve(radiance, areas, tone);
-}
-
 // The patches of each material and side, in order: entry 2 * material is its fronts, the next its backs.
 std::vector<std::vector<std::uint32_t>> patches_by_side(const PatchSet& patches, const Solution& solution) {
   std::vector<std::vector<std::uint32_t>> sides(2 * patches.materials.size());
@@ -91,11 +70,31 @@ LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, 
 
 }  // namespace
 
+bool back_is_lit(const Solution& solution, std::size_t patch) {
+  const auto back = of_element(solution.irradiance_back, patch, solution.bands.size());
+  return std::any_of(back.begin(), back.end(), [](float h) { return h > 0.0f; });
+}
+
+ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const ToneOptions& tone) {
+  const auto colours = patches.colours();
+  std::vector<Vec3> radiance;
+  std::vector<float> areas;
+  const auto add = [&](const std::vector<float>& radiosity, std::size_t patch) {
+    radiance.push_back(in_gamut(colours.rgb(of_element(radiosity, patch, colours.bands()))) / pi);
+    areas.push_back(patches.area[patch]);
+  };
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    add(solution.radiosity_front, p);
+    if (back_is_lit(solution, p)) add(solution.radiosity_back, p);
+  }
+  return fit_curve(radiance, areas, tone);
+}
+
 LitMesh::LitMesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
                  const ToneOptions& tone)
     : patches_(patches), light_(light), colours_(patches.colours()) {
   check(patches, solution, light);
-  curve_ = curve_for(patches, solution, colours_, tone);
+  curve_ = curve_for(patches, solution, tone);
   std::vector<std::uint32_t> number(light.size(), unnumbered);
   const auto sides = patches_by_side(patches, solution);
   for (std::size_t side = 0; side < sides.size(); ++side)

@@ -33,7 +33,8 @@ GltfFile::GltfFile(std::string bytes, const std::filesystem::path& path,
     : source_(path.string()),
       folder_(path.parent_path()),
       bytes_(std::move(bytes)),
-      root_(JsonValue::parse(read_container(), source_)) {
+      text_(read_container()),
+      root_(JsonValue::parse(text_, source_)) {
   check_version(extensions);
 }
 
@@ -96,7 +97,8 @@ JsonValue GltfFile::object(const JsonValue& index, std::string_view array) const
 
 std::string_view GltfFile::view(const JsonValue& index) {
   const auto view = object(index, "bufferViews");
-  const auto whole = buffer(view["buffer"]);
+  object(view["buffer"], "buffers");
+  const auto whole = buffer(view["buffer"].whole());
   const auto offset = view["byteOffset"].whole(0), length = view["byteLength"].whole();
   if (offset > whole.size() || length > whole.size() - offset)
     view.refuse(fmt::format("it takes {} bytes from byte {} on, but the buffer has {}", length, offset,
@@ -104,9 +106,8 @@ std::string_view GltfFile::view(const JsonValue& index) {
   return whole.substr(offset, length);
 }
 
-std::string_view GltfFile::buffer(const JsonValue& index) {
-  const auto buffer = object(index, "buffers");
-  const auto number = index.whole();
+std::string_view GltfFile::buffer(std::size_t number) {
+  const auto buffer = root_["buffers"][number];
   const auto length = buffer["byteLength"].whole();
   std::string_view bytes = binary_;
   if (const auto uri = buffer["uri"]) {

@@ -38,18 +38,24 @@ class GltfFile {
   // for. Not thread-safe.
   std::string_view view(const JsonValue& index);
 
+  // The bytes of a buffer, by its number, likewise.
+  std::string_view buffer(std::size_t number);
+
+  // The JSON as it is written.
+  std::string_view text() const { return text_; }
+
   // The bytes that a URI stands for.
   std::string resource(const JsonValue& uri) const;
 
  private:
   std::string_view read_container();
   void check_version(const std::vector<std::string_view>& extensions) const;
-  std::string_view buffer(const JsonValue& index);
 
   std::string source_;
   std::filesystem::path folder_;
   std::string bytes_;        // the whole file
   std::string_view binary_;  // what a GLB has behind it
+  std::string_view text_;
   JsonValue root_;
   std::map<std::size_t, std::string> buffers_;  // those read from elsewhere
 };

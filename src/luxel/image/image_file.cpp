@@ -63,6 +63,10 @@ void check_size(std::int64_t width, std::int64_t height) {
 void write_png(const fs::path& path, const Image& display, const PictureNotes& notes) {
   write_encoded(path, display, [&](const Image& image) { return encode_png(image, notes); });
 }
+std::string png_of(const Image& display, const PictureNotes& notes) { return encode_png(display, notes); }
+std::string png_of(const Raster& raster) {
+  return raster.codes.empty() ? encode_png(as_image(raster)) : encode_png(raster);
+}
 void write_exr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_exr); }
 void write_hdr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_hdr); }
 

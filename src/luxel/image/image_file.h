@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "luxel/image/image.h"
+#include "luxel/image/raster.h"
 
 namespace luxel {
 
@@ -18,6 +19,10 @@ namespace luxel {
 // notes: keywords of up to 79 Latin letters and what they say, as text chunks of the file.
 using PictureNotes = std::vector<std::pair<std::string, std::string>>;
 void write_png(const std::filesystem::path& path, const Image& display, const PictureNotes& notes = {});
+// The same file in memory.
+std::string png_of(const Image& display, const PictureNotes& notes = {});
+// Of the raster's codes, with their alpha; linear values are clamped to [0, 1] first.
+std::string png_of(const Raster& raster);
 // Scene-referred linear values as they are: OpenEXR (half floats, ZIP; within ±65504) and Radiance RGBE (0 to
 // 1e38).
 void write_exr(const std::filesystem::path& path, const Image& linear);

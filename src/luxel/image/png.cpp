@@ -95,6 +95,21 @@ std::string text_chunk(const std::string& keyword, const std::string& text) {
          number(cyclic_redundancy_check(chunk));
 }
 
+// libpng's simplified interface writes IHDR, sRGB, IDAT and IEND, and no time.
+std::string encode_codes(int width, int height, png_uint_32 format, const void* codes) {
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(width);
+  png.height = static_cast<png_uint_32>(height);
+  png.format = format;
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, codes, 0, nullptr))
+    throw CodecError(png.message);
+  bytes.resize(size);
+  return bytes;
+}
+
 }  // namespace
 
 std::string encode_png(const Image& display, const PictureNotes& notes) {
@@ -102,22 +117,15 @@ std::string encode_png(const Image& display, const PictureNotes& notes) {
   codes.reserve(3 * display.pixels.size());
   for (const auto& pixel : display.pixels)
     for (int c = 0; c < 3; ++c) codes.push_back(srgb_code(pixel[c]));
-
-  // libpng's simplified interface writes IHDR, sRGB, IDAT and IEND, and no time.
-  png_image png = {};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(display.width);
-  png.height = static_cast<png_uint_32>(display.height);
-  png.format = PNG_FORMAT_RGB;
-  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
-  png_alloc_size_t size = bytes.size();
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, codes.data(), 0, nullptr))
-    throw CodecError(png.message);
-  bytes.resize(size);
+  auto bytes = encode_codes(display.width, display.height, PNG_FORMAT_RGB, codes.data());
   constexpr std::size_t end_of_header = 33;  // signature and IHDR
   for (auto note = notes.rbegin(); note != notes.rend(); ++note)
     bytes.insert(end_of_header, text_chunk(note->first, note->second));
   return bytes;
+}
+
+std::string encode_png(const Raster& raster) {
+  return encode_codes(raster.width, raster.height, PNG_FORMAT_RGBA, raster.codes.data());
 }
 
 Raster decode_png(std::string_view bytes) {

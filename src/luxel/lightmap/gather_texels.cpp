@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -150,6 +151,85 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
   return wanting;
 }
 
+// Texels that stand out from all of their neighbours by more than their errors: so few rays may all miss what
+// little of the surroundings is bright, and then agree.
+std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wanting>& gathered) {
+  constexpr float errors_off = 3.0f;
+  const auto luminance = [](const Vec3& c) { return c.r + c.g + c.b; };
+  std::vector<Wanting> found;
+  for (const auto& [p, texel] : gathered) {
+    const auto& page = lightmap.pages[p];
+    const auto width = page.irradiance.width, height = page.irradiance.height;
+    const auto x = static_cast<int>(texel) % width, y = static_cast<int>(texel) / width;
+    const auto own = luminance(page.irradiance.pixels[texel]);
+    float low = std::numeric_limits<float>::infinity(), high = 0.0f;
+    for (auto j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+      for (auto i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
+        const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + i;
+        if (at == texel || page.texels[at] == Texel::empty) continue;
+        low = std::min(low, luminance(page.irradiance.pixels[at]));
+        high = std::max(high, luminance(page.irradiance.pixels[at]));
+      }
+    const auto off = high > 0.0f ? std::max(low - own, own - high) : 0.0f;
+    if (off > errors_off * luminance(page.standard_error.pixels[texel])) found.push_back({p, texel});
+  }
+  return found;
+}
+
+// Gathers light at texels, on to pages that hold other light as yet.
+class TexelGather {
+ public:
+  // Keeps references.
+  TexelGather(const PatchSet& patches, const Lightmap& lightmap,
+              const std::vector<std::vector<TexelPlace>>& places, const PointGather& gather,
+              std::uint64_t seed, const Workers& workers, const Monitor& monitor)
+      : patches_(patches),
+        atlas_(lightmap.atlas),
+        places_(places),
+        gather_(gather),
+        seed_(seed),
+        workers_(workers),
+        monitor_(monitor) {}
+
+  // begin, end: the part of the whole work that this is. False where the monitor says stop.
+  bool run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin, double end,
+           Lightmap& lightmap, TexelReport& report);
+
+ private:
+  const PatchSet& patches_;
+  const Atlas& atlas_;
+  const std::vector<std::vector<TexelPlace>>& places_;
+  const PointGather& gather_;
+  std::uint64_t seed_;
+  const Workers& workers_;
+  const Monitor& monitor_;
+};
+
+bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin,
+                      double end, Lightmap& lightmap, TexelReport& report) {
+  std::vector<PointGather::Result> results(std::min(wanting.size(), texels_between_calls));
+  for (std::size_t first = 0; first < wanting.size(); first += texels_between_calls) {
+    const auto share = static_cast<double>(first) / static_cast<double>(wanting.size());
+    if (tell(monitor_, {"texels", begin + share * (end - begin), report.rays}) == Next::stop) return false;
+    const auto count = std::min(wanting.size() - first, texels_between_calls);
+    workers_.for_chunks(count, texels_a_chunk, [&](std::size_t from, std::size_t to, int) {
+      for (auto i = from; i < to; ++i) {
+        const auto [page, texel] = wanting[first + i];
+        results[i] = gather_.at(point_of(patches_, atlas_, places_[page][texel]), bounds,
+                                mix64(stream_key(seed_, texel_step, texel) + page));
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      auto& page = lightmap.pages[wanting[first + i].page];
+      page.irradiance.pixels[wanting[first + i].texel] = in_gamut(results[i].irradiance);
+      page.standard_error.pixels[wanting[first + i].texel] = Vec3(results[i].standard_error);
+      report.rays += results[i].rays;
+      report.short_of_it += results[i].reached ? 0 : 1;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 TexelReport gather_texels(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
@@ -166,33 +246,17 @@ TexelReport gather_texels(const PatchSet& patches, const Solution& solution, con
   if (wanting.empty()) return report;
 
   const PointGather gather(patches, light, *tracer);
-  const PointGather::Bounds bounds{options.error, least, options.most_rays};
-  std::vector<PointGather::Result> results(std::min(wanting.size(), texels_between_calls));
-  for (std::size_t first = 0; first < wanting.size(); first += texels_between_calls) {
-    const auto share = static_cast<double>(first) / static_cast<double>(wanting.size());
-    if (tell(monitor, {"texels", share, report.rays}) == Next::stop) {
-      report.stopped = true;
-      return report;
-    }
-    const auto count = std::min(wanting.size() - first, texels_between_calls);
-    workers.for_chunks(count, texels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
-      for (auto i = begin; i < end; ++i) {
-        const auto [page, texel] = wanting[first + i];
-        const auto& place = places[page][texel];
-        results[i] = gather.at(point_of(patches, atlas, place), bounds,
-                               mix64(stream_key(options.seed, texel_step, texel) + page));
-      }
-    });
-    for (std::size_t i = 0; i < count; ++i) {
-      auto& page = lightmap.pages[wanting[first + i].page];
-      page.irradiance.pixels[wanting[first + i].texel] = in_gamut(results[i].irradiance);
-      page.standard_error.pixels[wanting[first + i].texel] = Vec3(results[i].standard_error);
-      report.rays += results[i].rays;
-      ++report.gathered;
-      report.short_of_it += results[i].reached ? 0 : 1;
-    }
-  }
-  tell(monitor, {"texels", 1.0, report.rays});
+  TexelGather texels(patches, lightmap, places, gather, options.seed, workers, monitor);
+  PointGather::Bounds bounds{options.error, least, options.most_rays};
+  constexpr double first_part = 0.98;
+  report.gathered = wanting.size();
+  report.stopped = !texels.run(wanting, bounds, 0.0, first_part, lightmap, report);
+  if (report.stopped) return report;
+  bounds.fewest_rays = std::min(options.most_rays, 16 * bounds.fewest_rays);
+  TexelReport again{.rays = report.rays};
+  report.stopped = !texels.run(standing_out(lightmap, wanting), bounds, first_part, 1.0, lightmap, again);
+  report.rays = again.rays;
+  if (!report.stopped) tell(monitor, {"texels", 1.0, report.rays});
   return report;
 }
 

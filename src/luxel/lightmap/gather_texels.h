@@ -36,7 +36,8 @@ struct TexelReport {
 // or what the patches' means miss of the smooth light, or a quarter of the rise of that within the patch, is
 // more than the error asked. These are gathered at the very point (Reichert 1992): light straight from lamps
 // and sky by shadow and cosine rays together, light from elsewhere by the smooth light where the cosine rays
-// end. Eight independent replicates of scrambled Sobol points, doubled until their spread is small enough.
+// end. Eight independent replicates of scrambled Sobol points, doubled until their spread is small enough;
+// those that then still stand out from all texels around them go on from more.
 //
 // The same bits on any number of threads. Throws MismatchError where the parts are not of one scene or the
 // bands have no colour; InputError where an option is out of its range or, gathering, there is no light.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/lightmap/make_lightmap.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,14 +13,37 @@
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
+namespace {
+
+// So that the sides with light have half of the texels of a page.
+double automatic_texels(const PatchSet& patches, const Solution& solution, int page_size) {
+  constexpr int most_of_page = 512;
+  constexpr double share = 0.5;
+  const auto bands = patches.band_count();
+  const auto& backs = solution.irradiance_back;
+  double area = 0.0;  // m²
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto* back = backs.data() + p * bands;
+    const bool is_lit =
+        p * bands < backs.size() && std::any_of(back, back + bands, [](float e) { return e > 0.0f; });
+    area += (is_lit ? 2.0 : 1.0) * patches.area[p];
+  }
+  const double side = std::min(page_size, most_of_page);
+  return std::sqrt(share * side * side / area);
+}
+
+}  // namespace
 
 Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
                        const LightmapOptions& options, const Workers& workers, LightmapReport* report,
                        const Monitor& monitor) {
-  if (!(options.texels_per_metre > 0.0) || !std::isfinite(options.texels_per_metre))
+  const auto texels_per_metre = options.texels_per_metre
+                                    ? *options.texels_per_metre
+                                    : automatic_texels(patches, solution, options.page_size);
+  if (!(texels_per_metre > 0.0) || !std::isfinite(texels_per_metre))
     throw InputError(
-        fmt::format("the texels a metre must be more than 0, but they are {}", options.texels_per_metre));
-  const PackOptions pack{.texel = static_cast<float>(1.0 / options.texels_per_metre),
+        fmt::format("the texels a metre must be more than 0, but they are {}", texels_per_metre));
+  const PackOptions pack{.texel = static_cast<float>(1.0 / texels_per_metre),
                          .page_size = options.page_size,
                          .margin = options.margin};
   check_pack_options(patches, pack);

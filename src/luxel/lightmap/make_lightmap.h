@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "luxel/lightmap/gather_texels.h"
 #include "luxel/lightmap/lightmap.h"
 #include "luxel/lightmap/solve_seams.h"
@@ -13,10 +15,10 @@
 namespace luxel {
 
 struct LightmapOptions {
-  double texels_per_metre = 20.0;
-  int page_size = 1024;        // texels, the most a page is wide and high
-  int margin = 2;              // texels between charts; filled from both sides
-  float crease_angle = 30.0f;  // degrees, as in SmoothOptions
+  std::optional<double> texels_per_metre = {};  // nothing: as many as fill half of a page of 512 x 512
+  int page_size = 1024;                         // texels, the most a page is wide and high
+  int margin = 2;                               // texels between charts; filled from both sides
+  float crease_angle = 30.0f;                   // degrees, as in SmoothOptions
   TexelOptions texels = {};
 };
 

@@ -59,8 +59,8 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bou
     if (samples > first_samples) variance = 0.5 * (variance + 0.5 * of_half);
     result.standard_error = widening_of(replicates) * glm::sqrt(variance);
     const auto whole = std::max(glm::length(result.irradiance), bounds.least);
-    result.reached =
-        samples > first_samples && std::sqrt(variance.x + variance.y + variance.z) <= bounds.error * whole;
+    result.reached = samples > first_samples && samples * replicates >= bounds.fewest_rays &&
+                     std::sqrt(variance.x + variance.y + variance.z) <= bounds.error * whole;
   };
 
   for (std::uint32_t from = 0, to = first_samples;; from = to, to *= 2) {

@@ -22,6 +22,7 @@ class PointGather {
     double error = 0.02;             // of the irradiance, relative
     double least = 0.0;              // W/m²; of darker points the error is of this much
     std::uint32_t most_rays = 4096;  // cosine rays
+    std::uint32_t fewest_rays = 64;  // of these, before the spread is believed
   };
   struct Result {
     Vec3d irradiance{0.0};      // W/m² by linear sRGB
@@ -30,8 +31,8 @@ class PointGather {
     bool reached = false;       // the error asked for
   };
   // Eight independent replicates of scrambled Sobol points, doubled until their spread is small enough, at
-  // least once. The
-  // result depends on the arguments alone; key: of the random numbers.
+  // least once. The result depends on the arguments alone; key: of the random numbers. More rays go on with
+  // those that fewer took.
   Result at(const SurfacePoint& point, const Bounds& bounds, std::uint64_t key) const;
 
  private:

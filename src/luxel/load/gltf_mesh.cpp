@@ -4,57 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "luxel/gltf/gltf_parts.h"
 
 namespace luxel {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;  // numbers of vertices in the primitive's arrays
-
-enum Mode : std::size_t { triangles = 4, strip = 5, fan = 6 };
-
-std::size_t mode_of(const JsonValue& primitive) {
-  const auto mode = primitive["mode"].whole(triangles);
-  if (mode > fan) primitive["mode"].refuse(fmt::format("expected a mode from 0 to 6, found {}", mode));
-  return mode;
-}
-
-// The places in the order of drawing of triangle number t, counter-clockwise.
-std::array<std::size_t, 3> places(std::size_t mode, std::size_t t) {
-  if (mode == strip) return {t, t + 1 + t % 2, t + 2 - t % 2};
-  if (mode == fan) return {t + 1, t + 2, 0};
-  return {3 * t, 3 * t + 1, 3 * t + 2};
-}
-
-std::vector<Corners> corners_of(GltfFile& file, const JsonValue& primitive, const GltfArray& positions) {
-  std::optional<GltfArray> indices;
-  if (const auto index = primitive["indices"]) {
-    indices.emplace(file, index, 1, 1);
-    if (!indices->is_unsigned()) index.refuse("expected whole numbers without sign (5121, 5123 or 5125)");
-  }
-  const auto count = indices ? indices->size() : positions.size();
-  const auto mode = mode_of(primitive);
-  if (mode == triangles && count % 3 != 0)
-    primitive.refuse(fmt::format("expected three corners a triangle, found {} corners", count));
-  const auto vertex = [&](std::size_t place) {
-    if (!indices) return static_cast<std::uint32_t>(place);
-    const auto index = indices->index_at(place);
-    if (index >= positions.size())
-      primitive["indices"].refuse(
-          fmt::format("index {} names vertex {}, but there are only {} (numbered from 0)", place, index,
-                      positions.size()));
-    return index;
-  };
-  std::vector<Corners> corners(mode == triangles ? count / 3 : std::max<std::size_t>(count, 2) - 2);
-  for (std::size_t t = 0; t < corners.size(); ++t) {
-    const auto [a, b, c] = places(mode, t);
-    corners[t] = {vertex(a), vertex(b), vertex(c)};
-  }
-  return corners;
-}
 
 // 0 for what is no number.
 float in_unit(float x) { return x > 0.0f ? std::min(x, 1.0f) : 0.0f; }
@@ -66,10 +25,6 @@ GltfMesh::GltfMesh(GltfFile& file, Scene& scene, double scale, std::vector<std::
   scene_.uv_sets.resize(texture_coordinates_.size());
 }
 
-bool GltfMesh::draws_triangles(const JsonValue& primitive) {
-  return mode_of(primitive) >= triangles && primitive["attributes"]["POSITION"];
-}
-
 void GltfMesh::add(const JsonValue& primitive, const glm::dmat4& world, const std::string& object,
                    MaterialId material) {
   const auto place = primitive["attributes"]["POSITION"];
@@ -77,8 +32,8 @@ void GltfMesh::add(const JsonValue& primitive, const glm::dmat4& world, const st
   if (primitive["extensions"]["KHR_draco_mesh_compression"] && !positions.accessor()["bufferView"])
     primitive.refuse(
         "its mesh is compressed (KHR_draco_mesh_compression), which Luxel lacks; save it without");
-  auto corners = corners_of(file_, primitive, positions);
-  if (glm::determinant(glm::dmat3(world)) < 0.0)  // a mirror turns counter-clockwise to clockwise
+  auto corners = triangle_corners(file_, primitive, positions.size());
+  if (mirrors(world))
     for (auto& [a, b, c] : corners) std::swap(b, c);
 
   // Files may share one array among many primitives: only the vertices of this one are taken.

@@ -30,9 +30,6 @@ class GltfMesh {
   // Drops what says nothing: colours that are all white.
   void finish();
 
-  // Draws triangles: strips and fans too, but neither points nor lines.
-  static bool draws_triangles(const JsonValue& primitive);
-
  private:
   Vec3d placed(const GltfArray& positions, std::size_t vertex, const glm::dmat4& world) const;
   std::uint32_t number_of(const std::string& object);

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/export_kept.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/export/kept_materials.h"
+#include "luxel/export/kept_primitive.h"
+#include "luxel/export/lit_mesh.h"
+#include "luxel/export/quantise.h"
+#include "luxel/export/scene_gltf.h"
+#include "luxel/file/output_file.h"
+#include "luxel/gltf/gltf_array.h"
+#include "luxel/gltf/gltf_copy.h"
+#include "luxel/image/image_file.h"
+#include "luxel/photometry/luminous_efficacy.h"
+
+namespace luxel {
+namespace {
+
+// The scene's own file, or the scene as one. order: see kept_parts().
+std::unique_ptr<GltfFile> file_of(const Scene& scene, const Vec3& up, std::vector<std::uint32_t>& order) {
+  if (is_gltf(scene)) return std::make_unique<GltfFile>(scene.source, known_extensions());
+  auto made = gltf_of(scene, up);
+  order = std::move(made.order);
+  return std::make_unique<GltfFile>(std::move(made.bytes), "scene.glb", known_extensions());
+}
+
+// What all forms share: the file's parts go through it one by one.
+class KeptExport {
+ public:
+  KeptExport(const KeptInput& input, const KeptOptions& options)
+      : input_(input),
+        options_(options),
+        file_(file_of(input.scene, options.up, order_)),
+        parts_(kept_parts(*file_, input.scene, is_gltf(input.scene) ? options.metres_a_unit : 1.0, order_)),
+        of_triangles_(input.patches, input.scene.triangles.size()),
+        back_is_lit_(lit_backs(input.patches, input.solution)),
+        curve_(curve_for(input.patches, input.solution, options.tone)),
+        copy_(*file_),
+        materials_(copy_, options.program) {}
+
+  const ToneCurve& curve() const { return curve_; }
+  KeptScene kept() const { return {input_.scene, input_.patches, of_triangles_, back_is_lit_}; }
+
+  // surfaces_of(part): what it becomes. light(part, surface, path): puts the light on a primitive.
+  template <typename SurfacesOf, typename Light>
+  void put(const SurfacesOf& surfaces_of, const Light& light);
+  void describe(const char* form, const std::string& light);
+  void write(const std::filesystem::path& path) const { write_file(path, copy_.bytes(path.string())); }
+
+  // COLOR_0 and _IRRADIANCE. front, back: [element][band], W/m², which the surface's vertices name.
+  void colour(const KeptPart& part, const KeptSurface& surface, const std::string& path,
+              const std::vector<float>& front, const std::vector<float>& back);
+  std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name);
+  // The further texture coordinates; gives their number.
+  std::size_t add_coordinates(const KeptSurface& surface, const std::string& path);
+  void put_out_lamps();
+
+  GltfCopy& copy() { return copy_; }
+  KeptMaterials& materials() { return materials_; }
+  const BandMaterial& material_of(const KeptPart& part) const {
+    return input_.patches
+        .materials[static_cast<std::size_t>(input_.scene.triangle_material[part.triangles.front()])];
+  }
+
+ private:
+  static std::vector<bool> lit_backs(const PatchSet& patches, const Solution& solution) {
+    std::vector<bool> lit(patches.size());
+    for (std::size_t p = 0; p < lit.size(); ++p) lit[p] = back_is_lit(solution, p);
+    return lit;
+  }
+  // A part has one material, and so all of its triangles have.
+  bool is_opaque(const KeptPart& part) const {
+    return !part.triangles.empty() &&
+           input_.scene.materials[static_cast<std::size_t>(input_.scene.triangle_material[part.triangles[0]])]
+               .opaque;
+  }
+  JsonValue material_json(const KeptPart& part) const {
+    const auto index = part.drawn.primitive["material"];
+    return index ? file_->object(index, "materials") : index;
+  }
+
+  const KeptInput& input_;
+  const KeptOptions& options_;
+  std::vector<std::uint32_t> order_;  // see kept_parts()
+  std::unique_ptr<GltfFile> file_;
+  std::vector<KeptPart> parts_;
+  PatchesOfTriangles of_triangles_;
+  std::vector<bool> back_is_lit_;
+  ToneCurve curve_;
+  GltfCopy copy_;
+  KeptMaterials materials_;
+};
+
+// Further primitives of a mesh come behind its own.
+template <typename SurfacesOf, typename Light>
+void KeptExport::put(const SurfacesOf& surfaces_of, const Light& light) {
+  std::vector<bool> taken(copy_.size("/meshes"));
+  std::optional<std::size_t> node;
+  std::size_t mesh = 0;
+  for (const auto& part : parts_) {
+    if (node != part.drawn.placed.number) {
+      node = part.drawn.placed.number;
+      mesh = mesh_of_node(copy_, *node, taken);
+    }
+    if (!is_opaque(part)) continue;
+    const auto own = primitive_path(mesh, part.drawn.number);
+    const auto surfaces = surfaces_of(part);
+    std::vector<std::string> paths;
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+      paths.push_back(
+          s == 0 ? own
+                 : primitive_path(mesh, copy_.append_copy(fmt::format("/meshes/{}/primitives", mesh), own)));
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      put_surface(copy_, *file_, part, surfaces[s], paths[s]);
+      light(part, surfaces[s], paths[s]);
+      if (surfaces.size() > 1 && surfaces.back().back) materials_.one_sided(paths[s]);
+    }
+  }
+}
+
+void KeptExport::colour(const KeptPart& part, const KeptSurface& surface, const std::string& path,
+                        const std::vector<float>& front, const std::vector<float>& back) {
+  const auto habits = habits_of(options_.program);
+  const auto colours = input_.patches.colours();
+  const auto& material = material_of(part);
+  const auto json = material_json(part);
+  const bool textured = KeptMaterials::is_textured(json);
+  BandMaterial plain = material;
+  if (textured && material.textures.reflectance && input_.patches.has_colours())
+    for (int b = 0; b < 3; ++b)
+      plain.reflectance[static_cast<std::size_t>(b)] = material.textures.reflectance_factor[b];
+  const auto own = part.drawn.primitive["attributes"]["COLOR_0"];
+  std::optional<GltfArray> tints;
+  if (own) tints.emplace(*file_, own, 3, 4);
+  const auto tint_of = [&](std::size_t v) {
+    if (!tints) return Vec3(1.0f);
+    const KeptVertex vertex = v < part.vertices
+                                  ? KeptVertex{{static_cast<std::uint32_t>(v), 0, 0}, {1.0, 0.0, 0.0}}
+                                  : surface.added[v - part.vertices];
+    Vec3d sum(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto c = tints->at(vertex.of[i]);
+      sum += vertex.weights[static_cast<int>(i)] * Vec3d(c[0], c[1], c[2]);
+    }
+    return Vec3(sum);
+  };
+  const auto& values = surface.back ? back : front;
+  std::vector<Rgba16> shown;
+  std::vector<Vec3> irradiance;
+  for (std::size_t v = 0; v < surface.light.size(); ++v) {
+    if (surface.light[v] == KeptSurface::no_light) {
+      shown.push_back(quantise(Vec3(0.0f)));
+      irradiance.emplace_back(0.0f);
+      continue;
+    }
+    const auto* here = &values[surface.light[v] * colours.bands()];
+    const SurfaceShare share{.fine_reflectance = tint_of(v)};
+    const auto seen = curve_(in_gamut(radiance_of(plain, surface.back, here, colours, share)));
+    shown.push_back(quantise(habits.colours_are_srgb ? srgb_codes(seen) : seen));
+    irradiance.push_back(Vec3(colours.rgb(std::span(here, colours.bands()))));
+  }
+  const auto attributes = path + "/attributes/";
+  copy_.put(attributes + "COLOR_0", fmt::format("{}", copy_.add_colours(shown)));
+  if (habits.keeps_irradiance)
+    copy_.put(attributes + "_IRRADIANCE",
+              fmt::format("{}", copy_.add_vectors(std::span<const Vec3>(irradiance))));
+  materials_.shadeless(path, part.drawn.primitive["material"]);
+}
+
+std::vector<std::size_t> KeptExport::add_pages(const std::vector<Image>& pages, const char* name) {
+  std::vector<std::size_t> textures;
+  const auto sampler =
+      copy_.append("/samplers", R"({"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071})");
+  for (std::size_t p = 0; p < pages.size(); ++p) {
+    const auto image = copy_.add_picture(png_of(pages[p]), "image/png", fmt::format("{} {}", name, p + 1));
+    textures.push_back(
+        copy_.append("/textures", fmt::format(R"({{"source":{},"sampler":{}}})", image, sampler)));
+  }
+  return textures;
+}
+
+// Sets are counted without a gap, and programs look for a lightmap in the second.
+std::size_t KeptExport::add_coordinates(const KeptSurface& surface, const std::string& path) {
+  const auto set = [&](std::size_t n) { return fmt::format("{}/attributes/TEXCOORD_{}", path, n); };
+  const auto accessor = fmt::format("{}", copy_.add_vectors(std::span<const Vec2>(surface.uv)));
+  std::size_t number = 0;
+  while (copy_.has(set(number))) ++number;
+  if (number == 0) copy_.put(set(number++), accessor);
+  copy_.put(set(number), accessor);
+  return number;
+}
+
+// Their light is on the surfaces already.
+void KeptExport::put_out_lamps() {
+  for (std::size_t n = 0; n < copy_.size("/nodes"); ++n)
+    copy_.erase(fmt::format("/nodes/{}/extensions/KHR_lights_punctual", n));
+}
+
+void KeptExport::describe(const char* form, const std::string& light) {
+  const auto& from = input_.solution.provenance;
+  copy_.put("/asset/extras/luxel",
+            fmt::format(R"({{"made_for":"{}","as":"{}","light":{},"method":"{}","rays":{},"seed":"{}",)"
+                        R"("predicted_error":{},"scene_fingerprint":"{:016x}"}})",
+                        name(options_.program), form, light, from.method, from.rays, from.seed,
+                        input_.solution.predicted_error, from.scene_fingerprint));
+}
+
+std::string vertex_light(const ToneCurve& curve, const MeshHabits& habits) {
+  auto text = fmt::format(
+      R"({{"COLOR_0":{{"quantity":"radiance after the tone curve, over the texture","unit":"1: the display's white",)"
+      R"("encoding":"{}","tone":"{}","scale":{}}})",
+      habits.colours_are_srgb ? "sRGB codes" : "linear sRGB", name(curve.options.op), curve.scale);
+  if (habits.keeps_irradiance)
+    text += fmt::format(R"(,"_IRRADIANCE":{{"quantity":"irradiance","unit":"W/m2 by linear sRGB",)"
+                        R"("radiance":"reflectance * irradiance / pi","lumens_per_watt":{}}})",
+                        luminous_efficacy);
+  return text + "}";
+}
+
+void export_vertices(const std::filesystem::path& path, KeptExport& output, const KeptOptions& options) {
+  output.describe("vertex", vertex_light(output.curve(), habits_of(options.program)));
+  output.write(path);
+}
+
+}  // namespace
+
+bool is_gltf(const Scene& scene) {
+  const auto ending = std::filesystem::path(scene.source).extension();
+  return ending == ".glb" || ending == ".gltf" || ending == ".GLB" || ending == ".GLTF";
+}
+
+Scene scene_of(const PatchSet& patches) {
+  Scene scene;
+  scene.source = "the solution";
+  scene.positions = patches.vertices;
+  scene.triangles = patches.corners;
+  scene.triangle_material = patches.material;
+  scene.triangle_line.resize(patches.size());
+  scene.triangle_group.resize(patches.size());
+  scene.groups = {"surfaces"};
+  const auto colours = patches.colours();
+  const std::vector<float> ones(patches.band_count(), 1.0f);
+  const auto white = colours.rgb(ones);
+  for (const auto& of_patches : patches.materials) {
+    Material material;
+    material.name = of_patches.name;
+    material.two_sided = of_patches.two_sided;
+    material.reflectance = in_gamut(colours.rgb(of_patches.reflectance) / white);
+    material.emittance = in_gamut(colours.rgb(of_patches.emittance));
+    material.textures = of_patches.textures;
+    scene.materials.push_back(std::move(material));
+  }
+  scene.textures = patches.textures;
+  scene.uv_sets = patches.uv_sets;
+  scene.corner_colours = patches.corner_colours;
+  scene.origin = patches.origin;
+  return scene;
+}
+
+void export_kept_cut(const std::filesystem::path& path, const KeptInput& input, const SmoothLight& light,
+                     const KeptOptions& options) {
+  KeptExport output(input, options);
+  output.put([&](const KeptPart& part) { return cut_surfaces(output.kept(), part, light); },
+             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
+               output.colour(part, surface, place, light.irradiance_front, light.irradiance_back);
+             });
+  export_vertices(path, output, options);
+}
+
+void export_kept_uncut(const std::filesystem::path& path, const KeptInput& input, const VertexFit& fit,
+                       const KeptOptions& options) {
+  KeptExport output(input, options);
+  output.put([&](const KeptPart& part) { return uncut_surfaces(output.kept(), part); },
+             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
+               output.colour(part, surface, place, fit.irradiance_front, fit.irradiance_back);
+             });
+  export_vertices(path, output, options);
+}
+
+void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
+                          const KeptOptions& options) {
+  KeptExport output(input, options);
+  std::vector<Image> codes = pages.pages;
+  for (auto& page : codes)
+    for (auto& pixel : page.pixels) pixel /= pages.white;
+  const auto textures = output.add_pages(codes, "lightmap");
+  const auto scale = output.curve().scale;
+  const auto colours = input.patches.colours();
+  output.put([&](const KeptPart& part) { return mapped_surfaces(output.kept(), part, pages.atlas); },
+             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
+               const auto set = output.add_coordinates(surface, place);
+               const auto own = in_gamut(colours.rgb(output.material_of(part).emittance)) / pi;
+               output.materials().lightmapped(place, part.drawn.primitive["material"], textures[surface.page],
+                                              set, scale * pages.white, scale * own);
+             });
+  output.put_out_lamps();
+  output.describe(
+      "lightmap",
+      fmt::format(R"({{"quantity":"irradiance / white","encoding":"sRGB codes","white_W_per_m2":{},)"
+                  R"("radiance":"reflectance * irradiance / pi","intensity":"white * scale","scale":{},)"
+                  R"("lumens_per_watt":{}}})",
+                  pages.white, scale, luminous_efficacy));
+  output.write(path);
+}
+
+void export_kept_emissive(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
+                          const KeptOptions& options) {
+  KeptExport output(input, options);
+  std::vector<Image> shown = pages.pages;
+  for (auto& page : shown)
+    for (auto& pixel : page.pixels) pixel = output.curve()(pixel);
+  const auto textures = output.add_pages(shown, "light");
+  output.put([&](const KeptPart& part) { return mapped_surfaces(output.kept(), part, pages.atlas); },
+             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
+               const auto set = output.add_coordinates(surface, place);
+               output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
+                                          set);
+             });
+  output.describe(
+      "emissive",
+      fmt::format(R"({{"quantity":"radiance after the tone curve","unit":"1: the display's white",)"
+                  R"("encoding":"sRGB codes","tone":"{}","scale":{}}})",
+                  name(output.curve().options.op), output.curve().scale));
+  output.write(path);
+}
+
+}  // namespace luxel

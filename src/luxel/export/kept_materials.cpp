@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/kept_materials.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace luxel {
+namespace {
+
+constexpr auto no_material = std::numeric_limits<std::size_t>::max();
+constexpr auto no_texture = std::numeric_limits<std::size_t>::max();
+constexpr const char* older = "/extensions/KHR_materials_pbrSpecularGlossiness";
+constexpr const char* base = "/pbrMetallicRoughness";
+
+std::string texture_info(std::size_t texture, std::size_t coordinates) {
+  return fmt::format(R"({{"index":{},"texCoord":{}}})", texture, coordinates);
+}
+
+}  // namespace
+
+bool KeptMaterials::is_textured(const JsonValue& material) {
+  return material["pbrMetallicRoughness"]["baseColorTexture"] ||
+         material["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"];
+}
+
+// The path of the primitive's material where it is still to be changed.
+std::optional<std::string> KeptMaterials::changed_for(const std::string& path, const JsonValue& index,
+                                                      std::size_t texture) {
+  const auto of_file = index ? index.whole() : no_material;
+  const auto [found, is_new] = made_.try_emplace({of_file, texture}, 0);
+  if (is_new) {
+    if (!index) {
+      found->second = copy_.append("/materials", R"({"name":"none"})");
+    } else {
+      taken_.resize(std::max(taken_.size(), of_file + 1));
+      found->second =
+          taken_[of_file] ? copy_.append_copy("/materials", fmt::format("/materials/{}", of_file)) : of_file;
+      taken_[of_file] = true;
+    }
+  }
+  copy_.put(path + "/material", fmt::format("{}", found->second));
+  if (!is_new) return std::nullopt;
+  return fmt::format("/materials/{}", found->second);
+}
+
+// What older files say of the base colour is said as today's do.
+void KeptMaterials::plain_base(const std::string& material) {
+  if (!copy_.has(material + older)) return;
+  for (const auto& [from, to] :
+       {std::pair("/diffuseTexture", "/baseColorTexture"), std::pair("/diffuseFactor", "/baseColorFactor")})
+    if (copy_.has(material + older + from)) copy_.put_copy(material + base + to, material + older + from);
+  copy_.put(material + base + "/metallicFactor", "0");
+  copy_.erase(material + older);
+}
+
+void KeptMaterials::shadeless(const std::string& path, const JsonValue& index) {
+  const auto material = changed_for(path, index, no_texture);
+  if (!material) return;
+  plain_base(*material);
+  const auto factor = *material + base + "/baseColorFactor";
+  const auto alpha = copy_.number_at(factor + "/3", 1.0);
+  copy_.put(factor, fmt::format("[1,1,1,{}]", alpha));
+  // For programs that do not know the extension.
+  copy_.put(*material + base + "/metallicFactor", "0");
+  copy_.put(*material + base + "/roughnessFactor", "0.9");
+  copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
+  copy_.put(*material + "/extensions/KHR_materials_unlit", "{}");
+  copy_.use_extension("KHR_materials_unlit");
+  if (const auto suffix = habits_of(program_).material_suffix; !suffix.empty())
+    copy_.put_text(*material + "/name", fmt::format("{}{}", copy_.text_at(*material + "/name", ""), suffix));
+}
+
+void KeptMaterials::one_sided(const std::string& path) {
+  copy_.put(fmt::format("/materials/{}/doubleSided", copy_.index_at(path + "/material")), "false");
+}
+
+void KeptMaterials::lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
+                                std::size_t coordinates, float intensity, const Vec3& emission) {
+  const auto material = changed_for(path, index, texture);
+  if (!material) return;
+  copy_.put(*material + "/extensions/MOZ_lightmap",
+            fmt::format(R"({{"index":{},"texCoord":{},"intensity":{}}})", texture, coordinates, intensity));
+  copy_.use_extension("MOZ_lightmap");
+  const auto most = std::max({emission.r, emission.g, emission.b});
+  if (!(most > 0.0f)) return;
+  // Factors are at most 1, the strength has the rest. With a texture the factor stays, which has the colour.
+  const bool textured = copy_.has(*material + "/emissiveTexture");
+  const auto colour = textured ? Vec3(1.0f) : emission / most;
+  copy_.put(*material + "/emissiveFactor", fmt::format("[{},{},{}]", colour.r, colour.g, colour.b));
+  copy_.put(*material + "/extensions/KHR_materials_emissive_strength",
+            fmt::format(R"({{"emissiveStrength":{}}})", most));
+  copy_.use_extension("KHR_materials_emissive_strength");
+}
+
+void KeptMaterials::shining(const std::string& path, const JsonValue& index, std::size_t texture,
+                            std::size_t coordinates) {
+  const auto material = changed_for(path, index, texture);
+  if (!material) return;
+  plain_base(*material);
+  const auto factor = *material + base + "/baseColorFactor";
+  const auto alpha = copy_.number_at(factor + "/3", 1.0);
+  copy_.put(factor, fmt::format("[0,0,0,{}]", alpha));
+  copy_.put(*material + base + "/metallicFactor", "0");
+  copy_.put(*material + base + "/roughnessFactor", "1");
+  copy_.erase(*material + base + "/metallicRoughnessTexture");
+  copy_.erase(*material + "/extensions/KHR_materials_unlit");
+  copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
+  copy_.put(*material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
+  copy_.use_extension("KHR_materials_specular");
+  copy_.put(*material + "/emissiveFactor", "[1,1,1]");
+  copy_.put(*material + "/emissiveTexture", texture_info(texture, coordinates));
+}
+
+}  // namespace luxel

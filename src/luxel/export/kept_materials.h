@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "luxel/export/mesh_program.h"
+#include "luxel/gltf/gltf_copy.h"
+#include "luxel/gltf/json_value.h"
+#include "luxel/math/vector.h"
+
+namespace luxel {
+
+// The materials of a glTF file, changed so that they show light that is known. Each is changed once, or once
+// for each page of a lightmap that it is seen on.
+class KeptMaterials {
+ public:
+  // Keeps references.
+  KeptMaterials(GltfCopy& copy, MeshProgram program) : copy_(copy), program_(program) {}
+
+  // Whether a texture goes on colouring what the primitive's material reflects.
+  static bool is_textured(const JsonValue& material);
+
+  // Each gives the primitive at `path` its material: `material` of the file, which may be none, changed.
+  // Shadeless, the base colour white: what the vertices say is what is seen, but for the texture.
+  void shadeless(const std::string& path, const JsonValue& index);
+  // Lit by a texture: of so much irradiance where it is 1, after the display's scale. emission: of the
+  // surface itself, likewise.
+  void lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
+                   std::size_t coordinates, float intensity, const Vec3& emission);
+  // Black, and shining as the texture says.
+  void shining(const std::string& path, const JsonValue& index, std::size_t texture, std::size_t coordinates);
+
+  // Seen from the front only, for what is behind has triangles of its own.
+  void one_sided(const std::string& path);
+
+ private:
+  std::optional<std::string> changed_for(const std::string& path, const JsonValue& index,
+                                         std::size_t texture);
+  void plain_base(const std::string& material);
+
+  GltfCopy& copy_;
+  MeshProgram program_;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> made_;  // material of the file, texture
+  std::vector<bool> taken_;                                          // [material of the file]
+};
+
+}  // namespace luxel

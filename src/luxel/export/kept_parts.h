@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/gltf/gltf_parts.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+// A primitive of a glTF file at one of its nodes, and which of the scene's triangles it draws.
+struct KeptPart {
+  GltfPart drawn;
+  std::size_t vertices = 0;                           // of the primitive's arrays
+  std::vector<std::uint32_t> triangles;               // [triangle of the primitive]: that of the scene
+  std::vector<std::array<std::uint32_t, 3>> corners;  // [triangle]: vertices of the primitive, in the order
+                                                      // of the scene's corners
+  bool mirrored = false;                              // the file winds its triangles the other way
+  bool as_read = true;                                // no triangle was turned since
+};
+
+// The parts of a file that a scene was read from, or that was made of it. order: [triangle of the file] that
+// of the scene; empty: the same. Throws InputError as reading it does, MismatchError where the scene has
+// other triangles than the file.
+std::vector<KeptPart> kept_parts(GltfFile& file, const Scene& scene, double metres_a_unit,
+                                 const std::vector<std::uint32_t>& order);
+
+}  // namespace luxel

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/kept_surfaces.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "luxel/math/barycentric.h"
+
+namespace luxel {
+namespace {
+
+constexpr double on_edge = 1e-5;  // weights below are those of points on an edge
+constexpr auto none = KeptSurface::no_light;
+
+// A corner of what is drawn: where it lies in its triangle of the file, and what light it has.
+struct Corner {
+  KeptVertex place;
+  std::uint32_t point = none;  // a vertex of the patches; none: a corner of the triangle
+  std::uint32_t light = none;
+  Vec2 uv{0.0f};
+};
+
+// Fills one surface; vertices that agree in all are one.
+class SurfaceMaker {
+ public:
+  SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page) : part_(part) {
+    surface_.back = back;
+    surface_.page = page;
+    surface_.light.resize(part.vertices, none);
+    surface_.uv.resize(part.vertices, Vec2(0.0f));
+  }
+
+  void add(const std::array<Corner, 3>& corners) {
+    std::array<std::uint32_t, 3> triangle{};
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = vertex(corners[i]);
+    if (surface_.back != part_.mirrored) std::swap(triangle[1], triangle[2]);
+    surface_.triangles.push_back(triangle);
+  }
+
+  KeptSurface finish() {
+    surface_.as_it_was = !surface_.back && surface_.added.empty() && part_.as_read &&
+                         surface_.triangles.size() == part_.corners.size();
+    return std::move(surface_);
+  }
+
+ private:
+  // A vertex of the file keeps the first light that it is given; for another there is another vertex.
+  std::uint32_t vertex(const Corner& corner) {
+    const auto& place = corner.place;
+    const bool is_own = corner.point == none;
+    if (is_own) {
+      auto& light = surface_.light[place.of[0]];
+      if (light == none) {
+        light = corner.light;
+        surface_.uv[place.of[0]] = corner.uv;
+      }
+      if (light == corner.light) return place.of[0];
+    }
+    const auto key = std::tuple(place.of, corner.point, corner.light);
+    const auto [found, is_new] = added_.try_emplace(key, static_cast<std::uint32_t>(surface_.light.size()));
+    if (is_new) {
+      surface_.added.push_back(place);
+      surface_.light.push_back(corner.light);
+      surface_.uv.push_back(corner.uv);
+    }
+    return found->second;
+  }
+
+  const KeptPart& part_;
+  KeptSurface surface_;
+  std::map<std::tuple<std::array<std::uint32_t, 3>, std::uint32_t, std::uint32_t>, std::uint32_t> added_;
+};
+
+Corner own_corner(std::uint32_t vertex) { return {.place = {{vertex, vertex, vertex}, {1.0, 0.0, 0.0}}}; }
+
+// Points on an edge are told from its two ends alone, the one that comes first in space first, so that
+// whatever else shares the edge has them at the same place to the bit.
+KeptVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 2> ends, const Vec3& point) {
+  auto ordered = of;
+  const auto key = [](const Vec3& p) { return std::tuple(p.x, p.y, p.z); };
+  if (key(ends[1]) < key(ends[0])) {
+    std::swap(ends[0], ends[1]);
+    std::swap(ordered[0], ordered[1]);
+  }
+  const auto along = Vec3d(ends[1]) - Vec3d(ends[0]);
+  const auto t =
+      std::clamp(glm::dot(Vec3d(point) - Vec3d(ends[0]), along) / glm::dot(along, along), 0.0, 1.0);
+  return {{ordered[0], ordered[1], ordered[1]}, {1.0 - t, t, 0.0}};
+}
+
+// Where a patch's corner lies in its triangle, the i-th of the part.
+Corner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point) {
+  const auto& of_scene = kept.scene.triangles[part.triangles[i]];
+  const auto& of_file = part.corners[i];
+  const auto& at = kept.patches.vertices[point];
+  std::array<Vec3, 3> corners{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    corners[c] = kept.scene.positions[of_scene[c]];
+    if (corners[c] == at) return own_corner(of_file[c]);
+  }
+  const auto weights = barycentric(corners, at);
+  Corner corner{.place = {of_file, weights}, .point = point};
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(weights[c]) < on_edge) {
+      const auto a = static_cast<std::size_t>((c + 1) % 3), b = static_cast<std::size_t>((c + 2) % 3);
+      corner.place = on_the_edge({of_file[a], of_file[b]}, {corners[a], corners[b]}, at);
+      break;
+    }
+  return corner;
+}
+
+std::array<Corner, 3> corners_of_patch(const KeptScene& kept, const KeptPart& part, std::size_t i,
+                                       std::uint32_t patch) {
+  const auto& points = kept.patches.corners[patch];
+  return {corner_of(kept, part, i, points[0]), corner_of(kept, part, i, points[1]),
+          corner_of(kept, part, i, points[2])};
+}
+
+std::array<Corner, 3> own_corners(const KeptPart& part, std::size_t i) {
+  const auto& of_file = part.corners[i];
+  return {own_corner(of_file[0]), own_corner(of_file[1]), own_corner(of_file[2])};
+}
+
+std::vector<KeptSurface> filled(std::vector<SurfaceMaker> makers) {
+  std::vector<KeptSurface> surfaces;
+  for (auto& maker : makers)
+    if (auto surface = maker.finish(); !surface.triangles.empty()) surfaces.push_back(std::move(surface));
+  return surfaces;
+}
+
+// Front and back.
+std::vector<SurfaceMaker> two_sides(const KeptPart& part) { return {{part, false, 0}, {part, true, 0}}; }
+
+// Where the triangle's corners come to lie on a chart that has all of it: what its largest patch says, for
+// charts are flat.
+std::array<Vec2, 3> whole_uv(const KeptScene& kept, std::uint32_t triangle, std::size_t side_of_first,
+                             const Atlas& atlas) {
+  const auto& area = kept.patches.area;
+  const auto begin = kept.of_triangles.begin(triangle), end = kept.of_triangles.end(triangle);
+  auto largest = begin;
+  for (auto p = begin; p < end; ++p)
+    if (area[p] > area[largest]) largest = p;
+  const auto side = 2 * std::size_t{largest} + side_of_first;
+  const auto points = kept.patches.points(largest);
+  std::array<Vec2, 3> uv{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto w = barycentric(points, kept.scene.positions[kept.scene.triangles[triangle][i]]);
+    for (std::size_t k = 0; k < 3; ++k)
+      uv[i] += static_cast<float>(w[static_cast<int>(k)]) * atlas.uv(side, k);
+  }
+  return uv;
+}
+
+// Surfaces by side and page, in the order in which they are first wanted.
+class PagedSurfaces {
+ public:
+  PagedSurfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas)
+      : kept_(kept), part_(part), atlas_(atlas) {}
+
+  void add(std::size_t i, std::size_t back) {
+    const auto t = part_.triangles[i];
+    const auto begin = kept_.of_triangles.begin(t), end = kept_.of_triangles.end(t);
+    if (begin == end) return;
+    const auto first = chart_of(begin, back);
+    bool whole = true;
+    for (auto p = begin; p < end; ++p) whole = whole && chart_of(p, back) == first;
+    if (!whole) {
+      for (auto p = begin; p < end; ++p) add_patch(i, p, back);
+    } else if (first != Charts::none) {
+      add(own_corners(part_, i), whole_uv(kept_, t, back, atlas_), first, back);
+    }
+  }
+
+  std::vector<KeptSurface> finish() { return filled(std::move(makers_)); }
+
+ private:
+  std::uint32_t chart_of(std::uint32_t patch, std::size_t back) const {
+    return atlas_.chart_of[2 * std::size_t{patch} + back];
+  }
+
+  void add_patch(std::size_t i, std::uint32_t patch, std::size_t back) {
+    const auto side = 2 * std::size_t{patch} + back;
+    if (!atlas_.has(side)) return;
+    add(corners_of_patch(kept_, part_, i, patch),
+        {atlas_.uv(side, 0), atlas_.uv(side, 1), atlas_.uv(side, 2)}, atlas_.chart_of[side], back);
+  }
+
+  void add(std::array<Corner, 3> corners, const std::array<Vec2, 3>& uv, std::uint32_t chart,
+           std::size_t back) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      corners[c].light = chart;
+      corners[c].uv = uv[c];
+    }
+    const auto page = atlas_.places[chart].page;
+    const auto [found, is_new] = number_of_.try_emplace({back, page}, makers_.size());
+    if (is_new) makers_.emplace_back(part_, back == 1, page);
+    makers_[found->second].add(corners);
+  }
+
+  const KeptScene& kept_;
+  const KeptPart& part_;
+  const Atlas& atlas_;
+  std::vector<SurfaceMaker> makers_;
+  std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> number_of_;
+};
+
+}  // namespace
+
+PatchesOfTriangles::PatchesOfTriangles(const PatchSet& patches, std::size_t triangles)
+    : begin_(triangles + 1) {
+  for (const auto t : patches.triangle) ++begin_[t + 1];
+  for (std::size_t t = 0; t < triangles; ++t) begin_[t + 1] += begin_[t];
+}
+
+std::vector<KeptSurface> uncut_surfaces(const KeptScene& kept, const KeptPart& part) {
+  auto sides = two_sides(part);
+  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+    const auto t = part.triangles[i];
+    auto corners = own_corners(part, i);
+    for (std::size_t c = 0; c < 3; ++c) corners[c].light = kept.scene.triangles[t][c];
+    sides[0].add(corners);
+    bool lit = false;
+    for (auto p = kept.of_triangles.begin(t); p < kept.of_triangles.end(t); ++p)
+      lit = lit || kept.back_is_lit[p];
+    if (lit) sides[1].add(corners);
+  }
+  return filled(std::move(sides));
+}
+
+std::vector<KeptSurface> cut_surfaces(const KeptScene& kept, const KeptPart& part, const SmoothLight& light) {
+  auto sides = two_sides(part);
+  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+    const auto t = part.triangles[i];
+    for (auto p = kept.of_triangles.begin(t); p < kept.of_triangles.end(t); ++p) {
+      auto corners = corners_of_patch(kept, part, i, p);
+      for (std::size_t c = 0; c < 3; ++c) corners[c].light = light.corners[p][c];
+      sides[0].add(corners);
+      if (kept.back_is_lit[p]) sides[1].add(corners);
+    }
+  }
+  return filled(std::move(sides));
+}
+
+std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas) {
+  PagedSurfaces surfaces(kept, part, atlas);
+  for (std::size_t i = 0; i < part.triangles.size(); ++i)
+    for (const std::size_t back : {0, 1}) surfaces.add(i, back);
+  return surfaces.finish();
+}
+
+}  // namespace luxel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/export/kept_parts.h"
+#include "luxel/lightmap/pack_charts.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+// A vertex that the file does not have: a place in one of its triangles.
+struct KeptVertex {
+  std::array<std::uint32_t, 3> of{};  // vertices of the primitive
+  Vec3d weights{0.0};                 // of theirs; they sum to one
+};
+
+// One side of a part as it is to be written. The primitive's own vertices come first, whether a triangle uses
+// them or not, then those added.
+struct KeptSurface {
+  static constexpr std::uint32_t no_light = 0xffffffffu;
+  bool back = false;
+  std::uint32_t page = 0;  // of a lightmap
+  std::vector<KeptVertex> added;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // as the file winds them
+  std::vector<std::uint32_t> light;  // [vertex]: a vertex of SmoothLight, or of the scene, or no_light
+  std::vector<Vec2> uv;              // [vertex]: on the lightmap
+  bool as_it_was = false;            // the primitive's own vertices and triangles, in their order
+};
+
+// Which patches each of a scene's triangles was cut into, in rows.
+class PatchesOfTriangles {
+ public:
+  // Patches stand in the order of their triangles.
+  PatchesOfTriangles(const PatchSet& patches, std::size_t triangles);
+  std::uint32_t begin(std::size_t triangle) const { return begin_[triangle]; }
+  std::uint32_t end(std::size_t triangle) const { return begin_[triangle + 1]; }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+};
+
+// What stands still while parts are cut.
+struct KeptScene {
+  const Scene& scene;
+  const PatchSet& patches;
+  const PatchesOfTriangles& of_triangles;
+  const std::vector<bool>& back_is_lit;  // [patch]
+};
+
+// The file's own triangles, with the light at the scene's vertices. A back is there where light fell on it.
+std::vector<KeptSurface> uncut_surfaces(const KeptScene& kept, const KeptPart& part);
+
+// Patches, with the smooth light at theirs.
+std::vector<KeptSurface> cut_surfaces(const KeptScene& kept, const KeptPart& part, const SmoothLight& light);
+
+// The file's own triangles where a chart has the whole of one, else patches; a surface for each page.
+std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas);
+
+}  // namespace luxel

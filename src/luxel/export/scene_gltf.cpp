@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/scene_gltf.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "luxel/export/utf8.h"
+#include "luxel/export/y_up.h"
+#include "luxel/gltf/gltf_copy.h"
+#include "luxel/image/image_file.h"
+#include "luxel/photometry/luminous_efficacy.h"
+
+namespace luxel {
+namespace {
+
+constexpr const char* empty_file = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}]})";
+
+std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
+
+class SceneWriter {
+ public:
+  explicit SceneWriter(const Scene& scene)
+      : scene_(scene), file_(empty_file, "scene.gltf", {}), copy_(file_) {}
+
+  SceneGltf write(const Vec3& up) {
+    add_root(up);
+    for (const auto& material : scene_.materials) add_material(material);
+    add_objects();
+    return {copy_.bytes(scene_.source), std::move(order_)};
+  }
+
+ private:
+  // By object and material.
+  using Groups = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<std::uint32_t>>;
+
+  void add_root(const Vec3& up) {
+    copy_.append("/nodes", R"({"name":"scene"})");
+    const auto rotation = turn_to_y_up(up);
+    if (!rotation.empty())
+      copy_.put("/nodes/0/rotation",
+                fmt::format("[{},{},{},{}]", rotation[0], rotation[1], rotation[2], rotation[3]));
+    if (scene_.origin == Vec3d(0.0)) return;
+    const auto at = turned(rotation, scene_.origin);
+    copy_.put("/nodes/0/translation", fmt::format("[{},{},{}]", at.x, at.y, at.z));
+  }
+
+  void add_material(const Material& material) {
+    const auto& textures = material.textures;
+    const auto number = copy_.append("/materials", "{}");
+    const auto path = fmt::format("/materials/{}", number);
+    copy_.put_text(path + "/name", valid_utf8(material.name));
+    copy_.put(path + "/doubleSided", material.two_sided ? "true" : "false");
+    const auto base = textures.reflectance ? textures.reflectance_factor : material.reflectance;
+    copy_.put(path + "/pbrMetallicRoughness",
+              fmt::format(R"({{"baseColorFactor":[{},{},{},1],"metallicFactor":0,"roughnessFactor":1}})",
+                          base.r, base.g, base.b));
+    if (const auto picture = textures.reflectance ? textures.reflectance : textures.cutout)
+      copy_.put(path + "/pbrMetallicRoughness/baseColorTexture", texture_of(*picture));
+    if (textures.cutout) {
+      copy_.put_text(path + "/alphaMode", "MASK");
+      copy_.put(path + "/alphaCutoff", fmt::format("{}", textures.cutout_threshold));
+    }
+    if (!material.opaque) copy_.put_text(path + "/alphaMode", "BLEND");
+    add_emission(material, path);
+  }
+
+  void add_emission(const Material& material, const std::string& path) {
+    const auto& textures = material.textures;
+    const auto nits = static_cast<float>(luminous_efficacy) / pi *
+                      (textures.emittance ? textures.emittance_factor : material.emittance);
+    const auto most = std::max({nits.r, nits.g, nits.b});
+    if (!(most > 0.0f)) return;
+    copy_.put(path + "/emissiveFactor", numbers(nits / most));
+    copy_.put(path + "/extensions/KHR_materials_emissive_strength",
+              fmt::format(R"({{"emissiveStrength":{}}})", most));
+    copy_.use_extension("KHR_materials_emissive_strength");
+    if (textures.emittance) copy_.put(path + "/emissiveTexture", texture_of(*textures.emittance));
+  }
+
+  // A texture with its wrapping; its place on the surface is in the coordinates already.
+  std::string texture_of(const TextureUse& use) {
+    const auto key = std::tuple(use.texture, use.wrap[0], use.wrap[1]);
+    const auto [found, is_new] = textures_.try_emplace(key, 0);
+    if (is_new) {
+      const auto [image, is_first] = images_.try_emplace(use.texture, 0);
+      const auto& texture = scene_.textures[use.texture];
+      if (is_first)
+        image->second = copy_.add_picture(png_of(*texture.raster), "image/png", valid_utf8(texture.name));
+      const auto sampler = copy_.append(
+          "/samplers",
+          fmt::format(R"({{"wrapS":{},"wrapT":{}}})", wrap_code(use.wrap[0]), wrap_code(use.wrap[1])));
+      found->second =
+          copy_.append("/textures", fmt::format(R"({{"source":{},"sampler":{}}})", image->second, sampler));
+    }
+    return fmt::format(R"({{"index":{}}})", found->second);
+  }
+
+  static int wrap_code(Wrap wrap) {
+    return wrap == Wrap::repeat ? 10497 : wrap == Wrap::mirror ? 33648 : 33071;
+  }
+
+  void add_objects() {
+    const bool has_objects = !scene_.objects.empty() && !scene_.triangle_object.empty();
+    const auto& names = has_objects ? scene_.objects : scene_.groups;
+    const auto& of_triangle = has_objects ? scene_.triangle_object : scene_.triangle_group;
+    Groups groups;
+    for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t)
+      groups[{of_triangle[t], static_cast<std::size_t>(scene_.triangle_material[t])}].push_back(t);
+    std::optional<std::uint32_t> object;
+    std::size_t mesh = 0;
+    for (const auto& [key, triangles] : groups) {
+      if (object != key.first) {
+        object = key.first;
+        mesh = copy_.append("/meshes", R"({"primitives":[]})");
+        const auto node = copy_.append("/nodes", fmt::format(R"({{"mesh":{}}})", mesh));
+        copy_.put_text(fmt::format("/nodes/{}/name", node), valid_utf8(names[*object]));
+        copy_.append("/nodes/0/children", fmt::format("{}", node));
+      }
+      copy_.append(fmt::format("/meshes/{}/primitives", mesh), primitive_of(triangles, key.second));
+      order_.insert(order_.end(), triangles.begin(), triangles.end());
+    }
+  }
+
+  // Vertices of the scene are split where a texture is.
+  std::string primitive_of(const std::vector<std::uint32_t>& triangles, std::size_t material) {
+    const auto& textures = scene_.materials[material].textures;
+    const auto use = textures.reflectance ? textures.reflectance
+                     : textures.cutout    ? textures.cutout
+                                          : textures.emittance;
+    std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> number_of;
+    std::vector<Vec3> positions, tints;
+    std::vector<Vec2> places;
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    for (const auto t : triangles) {
+      auto& triangle = corners.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto vertex = scene_.triangles[t][c];
+        const auto place = use ? use->place(scene_.uv_sets[use->uv_set][t][c]) : Vec2(0.0f);
+        const auto [found, is_new] = number_of.try_emplace(std::tuple(vertex, place.x, place.y),
+                                                           static_cast<std::uint32_t>(positions.size()));
+        triangle[c] = found->second;
+        if (!is_new) continue;
+        positions.push_back(scene_.positions[vertex]);
+        places.push_back(place);
+        if (!scene_.corner_colours.empty()) tints.push_back(scene_.corner_colours[t][c]);
+      }
+    }
+    auto attributes = fmt::format(R"("POSITION":{})", copy_.add_positions(positions));
+    if (use)
+      attributes += fmt::format(R"(,"TEXCOORD_0":{})", copy_.add_vectors(std::span<const Vec2>(places)));
+    if (!tints.empty())
+      attributes += fmt::format(R"(,"COLOR_0":{})", copy_.add_vectors(std::span<const Vec3>(tints)));
+    return fmt::format(R"({{"attributes":{{{}}},"indices":{},"material":{}}})", attributes,
+                       copy_.add_indices(corners, positions.size()), material);
+  }
+
+  const Scene& scene_;
+  GltfFile file_;
+  GltfCopy copy_;
+  std::map<std::tuple<std::uint32_t, Wrap, Wrap>, std::size_t> textures_;
+  std::map<std::uint32_t, std::size_t> images_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace
+
+SceneGltf gltf_of(const Scene& scene, const Vec3& up) { return SceneWriter(scene).write(up); }
+
+}  // namespace luxel

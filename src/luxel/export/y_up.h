@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "luxel/math/vector.h"
+
+namespace luxel {
+
+// The quaternion (x, y, z, w) of the shortest turn from up to +Y: up x y for the axis and 1 + up.y for the
+// angle, as half angles would have it. Empty where there is nothing to turn. Throws InputError where up has
+// no length.
+std::vector<double> turn_to_y_up(const Vec3& up);
+
+// A point turned by a quaternion, or as it is by none.
+Vec3d turned(const std::vector<double>& rotation, const Vec3d& p);
+
+}  // namespace luxel
