@@ -17,17 +17,17 @@ class LoadObjTextures : public testing::Test {
  protected:
   // Two pixels above two: red, green, blue, white; alpha 255, 100, 200, 0.
   LoadObjTextures() {
-    files.write("four.tga",
+    files_.write("four.tga",
                 small_tga(2, 2, {{255, 0, 0, 255}, {0, 255, 0, 100}, {0, 0, 255, 200}, {255, 255, 255, 0}}));
-    files.write("grey.tga", small_tga(2, 1, {{128, 128, 128, 255}, {127, 127, 127, 255}}));
+    files_.write("grey.tga", small_tga(2, 1, {{128, 128, 128, 255}, {127, 127, 127, 255}}));
   }
   Scene load(const std::string& mtl, const std::string& faces = "f 1/1 2/2 3/3 4/4\n") {
-    files.write("room.mtl", "newmtl m\n" + mtl);
-    auto scene = files.load_text(square + faces);
+    files_.write("room.mtl", "newmtl m\n" + mtl);
+    auto scene = files_.load_text(square + faces);
     check_scene(scene);
     return scene;
   }
-  SceneFiles files;
+  SceneFiles files_;
 };
 
 TEST_F(LoadObjTextures, a_picture_lies_with_its_bottom_at_v_0) {
@@ -47,7 +47,7 @@ TEST_F(LoadObjTextures, a_picture_lies_with_its_bottom_at_v_0) {
   EXPECT_EQ(raster.codes[pixel_at(raster, use, use.place({0.1f, 0.9f}))], (Raster::Code{255, 0, 0, 255}));
   EXPECT_EQ(raster.codes[pixel_at(raster, use, use.place({1.1f, 1.9f}))], (Raster::Code{255, 0, 0, 255}))
       << "repeats";
-  EXPECT_TRUE(files.warnings().empty()) << files.all_warnings();
+  EXPECT_TRUE(files_.warnings().empty()) << files_.all_warnings();
 }
 
 TEST_F(LoadObjTextures, options_scale_shift_and_clamp) {
@@ -95,23 +95,23 @@ TEST_F(LoadObjTextures, faces_without_coordinates_get_the_mean) {
   EXPECT_EQ(scene.triangle_material,
             (std::vector{MaterialId{0}, MaterialId{1}, MaterialId{1}, MaterialId{1}}));
   EXPECT_NE(
-      files.all_warnings().find("3 faces of textured materials without texture coordinates (first: line 12)"),
+      files_.all_warnings().find("3 faces of textured materials without texture coordinates (first: line 12)"),
       std::string::npos)
-      << files.all_warnings();
+      << files_.all_warnings();
 }
 
 TEST_F(LoadObjTextures, coordinates_of_plain_materials_are_passed_over) {
   const auto scene = load("Kd 0.5 0.5 0.5\n", "vt nan x\nf 1/1 2/2 3/99\n");
   EXPECT_TRUE(scene.uv_sets.empty());
   EXPECT_TRUE(scene.textures.empty());
-  EXPECT_TRUE(files.warnings().empty()) << files.all_warnings();
+  EXPECT_TRUE(files_.warnings().empty()) << files_.all_warnings();
 }
 
 TEST_F(LoadObjTextures, coordinates_that_are_no_numbers_are_told) {
   load("map_Kd four.tga\n", "vt 0 nan\nvt 0.5\nf 1/1 2/5 3/6\n");
-  EXPECT_NE(files.all_warnings().find("1 texture coordinate not of finite numbers (first: line 11)"),
+  EXPECT_NE(files_.all_warnings().find("1 texture coordinate not of finite numbers (first: line 11)"),
             std::string::npos)
-      << files.all_warnings();
+      << files_.all_warnings();
 }
 
 TEST_F(LoadObjTextures, a_turned_face_takes_its_coordinates_with_it) {

@@ -67,10 +67,10 @@ async function photograph(url, out, size, like) {
   }
 }
 
-function verdict({ error, unlit, triangles, mean, spread, off, complaints }) {
+function verdict({ error, alone, triangles, mean, spread, off, complaints }) {
   if (error) return `the page failed: ${error}`;
   if (complaints.length > 0) return `the page complained: ${complaints.join('; ')}`;
-  if (!unlit) return 'a material is not unlit';
+  if (!alone) return 'a material waits for a lamp';
   if (triangles === 0) return 'no triangle was drawn';
   if (mean < 1) return 'the picture is black';
   if (spread < 1) return 'the picture is of one colour';

@@ -2,7 +2,8 @@
 """page_test.py LUXEL NODE desk|phone|glb: what Luxel writes for browsers, in a browser.
 
 desk, phone: makes a page, and has a browser click through it and compare it with Luxel's pictures. glb: exports a GLB for
-each program, validates them, and compares what three.js shows with Luxel's picture. Ends with 77, and a line that says why, where there is no browser, no npm package, or no page.
+each program and in each form of light, validates them, and compares what three.js shows with Luxel's picture. Ends with 77,
+and a line that says why, where there is no browser, no npm package, or no page.
 Pictures stay in LUXEL_PAGE_PICTURES where that names a folder.
 """
 import os
@@ -18,6 +19,7 @@ from figures.scenes import CAMERA, write_two_lamps  # noqa: E402
 
 VIEW = (*CAMERA, "--width", "640", "--height", "480")
 PROGRAMS = ("any", "three", "babylon", "godot", "blender", "unity", "unreal")
+FORMS = ("vertex", "lightmap", "emissive")
 TITLE = "Two lamps </script> & <b>"
 # Name: what Luxel does, and what the page is told.
 PICTURES = {
@@ -50,8 +52,8 @@ class Place:
 
     def __init__(self, luxel, folder):
         self.luxel, self.folder = luxel, folder
-        scene = write_two_lamps(folder)
-        self.run("bake", scene, "--max-edge", "0.08", "--error", "5%", "--keep-transport", "-o", "box.vtkhdf")
+        self.scene = write_two_lamps(folder)
+        self.run("bake", self.scene, "--max-edge", "0.08", "--error", "5%", "--keep-transport", "-o", "box.vtkhdf")
 
     def at(self, name):
         return os.path.join(self.folder, name)
@@ -78,15 +80,23 @@ def click_through(place, node, screen, photographs):
 
 
 def show_glb(place, node, photographs):
-    files = []
-    for program in PROGRAMS:
-        files.append(place.at(f"{program}.glb"))
-        place.run("export", "box.vtkhdf", "--for", program, "--tone", "clamp", "--exposure", "1", "-o", files[-1])
-    subprocess.run([node, os.path.join(HERE, "validate.mjs"), *files], check=True)
-    words, _ = PICTURES["clamp"]
-    place.run(words[0], "box.vtkhdf", *words[1:], *VIEW, "-o", "clamp.png")
-    return [node, os.path.join(HERE, "page.mjs"), place.at("three.glb"), os.path.join(photographs, "three.png"), *CAMERA,
-            "--size", "640x480", "--like", place.at("clamp.png")]
+    """Each program's file, and the light in each of its forms on the scene's own file, is valid; three.js shows the picture."""
+    look = ("--tone", "clamp", "--exposure", "1")
+    files = {program: ("--for", program) for program in PROGRAMS}
+    for form in FORMS:
+        files[form] = ("--scene", place.scene, "--as", form)
+    for name in FORMS[1:]:
+        files[name] += ("--final-gather", "none", "--texels-per-metre", "200")
+    for name, words in files.items():
+        place.run("export", "box.vtkhdf", *words, *look, "-o", f"{name}.glb")
+    subprocess.run([node, os.path.join(HERE, "validate.mjs"), *(place.at(f"{name}.glb") for name in files)], check=True)
+    place.run("render", "box.vtkhdf", *look, *VIEW, "-o", "clamp.png")
+    status = 0
+    for name in ("three", *FORMS):
+        words = [node, os.path.join(HERE, "page.mjs"), place.at(f"{name}.glb"), os.path.join(photographs, f"{name}.png"),
+                 *CAMERA, "--size", "640x480", "--like", place.at("clamp.png")]
+        status |= subprocess.run(words, check=False).returncode
+    return status
 
 
 def main(luxel, node, what):
@@ -97,7 +107,9 @@ def main(luxel, node, what):
         place = Place(luxel, folder)
         photographs = os.environ.get("LUXEL_PAGE_PICTURES") or place.at("photographs")
         os.makedirs(photographs, exist_ok=True)
-        words = show_glb(place, node, photographs) if what == "glb" else click_through(place, node, what, photographs)
+        if what == "glb":
+            return show_glb(place, node, photographs)
+        words = click_through(place, node, what, photographs)
         return subprocess.run(words, check=False).returncode
 
 

@@ -2,6 +2,7 @@
 #include "luxel/export/export_kept.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -102,15 +103,15 @@ class KeptExport {
 // Further primitives of a mesh come behind its own.
 template <typename SurfacesOf, typename Light>
 void KeptExport::put(const SurfacesOf& surfaces_of, const Light& light) {
+  // All copies are taken before the first is changed.
   std::vector<bool> taken(copy_.size("/meshes"));
-  std::optional<std::size_t> node;
-  std::size_t mesh = 0;
+  std::map<std::size_t, std::size_t> mesh_of;  // [node]
+  for (const auto& part : parts_)
+    if (const auto node = part.drawn.placed.number; !mesh_of.contains(node))
+      mesh_of[node] = mesh_of_node(copy_, node, taken);
   for (const auto& part : parts_) {
-    if (node != part.drawn.placed.number) {
-      node = part.drawn.placed.number;
-      mesh = mesh_of_node(copy_, *node, taken);
-    }
     if (!is_opaque(part)) continue;
+    const auto mesh = mesh_of.at(part.drawn.placed.number);
     const auto own = primitive_path(mesh, part.drawn.number);
     const auto surfaces = surfaces_of(part);
     std::vector<std::string> paths;
