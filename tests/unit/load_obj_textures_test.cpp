@@ -18,7 +18,7 @@ class LoadObjTextures : public testing::Test {
   // Two pixels above two: red, green, blue, white; alpha 255, 100, 200, 0.
   LoadObjTextures() {
     files_.write("four.tga",
-                small_tga(2, 2, {{255, 0, 0, 255}, {0, 255, 0, 100}, {0, 0, 255, 200}, {255, 255, 255, 0}}));
+                 small_tga(2, 2, {{255, 0, 0, 255}, {0, 255, 0, 100}, {0, 0, 255, 200}, {255, 255, 255, 0}}));
     files_.write("grey.tga", small_tga(2, 1, {{128, 128, 128, 255}, {127, 127, 127, 255}}));
   }
   Scene load(const std::string& mtl, const std::string& faces = "f 1/1 2/2 3/3 4/4\n") {
@@ -94,9 +94,9 @@ TEST_F(LoadObjTextures, faces_without_coordinates_get_the_mean) {
   EXPECT_EQ(scene.materials[1].reflectance, Vec3(0.5f));
   EXPECT_EQ(scene.triangle_material,
             (std::vector{MaterialId{0}, MaterialId{1}, MaterialId{1}, MaterialId{1}}));
-  EXPECT_NE(
-      files_.all_warnings().find("3 faces of textured materials without texture coordinates (first: line 12)"),
-      std::string::npos)
+  EXPECT_NE(files_.all_warnings().find(
+                "3 faces of textured materials without texture coordinates (first: line 12)"),
+            std::string::npos)
       << files_.all_warnings();
 }
 
