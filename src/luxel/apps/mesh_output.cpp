@@ -62,6 +62,11 @@ void write_lit_glb(const std::string& output, const Baked& baked, const std::opt
                    const Workers& workers, Console& console) {
   const MeshSettings defaults;
   const auto& settings = wish.settings ? *wish.settings : defaults;
+  if (settings.keep_topology && !wish.scene)
+    warn(console.log(),
+         fmt::format("{}: its triangles are the patches; 'luxel export --keep-topology --scene FILE' "
+                     "has those of the scene's file",
+                     output));
   const auto up = up_of(look, baked.patches);
   const bool keeps = wish.scene && (settings.keep_topology || is_gltf(*wish.scene));
   if (!keeps && !settings.on_pages())

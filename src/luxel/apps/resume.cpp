@@ -16,6 +16,7 @@ class Resume final : public Command {
     options.set_positional("FILE", file_, "a .vtkhdf file of --checkpoint or --keep-transport");
     told_.light.declare_bounds(options);
     told_.look.declare(options);
+    told_.mesh.declare(options);
     told_.picture.declare(options);
     told_.run.declare(options, all_kinds);
     told_.light.declare_memory(options);
