@@ -2,104 +2,17 @@
 // glTF files with light on them: what they said stays, and every vertex has the light of its place.
 #include "luxel/export/export_kept.h"
 
-#include <cmath>
-#include <fstream>
-#include <functional>
-
 #include <gtest/gtest.h>
 
 #include "luxel/file/output_file.h"
-#include "luxel/gltf/gltf_array.h"
-#include "luxel/gltf/gltf_parts.h"
-#include "luxel/lightmap/lightmap.h"
-#include "luxel/lightmap/make_charts.h"
-#include "luxel/lightmap/texel_places.h"
-#include "luxel/patch/make_patches.h"
 #include "luxel/report/error.h"
 
-#include "support/linear_light.h"
-#include "support/scene_files.h"
-#include "support/small_gltf.h"
+#include "support/kept_file.h"
 
 namespace luxel {
 namespace {
 
-using test::linear_back;
-using test::linear_front;
-using test::linear_light;
-
-// A quad of 2 x 1 that three nodes show: as it is, turned and scaled below a parent, and mirrored. Beside it
-// a strip without indices whose vertices nothing else has; things that Luxel knows nothing of, and a point
-// light.
-SmallGltf small_room() {
-  SmallGltf gltf;
-  gltf.points({0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0});
-  gltf.array<std::uint8_t>(SmallGltf::u8, "SCALAR", 6, {0, 1, 2, 0, 2, 3});
-  gltf.array<float>(SmallGltf::f32, "VEC2", 4, {0, 0, 1, 0, 1, 0.5f, 0, 0.5f});
-  gltf.array<float>(SmallGltf::f32, "VEC3", 4, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
-  gltf.points({5, 0, 0, 6, 0, 0, 5, 1, 0, 6, 1, 1, 5, 2, 1});
-  gltf.meshes = R"({"name":"plate","primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2,"NORMAL":3},)"
-                R"("indices":1,"material":1,"extras":{"mine":7}}]},)"
-                R"({"primitives":[{"attributes":{"POSITION":4},"mode":5,"material":0}]})";
-  gltf.nodes =
-      R"({"mesh":0,"name":"one","extras":["kept"]},)"
-      R"({"children":[2],"translation":[0,0,4],"rotation":[0,0.7071067811865476,0,0.7071067811865476]},)"
-      R"({"mesh":0,"scale":[2,1,1]},{"mesh":0,"translation":[0,3,0],"scale":[-1,1,1]},{"mesh":1},)"
-      R"({"extensions":{"KHR_lights_punctual":{"light":0}}})";
-  gltf.rest = R"(,"materials":[{"name":"strip"},{"name":"plate","doubleSided":true,"extras":{"of":"mine"},)"
-              R"("pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0.125,1],"metallicFactor":0}}],)"
-              R"("extensionsUsed":["KHR_lights_punctual","FREE_wind"],"extensions":{"FREE_wind":{"speed":3},)"
-              R"("KHR_lights_punctual":{"lights":[{"type":"point"}]}},"extras":"a room")";
-  return gltf;
-}
-
-class ExportKept : public testing::Test {
- protected:
-  void solve(const std::string& name, float max_edge) {
-    scene_ = files_.load(name);
-    patches_ = make_patches(scene_, {.max_edge = max_edge});
-    solution_ = linear_light(patches_);
-  }
-  KeptInput input() const { return {scene_, patches_, solution_}; }
-  std::filesystem::path out() const { return files_.path("lit.glb"); }
-  GltfFile lit() const { return GltfFile(out(), known_extensions()); }
-  void cut() { export_kept_cut(out(), input(), make_smooth_light(patches_, solution_), {}); }
-  void uncut() {
-    export_kept_uncut(out(), input(), fit_vertices(scene_, patches_, make_smooth_light(patches_, solution_)),
-                      {});
-  }
-
-  SceneFiles files_;
-  Scene scene_;
-  PatchSet patches_;
-  Solution solution_;
-};
-
-struct Vertex {
-  Vec3d place;  // in the scene
-  std::uint32_t number;
-};
-
-// Calls for each triangle of each part, its corners as a reader of the file winds them in the scene.
-void for_triangles(GltfFile& file,
-                   const std::function<void(const GltfPart&, const std::array<Vertex, 3>&)>& visit) {
-  for (const auto& part : drawn_parts(file, placed_nodes(file)).parts) {
-    const GltfArray positions(file, part.primitive["attributes"]["POSITION"], 3, 3);
-    for (auto corners : triangle_corners(file, part.primitive, positions.size())) {
-      if (mirrors(part.placed.world)) std::swap(corners[1], corners[2]);
-      std::array<Vertex, 3> triangle{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto p = positions.at(corners[i]);
-        triangle[i] = {Vec3d(part.placed.world * glm::dvec4(p[0], p[1], p[2], 1.0)), corners[i]};
-      }
-      visit(part, triangle);
-    }
-  }
-}
-
-Vec3d normal_of(const std::array<Vertex, 3>& t) {
-  return glm::cross(t[1].place - t[0].place, t[2].place - t[0].place);
-}
+using namespace test;
 
 // Every vertex of a triangle has the light of its place: of the front, or of the back where the triangle
 // faces against the scene's own at that place. Returns the areas of both.
@@ -134,9 +47,6 @@ std::array<double, 2> expect_light_of_place(GltfFile& file, const Scene& scene, 
   });
   return area;
 }
-
-constexpr double plates = 2.0 + 4.0 + 2.0;  // m², of the three nodes
-const double strip = 0.5 + 2 * 0.5 * std::sqrt(3.0);
 
 TEST_F(ExportKept, every_vertex_of_cut_surfaces_has_the_light_of_its_place) {
   files_.write("room.glb", small_room().glb());
@@ -227,70 +137,6 @@ TEST_F(ExportKept, the_back_turns_its_normals_and_the_front_is_seen_from_the_fro
   ASSERT_EQ(primitives.size(), 2u);
   EXPECT_EQ(GltfArray(file, primitives[1]["attributes"]["NORMAL"], 3, 3).at(0)[2], -1.0f);
   EXPECT_FALSE(file.object(primitives[0]["material"], "materials")["doubleSided"].truth(true));
-}
-
-// Each page's texels hold the place that they are of, so that what is looked up at a corner is known.
-TEST_F(ExportKept, pages_are_looked_up_where_the_surface_is) {
-  files_.write("room.glb", small_room().glb());
-  solve("room.glb", 0.4f);
-  const PackOptions pack{.texel = 0.05f, .page_size = 64};
-  const Workers workers(2);
-  const auto charts =
-      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, workers);
-  const auto atlas = pack_charts(patches_, charts, pack);
-  const auto places = find_texel_places(atlas, workers);
-  std::vector<Image> pages;
-  for (const auto& of_page : places) {
-    auto& page = pages.emplace_back(atlas.page_size, atlas.page_size);
-    for (std::size_t i = 0; i < of_page.size(); ++i) {
-      if (of_page[i].kind == Texel::empty) continue;
-      const auto p = patches_.points(of_page[i].side / 2);
-      const auto& w = of_page[i].weights;
-      page.pixels[i] = p[0] + w.x * (p[1] - p[0]) + w.y * (p[2] - p[0]);
-    }
-  }
-  ASSERT_GT(pages.size(), 1u) << "the test is to have several pages";
-  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
-  auto file = lit();
-  double area = 0.0;
-  for_triangles(file, [&](const GltfPart& part, const std::array<Vertex, 3>& triangle) {
-    const auto map = file.object(part.primitive["material"], "materials")["extensions"]["MOZ_lightmap"];
-    const auto set = fmt::format("TEXCOORD_{}", map["texCoord"].whole());
-    const auto texture = file.object(map["index"], "textures");
-    const auto name = file.object(texture["source"], "images")["name"].text();  // "lightmap 2"
-    const auto page = static_cast<std::size_t>(std::stoi(name.substr(name.rfind(' ')))) - 1;
-    const GltfArray uvs(file, part.primitive["attributes"][set], 2, 2);
-    area += 0.5 * glm::length(normal_of(triangle));
-    for (const auto& weights : {Vec3d(0.6, 0.2, 0.2), Vec3d(0.2, 0.6, 0.2), Vec3d(1.0 / 3.0)}) {
-      Vec2 uv(0.0f);
-      Vec3d place(0.0);
-      for (int i = 0; i < 3; ++i) {
-        const auto at = uvs.at(triangle[static_cast<std::size_t>(i)].number);
-        uv += static_cast<float>(weights[i]) * Vec2(at[0], at[1]);
-        place += weights[i] * triangle[static_cast<std::size_t>(i)].place;
-      }
-      const auto found = look_up(pages.at(page), uv * static_cast<float>(atlas.page_size));
-      EXPECT_LT(glm::length(Vec3d(found) - place), 0.02) << "less than half a texel";
-    }
-  });
-  EXPECT_NEAR(area, 2.0 * plates + strip, 1e-4);
-}
-
-TEST_F(ExportKept, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
-  files_.write("room.glb", small_room().glb());
-  solve("room.glb", 0.0f);
-  const PackOptions pack{.texel = 0.1f, .page_size = 256};
-  const auto charts =
-      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
-  const auto atlas = pack_charts(patches_, charts, pack);
-  const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
-  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
-  EXPECT_FALSE(lit().root()["nodes"][5]["extensions"]["KHR_lights_punctual"]);
-  export_kept_emissive(out(), input(), {atlas, pages}, {});
-  const auto file = lit();
-  const auto material = file.object(file.root()["meshes"][0]["primitives"][0]["material"], "materials");
-  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][0].number(), 0.0);
-  EXPECT_TRUE(material["emissiveTexture"]["index"]);
 }
 
 TEST_F(ExportKept, other_formats_become_what_they_would_be_as_gltf) {

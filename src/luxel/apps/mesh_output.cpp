@@ -8,6 +8,7 @@
 #include "luxel/apps/outputs.h"
 #include "luxel/export/export_kept.h"
 #include "luxel/export/export_mesh.h"
+#include "luxel/export/kept_layout.h"
 #include "luxel/lightmap/make_lightmap.h"
 #include "luxel/lightmap/radiance_pages.h"
 #include "luxel/surface/vertex_fit.h"
@@ -17,6 +18,28 @@ namespace {
 
 constexpr double worth_saying = 0.02;  // of the light that the file's own triangles cannot show
 
+// What the scene's file says of where its surfaces lie, where that is wanted and can be used.
+std::optional<GivenLayout> layout_of_file(const KeptInput& input, const MeshSettings& settings,
+                                          const KeptOptions& options, Console& console) {
+  if (settings.layout == "new") return std::nullopt;
+  std::string why;
+  auto given = kept_layout(input.scene, input.patches, options.metres_a_unit, why);
+  if (given)
+    console.say(fmt::format("{} are used as the file has them, on {} page{}", lightmap_coordinates,
+                            given->pages, given->pages == 1 ? "" : "s"));
+  else if (!why.empty())
+    warn(console.log(), fmt::format("{}: the file's {} are not used, charts are made: {}", input.scene.source,
+                                    lightmap_coordinates, why));
+  return given;
+}
+
+LaidOut laid_out(const KeptInput& input, const GivenLayout& given, const LightmapOptions& options,
+                 const Workers& workers) {
+  const auto texels = texels_per_metre(input.patches, input.solution, options);
+  return lay_out(input.scene, input.patches, given, options.crease_angle,
+                 page_size_for(input.scene, given, texels, options.page_size), options.margin, workers);
+}
+
 void write_on_pages(const std::string& output, const KeptInput& input, const MeshSettings& settings,
                     const KeptOptions& options, const LookSettings& look, const Tracer* tracer,
                     const Workers& workers, Console& console) {
@@ -24,16 +47,21 @@ void write_on_pages(const std::string& output, const KeptInput& input, const Mes
   lightmap_options.crease_angle = look.smooth.crease_angle;
   LightmapReport report;
   console.announce("charts");
-  const auto lightmap = make_lightmap(input.patches, input.solution, needs_rays(settings) ? tracer : nullptr,
-                                      lightmap_options, workers, &report, console.monitor());
+  const auto* rays = needs_rays(settings) ? tracer : nullptr;
+  const auto given = layout_of_file(input, settings, options, console);
+  const auto lightmap = given ? fill_lightmap(input.patches, input.solution, rays,
+                                              laid_out(input, *given, lightmap_options, workers),
+                                              lightmap_options, workers, &report, console.monitor())
+                              : make_lightmap(input.patches, input.solution, rays, lightmap_options, workers,
+                                              &report, console.monitor());
   console.clear_bar();
   console.say(describe(lightmap, report));
   if (settings.as == "emissive") {
     const auto pages = radiance_pages(input.patches, lightmap, workers);
-    return export_kept_emissive(output, input, {lightmap.atlas, pages}, options);
+    return export_kept_emissive(output, input, {lightmap.atlas, pages, 1.0f, given.has_value()}, options);
   }
   const auto pages = irradiance_pages(lightmap);
-  export_kept_lightmap(output, input, {lightmap.atlas, pages, white_of(pages)}, options);
+  export_kept_lightmap(output, input, {lightmap.atlas, pages, white_of(pages), given.has_value()}, options);
 }
 
 void write_kept(const std::string& output, const KeptInput& input, const std::optional<SmoothLight>& light,

@@ -60,8 +60,9 @@ class KeptExport {
   void colour(const KeptPart& part, const KeptSurface& surface, const std::string& path,
               const std::vector<float>& front, const std::vector<float>& back);
   std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name);
-  // The further texture coordinates; gives their number.
-  std::size_t add_coordinates(const KeptSurface& surface, const std::string& path);
+  // What a part becomes, and the further texture coordinates of a surface: their number.
+  std::vector<KeptSurface> surfaces_on(const KeptPages& pages, const KeptPart& part) const;
+  std::size_t add_coordinates(const KeptPages& pages, const KeptSurface& surface, const std::string& path);
   void put_out_lamps();
 
   GltfCopy& copy() { return copy_; }
@@ -188,8 +189,23 @@ std::vector<std::size_t> KeptExport::add_pages(const std::vector<Image>& pages, 
   return textures;
 }
 
+// Coordinates of the file's own are of fronts, and of a page for each node or one for all.
+std::vector<KeptSurface> KeptExport::surfaces_on(const KeptPages& pages, const KeptPart& part) const {
+  if (!pages.as_file_has_it) return mapped_surfaces(kept(), part, pages.atlas);
+  auto surfaces = uncut_surfaces(kept(), part);
+  surfaces.resize(1);
+  for (const auto t : part.triangles)
+    if (of_triangles_.begin(t) < of_triangles_.end(t)) {
+      surfaces[0].page = pages.atlas.page_of(2 * std::size_t{of_triangles_.begin(t)});
+      break;
+    }
+  return surfaces;
+}
+
 // Sets are counted without a gap, and programs look for a lightmap in the second.
-std::size_t KeptExport::add_coordinates(const KeptSurface& surface, const std::string& path) {
+std::size_t KeptExport::add_coordinates(const KeptPages& pages, const KeptSurface& surface,
+                                        const std::string& path) {
+  if (pages.as_file_has_it) return 1;
   const auto set = [&](std::size_t n) { return fmt::format("{}/attributes/TEXCOORD_{}", path, n); };
   const auto accessor = fmt::format("{}", copy_.add_vectors(std::span<const Vec2>(surface.uv)));
   std::size_t number = 0;
@@ -295,9 +311,9 @@ void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& in
   const auto textures = output.add_pages(codes, "lightmap");
   const auto scale = output.curve().scale;
   const auto colours = input.patches.colours();
-  output.put([&](const KeptPart& part) { return mapped_surfaces(output.kept(), part, pages.atlas); },
+  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part); },
              [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
-               const auto set = output.add_coordinates(surface, place);
+               const auto set = output.add_coordinates(pages, surface, place);
                const auto own = in_gamut(colours.rgb(output.material_of(part).emittance)) / pi;
                output.materials().lightmapped(place, part.drawn.primitive["material"], textures[surface.page],
                                               set, scale * pages.white, scale * own);
@@ -319,9 +335,9 @@ void export_kept_emissive(const std::filesystem::path& path, const KeptInput& in
   for (auto& page : shown)
     for (auto& pixel : page.pixels) pixel = output.curve()(pixel);
   const auto textures = output.add_pages(shown, "light");
-  output.put([&](const KeptPart& part) { return mapped_surfaces(output.kept(), part, pages.atlas); },
+  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part); },
              [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
-               const auto set = output.add_coordinates(surface, place);
+               const auto set = output.add_coordinates(pages, surface, place);
                output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
                                           set);
              });

@@ -61,6 +61,7 @@ struct KeptPages {
   const Atlas& atlas;
   const std::vector<Image>& pages;  // [page]; irradiance, W/m², or radiance, W/(m² sr)
   float white = 1.0f;               // what a texel of 1 stands for
+  bool as_file_has_it = false;      // the file's own coordinates (kept_layout()), not new ones
 };
 
 // Further texture coordinates where the pages show each surface; triangles stay as they are but where charts

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "luxel/lightmap/chart_cuts.h"
 #include "luxel/lightmap/flat_piece.h"
+#include "luxel/math/trig.h"
 #include "luxel/report/error.h"
 #include "luxel/surface/side_nodes.h"
 
@@ -32,11 +32,6 @@ void check(const PatchSet& patches, const Solution& solution, const ChartOptions
   if (options.most_texels < 1)
     throw InputError(
         fmt::format("a chart must have room for a texel, but it has for {}", options.most_texels));
-}
-
-// Rounded to float, which hides the last bit of a double cosine: that one differs between hosts.
-float cosine_of_degrees(float degrees) {
-  return static_cast<float>(std::cos(static_cast<double>(degrees) * std::numbers::pi / 180.0));
 }
 
 // Grows pieces that face much the same way.

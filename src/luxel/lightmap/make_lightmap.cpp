@@ -34,33 +34,42 @@ double automatic_texels(const PatchSet& patches, const Solution& solution, int p
 
 }  // namespace
 
-Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
-                       const LightmapOptions& options, const Workers& workers, LightmapReport* report,
-                       const Monitor& monitor) {
-  const auto texels_per_metre = options.texels_per_metre
-                                    ? *options.texels_per_metre
-                                    : automatic_texels(patches, solution, options.page_size);
-  if (!(texels_per_metre > 0.0) || !std::isfinite(texels_per_metre))
-    throw InputError(
-        fmt::format("the texels a metre must be more than 0, but they are {}", texels_per_metre));
-  const PackOptions pack{.texel = static_cast<float>(1.0 / texels_per_metre),
-                         .page_size = options.page_size,
-                         .margin = options.margin};
-  check_pack_options(patches, pack);
-  const auto charts = make_charts(
-      patches, solution,
-      {.texel = pack.texel, .crease_angle = options.crease_angle, .most_texels = most_texels(pack)}, workers);
-  const auto smooth = make_smooth_light(patches, solution, {.crease_angle = options.crease_angle}, workers);
+double texels_per_metre(const PatchSet& patches, const Solution& solution, const LightmapOptions& options) {
+  const auto texels = options.texels_per_metre ? *options.texels_per_metre
+                                               : automatic_texels(patches, solution, options.page_size);
+  if (!(texels > 0.0) || !std::isfinite(texels))
+    throw InputError(fmt::format("the texels a metre must be more than 0, but they are {}", texels));
+  return texels;
+}
 
+Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
+                       const LaidOut& laid, const LightmapOptions& options, const Workers& workers,
+                       LightmapReport* report, const Monitor& monitor) {
+  const auto smooth = make_smooth_light(patches, solution, {.crease_angle = options.crease_angle}, workers);
   Lightmap lightmap;
   LightmapReport done;
-  done.charts = charts.charts.size();
-  lightmap.atlas = pack_charts(patches, charts, pack);
+  done.charts = laid.charts.charts.size();
+  lightmap.atlas = laid.atlas;
   done.texels = gather_texels(patches, solution, smooth, tracer, options.texels, workers, lightmap, monitor);
-  done.seams = solve_seams(charts, lightmap);
+  done.seams = solve_seams(laid.charts, lightmap);
   dilate(lightmap, options.margin);
   if (report) *report = done;
   return lightmap;
+}
+
+Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
+                       const LightmapOptions& options, const Workers& workers, LightmapReport* report,
+                       const Monitor& monitor) {
+  const PackOptions pack{.texel = static_cast<float>(1.0 / texels_per_metre(patches, solution, options)),
+                         .page_size = options.page_size,
+                         .margin = options.margin};
+  check_pack_options(patches, pack);
+  LaidOut laid;
+  laid.charts = make_charts(
+      patches, solution,
+      {.texel = pack.texel, .crease_angle = options.crease_angle, .most_texels = most_texels(pack)}, workers);
+  laid.atlas = pack_charts(patches, laid.charts, pack);
+  return fill_lightmap(patches, solution, tracer, laid, options, workers, report, monitor);
 }
 
 }  // namespace luxel

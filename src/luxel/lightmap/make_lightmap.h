@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "luxel/lightmap/gather_texels.h"
+#include "luxel/lightmap/given_layout.h"
 #include "luxel/lightmap/lightmap.h"
 #include "luxel/lightmap/solve_seams.h"
 #include "luxel/parallel/workers.h"
@@ -27,6 +28,15 @@ struct LightmapReport {
   TexelReport texels;
   SeamReport seams;
 };
+
+// What the options ask for, or what suits the surfaces where they leave it open.
+double texels_per_metre(const PatchSet& patches, const Solution& solution, const LightmapOptions& options);
+
+// The light of surfaces that are laid out already, here or by the scene's file: texels gathered, seams
+// solved, margins filled. As make_lightmap() in all else.
+Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
+                       const LaidOut& laid, const LightmapOptions& options, const Workers& workers,
+                       LightmapReport* report = nullptr, const Monitor& monitor = {});
 
 // A lightmap of all lit surfaces: charts are made and packed, texels gathered, seams solved, margins filled.
 // tracer: none, and there is no final gather. The same bytes on any number of threads. After the monitor's

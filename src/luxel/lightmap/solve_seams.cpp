@@ -107,11 +107,11 @@ int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Num
 
 std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas) {
   constexpr double places_a_texel = 2.0;
+  constexpr float same_place = 1e-2f;  // texels; nearer, the layout runs on as the surface does
   std::vector<SeamPlace> places;
   for (const auto& edge : charts.edges) {
     const auto side_a = edge.halves[0].side, side_b = edge.halves[1].side;
     if (!edge.smooth || !atlas.has(side_a) || !atlas.has(side_b)) continue;
-    if (atlas.chart_of[side_a] == atlas.chart_of[side_b]) continue;
     std::array<std::array<Vec2, 2>, 2> ends;  // [half][end], texels
     double length = 0.0;
     for (std::size_t h = 0; h < 2; ++h) {
@@ -120,6 +120,9 @@ std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas
       ends[h] = {a + half.from * (b - a), a + half.to * (b - a)};
       length = std::max(length, static_cast<double>(glm::length(ends[h][1] - ends[h][0])));
     }
+    if (atlas.page_of(side_a) == atlas.page_of(side_b) && glm::length(ends[0][0] - ends[1][0]) < same_place &&
+        glm::length(ends[0][1] - ends[1][1]) < same_place)
+      continue;
     const auto count = std::max(1, static_cast<int>(std::ceil(places_a_texel * length)));
     for (int i = 0; i < count; ++i) {
       const auto share = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);

@@ -75,4 +75,9 @@ inline double arc_cosine(double x) {
   return arc_tangent(std::sqrt((1.0 - c) * (1.0 + c)), c);
 }
 
+// Rounded to float, which hides the last bit of a double cosine: that one differs between hosts.
+inline float cosine_of_degrees(float degrees) {
+  return static_cast<float>(std::cos(static_cast<double>(degrees) * std::numbers::pi / 180.0));
+}
+
 }  // namespace luxel

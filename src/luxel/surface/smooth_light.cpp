@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "luxel/math/trig.h"
 #include "luxel/report/error.h"
 #include "luxel/surface/node_light.h"
 #include "luxel/surface/side_light.h"
@@ -27,11 +27,6 @@ void check(const PatchSet& patches, const Solution& solution, const SmoothOption
   if (!(options.crease_angle >= 0.0f && options.crease_angle <= 180.0f))
     throw InputError(
         fmt::format("the crease angle must be from 0 to 180 degrees, but it is {}", options.crease_angle));
-}
-
-// Rounded to float, which hides the last bit of a double cosine: that one differs between hosts.
-float cosine_of_degrees(float degrees) {
-  return static_cast<float>(std::cos(static_cast<double>(degrees) * std::numbers::pi / 180.0));
 }
 
 // A smooth vertex has a front and a back: corners share one where both their nodes are the same.

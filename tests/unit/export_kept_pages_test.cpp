@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// glTF files with pages of light on them, in new charts and as the files themselves lay their surfaces out.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "luxel/export/export_kept.h"
+#include "luxel/export/kept_layout.h"
+#include "luxel/lightmap/lightmap.h"
+#include "luxel/lightmap/make_charts.h"
+#include "luxel/lightmap/solve_seams.h"
+#include "luxel/lightmap/texel_places.h"
+
+#include "support/kept_file.h"
+
+namespace luxel {
+namespace {
+
+using namespace test;
+
+// Pages whose texels hold the place that they are of, so that what is looked up at a corner is known.
+std::vector<Image> pages_of_places(const PatchSet& patches, const Atlas& atlas) {
+  std::vector<Image> pages;
+  for (const auto& of_page : find_texel_places(atlas, Workers(2))) {
+    auto& page = pages.emplace_back(atlas.page_size, atlas.page_size);
+    for (std::size_t i = 0; i < of_page.size(); ++i) {
+      if (of_page[i].kind == Texel::empty) continue;
+      const auto p = patches.points(of_page[i].side / 2);
+      const auto& w = of_page[i].weights;
+      page.pixels[i] = p[0] + w.x * (p[1] - p[0]) + w.y * (p[2] - p[0]);
+    }
+  }
+  return pages;
+}
+
+// What a reader of the file looks up at places of its triangles is there to less than `texel` / 2. Returns
+// the area that has a page.
+double expect_places(GltfFile& file, const std::vector<Image>& pages, int page_size, double texel) {
+  double area = 0.0;
+  for_triangles(file, [&](const GltfPart& part, const std::array<Vertex, 3>& triangle) {
+    const auto map = file.object(part.primitive["material"], "materials")["extensions"]["MOZ_lightmap"];
+    const auto set = fmt::format("TEXCOORD_{}", map["texCoord"].whole());
+    const auto texture = file.object(map["index"], "textures");
+    const auto name = file.object(texture["source"], "images")["name"].text();  // "lightmap 2"
+    const auto page = static_cast<std::size_t>(std::stoi(name.substr(name.rfind(' ')))) - 1;
+    const GltfArray uvs(file, part.primitive["attributes"][set], 2, 2);
+    area += 0.5 * glm::length(normal_of(triangle));
+    for (const auto& weights : {Vec3d(0.6, 0.2, 0.2), Vec3d(0.2, 0.6, 0.2), Vec3d(1.0 / 3.0)}) {
+      Vec2 uv(0.0f);
+      Vec3d place(0.0);
+      for (int i = 0; i < 3; ++i) {
+        const auto at = uvs.at(triangle[static_cast<std::size_t>(i)].number);
+        uv += static_cast<float>(weights[i]) * Vec2(at[0], at[1]);
+        place += weights[i] * triangle[static_cast<std::size_t>(i)].place;
+      }
+      const auto found = look_up(pages.at(page), uv * static_cast<float>(page_size));
+      EXPECT_LT(glm::length(Vec3d(found) - place), 0.5 * texel) << part.object;
+    }
+  });
+  return area;
+}
+
+TEST_F(ExportKeptPages, pages_are_looked_up_where_the_surface_is) {
+  files_.write("room.glb", small_room().glb());
+  solve("room.glb", 0.4f);
+  const PackOptions pack{.texel = 0.05f, .page_size = 64};
+  const auto charts =
+      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(2));
+  const auto atlas = pack_charts(patches_, charts, pack);
+  const auto pages = pages_of_places(patches_, atlas);
+  ASSERT_GT(pages.size(), 1u) << "the test is to have several pages";
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  auto file = lit();
+  EXPECT_NEAR(expect_places(file, pages, atlas.page_size, 0.05), 2.0 * plates + strip, 1e-4);
+}
+
+// Two nodes, each a square of 1 m in two halves that lie apart on the page though the surface goes on.
+SmallGltf mapped_room(float second_from) {
+  SmallGltf gltf;
+  gltf.points({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
+  const auto add_uvs = [&](float x) {
+    gltf.array<float>(SmallGltf::f32, "VEC2", 6,
+                      {x, 0.9f, x + 0.4f, 0.9f, x + 0.4f, 0.5f, x, 0.4f, x + 0.4f, 0.0f, x, 0.0f});
+  };
+  add_uvs(0.05f);
+  add_uvs(second_from);
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":1}}]},)"
+                R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":2}}]})";
+  gltf.nodes = R"({"mesh":0,"name":"one"},{"mesh":1,"name":"two","translation":[0,0,3]})";
+  return gltf;
+}
+
+TEST_F(ExportKeptPages, a_files_own_coordinates_are_used_as_they_are) {
+  for (const auto& [second_from, pages_wanted] : {std::pair(0.55f, 1u), std::pair(0.05f, 2u)}) {
+    files_.write("room.glb", mapped_room(second_from).glb());
+    solve("room.glb", 0.3f);
+    std::string why;
+    const auto given = kept_layout(scene_, patches_, 1.0, why);
+    ASSERT_TRUE(given) << why;
+    EXPECT_EQ(given->pages, pages_wanted);
+    EXPECT_EQ(page_size_for(scene_, *given, 40.0, 1024), 128) << "40 / 0.4 = 100 texels";
+    const auto laid = lay_out(scene_, patches_, *given, 30.0f, 128, 2, Workers(2));
+    const auto pages = pages_of_places(patches_, laid.atlas);
+    ASSERT_EQ(pages.size(), pages_wanted);
+    export_kept_lightmap(out(), input(), {laid.atlas, pages, 1.0f, true}, {});
+    auto file = lit();
+    EXPECT_NEAR(expect_places(file, pages, 128, 1.0 / (0.4 * 128)), 2.0, 1e-6);
+    EXPECT_FALSE(file.root()["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_2"]);
+    EXPECT_EQ(file.root()["meshes"][0]["primitives"].size(), 1u);
+    // The diagonal of each, 1.41 m long at 51 texels a metre, two places a texel.
+    const auto seams = find_seam_places(laid.charts, laid.atlas);
+    EXPECT_NEAR(static_cast<double>(seams.size()), 2 * 2 * std::sqrt(2.0) * 0.4 * 128, 20.0);
+  }
+}
+
+TEST_F(ExportKeptPages, coordinates_that_cannot_be_used_are_not_and_the_reason_is_told) {
+  std::string why;
+  files_.write("room.glb", mapped_room(0.7f).glb());  // to 1.1
+  solve("room.glb", 0.3f);
+  EXPECT_FALSE(kept_layout(scene_, patches_, 1.0, why));
+  EXPECT_EQ(why, "those of 'two' go beyond the page");
+  auto some = mapped_room(0.55f);
+  some.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":1}}]},)"
+                R"({"primitives":[{"attributes":{"POSITION":0}}]})";
+  files_.write("room.glb", some.glb());
+  solve("room.glb", 0.3f);
+  EXPECT_FALSE(kept_layout(scene_, patches_, 1.0, why));
+  EXPECT_EQ(why, "'two' has none");
+  auto over = mapped_room(0.55f);
+  over.array<float>(SmallGltf::f32, "VEC2", 6, {0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0.9f, 0.2f});
+  over.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":3}}]},)"
+                R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":2}}]})";
+  files_.write("room.glb", over.glb());
+  solve("room.glb", 0.3f);
+  EXPECT_FALSE(kept_layout(scene_, patches_, 1.0, why));
+  EXPECT_EQ(why, "surfaces of one node lie over each other");
+  files_.write("room.glb", small_room().glb());
+  solve("room.glb", 0.3f);
+  EXPECT_FALSE(kept_layout(scene_, patches_, 1.0, why));
+  EXPECT_EQ(why, "") << "a file without any is no fault";
+}
+
+TEST_F(ExportKeptPages, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
+  files_.write("room.glb", small_room().glb());
+  solve("room.glb", 0.0f);
+  const PackOptions pack{.texel = 0.1f, .page_size = 256};
+  const auto charts =
+      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
+  const auto atlas = pack_charts(patches_, charts, pack);
+  const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  EXPECT_FALSE(lit().root()["nodes"][5]["extensions"]["KHR_lights_punctual"]);
+  export_kept_emissive(out(), input(), {atlas, pages}, {});
+  const auto file = lit();
+  const auto material = file.object(file.root()["meshes"][0]["primitives"][0]["material"], "materials");
+  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][0].number(), 0.0);
+  EXPECT_TRUE(material["emissiveTexture"]["index"]);
+}
+
+}  // namespace
+}  // namespace luxel
