@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program as a person uses it.
+#include <sstream>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -297,6 +299,23 @@ TEST(Program, that_is_interrupted_writes_what_it_has_and_says_so) {
   EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
   const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
   EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
+}
+
+TEST(Program, tells_another_program_line_by_line_how_far_it_has_come) {
+  const auto folder = fresh_folder("progress");
+  const auto run = cli::run(folder, quick + "--progress json --quiet -o a.vtkhdf");
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::istringstream lines(run.err);
+  bool has_light = false;
+  for (std::string line; std::getline(lines, line);) {
+    const auto json = Json::parse(line);
+    has_light |= json["stage"] == "light";
+    EXPECT_GE(json["done"].get<double>(), 0.0) << line;
+    EXPECT_LE(json["done"].get<double>(), 1.0) << line;
+    EXPECT_GE(json["error"].get<double>(), 0.0) << line;
+  }
+  EXPECT_TRUE(has_light) << run.err;
+  EXPECT_EQ(cli::run(folder, quick + "--progress loud -o a.vtkhdf").code, 2);
 }
 
 TEST(Program, that_is_interrupted_while_it_draws_keeps_the_light_and_writes_no_half_picture) {

@@ -21,7 +21,7 @@ class Bake final : public Command {
   int run() override {
     settings_.check();
     settings_.light.sampled.ranks = settings_.light.shooting.ranks = ranks();
-    Console console(settings_.run.quiet);
+    Console console(settings_.run);
     const Workers workers(settings_.run.threads);
     RunRecord record;
 

@@ -33,7 +33,7 @@ class Check final : public Command {
   int run() override {
     scene_.check();
     if (!run_.outputs.empty()) check_before_work(run_, {}, kinds);
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     const auto scene = record.stage("load", [&](auto&) {

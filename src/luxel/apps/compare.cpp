@@ -46,7 +46,7 @@ class Compare final : public Command {
 
   int run() override {
     check();
-    Console console(run_.quiet);
+    Console console(run_);
     is_solution(a_) ? compare_baked(console) : compare_images();
     return exit_fine;
   }

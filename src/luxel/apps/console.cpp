@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "luxel/apps/commands.h"
+#include "luxel/apps/settings.h"
 #include "luxel/apps/streams.h"
 
 namespace luxel {
@@ -50,7 +51,9 @@ void keep_silent() {
 }
 bool interrupted() { return interrupt_requested != 0; }
 
-Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+Console::Console() : Console(RunSettings()) {}
+Console::Console(const RunSettings& run)
+    : quiet_(run.quiet), as_json_(run.progress == "json"), terminal_(isatty(STDERR_FILENO) == 1) {}
 Console::~Console() { clear_bar(); }
 
 void Console::say(const std::string& line) {
@@ -71,13 +74,16 @@ LogSink Console::log() {
 
 Monitor Console::monitor(bool heeds_interrupt) {
   return [this, heeds_interrupt](const Progress& progress) {
-    if (!quiet_) show(progress);
+    if (as_json_)
+      tell_program(progress);
+    else if (!quiet_)
+      show(progress);
     return heeds_interrupt && interrupted() ? Next::stop : Next::go_on;
   };
 }
 
 void Console::announce(const std::string& stage) {
-  if (quiet_ || !terminal_) return;
+  if (quiet_ || as_json_ || !terminal_) return;
   note(fmt::format("\r\033[K{} ...", stage));
   bar_shown_ = true;
 }
@@ -115,6 +121,18 @@ void Console::show(const Progress& progress) {
   note(fmt::format("\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "", bar_width - filled,
                    numbers));
   bar_shown_ = true;
+}
+
+// Names of stages are words of our own, so nothing in them needs to be escaped; infinity is no word of JSON.
+void Console::tell_program(const Progress& progress) {
+  const auto now = Clock::now();
+  const bool is_new = stage_ != progress.stage;
+  if (!is_new && now - last_shown_ < std::chrono::milliseconds(200)) return;
+  stage_ = progress.stage;
+  last_shown_ = now;
+  note(fmt::format("{{\"stage\": \"{}\", \"done\": {:.4f}, \"rays\": {}, \"error\": {:.4g}}}\n", stage_,
+                   std::clamp(progress.done, 0.0, 1.0), progress.rays,
+                   std::isfinite(progress.error) ? progress.error : 0.0));
 }
 
 int stopped_before_light(Console& console) {

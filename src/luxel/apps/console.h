@@ -9,12 +9,15 @@
 
 namespace luxel {
 
+struct RunSettings;
+
 // What the program says while it works, on the standard error stream: sentences, and a progress bar on a
-// terminal or a line now and then where there is none. Results go to the standard output and never through
-// here.
+// terminal or a line now and then where there is none; with --progress json a line of JSON for another
+// program. Results go to the standard output and never through here.
 class Console {
  public:
-  explicit Console(bool quiet);
+  Console();
+  explicit Console(const RunSettings& run);
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -32,8 +35,10 @@ class Console {
  private:
   using Clock = std::chrono::steady_clock;
   void show(const Progress& progress);
+  void tell_program(const Progress& progress);
 
   bool quiet_;
+  bool as_json_;
   bool terminal_;
   bool bar_shown_ = false;
   std::string stage_;

@@ -41,7 +41,7 @@ class FromSolution final : public Command {
     mesh_.check();
     if (mesh_.keep_topology && scene_.empty())
       throw UsageError("--keep-topology needs the file that has the triangles: give --scene FILE as well");
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     const auto kept = record.stage("read", [&](auto&) { return read(); });

@@ -42,7 +42,7 @@ class LightmapCommand final : public Command {
 
   int run() override {
     check();
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });

@@ -25,7 +25,7 @@ class Merge final : public Command {
 
   int run() override {
     check_before_work(run_, picture_, all_kinds);
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     std::vector<NamedSolution> solutions;

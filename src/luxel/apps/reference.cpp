@@ -34,7 +34,7 @@ class Reference final : public Command {
 
   int run() override {
     check();
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     auto baked = read(console, record);

@@ -65,7 +65,7 @@ class Relight final : public Command {
 
   int run() override {
     check_before_work(run_, picture_, all_kinds);
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     auto kept = record.stage("read", [&](auto&) { return read_kept_run(file_); });

@@ -27,7 +27,7 @@ class Resume final : public Command {
 
   int run() override {
     check_before_work(told_.run, told_.picture, all_kinds, file_);
-    Console console(told_.run.quiet);
+    Console console(told_.run);
     const Workers workers(told_.run.threads);
     RunRecord record;
 

@@ -185,6 +185,10 @@ void RunSettings::declare(OptionSet& set, const std::string& kinds) {
   set.add_text("report", "FILE", report, "write what --json prints to a file as well");
   set.add_flag("json", json, "print the result as JSON");
   set.add_flag("quiet", quiet, "say warnings only");
+  set.add_choice(
+      "progress", {"auto", "json"}, progress,
+      "how far it has come, on the standard error: for a person, or a line of JSON a few times a second "
+      "for a program");
 }
 
 }  // namespace luxel

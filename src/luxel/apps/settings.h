@@ -101,6 +101,7 @@ struct RunSettings {
   int threads = 0;
   bool json = false;
   bool quiet = false;
+  std::string progress = "auto";
   std::string report;
   // kinds: the endings -o takes, for the help.
   void declare(OptionSet& set, const std::string& kinds);

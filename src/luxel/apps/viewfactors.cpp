@@ -31,7 +31,7 @@ class ViewFactorsCommand final : public Command {
   int run() override {
     settings_.check();
     check_before_work(run_, {}, kinds);
-    Console console(run_.quiet);
+    Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
 
