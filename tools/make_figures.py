@@ -12,7 +12,7 @@ import os
 import sys
 import time
 
-from figures import lightmap, measured, pictures, sharing, viewer
+from figures import blender, lightmap, measured, pictures, sharing, viewer
 from figures.runs import Luxel, keep_json
 from figures.scenes import ROOT
 
@@ -29,6 +29,7 @@ SECTIONS = {
                  for what in ("", "-difference", "-patches")]),
     "lightmap": (lightmap.lightmap, lightmap.NAMES),
     "viewer": (viewer.viewer, viewer.NAMES),
+    "blender": (blender.office, blender.NAMES),
     "sharing": (sharing.page, sharing.NAMES),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""blender_test.py LUXEL BLENDER CHECK: the add-on in a Blender without a window; the checks are those of in_blender.py.
+
+Ends with 77, and a line that says why, where there is no Blender.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def main(luxel, blender, check):
+    if not os.path.exists(blender):
+        print("skipped: there is no Blender: apt-get install blender")
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        # Blender looks for its Python's libraries by the PATH: another python3 on it would lead it astray.
+        words = {**os.environ, "PATH": "/usr/bin:/bin", "PYTHONDONTWRITEBYTECODE": "1"}
+        done = subprocess.run([blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
+                               os.path.join(HERE, "in_blender.py"), "--", luxel, check, folder],
+                              env=words, check=False)
+    return done.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
