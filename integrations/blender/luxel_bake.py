@@ -1029,7 +1029,7 @@ def cut_faces(mesh, face, place, uv):
         piece = work.faces.new(around)
         piece.copy_from(source)
         for corner, at in zip(piece.loops, coordinates):
-            corner.copy_from_face_interp(source, False, False)
+            interpolate_layers(corner, source)
             corner[layer].uv = at
         pieces.append(piece)
     bmesh.ops.delete(work, geom=list(old.values()), context="FACES_ONLY")
@@ -1041,6 +1041,14 @@ def cut_faces(mesh, face, place, uv):
     work.to_mesh(mesh)
     work.free()
     mesh.update()
+
+
+def interpolate_layers(corner, source):
+    """Blender 3.4 takes the arguments of this call as one tuple, by mistake."""
+    try:
+        corner.copy_from_face_interp(source, False, False)
+    except TypeError:
+        corner.copy_from_face_interp((source, False, False))
 
 
 def frozen_place(at):

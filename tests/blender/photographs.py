@@ -63,8 +63,8 @@ def main(luxel, folder, size):
     scene = rooms.fresh_scene()
     rooms.office(cell=0.35 if small else 0.0875)
     in_blender.add_on()
-    look(scene, (96, 72) if small else (640, 480))
-    render(scene, folder, "blender-cycles.png", 4 if small else 400)
+    look(scene, (96, 72) if small else (480, 360))
+    render(scene, folder, "blender-cycles.png", 4 if small else 256)
     scene.luxel.error = 5.0 if small else 1.0
     bpy.ops.luxel.bake(program=luxel)
     show_baked()

@@ -113,7 +113,7 @@ def cornell_box(cell=0.03):
          color=(1.0, 12.0 / 16.5, 5.5 / 16.5))
 
 
-def office(cell=0.175):
+def office(cell=0.2):
     """4.2 x 5.6 x 2.8 m: two desks, shelves, a screen, a bulb, a spot, a window that glows, and on the ceiling two panels
     that are area lamps and two that are sheets in openings."""
     w, d, h = 4.2, 5.6, 2.8
