@@ -83,7 +83,8 @@ class Surface:
 class MaterialReader:
     """Reads node trees; what it has to leave out is noted, once for each material."""
 
-    def __init__(self):
+    def __init__(self, gloss_is_diffuse=True):
+        self.gloss_is_diffuse = gloss_is_diffuse
         self.notes = []
         self.name = ""
 
@@ -120,9 +121,15 @@ class MaterialReader:
         passes = self.number(node.inputs["Transmission"]) * (1.0 - metallic)
         surface = Surface()
         surface.colour, surface.colour_picture, surface.colours = self.colour(node.inputs["Base Color"])
-        surface.colour = surface.colour * (1.0 - metallic) * (1.0 - passes)
+        # Principled's own reflectance at normal incidence; light from all around would meet twice as much.
+        shine = 0.08 * self.number(node.inputs["Specular"]) if self.gloss_is_diffuse else 0.0
+        if surface.colour_picture is None and surface.colours is None:
+            metal = surface.colour * metallic if self.gloss_is_diffuse else 0.0
+            surface.colour = (surface.colour * (1.0 - metallic) + shine * (1.0 - metallic) + metal) * (1.0 - passes)
+        else:  # a factor of the picture: what shines takes its colour
+            surface.colour = surface.colour * (1.0 if self.gloss_is_diffuse else 1.0 - metallic) * (1.0 - passes)
         if metallic > 0.0:
-            self.note("metal reflects no diffuse light: it is taken as dark")
+            self.note("metal is taken as " + ("diffuse" if self.gloss_is_diffuse else "dark"))
         surface.emission, surface.emission_picture, _ = self.colour(node.inputs["Emission"])
         surface.emission = surface.emission * self.number(node.inputs["Emission Strength"])
         surface.passes = passes
@@ -356,11 +363,11 @@ class Exporter:
     """Writes what Cycles would see of the scene. meshes has, for each object, the number of the file's mesh, which loops of
     the mesh the vertices of each of its primitives are, and how many loops there are."""
 
-    def __init__(self, context, culled_is_one_sided=False):
+    def __init__(self, context, culled_is_one_sided=False, gloss_is_diffuse=True):
         self.context = context
         self.culled_is_one_sided = culled_is_one_sided
         self.glb = GlbWriter()
-        self.reader = MaterialReader()
+        self.reader = MaterialReader(gloss_is_diffuse)
         self.materials = {}
         self.surfaces = {}
         self.images = {}
@@ -826,7 +833,7 @@ class Bake:
         self.context, self.settings, self.program = context, settings, program
         self.run, self.notes = None, []
         self.folder = tempfile.mkdtemp(prefix="luxel-")
-        self.exporter = Exporter(context, settings.culled_is_one_sided)
+        self.exporter = Exporter(context, settings.culled_is_one_sided, settings.gloss_is_diffuse)
 
     def begin(self):
         self.exporter.write(os.path.join(self.folder, "scene.glb"))
@@ -1121,6 +1128,9 @@ class LuxelSettings(bpy.types.PropertyGroup):
     threads: bpy.props.IntProperty(name="Threads", default=0, min=0, max=4096, description="0 takes every core")
     only_selected: bpy.props.BoolProperty(
         name="Only selected", description="Only selected objects get the light; all of them take part in it")
+    gloss_is_diffuse: bpy.props.BoolProperty(
+        name="Gloss as diffuse", default=True,
+        description="What the gloss of Principled BSDF reflects goes on as diffuse light; else it is lost")
     culled_is_one_sided: bpy.props.BoolProperty(
         name="Culled backs absorb", description="The backs of materials with backface culling absorb light; else both "
                                                 "sides reflect, as in Cycles")
@@ -1243,7 +1253,8 @@ class LUXEL_PT_bake(bpy.types.Panel):
         else:
             layout.prop(settings, "texels")
             layout.prop(settings, "page")
-        for name in ("error", "max_edge", "mesh_error", "threads", "only_selected", "culled_is_one_sided"):
+        for name in ("error", "max_edge", "mesh_error", "threads", "only_selected", "gloss_is_diffuse",
+                     "culled_is_one_sided"):
             layout.prop(settings, name)
         layout.operator_context = "INVOKE_DEFAULT"
         layout.operator("luxel.bake", icon="LIGHT")

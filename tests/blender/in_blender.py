@@ -5,7 +5,9 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 import time
+import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -83,7 +85,9 @@ class Check:
         expect(not materials["glass"]["opaque"] and materials["plain"]["opaque"], "glass lets light pass")
         # The picture is a quarter of (1, 0, 0) and three of (0, 0.5, 0) in sRGB codes: 0.214 linear.
         expect_near(materials["painted"]["reflectance"], (0.25, 0.75 * 0.2140, 0.0), 0.01, "the mean of the picture")
-        expect_near(materials["plain"]["reflectance"], (0.4, 0.5, 0.6), 1e-5, "the colour of Principled BSDF")
+        expect_near(materials["plain"]["reflectance"], (0.44, 0.54, 0.64), 1e-5, "Principled BSDF's colour and its gloss")
+        plain = self.add_on.MaterialReader(gloss_is_diffuse=False).read(bpy.data.materials["plain"])
+        expect_near(plain.colour, (0.4, 0.5, 0.6), 1e-5, "its colour alone")
         expect_near(materials["shine"]["emittance_W_per_m2"], np.pi * np.array((3.0, 1.5, 0.75)), 1e-4, "its emission")
         expect_near(materials["Area"]["emittance_W_per_m2"], [np.pi * 40.0 / (4 * 2.0)] * 3, 1e-4, "watts over 4 areas")
         expect_near(info["low_m"], (-3.0, -2.0, -6.0), 1e-5, "Y is up, and parents move their children")
@@ -242,6 +246,59 @@ class Check:
         self.add_on.unregister()
         expect(not hasattr(bpy.types.Scene, "luxel"), "it goes without a trace")
 
+    # ---- window: a bake that leaves Blender usable, is taken back, and is stopped by Esc ----
+
+    def window(self):
+        """Goes on by itself once Blender's window is there."""
+        rooms.cornell_box(0.1)
+        steps = self.in_window()
+
+        def step():
+            try:
+                return next(steps)
+            except StopIteration:
+                print("all holds: window", flush=True)
+                os._exit(0)
+            except BaseException:  # a timer's errors are but printed
+                traceback.print_exc()
+                os._exit(1)
+
+        bpy.app.timers.register(step, first_interval=0.5)
+
+    def in_window(self):
+        """Gives how many seconds Blender is to go its own ways."""
+        def has_light():
+            return any(self.add_on.LAYER in mesh.color_attributes for mesh in bpy.data.meshes)
+
+        def begin(error):
+            bpy.context.scene.luxel.error = error
+            window = bpy.context.window_manager.windows[0]
+            with bpy.context.temp_override(window=window, screen=window.screen, area=window.screen.areas[0]):
+                answer = bpy.ops.luxel.bake("INVOKE_DEFAULT", program=self.luxel)
+            expect(answer == {"RUNNING_MODAL"}, f"it runs beside Blender: {answer}")
+
+        def folders():
+            return [name for name in os.listdir(tempfile.gettempdir()) if name.startswith("luxel-")]
+
+        bpy.ops.ed.undo_push(message="the box")
+        begin(3.0)
+        expect(not has_light() and folders(), "Blender goes on before the bake has ended")
+        while not has_light():
+            yield 0.05
+        yield 0.2
+        expect(not folders(), "nothing is left behind")
+        bpy.ops.ed.undo()
+        expect(len(rooms.meshes()) == 4 and not has_light(), "a bake can be taken back")
+        begin(0.05)
+        yield 1.0
+        expect(folders(), "it works for long")
+        window = bpy.context.window_manager.windows[0]
+        for value in ("PRESS", "RELEASE"):
+            window.event_simulate(type="ESC", value=value)
+        while folders():
+            yield 0.05
+        expect(not has_light(), "nothing was changed")
+
     # ---- Scenes ----
 
     def mixed_scene(self):
@@ -299,4 +356,5 @@ def add_sheet(name, material, place, cells=1):
 if __name__ == "__main__":
     LUXEL, CHECK, FOLDER = sys.argv[sys.argv.index("--") + 1:]
     getattr(Check(LUXEL, FOLDER), CHECK)()
-    print("all holds:", CHECK)
+    if CHECK != "window":
+        print("all holds:", CHECK)
