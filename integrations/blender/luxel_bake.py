@@ -847,7 +847,7 @@ class Bake:
         if settings.target == "VERTEX":
             words += ["--as", "vertex", "--keep-topology"]
         else:
-            words += ["--as", "lightmap", "--page", str(settings.page)]
+            words += ["--as", "lightmap", "--layout", "new", "--page", str(settings.page)]
             if settings.texels > 0.0:
                 words += ["--texels-per-metre", f"{settings.texels:.6g}"]
         if settings.max_edge > 0.0:
@@ -888,8 +888,8 @@ class Bake:
             if image is None:
                 write_colours(mesh, self.colours(lit, primitives, parts, corners))
             else:
-                cut = write_coordinates(mesh, [Corners(lit, primitive) for primitive in primitives
-                                               if Corners.has_light(primitive)])
+                cut = write_coordinates(mesh, [Corners(lit, primitive, page_of(lit, primitive)["texCoord"])
+                                               for primitive in primitives if page_of(lit, primitive)])
                 if cut:
                     self.notes.append(f"{cut} faces of '{item.name}' were cut where light jumps across them")
                 show_image(mesh, image)
@@ -973,23 +973,25 @@ class Corners:
     """The triangles of a primitive with places on the page: which face of the mesh each was, and which of its loops, where
     it is no new corner."""
 
-    def __init__(self, lit, primitive):
+    def __init__(self, lit, primitive, number):
         attributes = primitive["attributes"]
         of = lit.array(primitive["indices"]).reshape(-1, 3)
-        last = max(int(name[9:]) for name in attributes if name.startswith("TEXCOORD_"))
         self.face = np.round(lit.array(attributes["_FACE"])[of[:, 0], 0]).astype(int)
         self.place = lit.array(attributes["POSITION"])[of]
-        self.uv = lit.array(attributes[f"TEXCOORD_{last}"])[of]
+        self.uv = lit.array(attributes[f"TEXCOORD_{number}"])[of]
         self.uv[..., 1] = 1.0 - self.uv[..., 1]
         self.loop = lit.array(attributes["_LOOP"])[of][..., 0]
 
-    @staticmethod
-    def has_light(primitive):
-        return "MOZ_lightmap" in str(primitive) or any(name.startswith("TEXCOORD_") for name in primitive["attributes"])
+
+def page_of(lit, primitive):
+    """The page that a primitive's material names, as MOZ_lightmap has it; None where light passes through it."""
+    return lit.json["materials"][primitive["material"]].get("extensions", {}).get("MOZ_lightmap")
 
 
 def write_coordinates(mesh, parts):
     """The UV map 'Luxel'. A face that lies on the page in several pieces is cut into them; how many were."""
+    if not parts:
+        return 0
     layer = mesh.uv_layers.get(LAYER) or mesh.uv_layers.new(name=LAYER, do_init=False)
     if layer is None:
         raise BakeError(f"'{mesh.name}' has eight UV maps already: there is no room for one more")

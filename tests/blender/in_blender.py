@@ -11,6 +11,7 @@ import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
+ADD_ON = os.path.join(ROOT, "integrations", "blender", "luxel_bake.py")
 sys.path.insert(0, HERE)
 
 import bpy  # noqa: E402
@@ -22,8 +23,7 @@ import truth  # noqa: E402
 
 def add_on():
     """The add-on as it lies in the sources, switched on."""
-    path = os.path.join(ROOT, "integrations", "blender", "luxel_bake.py")
-    spec = importlib.util.spec_from_file_location("luxel_bake", path)
+    spec = importlib.util.spec_from_file_location("luxel_bake", ADD_ON)
     module = importlib.util.module_from_spec(spec)
     sys.modules["luxel_bake"] = module
     spec.loader.exec_module(module)
@@ -93,6 +93,14 @@ class Check:
         expect_near(info["low_m"], (-3.0, -2.0, -6.0), 1e-5, "Y is up, and parents move their children")
         expect_near(exporter.sky, (0.1, 0.2, 0.4), 1e-5, "the world")
         expect(any("metal" in note for note in exporter.notes), f"what is not taken over is told: {exporter.notes}")
+        # Both ways back, onto meshes of all kinds.
+        lights = {}
+        for target, light in (("VERTEX", truth.corner_colours), ("LIGHTMAP", truth.at_middles)):
+            expect(self.bake(error=2.0, target=target) == {"FINISHED"}, target)
+            lights[target] = [light(bpy.data.objects[name], "Luxel").mean() for name in ("cube", "fine", "shine")]
+        expect(min(lights["VERTEX"]) > 0.0, f"all have light: {lights}")
+        expect_near(lights["LIGHTMAP"], lights["VERTEX"], 0.04, "the light of vertex colours and lightmap")
+        expect(np.all(truth.corner_colours(bpy.data.objects["pane"], "Luxel") == 0.0), "glass has none")
         scene.unit_settings.scale_length = 0.01
         words = self.add_on.Bake(bpy.context, scene.luxel, self.luxel).words()
         expect(words[words.index("--contact-gap") + 1] == "0.01", f"a tenth of a millimetre, in centimetres: {words}")
@@ -245,6 +253,14 @@ class Check:
             expect("luxel failed" in str(error), f"what luxel said is passed on: {error}")
         self.add_on.unregister()
         expect(not hasattr(bpy.types.Scene, "luxel"), "it goes without a trace")
+
+        # As a user installs it: the preferences say where the program is.
+        bpy.ops.preferences.addon_install(filepath=ADD_ON)
+        bpy.ops.preferences.addon_enable(module="luxel_bake")
+        rooms.lamp("POINT", (0.5, 0.5, 1.0), 50.0)
+        bpy.context.preferences.addons["luxel_bake"].preferences.program = self.luxel
+        scene.luxel.error = 5.0
+        expect(bpy.ops.luxel.bake() == {"FINISHED"}, "the bake with the program of the preferences")
 
     # ---- window: a bake that leaves Blender usable, is taken back, and is stopped by Esc ----
 
