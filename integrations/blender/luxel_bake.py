@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bakes the diffuse light of a Blender scene with Luxel, into vertex colours or a lightmap.
 
-The scene is written as a GLB, `luxel bake` finds its light, and the light comes back to the corners of the meshes. Cycles'
-units are kept: one Blender unit counts as a metre, and light is in W/m², so what is baked is what Cycles' diffuse bake
-finds. Written for Blender 3.4; docs/blender.md says how to use it and what it does not do.
+The scene is written as a GLB, `luxel bake` finds its light, and the light comes back to the corners of the meshes.
+Cycles' units are kept: one Blender unit counts as a metre, and light is in W/m², so what is baked is what Cycles'
+diffuse bake finds. Written for Blender 3.4; docs/blender.md says how to use it and what it does not do.
 """
 import json
 import math
@@ -360,8 +360,8 @@ class GlbReader:
 
 
 class Exporter:
-    """Writes what Cycles would see of the scene. meshes has, for each object, the number of the file's mesh, which loops of
-    the mesh the vertices of each of its primitives are, and how many loops there are."""
+    """Writes what Cycles would see of the scene. meshes has, for each object, the number of the file's mesh, which
+    loops of the mesh the vertices of each of its primitives are, and how many loops there are."""
 
     def __init__(self, context, culled_is_one_sided=False, gloss_is_diffuse=True):
         self.context = context
@@ -549,7 +549,8 @@ class Exporter:
     def add_lamp(self, source, matrix):
         lamp = source.data
         colour = np.array(lamp.color) * lamp.energy * self.lamp_nodes(lamp)
-        if colour.max() <= 0.0:
+        of_cycles = getattr(lamp, "cycles", None)  # which may be switched off
+        if colour.max() <= 0.0 or (lamp.type == "AREA" and of_cycles is not None and of_cycles.is_portal):
             return
         if lamp.type == "SUN":
             self.add_punctual(source, matrix, "directional", colour)  # W/m² on what faces it
@@ -970,8 +971,8 @@ class Bake:
 
 
 class Corners:
-    """The triangles of a primitive with places on the page: which face of the mesh each was, and which of its loops, where
-    it is no new corner."""
+    """The triangles of a primitive with places on the page: which face of the mesh each was, and which of its loops,
+    where it is no new corner."""
 
     def __init__(self, lit, primitive, number):
         attributes = primitive["attributes"]
@@ -1114,7 +1115,8 @@ class LuxelSettings(bpy.types.PropertyGroup):
     content: bpy.props.EnumProperty(
         name="What", items=[("LIGHT", "Light", "What a white surface would send to the eye: irradiance over pi, as "
                                                "Cycles' diffuse bake without colour"),
-                            ("LOOK", "Look", "What a display shows, after Luxel's tone curve: colours and emission in it")],
+                            ("LOOK", "Look", "What a display shows, after Luxel's tone curve: colours and "
+                                             "emission in it")],
         default="LIGHT")
     error: bpy.props.FloatProperty(name="Error", subtype="PERCENTAGE", default=1.0, min=0.05, max=50.0, precision=2,
                                    description="Stop at this standard error of the whole")

@@ -26,7 +26,8 @@ def main(luxel, blender, check):
     with tempfile.TemporaryDirectory() as folder:
         # Blender looks for its Python's libraries by the PATH: another python3 on it would lead it astray.
         words = {**os.environ, "PATH": "/usr/bin:/bin", "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": folder,
-                 "BLENDER_USER_SCRIPTS": os.path.join(folder, "scripts"), "BLENDER_USER_CONFIG": os.path.join(folder, "config")}
+                 "BLENDER_USER_SCRIPTS": os.path.join(folder, "scripts"),
+                 "BLENDER_USER_CONFIG": os.path.join(folder, "config")}
         done = subprocess.run([*begin, "--factory-startup", "--python-exit-code", "1", "--python",
                                os.path.join(HERE, "in_blender.py"), "--", luxel, check, folder], env=words, check=False)
     return done.returncode

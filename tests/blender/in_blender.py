@@ -109,12 +109,16 @@ class Check:
 
     def lamps(self):
         turned = (0.3, 0.2, 0.0)
+
+        def spot(turn, size, blend):
+            rooms.lamp("SPOT", (0, 0, 2), 100.0, turn, shadow_soft_size=0.0, spot_size=size, spot_blend=blend)
+
         lamps = {
             "point": lambda: rooms.lamp("POINT", (0, 0, 2), 100.0, shadow_soft_size=0.0, color=(1.0, 0.5, 0.2)),
             "ball": lambda: rooms.lamp("POINT", (0, 0, 2), 100.0, shadow_soft_size=0.1),
             "sun": lambda: rooms.lamp("SUN", (0, 0, 2), 3.0, turned, angle=0.0),
-            "spot": lambda: rooms.lamp("SPOT", (0, 0, 2), 100.0, turned, shadow_soft_size=0.0, spot_size=2.0, spot_blend=0.0),
-            "soft spot": lambda: rooms.lamp("SPOT", (0, 0, 2), 100.0, shadow_soft_size=0.0, spot_size=2.4, spot_blend=0.6),
+            "spot": lambda: spot(turned, 2.0, 0.0),
+            "soft spot": lambda: spot((0.0, 0.0, 0.0), 2.4, 0.6),
             "square": lambda: rooms.lamp("AREA", (0, 0, 2), 50.0, turned, shape="SQUARE", size=0.5),
             "disk": lambda: rooms.lamp("AREA", (0, 0, 2), 50.0, shape="DISK", size=0.8),
             "ellipse, scaled": self.scaled_ellipse,
@@ -323,7 +327,8 @@ class Check:
         painted = principled("painted")
         node = painted.node_tree.nodes.new("ShaderNodeTexImage")
         node.image, node.interpolation = picture, "Closest"
-        painted.node_tree.links.new(node.outputs["Color"], painted.node_tree.nodes["Principled BSDF"].inputs["Base Color"])
+        shader = painted.node_tree.nodes["Principled BSDF"]
+        painted.node_tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
         cube = add_cube("cube", painted, (5.0, 0.0, 0.0))
         kept = bpy.data.collections.new("kept")
         kept.objects.link(cube)
@@ -340,7 +345,8 @@ class Check:
         two = add_sheet("two", principled("two tone"), (0.0, 0.0, 3.0), 2)
         two.data.materials.append(principled("second", Metallic=0.3))
         two.data.polygons[1].material_index = 1
-        add_sheet("shine", principled("shine", Emission=(1.0, 0.5, 0.25, 1.0), **{"Emission Strength": 3.0}), (3.0, 3.0, 3.0))
+        shine = principled("shine", Emission=(1.0, 0.5, 0.25, 1.0), **{"Emission Strength": 3.0})
+        add_sheet("shine", shine, (3.0, 3.0, 3.0))
         add_sheet("pane", principled("glass", Transmission=1.0), (0.0, 0.0, 4.0))
         add_sheet("hidden", principled("hidden"), (50.0, 0.0, 0.0)).hide_render = True
         rooms.lamp("AREA", (0, 0, 3.5), 40.0, shape="RECTANGLE", size=1.0, size_y=2.0)

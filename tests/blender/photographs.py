@@ -43,7 +43,8 @@ def show_baked():
         surface = reader.read(material)
         tree = material.node_tree
         tree.nodes.clear()
-        output, shader, light = (tree.nodes.new("ShaderNode" + kind) for kind in ("OutputMaterial", "Emission", "VertexColor"))
+        output, shader, light = (tree.nodes.new("ShaderNode" + kind)
+                                 for kind in ("OutputMaterial", "Emission", "VertexColor"))
         light.layer_name = "Luxel"
         step = light.outputs[0]
         for operation, colour in (("MULTIPLY", surface.colour), ("ADD", surface.emission)):

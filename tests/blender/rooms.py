@@ -123,7 +123,8 @@ def office(cell=0.2):
     above = Sheets("ceiling", ceiling, cell)
     above.quad((0, d, h), (w, 0, 0), (0, -1.05, 0)).quad((0, 3.85, h), (w, 0, 0), (0, -3.85, 0))
     panels = Sheets("panels", glow("panel", 40.0), cell)
-    for x, width, into in ((0.0, 0.7, above), (0.7, 0.7, panels), (1.4, 1.4, above), (2.8, 0.7, panels), (3.5, 0.7, above)):
+    for x, width, into in ((0.0, 0.7, above), (0.7, 0.7, panels), (1.4, 1.4, above), (2.8, 0.7, panels),
+                           (3.5, 0.7, above)):
         into.quad((x, 4.55, h), (width, 0, 0), (0, -0.7, 0))
     above.done()
     panels.done()
