@@ -100,6 +100,22 @@ TEST(Sampling, directions_follow_the_cosine) {
   expect_uniform(counts);
 }
 
+// Cells of equal height and equal angle about the axis are of equal area (Archimedes).
+TEST(Sampling, even_directions_are_distributed_evenly) {
+  std::vector<std::size_t> counts(16 * 16, 0);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const auto u = uniform4(stream_key(12, 0, 0), i);
+    const auto d = uniform_hemisphere(u[2], u[3]);
+    ASSERT_NEAR(glm::length(d), 1.0f, 1e-6f);
+    const auto turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)) / (2.0 * M_PI) + 0.5;
+    const auto cell = [](double share) {
+      return std::min<std::size_t>(15, static_cast<std::size_t>(16.0 * share));
+    };
+    ++counts[16 * cell(static_cast<double>(d.z)) + cell(turn)];
+  }
+  expect_uniform(counts);
+}
+
 // The density integrates to one, and the mean of f / density over samples is the integral of f: here f = 1
 // gives 2 pi.
 TEST(Sampling, the_cosine_density_is_the_density_of_its_samples) {

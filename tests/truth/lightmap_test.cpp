@@ -10,6 +10,7 @@
 #include "luxel/lightmap/dilate.h"
 #include "luxel/lightmap/make_lightmap.h"
 #include "luxel/lightmap/point_gather.h"
+#include "luxel/lightmap/texel_places.h"
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
 #include "luxel/reference/point_irradiance.h"
@@ -17,6 +18,7 @@
 #include "luxel/solve/sampled.h"
 
 #include "support/lightmap_scenes.h"
+#include "support/point_factor.h"
 
 namespace luxel {
 namespace {
@@ -141,6 +143,71 @@ TEST(Lightmap, gathered_texels_hold_the_closed_form_where_patches_are_far_too_la
     });
   }
   EXPECT_LT(std::sqrt(square / light), 0.02);  // the error asked for, and what runs straight between texels
+}
+
+// A floor under an even sky: what a tilted surface there gets has a closed form, (1 + cosine) / 2 of the
+// whole, and a directional lightmap has it exactly, for the light vector is pi times the radiance upwards.
+TEST(Lightmap, a_directional_one_knows_what_a_tilted_surface_gets_from_the_sky) {
+  truth::SceneBuilder b;
+  b.material("floor", 0.5f, 0.0f).quad({0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0});
+  auto scene = b.scene();
+  scene.sky = Vec3(2.0f);
+  const auto baked = bake(scene, 0.5f);
+  const auto map =
+      lightmap_of(baked, {.texels_per_metre = 4.0, .texels = {.error = 0.01, .directional = true}});
+  ASSERT_EQ(map.pages[0].light_vector.size(), 3u);
+  Vec3d sum(0.0);
+  int count = 0;
+  const auto places = find_texel_places(map.atlas, Workers(1));
+  for (std::size_t i = 0; i < places[0].size(); ++i) {
+    if (places[0][i].kind != Texel::inside || places[0][i].side % 2 == 1)
+      continue;  // backs see the sky below
+    const Vec3d vector(map.pages[0].light_vector[0].pixels[i].g, map.pages[0].light_vector[1].pixels[i].g,
+                       map.pages[0].light_vector[2].pixels[i].g);
+    // Of 64 rays and more, a part of whose light is weighed by four at most; five standard deviations.
+    EXPECT_LT(glm::length(vector - Vec3d(0, 0, 2.0 * std::numbers::pi)), 5.0 * 2.0 * std::numbers::pi / 8.0);
+    sum += vector;
+    ++count;
+  }
+  ASSERT_GT(count, 40);
+  EXPECT_LT(glm::length(sum / static_cast<double>(count) - Vec3d(0, 0, 2.0 * std::numbers::pi)), 0.05);
+}
+
+// Under a lamp, the light vector times a tilted normal is what a surface gets that faces so, as long as the
+// whole of the lamp is before it: Lambert's closed form.
+TEST(Lightmap, a_directional_one_holds_the_closed_form_of_tilted_surfaces_under_a_lamp) {
+  truth::SceneBuilder b;
+  add_room(b, {-2, -2, 0}, {2, 2, 2.5f}, 0.0f);
+  b.material("lamp", 0.0f, 100.0f);
+  const std::array<Vec3, 4> lamp = {Vec3(-0.5f, 0.5f, 1), Vec3(0.5f, 0.5f, 1), Vec3(0.5f, -0.5f, 1),
+                                    Vec3(-0.5f, -0.5f, 1)};
+  b.quad(lamp[0], lamp[1], lamp[2], lamp[3]);
+  const auto baked = bake(b.scene(), 1.5f);
+  const auto map =
+      lightmap_of(baked, {.texels_per_metre = 4.0, .texels = {.error = 0.005, .directional = true}});
+  double square = 0.0, light = 0.0;
+  for (std::size_t p = 0; p < baked.patches.size(); ++p) {
+    if (baked.patches.material_of(p).name != "floor") continue;
+    const auto& t = map.atlas.corners[2 * p];
+    const auto& page = map.pages[map.atlas.page_of(2 * p)];
+    const auto corners = baked.patches.points(p);
+    for_places([&](const Vec2& w) {
+      const auto at = corners[0] + w.x * (corners[1] - corners[0]) + w.y * (corners[2] - corners[0]);
+      if (std::abs(at.x) > 0.75f || std::abs(at.y) > 0.75f) return;
+      const auto uv = t[0] + w.x * (t[1] - t[0]) + w.y * (t[2] - t[0]);
+      for (const auto& n : {Vec3d(0.3, 0.0, std::sqrt(0.91)), Vec3d(-0.2, 0.3, std::sqrt(0.87))}) {
+        const auto truth = 100.0 * truth::point_factor(Vec3d(at), n, truth::convex_polygon(lamp), {});
+        double found = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+          found +=
+              n[axis] * static_cast<double>(look_up(page.light_vector[static_cast<std::size_t>(axis)], uv).r);
+        square += (found - truth) * (found - truth);
+        light += truth * truth;
+      }
+    });
+  }
+  ASSERT_GT(light, 0.0);
+  EXPECT_LT(std::sqrt(square / light), 0.03);  // the error asked for, and what runs straight between texels
 }
 
 // Light behind a wall thinner than a texel, which has a door that is shut, and under a box. What is in the

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -29,6 +30,16 @@ std::string name_of_page(const std::string& output, std::size_t page) {
   return named.string();
 }
 
+constexpr std::array axes = {'x', 'y', 'z'};
+
+// "map-x.exr"
+std::string name_of_axis(const std::string& output, char axis) {
+  const std::filesystem::path path(output);
+  auto named = path;
+  named.replace_filename(fmt::format("{}-{}{}", path.stem().string(), axis, path.extension().string()));
+  return named.string();
+}
+
 // `lightmap`: the light of a solution on pages.
 class LightmapCommand final : public Command {
  public:
@@ -42,6 +53,7 @@ class LightmapCommand final : public Command {
 
   int run() override {
     check();
+    settings_.lightmap.texels.directional = !settings_.directional.empty();
     Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
@@ -95,6 +107,12 @@ class LightmapCommand final : public Command {
       expect("--error-map", settings_.error_map, ".exr");
       run.outputs.push_back(settings_.error_map);
     }
+    if (!settings_.directional.empty()) {
+      expect("--directional", settings_.directional, ".exr");
+      if (settings_.lightmap.texels.error == 0.0)
+        throw UsageError("--directional needs a final gather: give --final-gather a share, such as 2%");
+      for (const auto axis : axes) run.outputs.push_back(name_of_axis(settings_.directional, axis));
+    }
     if (!settings_.preview.empty()) {
       expect("--preview", settings_.preview, picture_kinds);
       run.outputs.push_back(settings_.preview);
@@ -115,6 +133,10 @@ class LightmapCommand final : public Command {
           write_exr(files.back(), page.irradiance);
         else
           write_page_png(files.back(), page.irradiance, white);
+      }
+      for (std::size_t i = 0; i < page.light_vector.size(); ++i) {
+        files.push_back(name_of_page(name_of_axis(settings_.directional, axes[i]), p));
+        write_exr(files.back(), page.light_vector[i]);
       }
       if (settings_.error_map.empty()) continue;
       files.push_back(name_of_page(settings_.error_map, p));

@@ -70,6 +70,10 @@ void LightmapSettings::declare(OptionSet& set) {
            [this] { return white == automatic_white ? std::string("auto") : fmt::format("{}", white); }});
   set.add_text("error-map", "FILE", error_map,
                "an EXR file for the standard error of each texel, W/m², in the same places");
+  set.add_text(
+      "directional", "FILE", directional,
+      "EXR files for where light comes from, for surfaces with normal maps: room.exr becomes room-x.exr, "
+      "room-y.exr and room-z.exr, the light vector in W/m²");
   set.add_text("preview", "FILE", preview,
                "a picture (.png .exr .hdr) of the scene as a reader of the pages sees it");
 }

@@ -13,7 +13,7 @@ struct LightmapSettings {
   static constexpr double automatic_white = 0.0;
   LightmapOptions lightmap;
   double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
-  std::string error_map, preview;  // files; empty: none
+  std::string error_map, directional, preview;  // files; empty: none
   void declare(OptionSet& set);
   // How pages are laid out and texels gathered, for commands that put them into meshes.
   void declare_pages(OptionSet& set);

@@ -2,6 +2,7 @@
 #include "luxel/lightmap/dilate.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -11,12 +12,14 @@ namespace {
 struct Filling {
   std::size_t texel;
   Vec3 irradiance, standard_error;
+  std::array<Vec3, 3> light_vector;
 };
 
 // The mean of what holds light around (x, y); returns how many do.
 int mean_around(const LightmapPage& page, int x, int y, Filling& filling) {
   const auto width = page.irradiance.width, height = page.irradiance.height;
   Vec3 irradiance(0.0f), standard_error(0.0f);
+  filling.light_vector.fill(Vec3(0.0f));
   int lit = 0;
   for (auto j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
     for (auto i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
@@ -24,11 +27,14 @@ int mean_around(const LightmapPage& page, int x, int y, Filling& filling) {
       if (page.texels[texel] == Texel::empty) continue;
       irradiance += page.irradiance.pixels[texel];
       standard_error += page.standard_error.pixels[texel];
+      for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)
+        filling.light_vector[axis] += page.light_vector[axis].pixels[texel];
       ++lit;
     }
   const auto share = 1.0f / static_cast<float>(std::max(1, lit));
   filling.irradiance = share * irradiance;
   filling.standard_error = share * standard_error;
+  for (auto& of_axis : filling.light_vector) of_axis *= share;
   return lit;
 }
 
@@ -45,6 +51,8 @@ bool add_ring(LightmapPage& page) {
   for (const auto& f : ring) {
     page.irradiance.pixels[f.texel] = f.irradiance;
     page.standard_error.pixels[f.texel] = f.standard_error;
+    for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)
+      page.light_vector[axis].pixels[f.texel] = f.light_vector[axis];
     page.texels[f.texel] = Texel::dilated;
   }
   return !ring.empty();

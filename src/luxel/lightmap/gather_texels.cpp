@@ -125,7 +125,8 @@ struct Wanting {
 
 // Fills all texels with the smooth light; returns those it does not do for.
 std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
-                                 double error, double least, Lightmap& lightmap, TexelReport& report) {
+                                 double error, double least, bool all, Lightmap& lightmap,
+                                 TexelReport& report) {
   std::vector<Wanting> wanting;
   const auto& atlas = lightmap.atlas;
   std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; not yet known
@@ -138,6 +139,7 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
     auto& page = lightmap.pages.emplace_back();
     page.irradiance = page.standard_error = Image(atlas.page_size, atlas.page_size);
     page.texels.assign(places[p].size(), Texel::empty);
+    if (all) page.light_vector.assign(3, Image(atlas.page_size, atlas.page_size));
     for (std::uint32_t i = 0; i < places[p].size(); ++i) {
       const auto& place = places[p][i];
       page.texels[i] = place.kind;
@@ -145,7 +147,7 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
       ++report.texels;
       page.irradiance.pixels[i] = in_gamut(light.at(place));
       page.standard_error.pixels[i] = Vec3(light.standard_error(place.side));
-      if (error > 0.0 && wants(place.side)) wanting.push_back({p, i});
+      if (all || (error > 0.0 && wants(place.side))) wanting.push_back({p, i});
     }
   }
   return wanting;
@@ -223,6 +225,8 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bo
       auto& page = lightmap.pages[wanting[first + i].page];
       page.irradiance.pixels[wanting[first + i].texel] = in_gamut(results[i].irradiance);
       page.standard_error.pixels[wanting[first + i].texel] = Vec3(results[i].standard_error);
+      for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)
+        page.light_vector[axis].pixels[wanting[first + i].texel] = Vec3(results[i].light_vector[axis]);
       report.rays += results[i].rays;
       report.short_of_it += results[i].reached ? 0 : 1;
     }
@@ -236,18 +240,21 @@ TexelReport gather_texels(const PatchSet& patches, const Solution& solution, con
                           const Tracer* tracer, const TexelOptions& options, const Workers& workers,
                           Lightmap& lightmap, const Monitor& monitor) {
   check(patches, solution, light, options, lightmap);
+  if (options.directional && !(tracer && options.error > 0.0))
+    throw InputError("the directions of light come from a final gather: ask for one");
   const auto& atlas = lightmap.atlas;
   const auto places = find_texel_places(atlas, workers);
   const SolvedLight solved(patches, solution, light);
   const auto least = options.dark * mean_light(patches, solved, atlas);
   TexelReport report;
   lightmap.pages.clear();
-  const auto wanting = interpolate(places, solved, tracer ? options.error : 0.0, least, lightmap, report);
+  const auto wanting =
+      interpolate(places, solved, tracer ? options.error : 0.0, least, options.directional, lightmap, report);
   if (wanting.empty()) return report;
 
   const PointGather gather(patches, light, *tracer);
   TexelGather texels(patches, lightmap, places, gather, options.seed, workers, monitor);
-  PointGather::Bounds bounds{options.error, least, options.most_rays};
+  PointGather::Bounds bounds{options.error, least, options.most_rays, options.directional};
   constexpr double first_part = 0.98;
   report.gathered = wanting.size();
   report.stopped = !texels.run(wanting, bounds, 0.0, first_part, lightmap, report);

@@ -16,6 +16,7 @@ namespace luxel {
 struct TexelOptions {
   double error = 0.02;             // relative standard error asked of a texel; 0: no final gather
   std::uint32_t most_rays = 4096;  // cosine rays a texel, and as many to lamps; 64 and more
+  bool directional = false;        // the light vector too, and so all texels by final gather
   double dark = 0.1;               // of the mean light: below, the error is of this much
   std::uint64_t seed = 1;
 };
@@ -39,8 +40,11 @@ struct TexelReport {
 // end. Eight independent replicates of scrambled Sobol points, doubled until their spread is small enough;
 // those that then still stand out from all texels around them go on from more.
 //
+// Directional: every texel is gathered, and its light vector with it; the error asked is of the irradiance.
+//
 // The same bits on any number of threads. Throws MismatchError where the parts are not of one scene or the
-// bands have no colour; InputError where an option is out of its range or, gathering, there is no light.
+// bands have no colour; InputError where an option is out of its range or, gathering, there is no light, or
+// what is directional cannot be gathered.
 TexelReport gather_texels(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
                           const Tracer* tracer, const TexelOptions& options, const Workers& workers,
                           Lightmap& lightmap, const Monitor& monitor = {});

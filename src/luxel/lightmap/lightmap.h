@@ -19,8 +19,13 @@ enum class Texel : std::uint8_t {
 };
 
 struct LightmapPage {
-  Image irradiance;           // W/m² by linear sRGB; of the side that faces the reader
-  Image standard_error;       // of it, likewise; 0 where the solution knows none
+  Image irradiance;      // W/m² by linear sRGB; of the side that faces the reader
+  Image standard_error;  // of it, likewise; 0 where the solution knows none
+  // Of a directional lightmap: the light vector (Gershun 1939), the integral of radiance times direction over
+  // what the texel sees, W/m², its x, y and z in the scene's axes; else empty. A surface whose normal n is
+  // bent from the side's own gets (irradiance + n . vector) / 2, to the first order of spherical harmonics,
+  // and exactly the irradiance where it is not.
+  std::vector<Image> light_vector;
   std::vector<Texel> texels;  // width * height, row by row from the top left
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "luxel/patch/patch_set.h"
@@ -11,8 +12,8 @@
 namespace luxel {
 
 // The irradiance at a point by a final gather (Reichert 1992): light straight from lamps and sky by shadow
-// and cosine rays together, light from elsewhere by the smooth light where the cosine rays end. Read-only:
-// any number of threads may ask.
+// and cosine rays together, light from elsewhere by the smooth light where the cosine rays end. With it,
+// where asked, the light vector (LightPaths::light_vector). Read-only: any number of threads may ask.
 class PointGather {
  public:
   // Keeps references. Throws InputError where there is neither lamp nor sky.
@@ -22,13 +23,15 @@ class PointGather {
     double error = 0.02;             // of the irradiance, relative
     double least = 0.0;              // W/m²; of darker points the error is of this much
     std::uint32_t most_rays = 4096;  // cosine rays
+    bool with_light_vector = false;  // half of the rays then go evenly, not by the cosine
     std::uint32_t fewest_rays = 64;  // of these, before the spread is believed
   };
   struct Result {
-    Vec3d irradiance{0.0};      // W/m² by linear sRGB
-    Vec3d standard_error{0.0};  // of it; widened as Student's t is for so few replicates
-    std::uint64_t rays = 0;     // traced
-    bool reached = false;       // the error asked for
+    Vec3d irradiance{0.0};                // W/m² by linear sRGB
+    Vec3d standard_error{0.0};            // of it; widened as Student's t is for so few replicates
+    std::array<Vec3d, 3> light_vector{};  // of each axis, W/m² by linear sRGB; where that is asked for
+    std::uint64_t rays = 0;               // traced
+    bool reached = false;                 // the error asked for
   };
   // Eight independent replicates of scrambled Sobol points, doubled until their spread is small enough, at
   // least once. The result depends on the arguments alone; key: of the random numbers. More rays go on with

@@ -45,6 +45,15 @@ inline Vec3 cosine_hemisphere(float u1, float u2) {
 // Per steradian.
 inline float cosine_hemisphere_density(const Vec3& direction) { return std::max(0.0f, direction.z) / pi; }
 
+// Evenly distributed direction about +z, z >= 0, by the map of equal areas from the disk (Shirley and Chiu
+// 1997). Density: 1 / (2 pi) per steradian everywhere.
+inline Vec3 uniform_hemisphere(float u1, float u2) {
+  const auto d = concentric_disk(u1, u2);
+  const auto r2 = std::min(1.0f, glm::dot(d, d));
+  const auto across = std::sqrt(2.0f - r2);
+  return {across * d.x, across * d.y, 1.0f - r2};
+}
+
 // Uniform barycentric coordinates (weights of b and c; a gets the rest), by the square-root warp (Turk 1990).
 // Density: 1 / area everywhere.
 inline Vec2 uniform_triangle(float u1, float u2) {

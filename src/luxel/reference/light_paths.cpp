@@ -21,21 +21,27 @@ LightPaths::LightPaths(const PatchSet& patches, const Tracer& tracer)
   check_light(patches);
 }
 
-LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers& numbers,
-                                     std::span<const double> weight, std::span<double> sum) const {
+// Calls add(direction, cosine, solid_angle, radiance) for what arrives: the integral of radiance over all
+// that x sees is, in the mean, the sum of solid_angle (sr) times radiance(band), W/(m² sr).
+template <typename Add>
+LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread,
+                                       const Add& add) const {
   Trail trail;
-  // value: irradiance over the lamp's emittance.
-  const auto add = [&](std::size_t patch, double value) {
-    for (std::size_t b = 0; b < sum.size(); ++b)
-      sum[b] += weight[b] * value * static_cast<double>(patches_.emittance(patch, b));
+  const auto of_lamp = [&](std::size_t patch) {
+    return [this, patch](std::size_t b) {
+      return static_cast<double>(patches_.emittance(patch, b)) / std::numbers::pi;
+    };
   };
-  // Densities per steradian: of the shadow ray's direction, and of the cosine ray's.
+  // Densities per steradian: of the shadow ray's direction, and of the other ray's.
   const auto lamp_density = [&](std::size_t patch, double distance, double cosine) {
     return lamps_.density(patches_, patch) * distance * distance / cosine;
   };
-  const auto cosine_density = [](double cosine) { return cosine / std::numbers::pi; };
+  const auto ray_density = [spread](double cosine) {
+    const auto by_cosine = cosine / std::numbers::pi;
+    return spread == Rays::by_cosine ? by_cosine : 0.5 * (by_cosine + 0.5 / std::numbers::pi);
+  };
 
-  // 1. To a lamp. Radiance is emittance / pi, so radiance * cosine = emittance * cosine_density.
+  // 1. To a lamp.
   if (lamps_.size() > 0) {
     const auto y = lamps_.sample(patches_, numbers.lamp);
     const auto way = Vec3d(y.position) - Vec3d(x.position);
@@ -45,7 +51,8 @@ LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers&
     if (here > 0.0 && there > 0.0) {
       ++trail.rays;
       if (!tracer_.occluded({x.position, Vec3(way / distance)}, static_cast<float>(distance)))
-        add(y.patch, cosine_density(here) / (lamp_density(y.patch, distance, there) + cosine_density(here)));
+        add(way / distance, here, 1.0 / (lamp_density(y.patch, distance, there) + ray_density(here)),
+            of_lamp(y.patch));
     }
   }
 
@@ -54,24 +61,53 @@ LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers&
     if (!(sight.irradiance > 0.0)) continue;
     ++trail.rays;
     if (tracer_.occluded({x.position, Vec3(sight.direction)}, sight.distance)) continue;
-    for (std::size_t b = 0; b < sum.size(); ++b)
-      sum[b] += weight[b] * sight.irradiance * static_cast<double>(lamp.intensity[b]);
+    const auto cosine = glm::dot(Vec3d(x.normal), Vec3d(sight.direction));
+    add(Vec3d(sight.direction), cosine, sight.irradiance / cosine,
+        [&](std::size_t b) { return static_cast<double>(lamp.intensity[b]); });
   }
 
-  // 2. Where the light goes that the surface itself would send.
-  const auto local = cosine_hemisphere(numbers.direction[0], numbers.direction[1]);
+  // 2. Where the light goes that the surface itself would send, or also beside that.
+  auto [u, v] = numbers.direction;
+  const bool is_even = spread == Rays::by_cosine_or_evenly && u >= 0.5f;
+  if (spread == Rays::by_cosine_or_evenly) u = 2.0f * u - (is_even ? 1.0f : 0.0f);
+  const auto local = is_even ? uniform_hemisphere(u, v) : cosine_hemisphere(u, v);
   const Ray ray{x.position, Frame(x.normal).to_world(local)};
+  const auto cosine = static_cast<double>(local.z);
+  const auto density = ray_density(cosine);
   ++trail.rays;
   trail.first = tracer_.nearest(ray);
+  trail.direction = Vec3d(ray.direction);
+  trail.cosine = cosine;
+  trail.solid_angle = density > 0.0 ? 1.0 / density : 0.0;
   const auto& hit = trail.first;
   if (!hit)
-    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += weight[b] * patches_.sky_radiosity(b);
+    add(trail.direction, cosine, trail.solid_angle,
+        [&](std::size_t b) { return patches_.sky_radiosity(b) / std::numbers::pi; });
   if (!hit || hit.back || !patches_.material_of(hit.patch).is_lamp()) return trail;
   const auto facing = -dot(patches_.normal[hit.patch], ray.direction);
   if (!(facing > 0.0)) return trail;
-  const auto density = cosine_density(static_cast<double>(local.z));
-  add(hit.patch, density / (lamp_density(hit.patch, static_cast<double>(hit.distance), facing) + density));
+  add(trail.direction, cosine,
+      1.0 / (lamp_density(hit.patch, static_cast<double>(hit.distance), facing) + density),
+      of_lamp(hit.patch));
   return trail;
+}
+
+LightPaths::Trail LightPaths::direct(const SurfacePoint& x, const VertexNumbers& numbers,
+                                     std::span<const double> weight, std::span<double> sum) const {
+  return arriving(x, numbers, Rays::by_cosine,
+                  [&](const Vec3d&, double cosine, double solid_angle, const auto& radiance) {
+                    for (std::size_t b = 0; b < sum.size(); ++b)
+                      sum[b] += weight[b] * solid_angle * cosine * radiance(b);
+                  });
+}
+
+LightPaths::Trail LightPaths::light_vector(const SurfacePoint& x, const VertexNumbers& numbers,
+                                           std::span<glm::dvec4> sum) const {
+  return arriving(x, numbers, Rays::by_cosine_or_evenly,
+                  [&](const Vec3d& direction, double cosine, double solid_angle, const auto& radiance) {
+                    for (std::size_t b = 0; b < sum.size(); ++b)
+                      sum[b] += solid_angle * radiance(b) * glm::dvec4(direction, cosine);
+                  });
 }
 
 LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumbers& first, std::uint64_t key,

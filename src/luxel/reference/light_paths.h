@@ -39,12 +39,21 @@ class LightPaths {
   struct Trail {
     Hit first;               // of the first cosine ray
     std::uint64_t rays = 0;  // traced
+    // Of that ray: radiance times solid_angle (sr) estimates the integral of radiance over what is seen.
+    Vec3d direction{0.0};
+    double cosine = 0.0, solid_angle = 0.0;
   };
 
   // Adds weight * (unbiased estimate of the irradiance at x straight from lamps and sky, W/m²) to sum.
   // weight, sum: [band]. Returns what the cosine ray met.
   Trail direct(const SurfacePoint& x, const VertexNumbers& numbers, std::span<const double> weight,
                std::span<double> sum) const;
+
+  // Adds an unbiased estimate of the light vector (Gershun 1939), the integral of radiance times direction
+  // over what x sees, and in w of its irradiance, both W/m²: of light straight from lamps and sky. sum:
+  // [band]. Half of the rays go by the cosine and half evenly, so that what comes along the surface has its
+  // share.
+  Trail light_vector(const SurfacePoint& x, const VertexNumbers& numbers, std::span<glm::dvec4> sum) const;
 
   // Adds an unbiased estimate of the whole irradiance at x, W/m², to sum, [band]. weight: [band], scratch.
   // first: the numbers of the first vertex; key: the stream of all others. A path ends by Russian roulette
@@ -53,6 +62,10 @@ class LightPaths {
                    std::span<double> weight, std::span<double> sum) const;
 
  private:
+  enum class Rays { by_cosine, by_cosine_or_evenly };
+  template <typename Add>
+  Trail arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread, const Add& add) const;
+
   const PatchSet& patches_;
   const Tracer& tracer_;
   LampTable lamps_;
