@@ -12,7 +12,7 @@ import os
 import sys
 import time
 
-from figures import blender, lightmap, measured, pictures, sharing, viewer
+from figures import baking, blender, lightmap, measured, pictures, sharing, viewer
 from figures.runs import Luxel, keep_json
 from figures.scenes import ROOT
 
@@ -30,6 +30,7 @@ SECTIONS = {
     "lightmap": (lightmap.lightmap, lightmap.NAMES),
     "viewer": (viewer.viewer, viewer.NAMES),
     "blender": (blender.office, blender.NAMES),
+    "baking": (baking.forms, baking.NAMES),
     "sharing": (sharing.page, sharing.NAMES),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),
