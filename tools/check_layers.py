@@ -152,6 +152,21 @@ def check_includes(name, lines, includes):
             yield name, number, complaint
 
 
+def check_types(root):
+    """A type has a name of its own: two of one name in one namespace are a quiet fault wherever both are linked."""
+    homes = {}
+    for name in files_of(root):
+        if not re.match(r"src/luxel/.*\.h$", name):
+            continue
+        with open(os.path.join(root, name), encoding="utf-8") as file:
+            for number, line in enumerate(file, 1):
+                found = re.match(r"(?:class|struct|enum class|enum|using|union)\s+(\w+)\b(?!\s*;)", line)
+                if not found or found[1] == "namespace":
+                    continue
+                if homes.setdefault(found[1], name) != name:
+                    yield name, number, f"{homes[found[1]]} has a type {found[1]} already"
+
+
 def check_own_header(root, name, lines):
     """A file begins with its own header, which so is compiled with nothing before it."""
     own = re.sub(r"^src/(.*)\.cpp$", r"\1.h", name)
@@ -240,6 +255,7 @@ def violations(root):
     for name in files_of(root):
         yield from check_file(root, name, includes)
     yield from check_public(root)
+    yield from check_types(root)
 
 
 def main():

@@ -67,6 +67,13 @@ class CheckLayers(unittest.TestCase):
         gone = {**public, "cmake/luxel_install.cmake": "set(LUXEL_PUBLIC_HEADERS\n    scene/gone.h)\n"}
         self.assertIn("luxel/scene/gone.h does not exist", [v[2] for v in self.found(gone)])
 
+    def test_a_type_has_a_name_of_its_own(self):
+        header = LICENCE + "#pragma once\nstruct Frame;\n"
+        files = {"src/luxel/math/a.h": header + "struct Frame {\n};\n", "src/luxel/scene/b.h": header}
+        self.assertEqual(self.found(files), [])
+        files["src/luxel/scene/b.h"] = header + "class Frame {\n};\n"
+        self.check(files, "src/luxel/scene/b.h", 4, "has a type Frame already")
+
     def test_a_file_begins_with_its_own_header(self):
         header = LICENCE + "#pragma once\n"
         files = {"src/luxel/scene/a.h": header, "src/luxel/scene/a.cpp": LICENCE + '#include "luxel/scene/a.h"\n'}

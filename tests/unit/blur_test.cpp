@@ -10,7 +10,7 @@
 namespace luxel {
 namespace {
 
-Plane plane(int width, int height, float fill = 0.0f) {
+GreyPicture plane(int width, int height, float fill = 0.0f) {
   return {width, height, std::vector<float>(static_cast<std::size_t>(width * height), fill)};
 }
 

@@ -124,7 +124,7 @@ class Card : public testing::Test {
     const Pose pose{.eye = Vec3(0.0f, -1.0f, 0.0f)};
     view.projection = projection(pose, z_up, {Vec3(-1, 0, -1), Vec3(1, 0, 1)}, 2.0f);
     view.eye = pose.eye;
-    Frame frame;
+    DrawnFrame frame;
     frame.begin(size, Vec3(0.0f), edges);
     surfaces_->draw(view);
     frame.resolve();
@@ -196,7 +196,7 @@ TEST_F(Card, sides_are_told_apart) {
 }
 
 TEST_F(Card, rough_pictures_joined_have_smooth_edges) {
-  Frame frame;
+  DrawnFrame frame;
   MarkBuffer marks;
   Marks some;
   some.add_segment(Vec3(-1, 0, -0.3f), Vec3(1, 0, 0.31f), Vec3(1.0f));

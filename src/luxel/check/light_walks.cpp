@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "luxel/check/lamp_choice.h"
+#include "luxel/check/lamp_by_power.h"
 #include "luxel/check/walk.h"
 #include "luxel/math/bounds.h"
 #include "luxel/random/address.h"
@@ -38,7 +38,7 @@ double reflected_share(const PatchSet& patches, const BandMaterial& material) {
   return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
 }
 
-Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampChoice& lamps, std::size_t i,
+Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampByPower& lamps, std::size_t i,
                std::size_t paths, std::uint64_t seed) {
   Path path;
   double weight = 1.0;
@@ -174,7 +174,7 @@ LightWalks walk_light(const PatchSet& patches, const Tracer& tracer, std::size_t
   walks.near = near_share * glm::length(box.size());
   walks.set_out.assign(patches.materials.size(), 0);
   walks.is_met.assign(2 * patches.size(), 0);
-  const LampChoice lamps(patches);
+  const LampByPower lamps(patches);
   const auto inside = lamps.empty() ? points_inside(patches, tracer, seed, workers) : std::vector<Vec3>();
   if (lamps.empty() && inside.empty()) return walks;
   walks.from = lamps.empty() ? LightWalks::From::inside : LightWalks::From::lamps;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "luxel/check/lamp_choice.h"
+#include "luxel/check/lamp_by_power.h"
 #include "luxel/check/walk.h"
 #include "luxel/math/bounds.h"
 #include "luxel/random/address.h"
@@ -96,7 +96,7 @@ class Looker {
   const Tracer& tracer_;
   const UnlitOptions& options_;
   const std::vector<std::uint8_t>& is_lit_;
-  LampChoice lamps_;
+  LampByPower lamps_;
   std::vector<std::uint8_t> is_small_;  // [patch]
 };
 

@@ -16,7 +16,7 @@ struct Columns {
 };
 
 // Of a patch in its region: two coordinates in the plane, about one region across; and its area, m².
-struct Place {
+struct FitPlace {
   float u = 0.0f, v = 0.0f, area = 0.0f;
 };
 

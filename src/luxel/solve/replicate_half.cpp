@@ -8,7 +8,7 @@ namespace {
 
 // The numbers of replicates and bands where they are known beforehand, else 0.
 template <std::size_t known_replicates, std::size_t known_bands>
-void add_slots(std::span<const std::vector<float>> values, std::span<const Place> places, Columns columns,
+void add_slots(std::span<const std::vector<float>> values, std::span<const FitPlace> places, Columns columns,
                std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) {
   const auto replicates = known_replicates ? known_replicates : columns.replicates;
   const auto bands = known_bands ? known_bands : columns.bands;

@@ -14,7 +14,7 @@ namespace luxel {
 // both; slots apart from each other may be read and replaced at once.
 class ReplicateHalf {
  public:
-  ReplicateHalf(std::span<std::vector<float>> values, std::size_t bands, std::span<const Place> places)
+  ReplicateHalf(std::span<std::vector<float>> values, std::size_t bands, std::span<const FitPlace> places)
       : values_(values), places_(places), columns_{values.size(), bands} {}
 
   Columns columns() const { return columns_; }
@@ -34,7 +34,7 @@ class ReplicateHalf {
 
  private:
   std::span<std::vector<float>> values_;
-  std::span<const Place> places_;
+  std::span<const FitPlace> places_;
   Columns columns_;
 };
 

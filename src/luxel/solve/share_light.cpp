@@ -39,7 +39,7 @@ class Chart {
     u_ = frame.s * scale;
     v_ = frame.t * scale;
   }
-  Place place(std::uint32_t patch) const {
+  FitPlace place(std::uint32_t patch) const {
     const auto from_origin = centroid(patch) - origin_;
     return {glm::dot(from_origin, u_), glm::dot(from_origin, v_), patches_.area[patch]};
   }

@@ -41,7 +41,7 @@ class LightSharing {
  private:
   const PatchTree& tree_;
   std::size_t bands_;
-  std::vector<Place> places_;                             // [slot]
+  std::vector<FitPlace> places_;                          // [slot]
   std::array<std::vector<std::uint32_t>, 2> first_slot_;  // fronts, backs: [place in the order, and the end]
 };
 

@@ -39,11 +39,11 @@ void add_scaled(float* to, const float* from, float weight, std::size_t n) {
   for (std::size_t x = 0; x < n; ++x) to[x] += weight * from[x];
 }
 
-Plane blur_rows(const Plane& in, const Kernel& kernel) {
+GreyPicture blur_rows(const GreyPicture& in, const Kernel& kernel) {
   const auto n = static_cast<std::size_t>(in.width);
   const auto radius = static_cast<std::size_t>(kernel.radius);
   const auto inverse = kernel.inverse_sums(in.width);
-  Plane out{in.width, in.height, std::vector<float>(in.values.size(), 0.0f)};
+  GreyPicture out{in.width, in.height, std::vector<float>(in.values.size(), 0.0f)};
   std::vector<float> padded(n + 2 * radius, 0.0f);  // zeros on both sides: they add nothing
   for (std::size_t y = 0; y < static_cast<std::size_t>(in.height); ++y) {
     std::copy_n(in.values.data() + y * n, n, padded.data() + radius);
@@ -55,10 +55,10 @@ Plane blur_rows(const Plane& in, const Kernel& kernel) {
   return out;
 }
 
-Plane blur_columns(const Plane& in, const Kernel& kernel) {
+GreyPicture blur_columns(const GreyPicture& in, const Kernel& kernel) {
   const auto n = static_cast<std::size_t>(in.width);
   const auto inverse = kernel.inverse_sums(in.height);
-  Plane out{in.width, in.height, std::vector<float>(in.values.size(), 0.0f)};
+  GreyPicture out{in.width, in.height, std::vector<float>(in.values.size(), 0.0f)};
   for (int y = 0; y < in.height; ++y) {
     float* const row = out.values.data() + static_cast<std::size_t>(y) * n;
     for (int j = std::max(-kernel.radius, -y); j <= std::min(kernel.radius, in.height - 1 - y); ++j)
@@ -70,7 +70,7 @@ Plane blur_columns(const Plane& in, const Kernel& kernel) {
 
 }  // namespace
 
-Plane gaussian_blur(const Plane& plane, float sigma) {
+GreyPicture gaussian_blur(const GreyPicture& plane, float sigma) {
   const auto kernel = make_kernel(sigma);
   return blur_columns(blur_rows(plane, kernel), kernel);
 }

@@ -6,7 +6,7 @@
 namespace luxel {
 
 // One number a pixel, row by row: width * height of them.
-struct Plane {
+struct GreyPicture {
   int width = 0;
   int height = 0;
   std::vector<float> values;
@@ -16,6 +16,6 @@ struct Plane {
 // an edge the weights inside the picture are brought back to a sum of 1, so a constant stays what it is. Two
 // passes of 6 sigma + 1 taps a pixel. Up to rounding, the result lies between the smallest and the largest
 // value.
-Plane gaussian_blur(const Plane& plane, float sigma);
+GreyPicture gaussian_blur(const GreyPicture& plane, float sigma);
 
 }  // namespace luxel

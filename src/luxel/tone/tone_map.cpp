@@ -21,8 +21,8 @@ constexpr float epsilon = 0.05f;  // contrast of centre and surround that ends t
 constexpr double smallest_deviation =
     0.25;  // of the centre at s = 1: alpha_1 / sqrt(2), alpha_1 = 1 / (2 sqrt(2))
 
-Plane curve_inputs(const Image& radiance, float scale) {
-  Plane plane{radiance.width, radiance.height, {}};
+GreyPicture curve_inputs(const Image& radiance, float scale) {
+  GreyPicture plane{radiance.width, radiance.height, {}};
   plane.values.reserve(radiance.pixels.size());
   for (const auto& pixel : radiance.pixels)
     plane.values.push_back(std::min(scale * luminance(clean_color(pixel)), brightest_input));
@@ -31,7 +31,7 @@ Plane curve_inputs(const Image& radiance, float scale) {
 
 // V1 at the largest scale around each pixel that shows no edge: equations 5 to 8. The surround of one scale
 // is the centre of the next, as both grow by the same ratio, so nine blurs serve eight scales.
-Plane local_adaptation(const Plane& inputs, double key) {
+GreyPicture local_adaptation(const GreyPicture& inputs, double key) {
   auto centre = gaussian_blur(inputs, static_cast<float>(smallest_deviation));
   auto adaptation = centre;
   std::vector<char> is_open(inputs.values.size(), 1);

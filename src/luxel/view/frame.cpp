@@ -59,7 +59,7 @@ void attach_rendered(const GlRenderbuffer* colour, const GlRenderbuffer& depth, 
 
 }  // namespace
 
-struct Frame::State {
+struct DrawnFrame::State {
   // Four samples a pixel: made when they are first asked for.
   struct Sampled {
     ScreenSize size{0, 0};
@@ -89,7 +89,7 @@ struct Frame::State {
   void cover(const GlTexture& with, float strength) const;
 };
 
-void Frame::State::resize(ScreenSize to) {
+void DrawnFrame::State::resize(ScreenSize to) {
   texture_storage(pixels, GL_SRGB8_ALPHA8, to);
   glBindFramebuffer(GL_FRAMEBUFFER, resolved.name());
   attach(GL_COLOR_ATTACHMENT0, pixels);
@@ -98,7 +98,7 @@ void Frame::State::resize(ScreenSize to) {
   size = to;
 }
 
-void Frame::State::resize_sampled(ScreenSize to) {
+void DrawnFrame::State::resize_sampled(ScreenSize to) {
   GLint most = 1;
   glGetIntegerv(GL_MAX_SAMPLES, &most);
   glBindFramebuffer(GL_FRAMEBUFFER, sampled.frame.name());
@@ -107,19 +107,19 @@ void Frame::State::resize_sampled(ScreenSize to) {
   sampled.size = to;
 }
 
-void Frame::State::resize_coarse(ScreenSize to) {
+void DrawnFrame::State::resize_coarse(ScreenSize to) {
   glBindFramebuffer(GL_FRAMEBUFFER, coarse.frame.name());
   attach_rendered(&coarse.colour, coarse.depth, 0, to);
   check_complete(to);
   coarse.size = to;
 }
 
-const GlFramebuffer& Frame::State::drawn_into() const {
+const GlFramebuffer& DrawnFrame::State::drawn_into() const {
   if (edges == EdgeSmoothing::coarse) return coarse.frame;
   return edges == EdgeSmoothing::sampled ? sampled.frame : resolved;
 }
 
-void Frame::State::resize_mean(ScreenSize to) {
+void DrawnFrame::State::resize_mean(ScreenSize to) {
   texture_storage(mean, GL_RGBA16F, to);
   glBindFramebuffer(GL_FRAMEBUFFER, mean_frame.name());
   attach(GL_COLOR_ATTACHMENT0, mean);
@@ -127,7 +127,7 @@ void Frame::State::resize_mean(ScreenSize to) {
   mean_size = to;
 }
 
-void Frame::State::cover(const GlTexture& with, float strength) const {
+void DrawnFrame::State::cover(const GlTexture& with, float strength) const {
   copy.use();
   copy.set("source", 0);
   copy.set("strength", strength);
@@ -137,10 +137,10 @@ void Frame::State::cover(const GlTexture& with, float strength) const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Frame::Frame() : state_(std::make_unique<State>()) {}
-Frame::~Frame() = default;
+DrawnFrame::DrawnFrame() : state_(std::make_unique<State>()) {}
+DrawnFrame::~DrawnFrame() = default;
 
-void Frame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges) {
+void DrawnFrame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges) {
   auto& s = *state_;
   if (size != s.size) s.resize(size);
   if (edges == EdgeSmoothing::sampled && size != s.sampled.size) s.resize_sampled(size);
@@ -158,7 +158,7 @@ void Frame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges) 
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Frame::resolve() {
+void DrawnFrame::resolve() {
   const auto& s = *state_;
   if (s.edges != EdgeSmoothing::rough) {
     const bool is_coarse = s.edges == EdgeSmoothing::coarse;
@@ -174,7 +174,7 @@ void Frame::resolve() {
   glDisable(GL_DEPTH_TEST);
 }
 
-void Frame::join(int count) {
+void DrawnFrame::join(int count) {
   auto& s = *state_;
   if (s.mean_size != s.size) s.resize_mean(s.size);
   glBindFramebuffer(GL_FRAMEBUFFER, s.mean_frame.name());
@@ -185,7 +185,7 @@ void Frame::join(int count) {
   glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
 }
 
-void Frame::show_joined() {
+void DrawnFrame::show_joined() {
   auto& s = *state_;
   glBindFramebuffer(GL_FRAMEBUFFER, s.resolved.name());
   glViewport(0, 0, s.size.width, s.size.height);
@@ -197,7 +197,7 @@ void Frame::show_joined() {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-Image Frame::read() const {
+Image DrawnFrame::read() const {
   const auto& [width, height] = state_->size;
   std::vector<std::uint8_t> codes(static_cast<std::size_t>(width) * height * 4);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->resolved.name());

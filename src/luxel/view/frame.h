@@ -18,12 +18,12 @@ enum class EdgeSmoothing {
 
 // A framebuffer of our own, sRGB, with depth: the same off screen and in a window, so that pictures of both
 // are the same. Needs the context it was made in.
-class Frame {
+class DrawnFrame {
  public:
-  Frame();
-  ~Frame();
-  Frame(const Frame&) = delete;
-  Frame& operator=(const Frame&) = delete;
+  DrawnFrame();
+  ~DrawnFrame();
+  DrawnFrame(const DrawnFrame&) = delete;
+  DrawnFrame& operator=(const DrawnFrame&) = delete;
 
   // Makes it ready to be drawn into, at this size (pixels), filled with a colour (linear, [0, 1]). Memory is
   // kept while the size stays. Throws DeviceError where the driver has none of this size.

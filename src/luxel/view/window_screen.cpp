@@ -25,7 +25,7 @@ GLFWwindow* make_window(const std::string& title, ScreenSize size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  // Depth, samples and the sRGB curve are those of our own framebuffer, see Frame: the same everywhere.
+  // Depth, samples and the sRGB curve are those of our own framebuffer, see DrawnFrame: the same everywhere.
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);

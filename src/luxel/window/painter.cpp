@@ -151,7 +151,7 @@ Vec3 Painter::background(const ToneCurve& tone) const {
 Image Painter::picture(const Look& look, const Viewpoint& from, ScreenSize size) {
   Image whole(size.width, size.height);
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  Frame frame;
+  DrawnFrame frame;
   for (int top = 0; top < size.height; top += largest_piece)
     for (int left = 0; left < size.width; left += largest_piece) {
       const ScreenSize piece{std::min(largest_piece, size.width - left),

@@ -91,7 +91,7 @@ class Viewer {
   Driver driver_ = current_driver();
   Gui gui_;
   Painter painter_;
-  Frame frame_;
+  DrawnFrame frame_;
   Exposure exposure_;
   ToneCurve curve_;
   Background<Pose> finding_home_;

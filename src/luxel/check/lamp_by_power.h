@@ -9,9 +9,9 @@
 namespace luxel {
 
 // Patches that emit, chosen by power (in lumens).
-class LampChoice {
+class LampByPower {
  public:
-  explicit LampChoice(const PatchSet& patches);
+  explicit LampByPower(const PatchSet& patches);
   bool empty() const { return patch_.empty(); }
   // u in [0, 1): a patch.
   std::size_t at(double u) const;

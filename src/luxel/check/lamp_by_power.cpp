@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/check/lamp_choice.h"
+#include "luxel/check/lamp_by_power.h"
 
 #include <algorithm>
 
 namespace luxel {
 
-LampChoice::LampChoice(const PatchSet& patches) {
+LampByPower::LampByPower(const PatchSet& patches) {
   double power = 0.0;
   const auto colours = patches.colours();
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -17,7 +17,7 @@ LampChoice::LampChoice(const PatchSet& patches) {
   }
 }
 
-std::size_t LampChoice::at(double u) const {
+std::size_t LampByPower::at(double u) const {
   const auto found = std::upper_bound(up_to_.begin(), up_to_.end() - 1, u * up_to_.back());
   return patch_[static_cast<std::size_t>(found - up_to_.begin())];
 }
