@@ -128,6 +128,21 @@ TEST(LightmapCharts, the_floor_under_a_box_is_a_chart_of_its_own) {
   expect_every_front_once(patches, charts);
 }
 
+// The gap's far side belongs to a long triangle whose middle lies on the near one, as all others do.
+TEST(LightmapCharts, a_thin_gap_whose_line_parts_nothing_is_cut_elsewhere) {
+  const Vec3 foot(0, 0, 0), head(0, 1, 0), left(-1, 0.5f, 0), tip(0.15f, 0.37f, 0), far(-4, 18.4f, 0);
+  truth::SceneBuilder b;
+  b.material("sheet", 0.5f, 0.0f);
+  b.triangle(foot, head, left).triangle(head, far, left).triangle(head, tip, far);
+  b.triangle(tip, {1, 10, 0}, far);
+  const auto patches = make_patches(b.scene(), {.max_edge = 0.0f});
+  ASSERT_EQ(patches.size(), 4u);
+  const auto charts = charts_of(patches, 0.1f);
+  EXPECT_EQ(charts.charts.size(), 2u);
+  EXPECT_NE(charts.of_side[0], charts.of_side[6]);
+  expect_every_front_once(patches, charts);
+}
+
 // No side of the wall's one face shares a chart with one of the other's.
 TEST(LightmapCharts, a_thin_wall_with_a_door_parts_the_floor_along_its_line) {
   for (const float thickness : {0.0f, 0.02f, 0.15f}) {

@@ -60,14 +60,15 @@ std::vector<Chart> ChartCuts::cut(std::vector<std::uint32_t> sides, const Vec3d&
       continue;
     }
     std::array<Sides, 2> halves;
-    for (const auto side : chart.sides) {
-      const auto middle = on_chart(chart, patches_.centroid(side / 2));
-      halves[cross(line.along, middle - line.point) > 0.0 ? 0 : 1].push_back(side);
-    }
+    for (const auto side : chart.sides) halves[lies_left(chart, line, side) ? 0 : 1].push_back(side);
     for (const auto& half : halves)
       for (auto& piece : connected(half)) open.push_back(std::move(piece));
   }
   return charts;
+}
+
+bool ChartCuts::lies_left(const Chart& chart, const Line& line, std::uint32_t side) const {
+  return cross(line.along, on_chart(chart, patches_.centroid(side / 2)) - line.point) > 0.0;
 }
 
 void ChartCuts::label(const Sides& sides) {
@@ -115,7 +116,7 @@ ChartCuts::Cut ChartCuts::across_page(const Chart& chart) const {
     const auto x = on_chart(chart, patches_.centroid(chart.sides[0] / 2)).x;
     for (const auto side : chart.sides)
       if (const auto other = on_chart(chart, patches_.centroid(side / 2)).x; other != x)
-        return {true, {{0.5 * (x + other), 0.0}, {0.0, 1.0}}};
+        return {true, {{std::max(x, other), 0.0}, {0.0, 1.0}}};
   }
   throw InputError(fmt::format(
       "a patch {:.3g} m long needs more than {} texels of {:.3g} m and fits on no page: take fewer "
@@ -131,10 +132,7 @@ ChartCuts::Cut ChartCuts::at_contact(const Chart& chart) {
       if (edge.smooth || a != side || piece_[b] != piece_[a] || cut_in_vain_[e]) continue;
       const auto p = on_chart(chart, patches_.vertices[edge.ends[0]]);
       const Line line{p, on_chart(chart, patches_.vertices[edge.ends[1]]) - p};
-      const auto is_left = [&](std::uint32_t s) {
-        return cross(line.along, on_chart(chart, patches_.centroid(s / 2)) - line.point) > 0.0;
-      };
-      if (is_left(a) != is_left(b)) return {true, line};
+      if (lies_left(chart, line, a) != lies_left(chart, line, b)) return {true, line};
       cut_in_vain_[e] = true;
     }
   return {};
@@ -148,6 +146,13 @@ bool ChartCuts::is_border(std::uint32_t side, std::uint32_t k) const {
       return false;
   }
   return true;
+}
+
+bool ChartCuts::parts(const Chart& chart, const Line& line) const {
+  const auto is_left = [&](std::uint32_t side) { return lies_left(chart, line, side); };
+  const auto first = is_left(chart.sides.front());
+  return std::any_of(chart.sides.begin(), chart.sides.end(),
+                     [&](auto side) { return is_left(side) != first; });
 }
 
 // Two borders that face each other so near that they would share texels.
@@ -199,7 +204,7 @@ ChartCuts::Cut ChartCuts::at_thin_gap(const Chart& chart) const {
     double length = 0.0;
     for (const auto& other : hits)
       if (std::max(off(other.from), off(other.to)) < 0.1 * texel) length += other.length;
-    if (!(length > longest)) continue;
+    if (!(length > longest) || !parts(chart, {hits[i].from, along})) continue;
     longest = length;
     best = {true, {hits[i].from, along}};
   }

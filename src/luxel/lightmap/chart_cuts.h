@@ -51,6 +51,10 @@ class ChartCuts {
   Cut across_page(const Chart& chart) const;
   Cut at_contact(const Chart& chart);
   Cut at_thin_gap(const Chart& chart) const;
+  // By its middle.
+  bool lies_left(const Chart& chart, const Line& line, std::uint32_t side) const;
+  // Whether some sides lie to the left and some do not.
+  bool parts(const Chart& chart, const Line& line) const;
   // The edge k of a side, if it is a border: no side of the same piece goes on there.
   bool is_border(std::uint32_t side, std::uint32_t k) const;
   void label(const Sides& sides);
