@@ -15,7 +15,7 @@ namespace {
 
 constexpr double upload_seconds = 0.005;  // of a frame, for what goes to the card
 constexpr double said_seconds = 4.0;
-constexpr double slow_frame = 0.025;  // s, of late: then a single long one may be seen
+constexpr double slow_frame = 0.020;  // s, of late: then a single long one may be seen
 
 Bounds box_of(const PatchSet& patches) {
   Bounds box;
