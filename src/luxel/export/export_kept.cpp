@@ -242,7 +242,16 @@ std::string vertex_light(const ToneCurve& curve, const MeshHabits& habits) {
   return text + "}";
 }
 
-void export_vertices(const std::filesystem::path& path, KeptExport& output, const KeptOptions& options) {
+// surfaces_of(kept, part); front, back: see KeptExport::colour().
+template <typename SurfacesOf>
+void export_vertices(const std::filesystem::path& path, const KeptInput& input, const KeptOptions& options,
+                     const SurfacesOf& surfaces_of, const std::vector<float>& front,
+                     const std::vector<float>& back) {
+  KeptExport output(input, options);
+  output.put([&](const KeptPart& part) { return surfaces_of(output.kept(), part); },
+             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
+               output.colour(part, surface, place, front, back);
+             });
   output.describe("vertex", vertex_light(output.curve(), habits_of(options.program)));
   output.write(path);
 }
@@ -284,22 +293,15 @@ Scene scene_of(const PatchSet& patches) {
 
 void export_kept_cut(const std::filesystem::path& path, const KeptInput& input, const SmoothLight& light,
                      const KeptOptions& options) {
-  KeptExport output(input, options);
-  output.put([&](const KeptPart& part) { return cut_surfaces(output.kept(), part, light); },
-             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
-               output.colour(part, surface, place, light.irradiance_front, light.irradiance_back);
-             });
-  export_vertices(path, output, options);
+  export_vertices(
+      path, input, options,
+      [&](const KeptScene& kept, const KeptPart& part) { return cut_surfaces(kept, part, light); },
+      light.irradiance_front, light.irradiance_back);
 }
 
 void export_kept_uncut(const std::filesystem::path& path, const KeptInput& input, const VertexFit& fit,
                        const KeptOptions& options) {
-  KeptExport output(input, options);
-  output.put([&](const KeptPart& part) { return uncut_surfaces(output.kept(), part); },
-             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
-               output.colour(part, surface, place, fit.irradiance_front, fit.irradiance_back);
-             });
-  export_vertices(path, output, options);
+  export_vertices(path, input, options, uncut_surfaces, fit.irradiance_front, fit.irradiance_back);
 }
 
 void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,

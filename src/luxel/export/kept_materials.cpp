@@ -55,16 +55,19 @@ void KeptMaterials::plain_base(const std::string& material) {
   copy_.erase(material + older);
 }
 
+void KeptMaterials::colour_base(const std::string& material, int grey, double roughness) {
+  plain_base(material);
+  const auto factor = material + base + "/baseColorFactor";
+  const auto alpha = copy_.number_at(factor + "/3", 1.0);
+  copy_.put(factor, fmt::format("[{0},{0},{0},{1}]", grey, alpha));
+  copy_.put(material + base + "/metallicFactor", "0");
+  copy_.put(material + base + "/roughnessFactor", fmt::format("{}", roughness));
+}
+
 void KeptMaterials::shadeless(const std::string& path, const JsonValue& index) {
   const auto material = changed_for(path, index, no_texture);
   if (!material) return;
-  plain_base(*material);
-  const auto factor = *material + base + "/baseColorFactor";
-  const auto alpha = copy_.number_at(factor + "/3", 1.0);
-  copy_.put(factor, fmt::format("[1,1,1,{}]", alpha));
-  // For programs that do not know the extension.
-  copy_.put(*material + base + "/metallicFactor", "0");
-  copy_.put(*material + base + "/roughnessFactor", "0.9");
+  colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
   copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
   copy_.put(*material + "/extensions/KHR_materials_unlit", "{}");
   copy_.use_extension("KHR_materials_unlit");
@@ -98,12 +101,7 @@ void KeptMaterials::shining(const std::string& path, const JsonValue& index, std
                             std::size_t coordinates) {
   const auto material = changed_for(path, index, texture);
   if (!material) return;
-  plain_base(*material);
-  const auto factor = *material + base + "/baseColorFactor";
-  const auto alpha = copy_.number_at(factor + "/3", 1.0);
-  copy_.put(factor, fmt::format("[0,0,0,{}]", alpha));
-  copy_.put(*material + base + "/metallicFactor", "0");
-  copy_.put(*material + base + "/roughnessFactor", "1");
+  colour_base(*material, 0, 1.0);
   copy_.erase(*material + base + "/metallicRoughnessTexture");
   copy_.erase(*material + "/extensions/KHR_materials_unlit");
   copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
