@@ -39,7 +39,7 @@ set(LUXEL_PUBLIC_HEADERS
     reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
     reference/surface_point.h
     lightmap/dilate.h lightmap/gather_texels.h lightmap/given_layout.h lightmap/lightmap.h lightmap/lightmap_picture.h lightmap/make_charts.h lightmap/make_lightmap.h
-    lightmap/pack_charts.h lightmap/radiance_pages.h lightmap/side_edges.h lightmap/solve_seams.h
+    lightmap/new_layout.h lightmap/pack_charts.h lightmap/radiance_pages.h lightmap/side_edges.h lightmap/solve_seams.h
     export/export_coloured.h export/export_kept.h export/export_mesh.h export/kept_layout.h export/export_page.h
     export/mesh_program.h
     live/light_value.h live/live_answers.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h

@@ -61,6 +61,70 @@ TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_
   EXPECT_EQ(read_file(folder / "a-2.exr"), read_file(folder / "b-2.exr"));
 }
 
+// What `export --as lightmap` wrote is a file that says where its surfaces lie.
+TEST(LightmapCommand, lays_surfaces_out_as_the_scenes_file_has_them) {
+  const auto folder = fresh_folder("lightmap_scene");
+  const std::string pages = "--texels-per-metre 40 --final-gather none ";
+  const auto made =
+      cli::run(folder, bake + "$LUXEL export box.vtkhdf --scene cornell-box.obj --as lightmap " + pages +
+                           "-o laid.glb --quiet && "
+                           "$LUXEL bake laid.glb --sky 1 --max-edge 0.15 --error 20% -o laid.vtkhdf --quiet");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto pages_of = [&](const std::string& line) {
+    const auto run = cli::run(folder, "$LUXEL " + line + pages + "--json --quiet");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return Json::parse(run.out)["pages"];
+  };
+  const auto own = pages_of("lightmap laid.vtkhdf --scene laid.glb -o own.exr ");
+  EXPECT_EQ(own["layout"], "file");
+  EXPECT_EQ(own["pages"], 1);
+  EXPECT_EQ(own["charts"], 1);
+  EXPECT_EQ(own, pages_of("export laid.vtkhdf --scene laid.glb --as lightmap -o again.glb "));
+  const auto anew = pages_of("lightmap laid.vtkhdf --scene laid.glb --layout new -o new.exr ");
+  EXPECT_EQ(anew["layout"], "new");
+  EXPECT_GT(anew["charts"], 5);
+  EXPECT_EQ(anew, pages_of("lightmap laid.vtkhdf -o new.exr "));
+  EXPECT_EQ(read_image(folder / "own.exr").width, own["page_size"]);
+
+  const auto other = cli::run(folder, "$LUXEL lightmap laid.vtkhdf --scene cornell-box.obj -o no.exr");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("cornell-box.obj: it is not what laid.vtkhdf was solved from"), std::string::npos)
+      << other.err;
+}
+
+TEST(LightmapCommand, says_in_its_report_what_was_made) {
+  const auto folder = fresh_folder("lightmap_report");
+  const auto run =
+      cli::run(folder, bake + lightmap + "-o map.exr --final-gather 1% --gather-rays 64 --quiet --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto pages = Json::parse(run.out)["pages"];
+  EXPECT_EQ(pages["page_size"], read_image(folder / "map.exr").width);
+  EXPECT_EQ(pages["error_target"], 0.01);
+  EXPECT_EQ(pages["stopped"], false);
+  EXPECT_GE(pages["texels"], pages["gathered"]);
+  EXPECT_GT(pages["short_of_error"], 0);  // by so few rays
+  EXPECT_GE(pages["gathered"], pages["short_of_error"]);
+  EXPECT_GE(pages["rays"], 64 * pages["gathered"].get<int>());
+  EXPECT_GE(pages["seams"]["difference_before"], pages["seams"]["difference_after"]);
+}
+
+TEST(LightmapCommand, and_export_say_that_they_were_stopped_while_texels_were_gathered) {
+  const auto folder = fresh_folder("lightmap_stopped");
+  const std::string stop =
+      " --texels-per-metre 200 --final-gather 0.01% --gather-rays 65536 --progress json & pid=$!; "
+      "for i in $(seq 600); do grep -q texels stderr.txt && break; sleep 0.05; done; kill -INT $pid; wait "
+      "$pid";
+  ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
+  for (const std::string line :
+       {"$LUXEL lightmap box.vtkhdf -o map.exr", "$LUXEL export box.vtkhdf --as lightmap -o map.glb"}) {
+    const auto run = cli::run(folder, line + stop);
+    EXPECT_EQ(run.code, 3) << line << run.err;
+    EXPECT_NE(run.err.find("stopped: texels that were not gathered"), std::string::npos) << run.err;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "map.exr"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "map.glb"));
+}
+
 TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
   const auto folder = fresh_folder("lightmap_refuses");
   ASSERT_EQ(cli::run(folder, bake + "true").code, 0);

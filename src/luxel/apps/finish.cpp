@@ -22,6 +22,7 @@ int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& 
       write_outputs(baked, tracer, run, look, picture, workers, console, record, samples, mesh);
   finish({.command = options.name(),
           .baked = &baked,
+          .pages = written.pages,
           .camera = written.camera,
           .origin = baked.patches.origin,
           .outputs = written.files,

@@ -2,14 +2,12 @@
 #include <algorithm>
 #include <optional>
 
-#include <fmt/format.h>
-
-#include "luxel/apps/bake_settings.h"
 #include "luxel/apps/commands.h"
 #include "luxel/apps/console.h"
 #include "luxel/apps/finish.h"
 #include "luxel/apps/outputs.h"
 #include "luxel/apps/settings.h"
+#include "luxel/apps/solved_scene.h"
 
 namespace luxel {
 namespace {
@@ -46,12 +44,16 @@ class FromSolution final : public Command {
     RunRecord record;
     const auto kept = record.stage("read", [&](auto&) { return read(); });
     take_up_from(kept.baked.solution.provenance);
-    std::optional<Scene> scene;
-    double scale = 1.0;
-    if (!scene_.empty())
-      scene = record.stage("load", [&](auto&) { return scene_of_solution(kept.baked, scale, console); });
+    std::optional<SolvedScene> solved;
+    if (!scene_.empty()) {
+      solved =
+          record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, kept.baked, console); });
+      if (!solved) return stopped_before_light(console);
+    }
+    MeshWish mesh{&mesh_};
+    if (solved) mesh = {&mesh_, &solved->scene, solved->metres_a_unit};
     return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,
-                            {nullptr, kept.samples}, {&mesh_, scene ? &*scene : nullptr, scale});
+                            {nullptr, kept.samples}, mesh);
   }
 
  private:
@@ -66,19 +68,6 @@ class FromSolution final : public Command {
     if (look_.up != "auto") return;
     for (const auto& [key, value] : provenance.options)
       if (key == "up" && (value == "y" || value == "z")) look_.up = value;
-  }
-
-  // The scene, loaded as it was when it was solved.
-  Scene scene_of_solution(const Baked& baked, double& metres_a_unit, Console& console) const {
-    BakeSettings of_bake;
-    OptionSet all("bake", "");
-    of_bake.declare(all);
-    all.take_up(baked.solution.provenance.options);
-    metres_a_unit = of_bake.scene.load.scale;
-    auto scene = load_scene(scene_, of_bake.scene.load, console.log(), console.monitor());
-    if (fingerprint(scene) != baked.patches.scene_fingerprint)
-      throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", scene_, file_));
-    return scene;
   }
 
   std::string kinds_;

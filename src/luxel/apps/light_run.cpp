@@ -84,6 +84,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
           .refine = refined,
           .mesh_error_target = settings_.refine.mesh_error,
           .error_target = error_target(),
+          .pages = written.pages,
           .camera = written.camera,
           .origin = baked.patches.origin,
           .outputs = written.files,

@@ -11,9 +11,9 @@
 #include "luxel/apps/lightmap_settings.h"
 #include "luxel/apps/outputs.h"
 #include "luxel/apps/settings.h"
+#include "luxel/apps/solved_scene.h"
 #include "luxel/image/image_file.h"
 #include "luxel/lightmap/lightmap_picture.h"
-#include "luxel/lightmap/make_lightmap.h"
 #include "luxel/lightmap/radiance_pages.h"
 
 namespace luxel {
@@ -46,6 +46,11 @@ class LightmapCommand final : public Command {
   explicit LightmapCommand(OptionSet& options) : Command(options) {
     options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
     settings_.declare(options);
+    options.heading("Scene");
+    options.add_text(
+        "scene", "FILE", scene_,
+        "what was solved: where its surfaces lie on pages is taken from a glTF file that says so");
+    settings_.declare_layout(options);
     picture_.declare_view(options);
     look_.declare_up(options);
     run_.declare(options, page_kinds);
@@ -58,20 +63,28 @@ class LightmapCommand final : public Command {
     const Workers workers(run_.threads);
     RunRecord record;
     const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
+    std::optional<SolvedScene> solved;
+    if (!scene_.empty()) {
+      solved = record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, baked, console); });
+      if (!solved) return stopped_before_light(console);
+    }
     std::optional<Tracer> tracer;
     if (settings_.lightmap.texels.error > 0.0 || !settings_.preview.empty())
       record.stage("hierarchy", [&](auto&) { tracer.emplace(baked.patches, workers); });
 
-    LightmapReport report;
-    console.announce("charts");
-    const auto lightmap = record.stage("lightmap", [&](auto& stage) {
-      auto made = make_lightmap(baked.patches, baked.solution, tracer ? &*tracer : nullptr,
-                                settings_.lightmap, workers, &report, console.monitor());
-      stage.rays = report.texels.rays;
-      return made;
+    PagesInput input{baked.patches, baked.solution};
+    if (solved) {
+      input.scene = &solved->scene;
+      input.metres_a_unit = solved->metres_a_unit;
+    }
+    const bool gathers = settings_.lightmap.texels.error > 0.0;
+    const auto made = record.stage("lightmap", [&](auto& stage) {
+      auto pages = make_light_pages(input, settings_, gathers ? &*tracer : nullptr, workers, console);
+      if (pages) stage.rays = pages->record.made.texels.rays;
+      return pages;
     });
-    console.clear_bar();
-    console.say(describe(lightmap, report));
+    if (!made) return stopped_before_light(console);
+    const auto& lightmap = made->lightmap;
     auto files = record.stage("write", [&](auto&) { return write(lightmap); });
     std::optional<Camera> camera;
     if (!settings_.preview.empty()) {
@@ -86,13 +99,14 @@ class LightmapCommand final : public Command {
     }
     finish({.command = options().name(),
             .baked = &baked,
+            .pages = made->record,
             .camera = camera,
             .origin = baked.patches.origin,
             .outputs = files,
             .options = &options(),
             .record = &record},
            run_, console);
-    return report.texels.stopped ? exit_stopped_early : exit_fine;
+    return made->record.made.texels.stopped ? exit_stopped_early : exit_fine;
   }
 
  private:
@@ -151,7 +165,7 @@ class LightmapCommand final : public Command {
               {{"Encoding", "sRGB of irradiance / white"}, {"White W/m2", fmt::format("{}", white)}});
   }
 
-  std::string file_;
+  std::string file_, scene_;
   LightmapSettings settings_;
   PictureSettings picture_;
   LookSettings look_;

@@ -29,6 +29,13 @@ double parse_white(const std::string& text) {
 
 }  // namespace
 
+void LightmapSettings::declare_layout(OptionSet& set) {
+  set.add_choice(
+      "layout", {"file", "new"}, layout,
+      "where surfaces lie on pages: as the file's second texture coordinates say, if they can be used, "
+      "or in new charts");
+}
+
 void LightmapSettings::declare_pages(OptionSet& set) {
   set.add({"texels-per-metre", "1/m",
            "texels along a metre of a surface, at least; auto: as many as fill half of a page of 512 x 512",

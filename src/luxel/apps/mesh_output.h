@@ -5,6 +5,7 @@
 #include <string>
 
 #include "luxel/apps/console.h"
+#include "luxel/apps/light_pages.h"
 #include "luxel/apps/mesh_settings.h"
 #include "luxel/apps/settings.h"
 #include "luxel/parallel/workers.h"
@@ -16,10 +17,16 @@ namespace luxel {
 // Whether the mesh needs rays: texels may gather light anew.
 bool needs_rays(const MeshSettings& settings);
 
+// is_written: false where Ctrl-C came too early. pages: where it has light on pages.
+struct GlbDone {
+  bool is_written = true;
+  std::optional<PagesRecord> pages = {};
+};
+
 // A GLB as it is wished for. light: there where light is at vertices. tracer: there where needs_rays() says
 // so. Throws DeviceError, and MismatchError where the scene is not the solution's.
-void write_lit_glb(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
-                   const MeshWish& wish, const LookSettings& look, const Tracer* tracer,
-                   const Workers& workers, Console& console);
+GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
+                      const MeshWish& wish, const LookSettings& look, const Tracer* tracer,
+                      const Workers& workers, Console& console);
 
 }  // namespace luxel

@@ -24,10 +24,7 @@ void MeshSettings::declare(OptionSet& set) {
   set.add_flag("keep-topology", keep_topology,
                "the triangles of the scene's file as they are: light is fitted to their vertices");
   set.only_with("as", "lightmap|emissive");
-  set.add_choice(
-      "layout", {"file", "new"}, layout,
-      "where surfaces lie on pages: as the file's second texture coordinates say, if they can be used, "
-      "or in new charts");
+  pages.declare_layout(set);
   pages.declare_pages(set);
   pages.declare_texels(set);
   set.only_with();

@@ -15,8 +15,7 @@ struct MeshSettings {
   MeshProgram program = MeshProgram::any;  // that reads it
   std::string as = "vertex";
   bool keep_topology = false;
-  std::string layout = "file";  // of as lightmap and emissive
-  LightmapSettings pages;       // likewise
+  LightmapSettings pages;  // of as lightmap and emissive
   void declare(OptionSet& set);
   bool on_pages() const { return as != "vertex"; }
   // Throws UsageError where options contradict each other.

@@ -192,7 +192,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         stage.rays = side * side * pixels;
         return render(baked.patches, *light, *tracer, *written.camera, picture.render, workers, monitor);
       });
-      written.stopped = !interrupted_before && interrupted();
+      written.stopped |= !interrupted_before && interrupted();
     }
     console.clear_bar();
     if (is_picture(output) && written.stopped) {
@@ -200,6 +200,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
            fmt::format("stopped: the picture was not finished, and {} is not written", output));
       continue;
     }
+    bool is_written = true;
     try {
       const auto stage = "write " + ending(output).substr(1);
       console.announce(stage);
@@ -208,12 +209,21 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         if (is_page(output))
           return write_page(output, baked, *light, samples.for_pages, *tracer, *written.camera, look,
                             workers);
-        if (ending(output) == ".glb")
-          return write_lit_glb(output, baked, light, mesh, look, tracer, workers, console);
+        if (ending(output) == ".glb") {
+          const auto done = write_lit_glb(output, baked, light, mesh, look, tracer, workers, console);
+          is_written = done.is_written;
+          if (done.pages) written.pages = done.pages;
+          written.stopped |= !is_written || (done.pages && done.pages->made.texels.stopped);
+          return;
+        }
         write_mesh(output, baked, light, look, samples.for_solutions);
       });
       console.clear_bar();
-      written.files.push_back(output);
+      if (is_written)
+        written.files.push_back(output);
+      else
+        warn(console.log(),
+             fmt::format("stopped: surfaces were not laid out, and {} is not written", output));
     } catch (const DeviceError& error) {
       if (failure)
         warn(console.log(), error.what());

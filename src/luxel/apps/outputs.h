@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "luxel/apps/console.h"
+#include "luxel/apps/light_pages.h"
 #include "luxel/apps/mesh_settings.h"
 #include "luxel/apps/run_record.h"
 #include "luxel/apps/settings.h"
@@ -53,8 +54,9 @@ struct KeptSamples {
 
 struct Written {
   std::vector<std::string> files;
-  std::optional<Camera> camera;  // of the pictures, if any was taken; from the patches' origin
-  bool stopped = false;          // Ctrl-C came while a picture was drawn: there is none
+  std::optional<Camera> camera;      // of the pictures, if any was taken; from the patches' origin
+  std::optional<PagesRecord> pages;  // of the last mesh that has its light on pages
+  bool stopped = false;  // Ctrl-C came while a picture or pages were made: they are not there or not whole
 };
 
 // Writes each output. Builds what it needs once: the smooth light, and a tracer when there is a picture and

@@ -157,6 +157,26 @@ Json to_json(const PictureRecord& picture, const std::optional<double>& target) 
   return {{"paths_a_pixel", picture.paths}, {"rays", picture.rays}, {"error", std::move(error)}};
 }
 
+Json to_json(const PagesRecord& record) {
+  const auto& texels = record.made.texels;
+  const auto& seams = record.made.seams;
+  Json json = {{"layout", record.as_file_has_it ? "file" : "new"},
+               {"charts", record.made.charts},
+               {"pages", record.pages},
+               {"page_size", record.page_size},
+               {"texels", texels.texels},
+               {"gathered", texels.gathered},
+               {"short_of_error", texels.short_of_it},
+               {"rays", texels.rays},
+               {"stopped", texels.stopped},
+               {"seams",
+                {{"places", seams.places},
+                 {"difference_before", seams.difference_before},
+                 {"difference_after", seams.difference_after}}}};
+  if (record.error_target > 0.0) json["error_target"] = record.error_target;
+  return json;
+}
+
 // Noise and bias, for a person. The percentile and the unshot share stand there where there are such.
 std::string quality(ErrorKind kind, double error, double error_95th, double unshot_share) {
   auto text =
@@ -224,6 +244,7 @@ std::string RunReport::as_json() const {
   if (refine) json["refine"] = to_json(*refine, mesh_error_target);
   if (solve) json["solve"] = to_json(*solve, error_target);
   if (picture) json["picture"] = to_json(*picture, error_target);
+  if (pages) json["pages"] = to_json(*pages);
   if (camera) json["camera"] = to_json(*camera, origin);
   if (!outputs.empty()) json["outputs"] = outputs;
   if (options) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "luxel/apps/light_pages.h"
 #include "luxel/apps/option_set.h"
 #include "luxel/apps/run_record.h"
 #include "luxel/apps/settings.h"
@@ -35,6 +36,7 @@ struct RunReport {
   double mesh_error_target = 0.0;           // of the refinement, a share
   std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
   std::optional<PictureRecord> picture = {};
+  std::optional<PagesRecord> pages = {};
   std::optional<Camera> camera = {};
   Vec3d origin = Vec3d(0.0);  // that the camera counts from
   std::vector<std::string> outputs = {};

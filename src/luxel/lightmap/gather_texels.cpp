@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr std::uint32_t texel_step = 0x7465786cu;  // keeps these streams apart from others of the seed
 constexpr std::uint32_t fewest_rays = 64;
 constexpr std::size_t texels_a_chunk = 64;
-constexpr std::size_t texels_between_calls = 1 << 12;  // of the monitor
+constexpr std::size_t most_between_calls = 1 << 14;  // texels, of the monitor
 
 void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
            const TexelOptions& options, const Lightmap& lightmap) {
@@ -209,12 +210,20 @@ class TexelGather {
 
 bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin,
                       double end, Lightmap& lightmap, TexelReport& report) {
-  std::vector<PointGather::Result> results(std::min(wanting.size(), texels_between_calls));
-  for (std::size_t first = 0; first < wanting.size(); first += texels_between_calls) {
+  // As many at a time as take a tenth of a second: some want a few rays, others all there may be.
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds between_calls(100);
+  constexpr std::uint32_t rays_at_first = 1 << 17;
+  std::size_t at_a_time = std::max(1u, rays_at_first / bounds.most_rays);
+  std::vector<PointGather::Result> results;
+  for (std::size_t first = 0, count = 0; first < wanting.size(); first += count) {
     const auto share = static_cast<double>(first) / static_cast<double>(wanting.size());
     if (tell(monitor_, {"texels", begin + share * (end - begin), report.rays}) == Next::stop) return false;
-    const auto count = std::min(wanting.size() - first, texels_between_calls);
-    workers_.for_chunks(count, texels_a_chunk, [&](std::size_t from, std::size_t to, int) {
+    const auto begun = Clock::now();
+    count = std::min(wanting.size() - first, at_a_time);
+    results.resize(count);
+    const auto chunk = std::clamp<std::size_t>(count / texels_a_chunk, 1, texels_a_chunk);
+    workers_.for_chunks(count, chunk, [&](std::size_t from, std::size_t to, int) {
       for (auto i = from; i < to; ++i) {
         const auto [page, texel] = wanting[first + i];
         results[i] = gather_.at(point_of(patches_, atlas_, places_[page][texel]), bounds,
@@ -228,8 +237,12 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bo
       for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)
         page.light_vector[axis].pixels[wanting[first + i].texel] = Vec3(results[i].light_vector[axis]);
       report.rays += results[i].rays;
+      ++report.gathered;
       report.short_of_it += results[i].reached ? 0 : 1;
     }
+    const auto took = Clock::now() - begun;
+    if (took > between_calls) at_a_time = std::max<std::size_t>(1, at_a_time / 2);
+    if (took < between_calls / 2) at_a_time = std::min(most_between_calls, 2 * at_a_time);
   }
   return true;
 }
@@ -256,7 +269,6 @@ TexelReport gather_texels(const PatchSet& patches, const Solution& solution, con
   TexelGather texels(patches, lightmap, places, gather, options.seed, workers, monitor);
   PointGather::Bounds bounds{options.error, least, options.most_rays, options.directional};
   constexpr double first_part = 0.98;
-  report.gathered = wanting.size();
   report.stopped = !texels.run(wanting, bounds, 0.0, first_part, lightmap, report);
   if (report.stopped) return report;
   bounds.fewest_rays = std::min(options.most_rays, 16 * bounds.fewest_rays);

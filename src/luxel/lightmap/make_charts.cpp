@@ -120,7 +120,7 @@ class Pieces {
 }  // namespace
 
 Charts make_charts(const PatchSet& patches, const Solution& solution, const ChartOptions& options,
-                   const Workers& workers) {
+                   const Workers& workers, const Monitor& monitor) {
   check(patches, solution, options);
   Charts charts;
   charts.edges =
@@ -130,7 +130,11 @@ Charts make_charts(const PatchSet& patches, const Solution& solution, const Char
   Pieces pieces(patches, charts.edges, of_sides, cosine_of_degrees(options.max_angle));
   pieces.want_lit(solution);
   ChartCuts cuts(patches, charts.edges, of_sides, options);
-  for (std::uint32_t side = 0; side < 2 * patches.size(); ++side) {
+  constexpr std::size_t sides_a_report = 256;
+  const auto all = 2 * patches.size();
+  for (std::uint32_t side = 0; side < all; ++side) {
+    const auto done = static_cast<double>(side) / static_cast<double>(all);
+    if (side % sides_a_report == 0 && tell(monitor, {"charts", done}) == Next::stop) return {};
     if (pieces.is_taken(side)) continue;
     Vec3d direction;
     auto piece = pieces.grow(side, direction);

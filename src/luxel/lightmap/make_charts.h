@@ -8,6 +8,7 @@
 #include "luxel/lightmap/side_edges.h"
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {
@@ -48,12 +49,12 @@ struct Charts {
 // another surface stands on one, across a gap or a wall thinner than two texels, and where it would be too
 // large for a page, a chart is cut in two along a straight line.
 //
-// Charts stand in the order of their first sides, the same on any number of threads. Cost: linear but for
-// sorts; cuts go through their chart once each.
+// Charts stand in the order of their first sides, the same on any number of threads; after the monitor's stop
+// there are none. Cost: linear but for sorts; cuts go through their chart once each.
 //
 // Throws MismatchError where the solution is not of these patches, InputError where an option is out of its
 // range.
 Charts make_charts(const PatchSet& patches, const Solution& solution, const ChartOptions& options,
-                   const Workers& workers);
+                   const Workers& workers, const Monitor& monitor = {});
 
 }  // namespace luxel

@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/lightmap/dilate.h"
-#include "luxel/lightmap/make_charts.h"
-#include "luxel/lightmap/pack_charts.h"
+#include "luxel/lightmap/new_layout.h"
 #include "luxel/report/error.h"
 #include "luxel/surface/smooth_light.h"
 
@@ -60,16 +59,8 @@ Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const 
 Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
                        const LightmapOptions& options, const Workers& workers, LightmapReport* report,
                        const Monitor& monitor) {
-  const PackOptions pack{.texel = static_cast<float>(1.0 / texels_per_metre(patches, solution, options)),
-                         .page_size = options.page_size,
-                         .margin = options.margin};
-  check_pack_options(patches, pack);
-  LaidOut laid;
-  laid.charts = make_charts(
-      patches, solution,
-      {.texel = pack.texel, .crease_angle = options.crease_angle, .most_texels = most_texels(pack)}, workers);
-  laid.atlas = pack_charts(patches, laid.charts, pack);
-  return fill_lightmap(patches, solution, tracer, laid, options, workers, report, monitor);
+  return fill_lightmap(patches, solution, tracer, lay_out(patches, solution, options, workers), options,
+                       workers, report, monitor);
 }
 
 }  // namespace luxel

@@ -18,7 +18,7 @@ constexpr int largest_page = 16384;
 constexpr int widest_margin = 64;
 
 void check_texels(double count) {
-  constexpr double most = 0x1p28;  // some 40 bytes each
+  constexpr auto most = most_texels_of_pages;
   if (count > most)
     throw InputError(fmt::format(
         "the surfaces need {:.0f} million texels, expected at most {:.0f}: take fewer texels a metre",

@@ -11,6 +11,9 @@
 
 namespace luxel {
 
+// Of all pages together: some 40 bytes each.
+inline constexpr double most_texels_of_pages = 0x1p28;
+
 struct PackOptions {
   float texel = 0.05f;   // m
   int page_size = 1024;  // texels, the most a page is wide and high; 8 to 16384
