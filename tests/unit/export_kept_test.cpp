@@ -157,6 +157,21 @@ TEST_F(ExportKept, other_formats_become_what_they_would_be_as_gltf) {
   EXPECT_EQ(names, fronts) << "backs behind";
 }
 
+TEST_F(ExportKept, a_pane_of_another_format_is_there_and_lets_all_through) {
+  files_.write("room.mtl", "newmtl red\nKd 0.5 0.1 0.1\nnewmtl glass\nKd 0 0 0\nd 0.1\n");
+  files_.write("room.obj",
+               "mtllib room.mtl\nusemtl red\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n"
+               "usemtl glass\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 5 6 7\n");
+  solve("room.obj", 0.3f);
+  uncut();
+  const auto file = lit();
+  const auto materials = file.root()["materials"];
+  ASSERT_EQ(materials[1]["name"].text(), "glass");
+  EXPECT_EQ(materials[1]["alphaMode"].text(), "BLEND");
+  EXPECT_EQ(materials[1]["pbrMetallicRoughness"]["baseColorFactor"][3].number(), 0.0);
+  EXPECT_EQ(materials[0]["pbrMetallicRoughness"]["baseColorFactor"][3].number(), 1.0);
+}
+
 TEST_F(ExportKept, another_file_is_refused) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.4f);

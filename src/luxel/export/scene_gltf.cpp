@@ -56,9 +56,10 @@ class SceneWriter {
     copy_.put_text(path + "/name", valid_utf8(material.name));
     copy_.put(path + "/doubleSided", material.two_sided ? "true" : "false");
     const auto base = textures.reflectance ? textures.reflectance_factor : material.reflectance;
+    // Where light passes as if it were not there, it is not to be seen either.
     copy_.put(path + "/pbrMetallicRoughness",
-              fmt::format(R"({{"baseColorFactor":[{},{},{},1],"metallicFactor":0,"roughnessFactor":1}})",
-                          base.r, base.g, base.b));
+              fmt::format(R"({{"baseColorFactor":[{},{},{},{}],"metallicFactor":0,"roughnessFactor":1}})",
+                          base.r, base.g, base.b, material.opaque ? 1 : 0));
     if (const auto picture = textures.reflectance ? textures.reflectance : textures.cutout)
       copy_.put(path + "/pbrMetallicRoughness/baseColorTexture", texture_of(*picture));
     if (textures.cutout) {
