@@ -140,6 +140,27 @@ TEST_F(ExportKeptPages, coordinates_that_cannot_be_used_are_not_and_the_reason_i
   EXPECT_EQ(why, "") << "a file without any is no fault";
 }
 
+// glTF's own defaults are those of a white metal, which no diffuse light shows.
+TEST_F(ExportKeptPages, what_has_no_material_gets_the_grey_that_it_was_solved_with) {
+  auto gltf = small_room();
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
+  gltf.nodes = R"({"mesh":0})";
+  files_.write("room.glb", gltf.glb());
+  solve("room.glb", 0.0f);
+  const PackOptions pack{.texel = 0.1f, .page_size = 256};
+  const auto charts =
+      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
+  const auto atlas = pack_charts(patches_, charts, pack);
+  const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  const auto file = lit();
+  const auto base =
+      file.object(file.root()["meshes"][0]["primitives"][0]["material"], "materials")["pbrMetallicRoughness"];
+  EXPECT_EQ(base["metallicFactor"].number(), 0.0);
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_EQ(base["baseColorFactor"][c].number(), scene_.materials[0].reflectance[static_cast<int>(c)]);
+}
+
 TEST_F(ExportKeptPages, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.0f);

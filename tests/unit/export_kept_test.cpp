@@ -111,6 +111,36 @@ TEST_F(ExportKept, new_vertices_have_texture_coordinates_between_the_old_ones) {
   EXPECT_GT(seen, 500u);
 }
 
+// A vertex array of many of which few are used, and an array that is too short for it.
+TEST_F(ExportKept, vertices_that_nothing_uses_are_not_written_again) {
+  auto gltf = small_room();
+  std::vector<float> points = {0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0};
+  points.resize(3 * 1000);
+  gltf.points(points);
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":5},"indices":1,"material":1}]})";
+  gltf.nodes = R"({"mesh":0})";
+  files_.write("room.glb", gltf.glb());
+  solve("room.glb", 0.4f);
+  cut();
+  auto file = lit();
+  for (const auto& part : drawn_parts(file, placed_nodes(file)).parts)
+    EXPECT_LT(GltfArray(file, part.primitive["attributes"]["POSITION"], 3, 3).size(), 100u);
+  expect_light_of_place(file, scene_);
+
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":6},"indices":1,"material":1}]})";
+  gltf.array<float>(SmallGltf::f32, "VEC3", 1, {0, 0, 1});
+  files_.write("room.glb", gltf.glb());
+  solve("room.glb", 0.4f);
+  try {
+    cut();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/attributes/NORMAL: expected 4 elements, found 1"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(ExportKept, the_files_own_arrays_are_not_touched_where_it_keeps_its_triangles) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.4f);

@@ -144,9 +144,9 @@ void KeptExport::colour(const KeptPart& part, const KeptSurface& surface, const 
   if (own) tints.emplace(*file_, own, 3, 4);
   const auto tint_of = [&](std::size_t v) {
     if (!tints) return Vec3(1.0f);
-    const KeptVertex vertex = v < part.vertices
-                                  ? KeptVertex{{static_cast<std::uint32_t>(v), 0, 0}, {1.0, 0.0, 0.0}}
-                                  : surface.added[v - part.vertices];
+    const auto count = surface.own.size();
+    const auto vertex =
+        v < count ? KeptVertex{{surface.own[v], 0, 0}, {1.0, 0.0, 0.0}} : surface.added[v - count];
     Vec3d sum(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto c = tints->at(vertex.of[i]);
@@ -193,7 +193,8 @@ std::vector<std::size_t> KeptExport::add_pages(const std::vector<Image>& pages, 
 std::vector<KeptSurface> KeptExport::surfaces_on(const KeptPages& pages, const KeptPart& part) const {
   if (!pages.as_file_has_it) return mapped_surfaces(kept(), part, pages.atlas);
   auto surfaces = uncut_surfaces(kept(), part);
-  surfaces.resize(1);
+  if (surfaces.size() > 1) surfaces.resize(1);
+  if (surfaces.empty()) return surfaces;
   for (const auto t : part.triangles)
     if (of_triangles_.begin(t) < of_triangles_.end(t)) {
       surfaces[0].page = pages.atlas.page_of(2 * std::size_t{of_triangles_.begin(t)});

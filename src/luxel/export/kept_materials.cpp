@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "luxel/scene/material.h"
+
 namespace luxel {
 namespace {
 
@@ -32,7 +34,13 @@ std::optional<std::string> KeptMaterials::changed_for(const std::string& path, c
   const auto [found, is_new] = made_.try_emplace({of_file, texture}, 0);
   if (is_new) {
     if (!index) {
-      found->second = copy_.append("/materials", R"({"name":"none"})");
+      // The colour that the light was solved with; what says nothing of itself would be a mirror.
+      const auto grey = Material().reflectance;
+      found->second = copy_.append(
+          "/materials",
+          fmt::format(
+              R"({{"name":"none","pbrMetallicRoughness":{{"baseColorFactor":[{},{},{},1],"metallicFactor":0}}}})",
+              grey.r, grey.g, grey.b));
     } else {
       taken_.resize(std::max(taken_.size(), of_file + 1));
       found->second =
@@ -83,6 +91,7 @@ void KeptMaterials::lightmapped(const std::string& path, const JsonValue& index,
                                 std::size_t coordinates, float intensity, const Vec3& emission) {
   const auto material = changed_for(path, index, texture);
   if (!material) return;
+  plain_base(*material);
   copy_.put(*material + "/extensions/MOZ_lightmap",
             fmt::format(R"({{"index":{},"texCoord":{},"intensity":{}}})", texture, coordinates, intensity));
   copy_.use_extension("MOZ_lightmap");

@@ -61,23 +61,26 @@ std::size_t add(GltfCopy& copy, const std::vector<float>& values, int components
   return copy.add_positions(positions);
 }
 
-// The attributes at `path`, of old and new vertices.
+// The attributes at `path`, of old and new vertices. vertices: that the part has.
 void extend(GltfCopy& copy, GltfFile& file, const JsonValue& attributes, const KeptSurface& surface,
-            const std::string& path) {
+            std::size_t vertices, const std::string& path) {
   for (const auto& name : attributes.keys()) {
     const GltfArray array(file, attributes[name], 1, 4);
     const auto kind = kind_of(name);
     const auto turns = surface.back && name == "NORMAL";
-    if (surface.added.empty() && !turns) continue;
+    if (surface.has_all_own && surface.added.empty() && !turns) continue;
+    if (array.size() < vertices)
+      attributes[name].refuse(fmt::format("expected {} elements, found {}", vertices, array.size()));
     std::vector<float> values;
-    values.reserve((array.size() + surface.added.size()) * static_cast<std::size_t>(array.components()));
+    values.reserve((surface.own.size() + surface.added.size()) *
+                   static_cast<std::size_t>(array.components()));
     const auto put = [&](const Numbers& numbers) {
       for (int c = 0; c < array.components(); ++c) {
         const auto number = static_cast<float>(numbers[static_cast<std::size_t>(c)]);
         values.push_back(turns ? -number : number);
       }
     };
-    for (std::uint32_t v = 0; v < array.size(); ++v) put(numbers_at(array, v));
+    for (const auto v : surface.own) put(numbers_at(array, v));
     for (const auto& vertex : surface.added) put(between(array, vertex, kind));
     copy.put(path + "/" + name, fmt::format("{}", add(copy, values, array.components(), kind)));
   }
@@ -105,14 +108,14 @@ void put_surface(GltfCopy& copy, GltfFile& file, const KeptPart& part, const Kep
                  const std::string& path) {
   const auto& primitive = part.drawn.primitive;
   if (surface.back) copy.erase(path + "/attributes/TANGENT");
-  extend(copy, file, primitive["attributes"], surface, path + "/attributes");
+  extend(copy, file, primitive["attributes"], surface, part.vertices, path + "/attributes");
   const auto targets = primitive["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i)
-    extend(copy, file, targets[i], surface, fmt::format("{}/targets/{}", path, i));
+    extend(copy, file, targets[i], surface, part.vertices, fmt::format("{}/targets/{}", path, i));
   if (surface.as_it_was) return;
   copy.erase(path + "/mode");
   copy.put(path + "/indices",
-           fmt::format("{}", copy.add_indices(surface.triangles, part.vertices + surface.added.size())));
+           fmt::format("{}", copy.add_indices(surface.triangles, surface.own.size() + surface.added.size())));
 }
 
 }  // namespace luxel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -28,6 +29,8 @@ class SurfaceMaker {
   SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page) : part_(part) {
     surface_.back = back;
     surface_.page = page;
+    surface_.own.resize(part.vertices);
+    std::iota(surface_.own.begin(), surface_.own.end(), 0u);
     surface_.light.resize(part.vertices, none);
     surface_.uv.resize(part.vertices, Vec2(0.0f));
   }
@@ -42,10 +45,46 @@ class SurfaceMaker {
   KeptSurface finish() {
     surface_.as_it_was = !surface_.back && surface_.added.empty() && part_.as_read &&
                          surface_.triangles.size() == part_.corners.size();
+    // Arrays that are written anew, or are used by less than half, have no room for what nothing uses.
+    const auto used = used_of_own();
+    if (surface_.back || !surface_.added.empty() || 2 * used.size() < surface_.own.size()) keep_only(used);
     return std::move(surface_);
   }
 
  private:
+  std::vector<std::uint32_t> used_of_own() const {
+    std::vector<bool> is_used(surface_.light.size(), false);
+    for (const auto& triangle : surface_.triangles)
+      for (const auto v : triangle) is_used[v] = true;
+    std::vector<std::uint32_t> used;
+    for (const auto v : surface_.own)
+      if (is_used[v]) used.push_back(v);
+    return used;
+  }
+
+  // Of the primitive's vertices, which all are there yet, no others.
+  void keep_only(const std::vector<std::uint32_t>& used) {
+    const auto all = surface_.own.size();
+    if (used.size() == all) return;
+    std::vector<std::uint32_t> number(surface_.light.size());
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+      number[used[i]] = i;
+      surface_.light[i] = surface_.light[used[i]];
+      surface_.uv[i] = surface_.uv[used[i]];
+    }
+    for (auto v = all; v < number.size(); ++v) number[v] = static_cast<std::uint32_t>(v - all + used.size());
+    const auto cut = [&](auto& values) {
+      values.erase(values.begin() + static_cast<std::ptrdiff_t>(used.size()),
+                   values.begin() + static_cast<std::ptrdiff_t>(all));
+    };
+    cut(surface_.light);
+    cut(surface_.uv);
+    for (auto& triangle : surface_.triangles)
+      for (auto& v : triangle) v = number[v];
+    surface_.own = used;
+    surface_.has_all_own = false;
+  }
+
   // A vertex of the file keeps the first light that it is given; for another there is another vertex.
   std::uint32_t vertex(const Corner& corner) {
     const auto& place = corner.place;

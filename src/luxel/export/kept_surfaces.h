@@ -18,16 +18,17 @@ struct KeptVertex {
   Vec3d weights{0.0};                 // of theirs; they sum to one
 };
 
-// One side of a part as it is to be written. The primitive's own vertices come first, whether a triangle uses
-// them or not, then those added.
+// One side of a part as it is to be written. Vertices of the primitive's own come first, then those added.
 struct KeptSurface {
   static constexpr std::uint32_t no_light = 0xffffffffu;
   bool back = false;
-  std::uint32_t page = 0;  // of a lightmap
+  std::uint32_t page = 0;          // of a lightmap
+  std::vector<std::uint32_t> own;  // of the primitive's vertices; ascending
   std::vector<KeptVertex> added;
   std::vector<std::array<std::uint32_t, 3>> triangles;  // as the file winds them
   std::vector<std::uint32_t> light;  // [vertex]: a vertex of SmoothLight, or of the scene, or no_light
   std::vector<Vec2> uv;              // [vertex]: on the lightmap
+  bool has_all_own = true;           // whether triangles use them or not: their arrays may stay as they are
   bool as_it_was = false;            // the primitive's own vertices and triangles, in their order
 };
 
