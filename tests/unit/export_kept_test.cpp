@@ -111,6 +111,15 @@ TEST_F(ExportKept, new_vertices_have_texture_coordinates_between_the_old_ones) {
   EXPECT_GT(seen, 500u);
 }
 
+TEST_F(ExportKept, a_picture_that_is_missing_stays_so) {
+  auto gltf = small_room();
+  gltf.rest += R"(,"images":[{"uri":"lost.png"}],"textures":[{"source":0}])";
+  files_.write("room.glb", gltf.glb());
+  solve("room.glb", 0.4f);
+  cut();
+  EXPECT_EQ(lit().root()["images"][0]["uri"].text(), "lost.png");
+}
+
 // A vertex array of many of which few are used, and an array that is too short for it.
 TEST_F(ExportKept, vertices_that_nothing_uses_are_not_written_again) {
   auto gltf = small_room();

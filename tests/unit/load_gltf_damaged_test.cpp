@@ -144,6 +144,28 @@ TEST_F(LoadGltfDamaged, arrays_that_say_more_than_the_file_holds_are_refused) {
   expect(refusal_with(R"("byteLength":36)", R"("byteLength":36,"byteStride":24)"), "24 bytes apart");
 }
 
+TEST_F(LoadGltfDamaged, what_few_bytes_say_many_times_is_bounded_by_the_sum) {
+  auto gltf = one_triangle();
+  const auto nodes = [](int count) {
+    std::string text = R"({"mesh":0})";
+    for (int i = 1; i < count; ++i) text += R"(,{"mesh":0})";
+    return text;
+  };
+  // A million zeros are taken once, not twice.
+  gltf.accessor(SmallGltf::u32, "SCALAR", 1'000'002, "");
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
+  gltf.nodes = nodes(2);
+  expect(refusal(gltf),
+         "/meshes/0/primitives/0: arrays without a bufferView have more than 1048576 elements");
+  // Bytes that are there, many times.
+  auto many = one_triangle();
+  std::vector<std::uint8_t> indices(300'000);
+  many.array<std::uint8_t>(SmallGltf::u8, "SCALAR", indices.size(), indices);
+  many.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
+  many.nodes = nodes(1001);
+  expect(refusal(many), "/meshes/0/primitives/0: expected at most 300000000 corners");
+}
+
 TEST_F(LoadGltfDamaged, arrays_of_another_kind_are_refused) {
   expect(refusal_with(R"("VEC3")", R"("VEC2")"), "expected an accessor of 3 numbers an element, found 2");
   expect(refusal_with(R"("VEC3")", R"("MAT4")"), "/accessors/0/type: expected SCALAR, VEC2, VEC3 or VEC4");

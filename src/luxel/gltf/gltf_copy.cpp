@@ -90,13 +90,18 @@ void GltfCopy::take_buffers(GltfFile& file) {
   root["buffers"] = Json::array({Json::object()});
 }
 
-// Pictures of other kinds than glTF's own stay where they are, under their names.
+// Pictures that cannot be read, or are of other kinds than glTF's own, stay under their names.
 void GltfCopy::take_pictures(GltfFile& file) {
   const auto images = file.root()["images"];
   for (std::size_t i = 0; i < images.size(); ++i) {
     const auto uri = images[i]["uri"];
     if (!uri) continue;
-    const auto picture = file.resource(uri);
+    std::string picture;
+    try {
+      picture = file.resource(uri);
+    } catch (const InputError&) {
+      continue;  // whoever reads it is told so
+    }
     const auto type = picture_type(picture);
     if (type.empty()) continue;
     auto& image = document_->root["images"][i];

@@ -19,7 +19,7 @@ namespace luxel {
 // behind. Places in the JSON are named by their paths ("/meshes/3/name"), as errors name them.
 class GltfCopy {
  public:
-  // Throws InputError where a buffer or a picture is missing.
+  // Throws InputError where a buffer is missing; a picture that is missing stays so.
   explicit GltfCopy(GltfFile& file);
   ~GltfCopy();
 

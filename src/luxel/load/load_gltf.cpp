@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "luxel/file/output_file.h"
+#include "luxel/gltf/gltf_array.h"
 #include "luxel/gltf/gltf_parts.h"
 #include "luxel/load/gltf_lamps.h"
 #include "luxel/load/gltf_materials.h"
@@ -30,6 +31,7 @@ class GltfLoader {
   Scene load();
 
  private:
+  void check_counts() const;
   bool add_triangles(Scene& scene, GltfMaterials& materials);
   void say_warnings() const;
 
@@ -41,8 +43,35 @@ class GltfLoader {
   GltfParts drawn_;
 };
 
+// Few bytes can say that there is much of something: by instances, and by arrays of zeros without any bytes.
+void GltfLoader::check_counts() const {
+  constexpr std::size_t most_corners = 300'000'000;  // some 30 bytes each
+  std::size_t corners = 0, zeros = 0;
+  for (const auto& part : drawn_.parts) {
+    if (part.primitive["extensions"]["KHR_draco_mesh_compression"]) continue;
+    const GltfArray positions(file_, part.primitive["attributes"]["POSITION"], 3, 3);
+    auto count = positions.size();
+    bool is_zero = !positions.accessor()["bufferView"];
+    if (const auto index = part.primitive["indices"]) {
+      const GltfArray indices(file_, index, 1, 1);
+      count = indices.size();
+      is_zero = is_zero || !indices.accessor()["bufferView"];
+    }
+    corners += count;
+    zeros += is_zero ? count : 0;
+    if (zeros > GltfArray::most_zeros)
+      part.primitive.refuse(fmt::format(
+          "arrays without a bufferView have more than {} elements in all instances, the most that are taken",
+          GltfArray::most_zeros));
+    if (corners > most_corners)
+      part.primitive.refuse(
+          fmt::format("expected at most {} corners of triangles in all instances, found more", most_corners));
+  }
+}
+
 // False where the monitor says stop.
 bool GltfLoader::add_triangles(Scene& scene, GltfMaterials& materials) {
+  check_counts();
   const auto& parts = drawn_.parts;
   // Which sets of texture coordinates are wanted shows only when all materials are known.
   std::vector<MaterialId> material_of;
