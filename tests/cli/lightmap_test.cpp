@@ -9,6 +9,7 @@
 #include "luxel/image/image_file.h"
 
 #include "cli/run_program.h"
+#include "support/small_gltf.h"
 
 namespace luxel::cli {
 namespace {
@@ -90,6 +91,30 @@ TEST(LightmapCommand, lays_surfaces_out_as_the_scenes_file_has_them) {
   EXPECT_EQ(other.code, 1);
   EXPECT_NE(other.err.find("cornell-box.obj: it is not what laid.vtkhdf was solved from"), std::string::npos)
       << other.err;
+}
+
+// One large sheet and 300 small ones, which have a page each in the file: of pages as large as the one needs.
+TEST(LightmapCommand, a_files_layout_of_pages_that_are_all_but_empty_is_not_taken) {
+  const auto folder = fresh_folder("lightmap_empty_pages");
+  SmallGltf gltf;
+  gltf.points({0, 0, 0, 2, 0, 0, 0, 2, 0});
+  gltf.array<float>(SmallGltf::f32, "VEC2", 3, {0, 0, 1, 0, 0, 1});
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_1":1}}]})";
+  gltf.nodes = R"({"mesh":0,"scale":[80,80,1],"translation":[0,0,-1]})";
+  std::string all = "0";
+  for (int i = 1; i <= 300; ++i) {
+    gltf.nodes += fmt::format(R"(,{{"mesh":0,"translation":[{},0,0]}})", 3 * i);
+    all += fmt::format(",{}", i);
+  }
+  gltf.rest = fmt::format(R"(,"scene":0,"scenes":[{{"nodes":[{}]}}])", all);
+  write_file(folder / "sheets.glb", gltf.glb());
+  const auto run = cli::run(folder,
+                            "$LUXEL bake sheets.glb --sky 1 --error 20% --as lightmap --final-gather none "
+                            "--texels-per-metre 1 -o out.glb --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("their 301 pages of 256 x 256 texels would be 20 million"), std::string::npos)
+      << run.err;
+  EXPECT_EQ(Json::parse(run.out)["pages"]["layout"], "new");
 }
 
 TEST(LightmapCommand, says_in_its_report_what_was_made) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/apps/light_pages.h"
 
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "luxel/export/kept_layout.h"
@@ -8,6 +10,10 @@
 
 namespace luxel {
 namespace {
+
+// A layout that leaves pages empty is not worth its memory.
+constexpr double many_texels = 0x1p24;
+constexpr double most_a_texel_of_surface = 64.0;
 
 // What the scene's file says of where its surfaces lie, where that is wanted and can be used.
 std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSettings& settings,
@@ -20,9 +26,13 @@ std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSet
   if (given) {
     const auto texels = texels_per_metre(input.patches, input.solution, settings.lightmap);
     size = page_size_for(scene, *given, texels, settings.lightmap.page_size);
-    if (const auto all = static_cast<double>(given->pages) * size * size; all > most_texels_of_pages)
-      why = fmt::format("their {} pages of {} x {} texels would be {:.0f} million, expected at most {:.0f}",
-                        given->pages, size, size, 1e-6 * all, 1e-6 * most_texels_of_pages);
+    const auto area = std::accumulate(input.patches.area.begin(), input.patches.area.end(), 0.0);
+    if (const auto all = static_cast<double>(given->pages) * size * size;
+        all > most_texels_of_pages ||
+        (all > many_texels && all > most_a_texel_of_surface * texels * texels * area))
+      why = fmt::format(
+          "their {} pages of {} x {} texels would be {:.0f} million for {:.2g} million of surfaces",
+          given->pages, size, size, 1e-6 * all, 1e-6 * texels * texels * area);
   }
   if (!why.empty())
     warn(console.log(), fmt::format("{}: the file's {} are not used, charts are made: {}", scene.source,

@@ -72,6 +72,8 @@ bool overlaps(const Scene& scene, const PatchSet& patches, const GivenLayout& gi
       if (taken[at]) ++twice;
       taken[at] = true;
     });
+    // The others cannot make it less: of them, no more than all texels are claimed once.
+    if (static_cast<double>(twice) > tolerated * static_cast<double>(twice + taken.size())) return true;
   }
   return static_cast<double>(twice) > tolerated * static_cast<double>(all);
 }
