@@ -20,6 +20,7 @@ class Bake final : public Command {
 
   int run() override {
     settings_.check();
+    settings_.mesh.check_outputs(settings_.run.outputs);
     settings_.light.sampled.ranks = settings_.light.shooting.ranks = ranks();
     Console console(settings_.run);
     const Workers workers(settings_.run.threads);

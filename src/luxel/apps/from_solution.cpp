@@ -37,6 +37,7 @@ class FromSolution final : public Command {
   int run() override {
     check_before_work(run_, picture_, kinds_);
     mesh_.check();
+    mesh_.check_outputs(run_.outputs);
     if (mesh_.keep_topology && scene_.empty())
       throw UsageError("--keep-topology needs the file that has the triangles: give --scene FILE as well");
     Console console(run_);
@@ -50,6 +51,7 @@ class FromSolution final : public Command {
           record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, kept.baked, console); });
       if (!solved) return stopped_before_light(console);
     }
+    if (interrupted()) return stopped_before_light(console);
     MeshWish mesh{&mesh_};
     if (solved) mesh = {&mesh_, &solved->scene, solved->metres_a_unit};
     return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,

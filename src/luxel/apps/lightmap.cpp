@@ -72,6 +72,7 @@ class LightmapCommand final : public Command {
     if (settings_.lightmap.texels.error > 0.0 || !settings_.preview.empty())
       record.stage("hierarchy", [&](auto&) { tracer.emplace(baked.patches, workers); });
 
+    if (interrupted()) return stopped_before_light(console);
     PagesInput input{baked.patches, baked.solution};
     if (solved) {
       input.scene = &solved->scene;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/apps/mesh_settings.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "luxel/apps/outputs.h"
 
 namespace luxel {
 
@@ -34,6 +39,15 @@ void MeshSettings::check() const {
   if (keep_topology && on_pages())
     throw UsageError(
         fmt::format("--keep-topology goes with --as vertex: --as {} keeps triangles of itself", as));
+}
+
+void MeshSettings::check_outputs(const std::vector<std::string>& outputs) const {
+  const auto is_glb = [](const std::string& output) { return ending(output) == ".glb"; };
+  if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_glb)) return;
+  for (const auto& [option, is_asked] :
+       {std::pair(std::string("--keep-topology"), keep_topology), std::pair("--as " + as, on_pages()),
+        std::pair(fmt::format("--for {}", name(program)), program != MeshProgram::any)})
+    if (is_asked) throw UsageError(option + " is of a .glb: ask for one with -o, or leave it out");
 }
 
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "luxel/apps/lightmap_settings.h"
 #include "luxel/apps/option_set.h"
@@ -20,6 +21,9 @@ struct MeshSettings {
   bool on_pages() const { return as != "vertex"; }
   // Throws UsageError where options contradict each other.
   void check() const;
+  // Throws UsageError where an option is of no output that is asked for. Not to be asked of options that an
+  // earlier run had.
+  void check_outputs(const std::vector<std::string>& outputs) const;
 };
 
 // A mesh that is wished for, and what is known of the file behind it.
