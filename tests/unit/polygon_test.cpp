@@ -2,7 +2,9 @@
 #include "luxel/load/polygon.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -143,6 +145,27 @@ TEST(Polygon, what_has_no_inside_is_answered_with_as_many_triangles) {
     ASSERT_EQ(triangles.size(), corners.size() - 2);
     for (const auto& triangle : triangles)
       for (const auto corner : triangle) EXPECT_LT(corner, corners.size());
+  }
+}
+
+// Whatever the corners: each edge of the polygon is in one triangle, and each cut through it in two, there
+// and back. A corner that was cut twice would break that.
+TEST(Polygon, whatever_crosses_itself_is_cut_along_each_diagonal_once) {
+  std::minstd_rand random(7);
+  for (int round = 0; round < 3000; ++round) {
+    std::vector<Vec3> corners(4 + random() % 12);
+    for (auto& c : corners)  // few places, so that corners coincide and edges lie on each other
+      c = {static_cast<float>(random() % 4), static_cast<float>(random() % 4),
+           static_cast<float>(random() % 2)};
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const auto& t : cut(corners))
+      for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
+    const auto n = static_cast<std::uint32_t>(corners.size());
+    for (const auto& [edge, count] : edges) {
+      ASSERT_EQ(count, 1) << "round " << round;
+      const bool of_polygon = (edge.first + 1) % n == edge.second;
+      ASSERT_EQ(edges.contains({edge.second, edge.first}), !of_polygon) << "round " << round;
+    }
   }
 }
 

@@ -76,7 +76,10 @@ std::size_t EarClipper::go_round(Demand demand, Triangles& triangles) {
     if (!meets(here_, demand)) continue;
     cut(here_, triangles);
     ++cuts;
-    if (demand >= Demand::convex) break;
+    if (demand >= Demand::convex) {
+      here_ = next_[here_];  // what was cut is a corner no more
+      break;
+    }
     if (are_ears_few_) {
       here_ = previous_[previous_[here_]];
       visits += 2;
