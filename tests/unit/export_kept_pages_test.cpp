@@ -161,6 +161,42 @@ TEST_F(ExportKeptPages, what_has_no_material_gets_the_grey_that_it_was_solved_wi
     EXPECT_EQ(base["baseColorFactor"][c].number(), scene_.materials[0].reflectance[static_cast<int>(c)]);
 }
 
+// Two primitives share a material, and one has more texture coordinates than the other; and the file has been
+// lightmapped before.
+TEST_F(ExportKeptPages, each_primitive_has_the_coordinates_that_its_material_names) {
+  auto gltf = small_room();
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":2},"indices":1,)"
+                R"("material":0},{"attributes":{"POSITION":4},"mode":5,"material":0}]})";
+  gltf.nodes = R"({"mesh":0})";
+  gltf.rest = R"(,"materials":[{"extensions":{"MOZ_lightmap":{"index":0,"texCoord":1}}}],"extensionsUsed":)"
+              R"(["MOZ_lightmap"],"images":[{"uri":"old.png"}],"textures":[{"source":0}])";
+  files_.write("room.glb", gltf.glb());
+  solve("room.glb", 0.0f);
+  const PackOptions pack{.texel = 0.1f, .page_size = 256};
+  const auto charts =
+      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
+  const auto atlas = pack_charts(patches_, charts, pack);
+  const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
+  const auto expect_coordinates = [&](bool as_lightmap) {
+    const auto file = lit();
+    const auto primitives = file.root()["meshes"][0]["primitives"];
+    ASSERT_GE(primitives.size(), 2u);
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const auto material = file.object(primitives[i]["material"], "materials");
+      const auto map = material["extensions"]["MOZ_lightmap"];
+      EXPECT_EQ(static_cast<bool>(map), as_lightmap) << "none but the new one";
+      const auto set = (as_lightmap ? map : material["emissiveTexture"])["texCoord"].whole();
+      EXPECT_TRUE(primitives[i]["attributes"][fmt::format("TEXCOORD_{}", set)]);
+    }
+  };
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  expect_coordinates(true);
+  export_kept_emissive(out(), input(), {atlas, pages}, {});
+  expect_coordinates(false);
+  cut();
+  EXPECT_FALSE(lit().root()["materials"][0]["extensions"]["MOZ_lightmap"]);
+}
+
 TEST_F(ExportKeptPages, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.0f);

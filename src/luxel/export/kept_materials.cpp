@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,9 +30,9 @@ bool KeptMaterials::is_textured(const JsonValue& material) {
 
 // The path of the primitive's material where it is still to be changed.
 std::optional<std::string> KeptMaterials::changed_for(const std::string& path, const JsonValue& index,
-                                                      std::size_t texture) {
+                                                      std::size_t texture, std::size_t coordinates) {
   const auto of_file = index ? index.whole() : no_material;
-  const auto [found, is_new] = made_.try_emplace({of_file, texture}, 0);
+  const auto [found, is_new] = made_.try_emplace({of_file, texture, coordinates}, 0);
   if (is_new) {
     if (!index) {
       // The colour that the light was solved with; what says nothing of itself would be a mirror.
@@ -73,10 +74,11 @@ void KeptMaterials::colour_base(const std::string& material, int grey, double ro
 }
 
 void KeptMaterials::shadeless(const std::string& path, const JsonValue& index) {
-  const auto material = changed_for(path, index, no_texture);
+  const auto material = changed_for(path, index, no_texture, 0);
   if (!material) return;
   colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
   copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
+  copy_.erase(*material + "/extensions/MOZ_lightmap");
   copy_.put(*material + "/extensions/KHR_materials_unlit", "{}");
   copy_.use_extension("KHR_materials_unlit");
   if (const auto suffix = habits_of(program_).material_suffix; !suffix.empty())
@@ -89,7 +91,7 @@ void KeptMaterials::one_sided(const std::string& path) {
 
 void KeptMaterials::lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
                                 std::size_t coordinates, float intensity, const Vec3& emission) {
-  const auto material = changed_for(path, index, texture);
+  const auto material = changed_for(path, index, texture, coordinates);
   if (!material) return;
   plain_base(*material);
   copy_.put(*material + "/extensions/MOZ_lightmap",
@@ -108,11 +110,12 @@ void KeptMaterials::lightmapped(const std::string& path, const JsonValue& index,
 
 void KeptMaterials::shining(const std::string& path, const JsonValue& index, std::size_t texture,
                             std::size_t coordinates) {
-  const auto material = changed_for(path, index, texture);
+  const auto material = changed_for(path, index, texture, coordinates);
   if (!material) return;
   colour_base(*material, 0, 1.0);
   copy_.erase(*material + base + "/metallicRoughnessTexture");
   copy_.erase(*material + "/extensions/KHR_materials_unlit");
+  copy_.erase(*material + "/extensions/MOZ_lightmap");
   copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
   copy_.put(*material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
   copy_.use_extension("KHR_materials_specular");

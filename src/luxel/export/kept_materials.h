@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "luxel/export/mesh_program.h"
@@ -17,7 +17,7 @@
 namespace luxel {
 
 // The materials of a glTF file, changed so that they show light that is known. Each is changed once, or once
-// for each page of a lightmap that it is seen on.
+// for each page of a lightmap that it is seen on and each set of coordinates that says where.
 class KeptMaterials {
  public:
   // Keeps references.
@@ -40,15 +40,15 @@ class KeptMaterials {
   void one_sided(const std::string& path);
 
  private:
-  std::optional<std::string> changed_for(const std::string& path, const JsonValue& index,
-                                         std::size_t texture);
+  std::optional<std::string> changed_for(const std::string& path, const JsonValue& index, std::size_t texture,
+                                         std::size_t coordinates);
   void plain_base(const std::string& material);
   void colour_base(const std::string& material, int grey, double roughness);  // alpha stays
 
   GltfCopy& copy_;
   MeshProgram program_;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> made_;  // material of the file, texture
-  std::vector<bool> taken_;                                          // [material of the file]
+  std::map<std::array<std::size_t, 3>, std::size_t> made_;  // material of the file, texture, coordinates
+  std::vector<bool> taken_;                                 // [material of the file]
 };
 
 }  // namespace luxel
