@@ -111,6 +111,31 @@ TEST_F(ExportKept, new_vertices_have_texture_coordinates_between_the_old_ones) {
   EXPECT_GT(seen, 500u);
 }
 
+// The plate again, wound the other way: Luxel keeps one of the two, lit on both sides.
+TEST_F(ExportKept, a_primitive_that_lies_on_another_one_goes) {
+  auto gltf = small_room();
+  gltf.array<std::uint8_t>(SmallGltf::u8, "SCALAR", 6, {0, 2, 1, 0, 3, 2});
+  const std::string twin = R"({"attributes":{"POSITION":0},"indices":5})";
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1},)" + twin +
+                R"(]},{"primitives":[)" + twin + "]}";
+  gltf.nodes = R"({"mesh":0},{"mesh":1,"name":"twin"})";
+  gltf.rest = "";
+  files_.write("room.glb", gltf.glb());
+  solve("room.glb", 0.4f);
+  cut();
+  auto file = lit();
+  std::array<double, 2> area{};
+  for_triangles(file, [&](const GltfPart& part, const std::array<Vertex, 3>& triangle) {
+    const auto normal = normal_of(triangle);
+    area[normal.z > 0.0 ? 0 : 1] += 0.5 * glm::length(normal);
+    EXPECT_TRUE(part.primitive["attributes"]["COLOR_0"]);
+  });
+  EXPECT_NEAR(area[0], 2.0, 1e-5);
+  EXPECT_NEAR(area[1], 2.0, 1e-5);
+  EXPECT_EQ(file.root()["nodes"][1]["name"].text(), "twin");
+  EXPECT_FALSE(file.root()["nodes"][1]["mesh"]);
+}
+
 TEST_F(ExportKept, a_picture_that_is_missing_stays_so) {
   auto gltf = small_room();
   gltf.rest += R"(,"images":[{"uri":"lost.png"}],"textures":[{"source":0}])";

@@ -78,6 +78,8 @@ class KeptExport {
     for (std::size_t p = 0; p < lit.size(); ++p) lit[p] = back_is_lit(solution, p);
     return lit;
   }
+  // gone: [node] primitives of its mesh, ascending.
+  void take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone);
   // A part has one material, and so all of its triangles have.
   bool is_opaque(const KeptPart& part) const {
     return !part.triangles.empty() &&
@@ -110,11 +112,13 @@ void KeptExport::put(const SurfacesOf& surfaces_of, const Light& light) {
   for (const auto& part : parts_)
     if (const auto node = part.drawn.placed.number; !mesh_of.contains(node))
       mesh_of[node] = mesh_of_node(copy_, node, taken);
+  std::map<std::size_t, std::vector<std::size_t>> gone;  // [node]: primitives, ascending
   for (const auto& part : parts_) {
     if (!is_opaque(part)) continue;
     const auto mesh = mesh_of.at(part.drawn.placed.number);
     const auto own = primitive_path(mesh, part.drawn.number);
     const auto surfaces = surfaces_of(part);
+    if (surfaces.empty()) gone[part.drawn.placed.number].push_back(part.drawn.number);
     std::vector<std::string> paths;
     for (std::size_t s = 0; s < surfaces.size(); ++s)
       paths.push_back(
@@ -125,6 +129,21 @@ void KeptExport::put(const SurfacesOf& surfaces_of, const Light& light) {
       light(part, surfaces[s], paths[s]);
       if (surfaces.size() > 1 && surfaces.back().back) materials_.one_sided(paths[s]);
     }
+  }
+  take_off(gone);
+}
+
+// Primitives without a surface: they have no area, or others lie just where they do, and have their light.
+void KeptExport::take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone) {
+  for (const auto& [node, primitives] : gone) {
+    const auto place = fmt::format("/nodes/{}", node);
+    const auto mesh = copy_.index_at(place + "/mesh");
+    const bool all = primitives.size() == copy_.size(fmt::format("/meshes/{}/primitives", mesh));
+    // No mesh may be empty: one that nothing shows is left, but what its material needs it may not have.
+    for (auto i = primitives.rbegin(); i != primitives.rend(); ++i)
+      copy_.erase(primitive_path(mesh, *i) + (all ? "/material" : ""));
+    if (!all) continue;
+    for (const auto* member : {"/mesh", "/skin", "/weights"}) copy_.erase(place + member);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -153,7 +154,11 @@ void GltfCopy::put_text(const std::string& path, std::string_view text) {
 void GltfCopy::erase(const std::string& path) {
   if (!has(path)) return;
   const auto place = pointer(path);
-  document_->root.at(place.parent_pointer()).erase(place.back());
+  auto& owner = document_->root.at(place.parent_pointer());
+  if (owner.is_array())
+    owner.erase(std::stoul(place.back()));
+  else
+    owner.erase(place.back());
 }
 
 std::size_t GltfCopy::append(const std::string& array, std::string_view json) {

@@ -34,7 +34,7 @@ class GltfCopy {
   void put(const std::string& path, std::string_view json);
   void put_copy(const std::string& path, const std::string& of);
   void put_text(const std::string& path, std::string_view text);
-  void erase(const std::string& path);  // if it is there
+  void erase(const std::string& path);  // if it is there; of an array those behind it move up
   // Appends a value, or a copy of what stands at another place, to an array that is made where it is missing;
   // gives its index.
   std::size_t append(const std::string& array, std::string_view json);
