@@ -22,7 +22,9 @@ def main(luxel, blender, check):
         if shutil.which("xvfb-run") is None:
             print("skipped: there is no screen to open a window on: apt-get install xvfb xauth")
             return 77
-        begin = ["xvfb-run", "-a", "-s", "-screen 0 1024x768x24", blender, "--enable-event-simulate"]
+        # -a alone looks for a free number and takes it later: two tests that begin at once would meet.
+        begin = ["xvfb-run", "-a", "-n", str(10000 + os.getpid() % 9000), "-s", "-screen 0 1024x768x24", blender,
+                 "--enable-event-simulate"]
     with tempfile.TemporaryDirectory() as folder:
         # Blender looks for its Python's libraries by the PATH: another python3 on it would lead it astray.
         words = {**os.environ, "PATH": "/usr/bin:/bin", "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": folder,

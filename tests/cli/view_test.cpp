@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "luxel/image/image_file.h"
 
@@ -152,13 +154,15 @@ TEST_F(View, what_cannot_be_is_one_clear_sentence) {
 TEST_F(View, a_window_shows_what_is_drawn_off_screen) {
   if (cli::run(folder_, "command -v xvfb-run && command -v xauth").code != 0)
     GTEST_SKIP() << "xvfb-run and xauth are not installed";
+  // -a alone looks for a free number and takes it later: two tests that begin at once would meet.
+  const auto xvfb = fmt::format("xvfb-run -a -n {} ", 1000 + getpid() % 9000);
   const std::string script = "wait finished\nset show irradiance\nwait 60 frames\nsnapshot ";
   ASSERT_EQ(run("a.txt", script + "off.png\n", "--off-screen").code, 0);
-  const auto window = run("b.txt", script + "window.png\nclose\n", "",
-                          "xvfb-run -a -s '-screen 0 800x600x24 +extension GLX' ");
+  const auto window =
+      run("b.txt", script + "window.png\nclose\n", "", xvfb + "-s '-screen 0 800x600x24 +extension GLX' ");
   ASSERT_EQ(window.code, 0) << window.err;
   EXPECT_LT(difference(picture("off.png"), picture("window.png")), 0.02);
-  const auto old = cli::run(folder_, "MESA_GL_VERSION_OVERRIDE=2.1 xvfb-run -a $LUXEL view cornell-box.obj");
+  const auto old = cli::run(folder_, "MESA_GL_VERSION_OVERRIDE=2.1 " + xvfb + "$LUXEL view cornell-box.obj");
   EXPECT_EQ(old.code, 1);
   EXPECT_NE(old.err.find("no OpenGL 3.3"), std::string::npos) << old.err;
 }
