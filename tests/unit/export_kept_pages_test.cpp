@@ -18,6 +18,13 @@ namespace {
 
 using namespace test;
 
+// New charts of the patches, packed.
+Atlas new_atlas(const PatchSet& patches, const Solution& solution, const PackOptions& pack) {
+  const auto charts =
+      make_charts(patches, solution, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(2));
+  return pack_charts(patches, charts, pack);
+}
+
 // Pages whose texels hold the place that they are of, so that what is looked up at a corner is known.
 std::vector<Image> pages_of_places(const PatchSet& patches, const Atlas& atlas) {
   std::vector<Image> pages;
@@ -63,10 +70,7 @@ double expect_places(GltfFile& file, const std::vector<Image>& pages, int page_s
 TEST_F(ExportKeptPages, pages_are_looked_up_where_the_surface_is) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.4f);
-  const PackOptions pack{.texel = 0.05f, .page_size = 64};
-  const auto charts =
-      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(2));
-  const auto atlas = pack_charts(patches_, charts, pack);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.05f, .page_size = 64});
   const auto pages = pages_of_places(patches_, atlas);
   ASSERT_GT(pages.size(), 1u) << "the test is to have several pages";
   export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
@@ -147,10 +151,7 @@ TEST_F(ExportKeptPages, what_has_no_material_gets_the_grey_that_it_was_solved_wi
   gltf.nodes = R"({"mesh":0})";
   files_.write("room.glb", gltf.glb());
   solve("room.glb", 0.0f);
-  const PackOptions pack{.texel = 0.1f, .page_size = 256};
-  const auto charts =
-      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
-  const auto atlas = pack_charts(patches_, charts, pack);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
   const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
   export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
   const auto file = lit();
@@ -172,10 +173,7 @@ TEST_F(ExportKeptPages, each_primitive_has_the_coordinates_that_its_material_nam
               R"(["MOZ_lightmap"],"images":[{"uri":"old.png"}],"textures":[{"source":0}])";
   files_.write("room.glb", gltf.glb());
   solve("room.glb", 0.0f);
-  const PackOptions pack{.texel = 0.1f, .page_size = 256};
-  const auto charts =
-      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
-  const auto atlas = pack_charts(patches_, charts, pack);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
   const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
   const auto expect_coordinates = [&](bool as_lightmap) {
     const auto file = lit();
@@ -200,10 +198,7 @@ TEST_F(ExportKeptPages, each_primitive_has_the_coordinates_that_its_material_nam
 TEST_F(ExportKeptPages, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.0f);
-  const PackOptions pack{.texel = 0.1f, .page_size = 256};
-  const auto charts =
-      make_charts(patches_, solution_, {.texel = pack.texel, .most_texels = most_texels(pack)}, Workers(1));
-  const auto atlas = pack_charts(patches_, charts, pack);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
   const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
   export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
   EXPECT_FALSE(lit().root()["nodes"][5]["extensions"]["KHR_lights_punctual"]);

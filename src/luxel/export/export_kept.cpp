@@ -65,11 +65,9 @@ class KeptExport {
   std::size_t add_coordinates(const KeptPages& pages, const KeptSurface& surface, const std::string& path);
   void put_out_lamps();
 
-  GltfCopy& copy() { return copy_; }
   KeptMaterials& materials() { return materials_; }
   const BandMaterial& material_of(const KeptPart& part) const {
-    return input_.patches
-        .materials[static_cast<std::size_t>(input_.scene.triangle_material[part.triangles.front()])];
+    return input_.patches.materials[number_of_material(part)];
   }
 
  private:
@@ -81,10 +79,11 @@ class KeptExport {
   // gone: [node] primitives of its mesh, ascending.
   void take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone);
   // A part has one material, and so all of its triangles have.
+  std::size_t number_of_material(const KeptPart& part) const {
+    return static_cast<std::size_t>(input_.scene.triangle_material[part.triangles.front()]);
+  }
   bool is_opaque(const KeptPart& part) const {
-    return !part.triangles.empty() &&
-           input_.scene.materials[static_cast<std::size_t>(input_.scene.triangle_material[part.triangles[0]])]
-               .opaque;
+    return !part.triangles.empty() && input_.scene.materials[number_of_material(part)].opaque;
   }
   JsonValue material_json(const KeptPart& part) const {
     const auto index = part.drawn.primitive["material"];
@@ -262,6 +261,16 @@ std::string vertex_light(const ToneCurve& curve, const MeshHabits& habits) {
   return text + "}";
 }
 
+// material(part, surface, path, coordinates): changes the material of a primitive that looks its page up
+// there.
+template <typename Material>
+void put_pages(KeptExport& output, const KeptPages& pages, const Material& material) {
+  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part); },
+             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
+               material(part, surface, place, output.add_coordinates(pages, surface, place));
+             });
+}
+
 // surfaces_of(kept, part); front, back: see KeptExport::colour().
 template <typename SurfacesOf>
 void export_vertices(const std::filesystem::path& path, const KeptInput& input, const KeptOptions& options,
@@ -333,13 +342,12 @@ void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& in
   const auto textures = output.add_pages(codes, "lightmap");
   const auto scale = output.curve().scale;
   const auto colours = input.patches.colours();
-  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part); },
-             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
-               const auto set = output.add_coordinates(pages, surface, place);
-               const auto own = in_gamut(colours.rgb(output.material_of(part).emittance)) / pi;
-               output.materials().lightmapped(place, part.drawn.primitive["material"], textures[surface.page],
-                                              set, scale * pages.white, scale * own);
-             });
+  put_pages(output, pages,
+            [&](const KeptPart& part, const KeptSurface& surface, const std::string& place, std::size_t set) {
+              const auto own = in_gamut(colours.rgb(output.material_of(part).emittance)) / pi;
+              output.materials().lightmapped(place, part.drawn.primitive["material"], textures[surface.page],
+                                             set, scale * pages.white, scale * own);
+            });
   output.put_out_lamps();
   output.describe(
       "lightmap",
@@ -357,12 +365,11 @@ void export_kept_emissive(const std::filesystem::path& path, const KeptInput& in
   for (auto& page : shown)
     for (auto& pixel : page.pixels) pixel = output.curve()(pixel);
   const auto textures = output.add_pages(shown, "light");
-  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part); },
-             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
-               const auto set = output.add_coordinates(pages, surface, place);
-               output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
-                                          set);
-             });
+  put_pages(output, pages,
+            [&](const KeptPart& part, const KeptSurface& surface, const std::string& place, std::size_t set) {
+              output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
+                                         set);
+            });
   output.describe(
       "emissive",
       fmt::format(R"({{"quantity":"radiance after the tone curve","unit":"1: the display's white",)"
