@@ -17,11 +17,6 @@ const std::vector<float>& irradiance_of(const SmoothLight& light, bool back) {
   return back ? light.irradiance_back : light.irradiance_front;
 }
 
-float reflectance_at(const BandMaterial& material, const SurfaceShare& share, std::size_t band) {
-  const auto of_material = material.reflectance[band];
-  return share.reflectance ? std::min(most_reflectance, of_material * share.reflectance[band]) : of_material;
-}
-
 // The shares of the page's vertices; of its triangles, for nothing else knows where a vertex lies.
 VertexShares shares_of(const PatchSet& patches, const PageMesh& mesh) {
   VertexShares shares(patches);

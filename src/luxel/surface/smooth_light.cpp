@@ -116,9 +116,7 @@ Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradian
   Vec3d emitted(0.0), reflected(0.0);
   if (back && !material.two_sided) return reflected;
   for (std::size_t b = 0; b < material.reflectance.size(); ++b) {
-    auto reflectance = material.reflectance[b];
-    if (share.reflectance) reflectance = std::min(most_reflectance, reflectance * share.reflectance[b]);
-    reflected += static_cast<double>(reflectance * irradiance[b] / pi) * colours.of(b);
+    reflected += static_cast<double>(reflectance_at(material, share, b) * irradiance[b] / pi) * colours.of(b);
     const auto emittance = material.emittance[b] * (share.emittance ? share.emittance[b] : 1.0f);
     if (!back) emitted += static_cast<double>(emittance / pi) * colours.of(b);
   }

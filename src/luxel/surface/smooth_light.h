@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -53,6 +55,11 @@ struct SurfaceShare {
   Vec3 fine_reflectance = Vec3(1.0f);  // of the place, over the patch (FineColours)
   Vec3 fine_emittance = Vec3(1.0f);
 };
+// What a material reflects there in a band, in the mean over the patch: [0, 1).
+inline float reflectance_at(const BandMaterial& material, const SurfaceShare& share, std::size_t band) {
+  const auto of_material = material.reflectance[band];
+  return share.reflectance ? std::min(most_reflectance, of_material * share.reflectance[band]) : of_material;
+}
 SurfaceShare share_of_patch(const PatchSet& patches, std::size_t patch);
 // At (1-u-v) a + u b + v c of the patch.
 SurfaceShare share_of_place(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
