@@ -335,5 +335,31 @@ TEST(Contacts, what_only_meets_at_its_own_edges_stays_as_it_is) {
   }
 }
 
+TEST(Contacts, are_the_same_for_any_number_of_threads) {
+  SceneBuilder b;  // so many triangles that their pairs are the work of several threads
+  b.material("floor", 0.5f, 0.0f);
+  for (int x = 0; x < 70; ++x)
+    for (int y = 0; y < 70; ++y) {
+      const Vec3 corner(x, y, 0);
+      b.quad(corner, corner + Vec3(1, 0, 0), corner + Vec3(1, 1, 0), corner + Vec3(0, 1, 0));
+    }
+  for (int i = 0; i < 20; ++i) {
+    const auto x = 3.0f * static_cast<float>(i) + 2.3f;
+    wall(b, Vec3(x, 0.4f, 0), Vec3(x + 5.1f, 69.7f, 0), -0.5f, 2.0f);
+  }
+  const auto scene = b.scene();
+  const Workers one(1), five(5);
+  const auto a = make_patches(scene, {.max_edge = no_max_edge}, one);
+  const auto z = make_patches(scene, {.max_edge = no_max_edge}, five);
+  EXPECT_GT(a.contacts.size(), 1000u);
+  EXPECT_EQ(a.corners, z.corners);
+  EXPECT_EQ(a.vertices, z.vertices);
+  ASSERT_EQ(a.contacts.size(), z.contacts.size());
+  for (std::size_t i = 0; i < a.contacts.size(); ++i) {
+    EXPECT_EQ(a.contacts[i].edge, z.contacts[i].edge);
+    EXPECT_EQ(a.contacts[i].into, z.contacts[i].into);
+  }
+}
+
 }  // namespace
 }  // namespace luxel

@@ -46,7 +46,7 @@ class Bake final : public Command {
       baked.patches = record.stage("patches", [&](auto&) {
         auto patches = settings_.scene.patches;
         if (settings_.refine.is_asked()) patches.target_count = RefineOptions::coarse_patches;
-        return make_patches(scene, patches, console.log(), console.monitor());
+        return make_patches(scene, patches, workers, console.log(), console.monitor());
       });
       if (interrupted()) return stopped_before_light(console);
       if (settings_.refine.is_asked()) refine(baked, refined, workers, record, console);

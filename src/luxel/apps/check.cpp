@@ -44,7 +44,7 @@ class Check final : public Command {
         "check", [&](auto&) { return diagnose(scene, {.places = places_}, workers, console.monitor()); });
     console.clear_bar();
     for (const auto& output : run_.outputs)
-      record.stage("write glb", [&](auto&) { write(output, scene, report); });
+      record.stage("write glb", [&](auto&) { write(output, scene, report, workers); });
 
     const CheckText text{&scene, &report, run_.outputs, &options(), &record};
     console.say(record.table());
@@ -56,7 +56,8 @@ class Check final : public Command {
   }
 
  private:
-  void write(const std::string& output, const Scene& scene, const CheckReport& report) const {
+  void write(const std::string& output, const Scene& scene, const CheckReport& report,
+             const Workers& workers) const {
     std::vector<ColouredMesh> meshes;
     for (auto& part : fault_parts(scene, report)) {
       const auto name_of = [](FindingKind kind) {
@@ -66,7 +67,7 @@ class Check final : public Command {
                         part.kind ? colour(*part.kind).linear : Vec3(0.4f), std::move(part.positions),
                         std::move(part.triangles)});
     }
-    const auto patches = make_patches(scene, {.max_edge = no_max_edge});
+    const auto patches = make_patches(scene, {.max_edge = no_max_edge}, workers);
     export_coloured(output, fmt::format("faults of {}", scene.source), meshes, up_of(look_, patches),
                     scene.origin);
   }

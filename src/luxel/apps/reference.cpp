@@ -37,7 +37,7 @@ class Reference final : public Command {
     Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
-    auto baked = read(console, record);
+    auto baked = read(workers, console, record);
     if (interrupted()) return stopped_before_light(console);
     console.announce("hierarchy");
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
@@ -100,7 +100,7 @@ class Reference final : public Command {
   }
 
   // A solution's own light stays, to find a view by.
-  Baked read(Console& console, RunRecord& record) {
+  Baked read(const Workers& workers, Console& console, RunRecord& record) {
     if (is_of_solution()) return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
     const auto scene = record.stage("load", [&](auto&) {
       return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
@@ -109,7 +109,7 @@ class Reference final : public Command {
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
     baked.patches = record.stage("patches", [&](auto&) {
-      return make_patches(scene, scene_.patches, console.log(), console.monitor());
+      return make_patches(scene, scene_.patches, workers, console.log(), console.monitor());
     });
     if (interrupted()) return {};
     console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),

@@ -41,7 +41,8 @@ class ViewFactorsCommand final : public Command {
     });
     if (interrupted()) return stopped_before_factors(console);
     const auto patches = record.stage("patches", [&](auto&) {
-      return make_patches(scene, settings_.patch_options(scene_.patches), console.log(), console.monitor());
+      return make_patches(scene, settings_.patch_options(scene_.patches), workers, console.log(),
+                          console.monitor());
     });
     if (interrupted()) return stopped_before_factors(console);
     const auto elements = make_view_elements(scene, patches, settings_.kind(), settings_.element_sides());

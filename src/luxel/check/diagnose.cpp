@@ -23,7 +23,7 @@ void summarise(const ScannedMesh& mesh, CheckReport& report) {
 // What rays tell. False: stopped.
 bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const Workers& workers,
                    const Monitor& monitor, CheckReport& report) {
-  const auto patches = make_patches(*mesh.scene, {.max_edge = no_max_edge});
+  const auto patches = make_patches(*mesh.scene, {.max_edge = no_max_edge}, workers);
   if (tell(monitor, {.stage = "hierarchy"}) == Next::stop) return false;
   const Tracer tracer(patches, workers);
   const auto views = view_from_lamps(patches, tracer, workers);

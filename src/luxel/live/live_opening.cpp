@@ -35,7 +35,7 @@ void LiveRun::open_scene() {
   auto how = settings_.patches;
   const bool refines = settings_.refine.mesh_error > 0.0;
   if (refines) how.target_count = RefineOptions::coarse_patches;
-  auto patches = make_patches(*scene, how, log(), closing_monitor());
+  auto patches = make_patches(*scene, how, workers_, log(), closing_monitor());
   if (patches.size() == 0) return;
   mesh_.scene = scene;
   mesh_.geometry = 1;

@@ -18,6 +18,7 @@ constexpr double shortest_part = 32.0;   // an edge that only dips into the gap 
 constexpr double flat_sine = 1e-3;       // lower than that, a triangle lies on the other one
 constexpr double goes_on_cosine = -0.1;  // of the directions from an edge into two triangles of one surface
 constexpr double folded_cosine = 0.999;  // likewise, of two that lie on each other
+constexpr std::size_t shapes_grain = 8192;
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -55,23 +56,36 @@ class Neighbours {
 
 class Finder {
  public:
-  Finder(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions, double gap)
-      : triangles_(triangles), positions_(positions), neighbours_(triangles, positions.size()) {
-    shapes_.reserve(triangles.size());
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      const auto p = points(i);
-      shapes_.push_back({glm::normalize(area_vector2(p[0], p[1], p[2])),
-                         slack_roundings * coordinate_rounding(p),
-                         std::min(gap, gap_of_edge * shortest_edge(p))});
-    }
+  Finder(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions, double gap,
+         const Workers& workers)
+      : triangles_(triangles),
+        positions_(positions),
+        workers_(workers),
+        neighbours_(triangles, positions.size()),
+        shapes_(triangles.size()) {
+    workers.for_chunks(triangles.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) {
+        const auto p = points(static_cast<std::uint32_t>(i));
+        shapes_[i] = {glm::normalize(area_vector2(p[0], p[1], p[2])),
+                      slack_roundings * coordinate_rounding(p),
+                      std::min(gap, gap_of_edge * shortest_edge(p))};
+      }
+    });
   }
 
-  std::vector<ContactLine> find() {
-    for_overlapping_pairs(boxes(), [this](std::uint32_t i, std::uint32_t j) { meet(i, j); });
-    std::stable_sort(lines_.begin(), lines_.end(), [](const ContactLine& a, const ContactLine& b) {
+  std::vector<ContactLine> find() const {
+    const OverlappingPairs pairs(boxes(), workers_);
+    std::vector<std::vector<ContactLine>> of_part(pairs.parts());
+    workers_.for_chunks(pairs.parts(), 1, [&](std::size_t part, std::size_t, int) {
+      pairs.for_pairs(part, [&](std::uint32_t i, std::uint32_t j) { meet(i, j, of_part[part]); });
+    });
+    std::vector<ContactLine> lines;
+    for (const auto& some : of_part) lines.insert(lines.end(), some.begin(), some.end());
+    // All lines of one (on, other) are of one part, in the order in which they were found.
+    std::stable_sort(lines.begin(), lines.end(), [](const ContactLine& a, const ContactLine& b) {
       return std::tuple(a.on, a.other) < std::tuple(b.on, b.other);
     });
-    return std::move(lines_);
+    return lines;
   }
 
  private:
@@ -94,15 +108,16 @@ class Finder {
 
   std::vector<Bounds> boxes() const {
     std::vector<Bounds> result(triangles_.size());
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-      // As much as may be between two that touch; and what adding it rounds.
-      const auto& shape = shapes_[i];
-      const auto reach = static_cast<float>(1.5 * shape.slack + shape.reach);
-      for (const auto& corner : points(i)) {
-        result[i].add(corner - reach);
-        result[i].add(corner + reach);
+    workers_.for_chunks(triangles_.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) {
+        // As much as may be between two that touch; and what adding it rounds.
+        const auto reach = static_cast<float>(1.5 * shapes_[i].slack + shapes_[i].reach);
+        for (const auto& corner : points(static_cast<std::uint32_t>(i))) {
+          result[i].add(corner - reach);
+          result[i].add(corner + reach);
+        }
       }
-    }
+    });
     return result;
   }
 
@@ -124,7 +139,7 @@ class Finder {
     return result;
   }
 
-  void meet(std::uint32_t i, std::uint32_t j) {
+  void meet(std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) const {
     if (are_neighbours(i, j)) return;
     const auto& a = shapes_[i];
     const auto& b = shapes_[j];
@@ -135,8 +150,8 @@ class Finder {
     const auto of_i = heights(j, i);
     if (of_i.all_above(reach) || of_i.all_below(-reach)) return;
     if (are_beside(i, j, reach) || are_beside(j, i, reach)) return;
-    Meeting(*this, i, j, of_j, slack, reach).find();
-    Meeting(*this, j, i, of_i, slack, reach).find();
+    Meeting(*this, i, j, of_j, slack, reach, lines).find();
+    Meeting(*this, j, i, of_i, slack, reach, lines).find();
   }
 
   // Whether they share an edge, and do not lie on each other: then they share no more than that.
@@ -178,8 +193,8 @@ class Finder {
   // What one triangle, `other`, does on another one, `on`.
   class Meeting {
    public:
-    Meeting(Finder& finder, std::uint32_t on, std::uint32_t other, const Heights& heights, double slack,
-            double reach)
+    Meeting(const Finder& finder, std::uint32_t on, std::uint32_t other, const Heights& heights, double slack,
+            double reach, std::vector<ContactLine>& lines)
         : finder_(finder),
           on_(on),
           other_(other),
@@ -187,7 +202,8 @@ class Finder {
           slack_(slack),
           reach_(reach),
           plane_(finder.points(on), finder.shapes_[on].normal),
-          vertex_(finder.triangles_[other].corners) {
+          vertex_(finder.triangles_[other].corners),
+          lines_(lines) {
       for (std::size_t k = 0; k < 3; ++k) place_[k] = Vec3d(finder.positions_[vertex_[k]]);
     }
 
@@ -312,7 +328,7 @@ class Finder {
       if (on_edge && (on_edge->length <= slack_ || !parts(on_edge->edge))) return;
       const auto near_edge = stretch_on_edge(plane_, line.ends[0], line.ends[1], reach_);
       if (near_edge && near_edge->length > shortest_part * reach_ && !parts(near_edge->edge)) return;
-      finder_.lines_.push_back(line);
+      lines_.push_back(line);
     }
 
     // Whether a surface that stands on edge k parts the light on both sides of it: not where it is a
@@ -327,7 +343,7 @@ class Finder {
       });
     }
 
-    Finder& finder_;
+    const Finder& finder_;
     std::uint32_t on_, other_;
     std::array<double, 3> height_;  // of the other one's corners
     double slack_, reach_;          // m: what rounding may do; how near is touching
@@ -335,6 +351,7 @@ class Finder {
     std::array<std::uint32_t, 3> vertex_;  // of the other one
     std::array<Vec3d, 3> place_{};
     std::vector<Touch> touches_;
+    std::vector<ContactLine>& lines_;  // found so far
   };
 
   // From the edge to the vertex, at right angles to the edge; unit.
@@ -347,16 +364,17 @@ class Finder {
 
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
+  const Workers& workers_;
   Neighbours neighbours_;
   std::vector<Shape> shapes_;
-  std::vector<ContactLine> lines_;
 };
 
 }  // namespace
 
 std::vector<ContactLine> find_contact_lines(const std::vector<CleanTriangle>& triangles,
-                                            const std::vector<Vec3>& positions, double gap) {
-  return Finder(triangles, positions, gap).find();
+                                            const std::vector<Vec3>& positions, double gap,
+                                            const Workers& workers) {
+  return Finder(triangles, positions, gap, workers).find();
 }
 
 }  // namespace luxel

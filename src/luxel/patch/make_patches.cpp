@@ -152,6 +152,11 @@ float automatic_max_edge(const Scene& scene, std::size_t target_count) {
 
 PatchSet make_patches(const Scene& scene, const PatchOptions& options, const LogSink& log,
                       const Monitor& monitor) {
+  return make_patches(scene, options, Workers(), log, monitor);
+}
+
+PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Workers& workers,
+                      const LogSink& log, const Monitor& monitor) {
   PatchSet patches;
   set_bands(patches, scene);
   patches.scene_fingerprint = fingerprint(scene);
@@ -164,8 +169,9 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Log
                      "expected at least one triangle with area, found none: there is nothing to light");
 
   reserve(patches, triangles.size());
-  const auto lines = options.contacts ? find_contact_lines(triangles, weld.positions(), options.contact_gap)
-                                      : std::vector<ContactLine>();
+  const auto lines = options.contacts
+                         ? find_contact_lines(triangles, weld.positions(), options.contact_gap, workers)
+                         : std::vector<ContactLine>();
   TwoSidedTwins twins(patches);
   TriangleSplitter splitter(patches, weld, chosen_edge(scene, options), options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
 #include <utility>
-#include <vector>
 
 namespace luxel {
 namespace {
 
 constexpr std::uint32_t leaf_size = 4;
+constexpr std::uint32_t task_boxes = 1 << 13;  // a node of so many is one thread's work
 
 bool overlap(const Bounds& a, const Bounds& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
@@ -18,112 +19,144 @@ bool overlap(const Bounds& a, const Bounds& b) {
 
 Bounds join(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-class BoxTree {
- public:
-  using Visit = std::function<void(std::uint32_t, std::uint32_t)>;
-
-  explicit BoxTree(std::span<const Bounds> boxes) : boxes_(boxes.begin(), boxes.end()), index_(boxes.size()) {
-    std::iota(index_.begin(), index_.end(), 0u);
-    if (!index_.empty()) build(0, static_cast<std::uint32_t>(index_.size()));
-    // In the order of the tree, where neighbours stand together.
-    for (std::size_t i = 0; i < index_.size(); ++i) boxes_[i] = boxes[index_[i]];
-  }
-
-  // Walks pairs of nodes from the top, each pair once: a node with itself, or two nodes apart.
-  void for_pairs(const Visit& visit) const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> open;
-    if (!nodes_.empty()) open.emplace_back(0, 0);
-    while (!open.empty()) {
-      const auto [i, j] = open.back();
-      open.pop_back();
-      const auto& a = nodes_[i];
-      const auto& b = nodes_[j];
-      if (i == j) {
-        if (a.is_leaf()) {
-          for_leaf(a, visit);
-        } else {
-          open.emplace_back(i + 1, i + 1);
-          open.emplace_back(a.right, a.right);
-          open.emplace_back(i + 1, a.right);
-        }
-      } else if (overlap(a.box, b.box)) {
-        if (a.is_leaf() && b.is_leaf()) {
-          for_leaves(a, b, visit);
-        } else if (b.is_leaf() || (!a.is_leaf() && a.count >= b.count)) {
-          open.emplace_back(i + 1, j);
-          open.emplace_back(a.right, j);
-        } else {
-          open.emplace_back(i, j + 1);
-          open.emplace_back(i, b.right);
-        }
-      }
-    }
-  }
-
- private:
-  // The left child stands right behind its parent.
-  struct Node {
-    Bounds box;
-    std::uint32_t first = 0, count = 0;
-    std::uint32_t right = 0;  // 0: a leaf
-    bool is_leaf() const { return right == 0; }
-  };
-
-  std::uint32_t build(std::uint32_t first, std::uint32_t count) {
-    const auto number = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({});
-    Bounds box, centers;
-    for (auto i = first; i < first + count; ++i) {
-      const auto& b = boxes_[index_[i]];
-      box = join(box, b);
-      centers.add(b.center());
-    }
-    std::uint32_t right = 0;
-    if (count > leaf_size) {
-      const auto size = centers.size();
-      const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-      const auto half = count / 2;
-      const auto begin = index_.begin() + first;
-      // Ties go by number, so that the halves are the same sets with every library's nth_element.
-      std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t i, std::uint32_t j) {
-        const auto a = boxes_[i].low[axis] + boxes_[i].high[axis];
-        const auto b = boxes_[j].low[axis] + boxes_[j].high[axis];
-        return a != b ? a < b : i < j;
-      });
-      build(first, half);
-      right = build(first + half, count - half);
-    } else {
-      std::sort(index_.begin() + first, index_.begin() + first + count);
-    }
-    nodes_[number] = {box, first, count, right};
-    return number;
-  }
-
-  void for_leaf(const Node& leaf, const Visit& visit) const {
-    for (auto i = leaf.first; i < leaf.first + leaf.count; ++i)
-      for (auto j = i + 1; j < leaf.first + leaf.count; ++j) meet(i, j, visit);
-  }
-
-  void for_leaves(const Node& a, const Node& b, const Visit& visit) const {
-    for (auto i = a.first; i < a.first + a.count; ++i)
-      if (overlap(boxes_[i], b.box))
-        for (auto j = b.first; j < b.first + b.count; ++j) meet(i, j, visit);
-  }
-
-  void meet(std::uint32_t i, std::uint32_t j, const Visit& visit) const {
-    if (overlap(boxes_[i], boxes_[j])) visit(std::min(index_[i], index_[j]), std::max(index_[i], index_[j]));
-  }
-
-  std::vector<Bounds> boxes_;
-  std::vector<std::uint32_t> index_;  // place in the tree -> box
-  std::vector<Node> nodes_;
-};
+// The nodes of a tree over so many boxes.
+std::uint32_t tree_size(std::uint32_t count) {
+  if (count <= leaf_size) return 1;
+  const auto half = count / 2;
+  return 1 + (count % 2 == 0 ? 2 * tree_size(half) : tree_size(half) + tree_size(half + 1));
+}
 
 }  // namespace
 
-void for_overlapping_pairs(std::span<const Bounds> boxes,
-                           const std::function<void(std::uint32_t, std::uint32_t)>& visit) {
-  BoxTree(boxes).for_pairs(visit);
+OverlappingPairs::OverlappingPairs(std::span<const Bounds> boxes, const Workers& workers)
+    : boxes_(boxes.begin(), boxes.end()), index_(boxes.size()) {
+  if (boxes.empty()) return;
+  std::iota(index_.begin(), index_.end(), 0u);
+  build(workers);
+  // In the order of the tree, where neighbours stand together.
+  for (std::size_t i = 0; i < index_.size(); ++i) boxes_[i] = boxes[index_[i]];
+  part_the_pairs();
+}
+
+void OverlappingPairs::for_pairs(std::size_t part, const Visit& visit) const {
+  std::vector<NodePair> open = {parts_[part]};
+  while (!open.empty()) {
+    const auto pair = open.back();
+    open.pop_back();
+    const auto& a = nodes_[pair.a];
+    const auto& b = nodes_[pair.b];
+    if (!a.is_leaf() || !b.is_leaf()) {
+      descend(pair, open);
+    } else if (pair.a == pair.b) {
+      meet_in_leaf(a, visit);
+    } else {
+      meet_in_leaves(a, b, visit);
+    }
+  }
+}
+
+void OverlappingPairs::build(const Workers& workers) {
+  const auto count = static_cast<std::uint32_t>(boxes_.size());
+  nodes_.resize(tree_size(count));
+  nodes_[0].count = count;
+  // Large nodes level by level, then each small one with all that is below it.
+  std::vector<std::uint32_t> tasks, large_nodes, level = {0};
+  while (!level.empty()) {
+    std::vector<std::uint32_t> large;
+    for (const auto n : level) (nodes_[n].count > task_boxes ? large : tasks).push_back(n);
+    workers.for_chunks(large.size(), 1, [&](std::size_t i, std::size_t, int) { cut_in_half(large[i]); });
+    level.clear();
+    for (const auto n : large) level.insert(level.end(), {n + 1, nodes_[n].right});
+    large_nodes.insert(large_nodes.end(), large.begin(), large.end());
+  }
+  workers.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i]); });
+  for (const auto n : std::views::reverse(large_nodes))
+    nodes_[n].box = join(nodes_[n + 1].box, nodes_[nodes_[n].right].box);
+}
+
+// Gives the node its children, which know their boxes by number but not yet the space they take.
+void OverlappingPairs::cut_in_half(std::uint32_t number) {
+  auto& node = nodes_[number];
+  const auto begin = index_.begin() + node.first;
+  Bounds centers;
+  for (auto i = begin; i != begin + node.count; ++i) centers.add(boxes_[*i].center());
+  const auto size = centers.size();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  const auto half = node.count / 2;
+  // Ties go by number, so that the halves are the same sets with every library's nth_element.
+  std::nth_element(begin, begin + half, begin + node.count, [&](std::uint32_t i, std::uint32_t j) {
+    const auto a = boxes_[i].low[axis] + boxes_[i].high[axis];
+    const auto b = boxes_[j].low[axis] + boxes_[j].high[axis];
+    return a != b ? a < b : i < j;
+  });
+  node.right = number + 1 + tree_size(half);
+  nodes_[number + 1].first = node.first;
+  nodes_[number + 1].count = half;
+  nodes_[node.right].first = node.first + half;
+  nodes_[node.right].count = node.count - half;
+}
+
+void OverlappingPairs::build_below(std::uint32_t number) {
+  auto& node = nodes_[number];
+  if (node.count > leaf_size) {
+    cut_in_half(number);
+    build_below(number + 1);
+    build_below(node.right);
+    node.box = join(nodes_[number + 1].box, nodes_[node.right].box);
+  } else {
+    const auto begin = index_.begin() + node.first;
+    std::sort(begin, begin + node.count);
+    for (auto i = begin; i != begin + node.count; ++i) node.box = join(node.box, boxes_[*i]);
+  }
+}
+
+// From the top, each pair once, until none is of more boxes than one thread should have.
+void OverlappingPairs::part_the_pairs() {
+  std::vector<NodePair> open = {{0, 0}};
+  while (!open.empty()) {
+    std::vector<NodePair> below;
+    for (const auto& pair : open) {
+      const bool is_large = std::max(nodes_[pair.a].count, nodes_[pair.b].count) > task_boxes;
+      is_large ? descend(pair, below) : parts_.push_back(pair);
+    }
+    open = std::move(below);
+  }
+}
+
+// The pairs one step below one that is not of leaves only.
+void OverlappingPairs::descend(const NodePair& pair, std::vector<NodePair>& open) const {
+  const auto [i, j] = pair;
+  const auto& a = nodes_[i];
+  const auto& b = nodes_[j];
+  const auto push = [&](std::uint32_t k, std::uint32_t l) {
+    if (k == l || overlap(nodes_[k].box, nodes_[l].box)) open.push_back({k, l});
+  };
+  if (i == j) {
+    push(i + 1, i + 1);
+    push(a.right, a.right);
+    push(i + 1, a.right);
+  } else if (b.is_leaf() || (!a.is_leaf() && a.count >= b.count)) {
+    push(i + 1, j);
+    push(a.right, j);
+  } else {
+    push(i, j + 1);
+    push(i, b.right);
+  }
+}
+
+void OverlappingPairs::meet_in_leaf(const Node& leaf, const Visit& visit) const {
+  for (auto i = leaf.first; i < leaf.first + leaf.count; ++i)
+    for (auto j = i + 1; j < leaf.first + leaf.count; ++j) meet(i, j, visit);
+}
+
+void OverlappingPairs::meet_in_leaves(const Node& a, const Node& b, const Visit& visit) const {
+  for (auto i = a.first; i < a.first + a.count; ++i)
+    if (overlap(boxes_[i], b.box))
+      for (auto j = b.first; j < b.first + b.count; ++j) meet(i, j, visit);
+}
+
+void OverlappingPairs::meet(std::uint32_t i, std::uint32_t j, const Visit& visit) const {
+  if (overlap(boxes_[i], boxes_[j])) visit(std::min(index_[i], index_[j]), std::max(index_[i], index_[j]));
 }
 
 }  // namespace luxel
