@@ -83,7 +83,9 @@ double true_error2(const Floor& f, const std::vector<std::vector<float>>& values
   return sum;
 }
 
-TEST(ShareLight, leaves_of_noise_about_a_plane_what_three_numbers_carry_and_says_so) {
+// A field that one fit to the whole floor can be: so many numbers a band, each of the variance of a mean over
+// 8 replicates. So the error is that of so many of the patches.
+void expect_noise_of(double numbers, const Field& field) {
   const Floor f;
   constexpr int runs = 200;
   constexpr float sigma = 0.5f;
@@ -91,24 +93,32 @@ TEST(ShareLight, leaves_of_noise_about_a_plane_what_three_numbers_carry_and_says
   double spread = 0.0;
   double bias = 0.0;
   for (int run = 0; run < runs; ++run) {
-    const auto shared = share(f, noisy(f, linear, sigma, static_cast<std::uint64_t>(run)));
-    error2 += true_error2(f, shared.values, linear);
+    const auto shared = share(f, noisy(f, field, sigma, static_cast<std::uint64_t>(run)));
+    error2 += true_error2(f, shared.values, field);
     const std::vector<float> none(shared.bias.size(), 0.0f);
     spread += spread_of(shared.values, none, bands, f.area, f.workers).error2;
     for (std::size_t i = 0; i < shared.bias.size(); ++i)
       bias += static_cast<double>(f.area[i / bands] * shared.bias[i]);
   }
-  // One fit to the whole floor: three numbers a band, each of the variance of a mean over 8 replicates. So
-  // the error is that of 3 of the patches.
-  const auto expected = runs * static_cast<double>(sigma * sigma) / 8.0 * 16.0 * bands * 3.0 /
+  const auto expected = runs * static_cast<double>(sigma * sigma) / 8.0 * 16.0 * bands * numbers /
                         static_cast<double>(f.sides.size());
   // Noise makes some finer fits look better: 1.25 is how much worse that may be on the average.
-  EXPECT_GT(error2 / expected, statistics::chi_square_lower_limit(9.0 * runs) / (9.0 * runs));
-  EXPECT_LT(error2 / expected, 1.25 * statistics::chi_square_limit(9.0 * runs) / (9.0 * runs));
-  // Nine numbers a run of true error and 63 of spread: their ratio varies by 3.6 per cent.
-  EXPECT_NEAR(spread / error2, 1.0, 5.0 * 0.036);
+  const auto freedom = bands * numbers * runs;
+  EXPECT_GT(error2 / expected, statistics::chi_square_lower_limit(freedom) / freedom);
+  EXPECT_LT(error2 / expected, 1.25 * statistics::chi_square_limit(freedom) / freedom);
+  // The spread has seven times the freedom of the error: what their ratio varies by.
+  EXPECT_NEAR(spread / error2, 1.0, 5.0 * std::sqrt(2.0 / freedom * 8.0 / 7.0));
   // There is no bias to find; what was found is noise, and what the choice of fits makes of it.
   EXPECT_NEAR(bias / error2, 0.0, 0.3);
+}
+
+TEST(ShareLight, leaves_of_noise_about_a_plane_what_three_numbers_carry_and_says_so) {
+  expect_noise_of(3.0, linear);
+}
+
+TEST(ShareLight, leaves_of_noise_about_a_bowl_what_six_numbers_carry_and_says_so) {
+  expect_noise_of(
+      6.0, [](const Vec3& p) { return linear(p) + 0.4f * p.x * p.x - 0.3f * p.x * p.y + 0.5f * p.y * p.y; });
 }
 
 TEST(ShareLight, leaves_a_step_where_it_is) {

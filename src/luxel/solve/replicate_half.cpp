@@ -15,19 +15,14 @@ void add_slots(std::span<const std::vector<float>> values, std::span<const FitPl
   const auto n = replicates * bands;
   m.places += end - first;
   for (auto s = first; s < end; ++s) {
-    const double a = places[s].area;
-    const double u = places[s].u;
-    const double v = places[s].v;
-    const std::array<double, 6> terms = {a, a * u, a * v, a * u * u, a * u * v, a * v * v};
-    for (std::size_t i = 0; i < 6; ++i) m.gram[i] += terms[i];
+    const auto power = powers<2 * most_degree>(places[s], places[s].area);
+    for (std::size_t i = 0; i < power.size(); ++i) m.gram[i] += power[i];
     for (std::size_t r = 0; r < replicates; ++r) {
       const auto* value = values[r].data() + s * bands;
       auto* right = m.right.data() + r * bands;
       for (std::size_t b = 0; b < bands; ++b) {
         const double y = value[b];
-        right[b] += y * terms[0];
-        right[n + b] += y * terms[1];
-        right[2 * n + b] += y * terms[2];
+        for (std::size_t i = 0; i < most_terms; ++i) right[i * n + b] += y * power[i];
       }
     }
   }
@@ -50,6 +45,13 @@ void add_slots(std::span<const std::vector<float>> values, std::span<const FitPl
   }
 }
 
+double value_at(const FitPlace& place, const Terms& c) {
+  const auto power = powers<most_degree>(place, 1.0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < most_terms; ++i) sum += c[i] * power[i];
+  return sum;
+}
+
 }  // namespace
 
 void ReplicateHalf::add(std::uint32_t first, std::uint32_t end, Moments& m, Energy* raw) const {
@@ -68,31 +70,28 @@ void ReplicateHalf::append_means(std::uint32_t first, std::uint32_t end, std::ve
 }
 
 void ReplicateHalf::append_means(std::uint32_t first, std::uint32_t end, const Moments& m,
-                                 const LinearFit& fit, std::vector<float>& means) const {
+                                 const PolynomialFit& fit, std::vector<float>& means) const {
   const auto at = means.size();
   means.resize(at + (end - first) * columns_.bands);
   for (std::size_t b = 0; b < columns_.bands; ++b) {
-    std::array<double, 3> mean{};
+    Terms mean{};
     for (std::size_t r = 0; r < columns_.replicates; ++r) {
       const auto c = fit.coefficients(m, r * columns_.bands + b);
-      for (std::size_t i = 0; i < 3; ++i) mean[i] += c[i] / static_cast<double>(columns_.replicates);
+      for (std::size_t i = 0; i < most_terms; ++i) mean[i] += c[i] / static_cast<double>(columns_.replicates);
     }
     for (auto s = first; s < end; ++s)
-      means[at + (s - first) * columns_.bands + b] =
-          static_cast<float>(mean[0] + mean[1] * static_cast<double>(places_[s].u) +
-                             mean[2] * static_cast<double>(places_[s].v));
+      means[at + (s - first) * columns_.bands + b] = static_cast<float>(value_at(places_[s], mean));
   }
 }
 
 void ReplicateHalf::replace(std::uint32_t first, std::uint32_t end, const Moments& m,
-                            const LinearFit& fit) const {
+                            const PolynomialFit& fit) const {
   for (std::size_t r = 0; r < columns_.replicates; ++r)
     for (std::size_t b = 0; b < columns_.bands; ++b) {
       const auto c = fit.coefficients(m, r * columns_.bands + b);
       auto* value = values_[r].data() + b;
       for (auto s = first; s < end; ++s)
-        value[s * columns_.bands] = static_cast<float>(c[0] + c[1] * static_cast<double>(places_[s].u) +
-                                                       c[2] * static_cast<double>(places_[s].v));
+        value[s * columns_.bands] = static_cast<float>(value_at(places_[s], c));
     }
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/solve/linear_fit.h"
+#include "luxel/solve/polynomial_fit.h"
 
 namespace luxel {
 
@@ -26,11 +26,11 @@ class ReplicateHalf {
 
   // Appends the means over replicates, [slot - first][band]: of the slots' own numbers, or of a fit.
   void append_means(std::uint32_t first, std::uint32_t end, std::vector<float>& means) const;
-  void append_means(std::uint32_t first, std::uint32_t end, const Moments& m, const LinearFit& fit,
+  void append_means(std::uint32_t first, std::uint32_t end, const Moments& m, const PolynomialFit& fit,
                     std::vector<float>& means) const;
 
   // Puts a fit's values in the slots' place.
-  void replace(std::uint32_t first, std::uint32_t end, const Moments& m, const LinearFit& fit) const;
+  void replace(std::uint32_t first, std::uint32_t end, const Moments& m, const PolynomialFit& fit) const;
 
  private:
   std::span<std::vector<float>> values_;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "luxel/random/warp.h"
-#include "luxel/solve/linear_fit.h"
+#include "luxel/solve/polynomial_fit.h"
 #include "luxel/solve/replicate_half.h"
 #include "luxel/transport/patch_emitter.h"
 
@@ -70,6 +70,11 @@ struct Best {
   }
 };
 
+struct NodeFit {
+  std::uint32_t node = 0;
+  int degree = 0;
+};
+
 // Chooses nodes by one half of the replicates, and fits them to the other: for the sides that face one way.
 class Sharing {
  public:
@@ -77,7 +82,7 @@ class Sharing {
       : tree_(tree), first_slot_(first_slot), workers_(workers) {}
 
   // The nodes whose fits take the place of the patches' own numbers.
-  std::vector<std::uint32_t> choose(const ReplicateHalf& half) {
+  std::vector<NodeFit> choose(const ReplicateHalf& half) {
     kept_.assign(tree_.nodes.size(), 0);
     // Small nodes first, side by side; then what joins them.
     std::vector<Task> tasks;
@@ -92,12 +97,12 @@ class Sharing {
     });
     std::size_t next = 0;
     for (const auto region : tree_.regions) join(half, region, tasks, best, next);
-    std::vector<std::uint32_t> fits;
+    std::vector<NodeFit> fits;
     for (const auto region : tree_.regions) collect_fits(region, fits);
     return fits;
   }
 
-  void apply(std::span<const std::uint32_t> fits, const ReplicateHalf& half, std::span<float> bias) const {
+  void apply(std::span<const NodeFit> fits, const ReplicateHalf& half, std::span<float> bias) const {
     workers_.for_chunks(fits.size(), tasks_grain, [&](std::size_t begin, std::size_t end, int) {
       Scratch scratch(half.columns());
       for (auto f = begin; f < end; ++f) replace(half, fits[f], bias, scratch);
@@ -126,15 +131,20 @@ class Sharing {
     collect_tasks(node.child + 1, region, tasks);
   }
 
-  // Decides whether the node's own fit takes the place of the best of the nodes below.
+  // Decides whether the node's own fit takes the place of the best of the nodes below; or then a simpler one.
   void consider(const ReplicateHalf& half, std::uint32_t node, Best& best, Energy& own) {
     if (best.moments.places < 2) return;
+    for (int degree = most_degree; degree > 0; --degree)
+      if (degree == 1 || best.moments.places >= PolynomialFit::least_places[static_cast<std::size_t>(degree)])
+        consider(half, node, degree, best, own);
+  }
+  void consider(const ReplicateHalf& half, std::uint32_t node, int degree, Best& best, Energy& own) {
     own.clear();
-    LinearFit(best.moments).add_energy(best.moments, half.columns(), own);
+    PolynomialFit(best.moments, degree).add_energy(best.moments, half.columns(), own);
     double wrong = 0.0;
     for (std::size_t b = 0; b < own.signal.size(); ++b) wrong += best.energy.signal[b] - own.signal[b];
     if (wrong > caution * (best.energy.noise - own.noise) || best.energy.noise <= own.noise) return;
-    kept_[node] = 1;
+    kept_[node] = static_cast<std::uint8_t>(degree);
     std::swap(best.energy, own);
   }
 
@@ -166,8 +176,8 @@ class Sharing {
     return whole;
   }
 
-  void collect_fits(std::uint32_t k, std::vector<std::uint32_t>& fits) const {
-    if (kept_[k]) return fits.push_back(k);
+  void collect_fits(std::uint32_t k, std::vector<NodeFit>& fits) const {
+    if (kept_[k] > 0) return fits.push_back({k, kept_[k]});
     if (tree_.nodes[k].child == 0) return;
     collect_fits(tree_.nodes[k].child, fits);
     collect_fits(tree_.nodes[k].child + 1, fits);
@@ -175,22 +185,23 @@ class Sharing {
 
   // Adds up a node's moments and the energy of finer fits, `levels` down or where there are few slots, and
   // keeps their values.
-  void add_finer(const ReplicateHalf& half, std::uint32_t k, int levels, Scratch& scratch) const {
+  void add_finer(const ReplicateHalf& half, const NodeFit& chosen, int levels, Scratch& scratch) const {
+    const auto [k, degree] = chosen;
     const auto& node = tree_.nodes[k];
     const auto first = first_slot(node);
     const auto end = end_slot(node);
     if (first == end) return;
-    if (node.child == 0 || end - first < LinearFit::linear_places) {
+    if (node.child == 0 || end - first < PolynomialFit::least_places[1]) {
       half.append_means(first, end, scratch.finer_values);
       return half.add(first, end, scratch.whole, &scratch.finer);
     }
     if (levels > 0) {
-      add_finer(half, node.child, levels - 1, scratch);
-      return add_finer(half, node.child + 1, levels - 1, scratch);
+      add_finer(half, {node.child, degree}, levels - 1, scratch);
+      return add_finer(half, {node.child + 1, degree}, levels - 1, scratch);
     }
     scratch.part.clear();
     half.add(first, end, scratch.part, nullptr);
-    const LinearFit fit(scratch.part);
+    const PolynomialFit fit(scratch.part, degree);
     fit.add_energy(scratch.part, half.columns(), scratch.finer);
     half.append_means(first, end, scratch.part, fit, scratch.finer_values);
     scratch.whole.add(scratch.part);
@@ -200,17 +211,18 @@ class Sharing {
   // and what still finer ones would: the square of the bias falls to a sixteenth by that where light is
   // smooth, to a half at an edge. (Comparing with the patches' own numbers would need no such guess, but
   // their noise drowns it.)
-  void replace(const ReplicateHalf& half, std::uint32_t k, std::span<float> bias, Scratch& scratch) const {
+  void replace(const ReplicateHalf& half, const NodeFit& chosen, std::span<float> bias,
+               Scratch& scratch) const {
     scratch.whole.clear();
     scratch.finer.clear();
     scratch.fitted.clear();
     scratch.finer_values.clear();
-    add_finer(half, k, 2, scratch);
+    add_finer(half, chosen, 2, scratch);
     const auto& m = scratch.whole;
-    const LinearFit fit(m);
+    const PolynomialFit fit(m, chosen.degree);
     fit.add_energy(m, half.columns(), scratch.fitted);
-    const auto first = first_slot(tree_.nodes[k]);
-    const auto end = end_slot(tree_.nodes[k]);
+    const auto first = first_slot(tree_.nodes[chosen.node]);
+    const auto end = end_slot(tree_.nodes[chosen.node]);
     const auto bands = half.columns().bands;
     half.replace(first, end, m, fit);
 
@@ -237,7 +249,7 @@ class Sharing {
   const PatchTree& tree_;
   std::span<const std::uint32_t> first_slot_;
   const Workers& workers_;
-  std::vector<std::uint8_t> kept_;  // [node]: its fit is better than what is below
+  std::vector<std::uint8_t> kept_;  // [node]: degree of its fit, if that is better than what is below; or 0
 };
 
 }  // namespace

@@ -9,14 +9,15 @@
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
-#include "luxel/solve/linear_fit.h"
+#include "luxel/solve/polynomial_fit.h"
 #include "luxel/transport/gather_sides.h"
 
 namespace luxel {
 
 // Neighbouring patches share their rays: where the light of a node of the tree cannot be told from a linear
-// function of the place, given the noise, the node's patches take the value of that function, fitted by least
-// squares over all of them. Three numbers for hundreds of patches have a hundredth of the variance.
+// or quadratic function of the place, given the noise, the node's patches take the value of that function,
+// fitted by least squares over all of them. Three or six numbers for hundreds of patches have a hundredth of
+// the variance.
 //
 // A fit f is kept where an unbiased estimate of what it gets wrong, |f - E y|², taken from products of
 // different replicates (in which independent noise cancels), is at most three times the variance that the
