@@ -10,7 +10,8 @@ set(LUXEL_PUBLIC_HEADERS
     report/error.h report/log.h report/memory.h report/progress.h
     photometry/band_colours.h photometry/colour_spectra.h photometry/luminous_efficacy.h photometry/spectrum.h
     photometry/waveband.h
-    file/output_file.h
+    file/ending_of.h file/output_file.h
+    gltf/is_gltf.h
     parallel/ranks.h parallel/workers.h
     cluster/mpi_ranks.h
     image/image.h image/image_file.h image/raster.h

@@ -203,6 +203,17 @@ TEST_F(ExportKept, the_back_turns_its_normals_and_the_front_is_seen_from_the_fro
   EXPECT_FALSE(file.object(primitives[0]["material"], "materials")["doubleSided"].truth(true));
 }
 
+// However its ending is written: what is read as glTF is kept as glTF.
+TEST_F(ExportKept, a_file_is_kept_however_its_ending_is_written) {
+  for (const auto* name : {"room.Glb", "room.GLB", "room.gLb"}) {
+    files_.write(name, small_room().glb());
+    solve(name, 0.4f);
+    cut();
+    EXPECT_EQ(lit().root()["nodes"][0]["name"].text(), "one") << name;
+    EXPECT_EQ(lit().root()["extensions"]["FREE_wind"]["speed"].whole(), 3u) << name;
+  }
+}
+
 TEST_F(ExportKept, other_formats_become_what_they_would_be_as_gltf) {
   files_.write("room.mtl", "newmtl red\nKd 0.5 0.1 0.1\nnewmtl lamp\nKd 0.2 0.2 0.2\nKe 3 2 1\n");
   files_.write("room.obj",

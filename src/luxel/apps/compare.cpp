@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/reference/compare.h"
 
-#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "luxel/apps/quantity.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/streams.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/reference/difference_picture.h"
@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_solution(const std::string& file) { return std::filesystem::path(file).extension() == ".vtkhdf"; }
+bool is_solution(const std::string& file) { return ending_of(file) == ".vtkhdf"; }
 
 class Compare final : public Command {
  public:

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/streams.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/photometry/luminous_efficacy.h"
 
@@ -23,7 +23,7 @@ class Info final : public Command {
   }
 
   int run() override {
-    const auto text = std::filesystem::path(file_).extension() == ".vtkhdf" ? of_solution() : of_scene();
+    const auto text = ending_of(file_) == ".vtkhdf" ? of_solution() : of_scene();
     print_result(text);
     return exit_fine;
   }

@@ -12,6 +12,7 @@
 #include "luxel/apps/outputs.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/solved_scene.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/image/image_file.h"
 #include "luxel/lightmap/lightmap_picture.h"
 #include "luxel/lightmap/radiance_pages.h"
@@ -113,7 +114,7 @@ class LightmapCommand final : public Command {
  private:
   void check() const {
     const auto expect = [](const char* option, const std::string& file, const std::string& kinds) {
-      if (kinds.find(ending(file)) == std::string::npos || ending(file).empty())
+      if (kinds.find(ending_of(file)) == std::string::npos || ending_of(file).empty())
         throw UsageError(fmt::format("{} {}: expected an ending among {}", option, file, kinds));
     };
     auto run = run_;
@@ -144,7 +145,7 @@ class LightmapCommand final : public Command {
       const auto& page = lightmap.pages[p];
       for (const auto& output : run_.outputs) {
         files.push_back(name_of_page(output, p));
-        if (ending(output) == ".exr")
+        if (ending_of(output) == ".exr")
           write_exr(files.back(), page.irradiance);
         else
           write_page_png(files.back(), page.irradiance, white);

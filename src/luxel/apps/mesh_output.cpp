@@ -9,6 +9,7 @@
 #include "luxel/apps/outputs.h"
 #include "luxel/export/export_kept.h"
 #include "luxel/export/export_mesh.h"
+#include "luxel/gltf/is_gltf.h"
 #include "luxel/lightmap/radiance_pages.h"
 #include "luxel/surface/vertex_fit.h"
 
@@ -76,7 +77,7 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
-  const bool keeps = wish.scene && (settings.keep_topology || is_gltf(*wish.scene));
+  const bool keeps = wish.scene && (settings.keep_topology || is_gltf(wish.scene->source));
   if (!keeps && !settings.on_pages()) {
     export_glb(output, baked.patches, baked.solution, *light, up,
                {.tone = look.tone, .program = settings.program});

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "luxel/apps/outputs.h"
+#include "luxel/file/ending_of.h"
 
 namespace luxel {
 
@@ -42,7 +43,7 @@ void MeshSettings::check() const {
 }
 
 void MeshSettings::check_outputs(const std::vector<std::string>& outputs) const {
-  const auto is_glb = [](const std::string& output) { return ending(output) == ".glb"; };
+  const auto is_glb = [](const std::string& output) { return ending_of(output) == ".glb"; };
   if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_glb)) return;
   for (const auto& [option, is_asked] :
        {std::pair(std::string("--keep-topology"), keep_topology), std::pair("--as " + as, on_pages()),

@@ -12,6 +12,7 @@
 #include "luxel/apps/page_output.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_page.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/reference/final_gather.h"
@@ -20,13 +21,6 @@
 #include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
-
-std::string ending(const std::filesystem::path& path) {
-  auto text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 namespace {
 
@@ -39,7 +33,7 @@ bool is_among(const std::string& word, const std::string& words) {
 
 void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
                 const LookSettings& look, const SampleState* samples) {
-  if (ending(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution, samples);
+  if (ending_of(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution, samples);
   export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
 }
 
@@ -70,9 +64,9 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
   return automatic_up(patches);
 }
 
-bool is_picture(const std::string& output) { return is_among(ending(output), picture_kinds); }
+bool is_picture(const std::string& output) { return is_among(ending_of(output), picture_kinds); }
 
-bool is_page(const std::string& output) { return ending(output) == ".html"; }
+bool is_page(const std::string& output) { return ending_of(output) == ".html"; }
 
 namespace {
 
@@ -117,8 +111,8 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
 }
 
 void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone) {
-  if (ending(output) == ".exr") return write_exr(output, radiance);
-  if (ending(output) == ".hdr") return write_hdr(output, radiance);
+  if (ending_of(output) == ".exr") return write_exr(output, radiance);
+  if (ending_of(output) == ".hdr") return write_hdr(output, radiance);
   write_png(output, tone_map(radiance, tone));
 }
 
@@ -128,7 +122,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
   Places places;
   for (const auto& output : run.outputs) {
-    if (!is_among(ending(output), kinds))
+    if (!is_among(ending_of(output), kinds))
       throw UsageError(fmt::format("-o {}: expected an ending among {}", output, kinds));
     if (const auto why = page_is_missing(); is_page(output) && !why.empty())
       throw DeviceError(fmt::format("-o {}: {}", output, why));
@@ -144,7 +138,9 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
                       Console& console, RunRecord& record, const KeptSamples& samples, const MeshWish& mesh) {
   // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
-  const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : ending(o) == ".vtkhdf" ? 0 : 1; };
+  const auto turn = [](const std::string& o) {
+    return is_picture(o) ? 2 : ending_of(o) == ".vtkhdf" ? 0 : 1;
+  };
   std::stable_sort(outputs.begin(), outputs.end(), [&](auto& a, auto& b) { return turn(a) < turn(b); });
 
   std::optional<SmoothLight> light;
@@ -154,9 +150,9 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
   std::optional<Image> radiance;
   std::exception_ptr failure;  // one file that cannot be written does not cost the others
   for (const auto& output : outputs) {
-    const bool on_pages = ending(output) == ".glb" && mesh.settings && mesh.settings->on_pages();
+    const bool on_pages = ending_of(output) == ".glb" && mesh.settings && mesh.settings->on_pages();
     const bool is_smooth =
-        ending(output) != ".vtkhdf" && !on_pages && !(is_picture(output) && picture.gather > 0);
+        ending_of(output) != ".vtkhdf" && !on_pages && !(is_picture(output) && picture.gather > 0);
     if (is_smooth && !light) {
       console.announce("surface");
       light = record.stage("surface", [&](auto&) {
@@ -202,14 +198,14 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
     }
     bool is_written = true;
     try {
-      const auto stage = "write " + ending(output).substr(1);
+      const auto stage = "write " + ending_of(output).substr(1);
       console.announce(stage);
       record.stage(stage, [&](auto&) {
         if (is_picture(output)) return write_picture(output, *radiance, look.tone);
         if (is_page(output))
           return write_page(output, baked, *light, samples.for_pages, *tracer, *written.camera, look,
                             workers);
-        if (ending(output) == ".glb") {
+        if (ending_of(output) == ".glb") {
           const auto done = write_lit_glb(output, baked, light, mesh, look, tracer, workers, console);
           is_written = done.is_written;
           if (done.pages) written.pages = done.pages;

@@ -18,9 +18,6 @@
 
 namespace luxel {
 
-// The ending of a file's name with its dot, in small letters.
-std::string ending(const std::filesystem::path& path);
-
 // The files a solution can become.
 inline constexpr const char* picture_kinds = ".png .exr .hdr";
 inline constexpr const char* mesh_kinds = ".glb .ply .html .vtkhdf";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/version.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/reference/path_picture.h"
 
 namespace luxel {
@@ -75,7 +75,7 @@ class Reference final : public Command {
   }
 
  private:
-  bool is_of_solution() const { return std::filesystem::path(scene_.file).extension() == ".vtkhdf"; }
+  bool is_of_solution() const { return ending_of(scene_.file) == ".vtkhdf"; }
 
   void check() const {
     scene_.check();
@@ -186,7 +186,7 @@ class Reference final : public Command {
     if (traced.stop == StopReason::stopped_by_user)
       warn(console.log(), "stopped: writing the picture as it is");
     const auto write = [&](const std::string& output, const Image& image) {
-      record.stage("write " + std::filesystem::path(output).extension().string().substr(1),
+      record.stage("write " + ending_of(output).substr(1),
                    [&](auto&) { write_picture(output, image, look_.tone); });
       report.outputs.push_back(output);
     };

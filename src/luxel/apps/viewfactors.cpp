@@ -9,6 +9,7 @@
 #include "luxel/apps/version.h"
 #include "luxel/apps/view_factor_report.h"
 #include "luxel/apps/view_factor_settings.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/report/memory.h"
 #include "luxel/viewfactors/view_factors_file.h"
@@ -186,10 +187,6 @@ class ViewFactorsCommand final : public Command {
       note.centre.push_back(patches.centroid(p));
     }
     return note;
-  }
-
-  static std::string ending_of(const std::string& output) {
-    return std::filesystem::path(output).extension().string();
   }
 
   void write(const std::string& output, const ViewFactors& factors, const ViewFactorsNote& note) const {

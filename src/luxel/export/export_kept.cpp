@@ -19,6 +19,7 @@
 #include "luxel/file/output_file.h"
 #include "luxel/gltf/gltf_array.h"
 #include "luxel/gltf/gltf_copy.h"
+#include "luxel/gltf/is_gltf.h"
 #include "luxel/image/image_file.h"
 #include "luxel/photometry/luminous_efficacy.h"
 
@@ -27,7 +28,7 @@ namespace {
 
 // The scene's own file, or the scene as one. order: see kept_parts().
 std::unique_ptr<GltfFile> file_of(const Scene& scene, const Vec3& up, std::vector<std::uint32_t>& order) {
-  if (is_gltf(scene)) return std::make_unique<GltfFile>(scene.source, known_extensions());
+  if (is_gltf(scene.source)) return std::make_unique<GltfFile>(scene.source, known_extensions());
   auto made = gltf_of(scene, up);
   order = std::move(made.order);
   return std::make_unique<GltfFile>(std::move(made.bytes), "scene.glb", known_extensions());
@@ -40,7 +41,8 @@ class KeptExport {
       : input_(input),
         options_(options),
         file_(file_of(input.scene, options.up, order_)),
-        parts_(kept_parts(*file_, input.scene, is_gltf(input.scene) ? options.metres_a_unit : 1.0, order_)),
+        parts_(kept_parts(*file_, input.scene, is_gltf(input.scene.source) ? options.metres_a_unit : 1.0,
+                          order_)),
         of_triangles_(input.patches, input.scene.triangles.size()),
         back_is_lit_(lit_backs(input.patches, input.solution)),
         curve_(curve_for(input.patches, input.solution, options.tone)),
@@ -286,11 +288,6 @@ void export_vertices(const std::filesystem::path& path, const KeptInput& input, 
 }
 
 }  // namespace
-
-bool is_gltf(const Scene& scene) {
-  const auto ending = std::filesystem::path(scene.source).extension();
-  return ending == ".glb" || ending == ".gltf" || ending == ".GLB" || ending == ".GLTF";
-}
 
 Scene scene_of(const PatchSet& patches) {
   Scene scene;

@@ -23,9 +23,6 @@ struct KeptOptions {
   Vec3 up = Vec3(0.0f, 1.0f, 0.0f);  // of a scene that was not glTF
 };
 
-// Whether the scene's file is one that is kept, by its ending.
-bool is_gltf(const Scene& scene);
-
 // What light was found for, and the light.
 struct KeptInput {
   const Scene& scene;
@@ -33,13 +30,13 @@ struct KeptInput {
   const Solution& solution;
 };
 
-// A scene with light on it, as one GLB. Where it was read from a glTF file (Scene::source) that file is kept:
-// its nodes, names, hierarchy, textures, extensions and whatever else it says stay. Another scene becomes
-// what it would be as glTF, see gltf_of(). A mesh that several nodes show becomes one for each, for each has
-// light of its own. A back gets triangles of its own where light fell on it. Textures and base colours go on
-// colouring the surfaces: the light is what a surface of the factor's colour sends back, and where there is
-// no texture also what it emits. What is not opaque stays as it is. Valid where the file is. Whole or not at
-// all.
+// A scene with light on it, as one GLB. Where it was read from a glTF file (Scene::source, is_gltf()) that
+// file is kept: its nodes, names, hierarchy, textures, extensions and whatever else it says stay. Another
+// scene becomes what it would be as glTF, see gltf_of(). A mesh that several nodes show becomes one for each,
+// for each has light of its own. A back gets triangles of its own where light fell on it. Textures and base
+// colours go on colouring the surfaces: the light is what a surface of the factor's colour sends back, and
+// where there is no texture also what it emits. What is not opaque stays as it is. Valid where the file is.
+// Whole or not at all.
 //
 // All throw MismatchError where scene, file, patches and solution do not belong together, InputError where
 // the file is damaged or the GLB would be beyond 4 GiB, DeviceError.

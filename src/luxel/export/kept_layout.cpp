@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "luxel/export/export_kept.h"
 #include "luxel/export/kept_parts.h"
 #include "luxel/gltf/gltf_array.h"
+#include "luxel/gltf/is_gltf.h"
 
 namespace luxel {
 namespace {
@@ -28,7 +28,7 @@ bool on_page(const Vec2& uv) {
 std::optional<GivenLayout> kept_layout(const Scene& scene, const PatchSet& patches, double metres_a_unit,
                                        std::string& why) {
   why.clear();
-  if (!is_gltf(scene)) return std::nullopt;
+  if (!is_gltf(scene.source)) return std::nullopt;
   GltfFile file(scene.source, known_extensions());
   GivenLayout given;
   given.uvs.resize(scene.triangles.size());

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/image/image_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <new>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/codec.h"
 #include "luxel/report/error.h"
@@ -34,20 +33,13 @@ void write_encoded(const fs::path& path, const Image& image, const Encode& encod
   write_file(path, bytes);
 }
 
-bool ends_in_tga(const fs::path& path) {
-  auto ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".tga";
-}
-
 // Only formats asked for reach a decoder: stb knows more of them, less well tested.
 Raster decode(const fs::path& path, std::string_view bytes) {
   const auto begins = [&](std::string_view magic) { return bytes.substr(0, magic.size()) == magic; };
   if (begins("\x89PNG\r\n\x1a\n")) return decode_png(bytes);
   if (begins("\x76\x2f\x31\x01")) return decode_exr(bytes);
   if (begins("#?RADIANCE") || begins("#?RGBE")) return decode_hdr(bytes);
-  if (begins("\xff\xd8") || begins("BM") || ends_in_tga(path)) return decode_stb(bytes);
+  if (begins("\xff\xd8") || begins("BM") || ending_of(path) == ".tga") return decode_stb(bytes);
   throw CodecError("it is no picture that can be read; expected PNG, JPEG, TGA, BMP, HDR or EXR");
 }
 

@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "luxel/file/ending_of.h"
+#include "luxel/gltf/is_gltf.h"
 #include "luxel/load/apply_spectra.h"
 #include "luxel/load/load_gltf.h"
 #include "luxel/load/load_obj.h"
 #include "luxel/load/name_list.h"
-#include "luxel/load/text.h"
 #include "luxel/mesh/orient_windings.h"
 #include "luxel/mesh/weld_vertices.h"
 #include "luxel/report/error.h"
@@ -19,12 +20,13 @@
 namespace luxel {
 namespace {
 
+bool is_obj(const std::filesystem::path& path) { return ending_of(path) == ".obj"; }
+
 struct Reader {
-  std::string_view ending;
+  bool (*reads)(const std::filesystem::path&);
   Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&, const Monitor&);
 };
-constexpr auto readers =
-    std::to_array<Reader>({{".obj", load_obj}, {".glb", load_gltf}, {".gltf", load_gltf}});
+constexpr auto readers = std::to_array<Reader>({{is_obj, load_obj}, {is_gltf, load_gltf}});
 
 void check_options(const LoadOptions& options) {
   if (!(options.scale > 0.0 && std::isfinite(options.scale)))
@@ -51,9 +53,9 @@ void check_is_file(const std::filesystem::path& path) {
 }
 
 const Reader& reader_of(const std::filesystem::path& path) {
-  const auto ending = lower_case(path.extension().string());
   for (const auto& reader : readers)
-    if (reader.ending == ending) return reader;
+    if (reader.reads(path)) return reader;
+  const auto ending = ending_of(path);
   throw InputError(
       path.string(),
       fmt::format(
