@@ -14,6 +14,7 @@
 #include "luxel/export/kept_materials.h"
 #include "luxel/export/kept_primitive.h"
 #include "luxel/export/lit_mesh.h"
+#include "luxel/export/mapped_surfaces.h"
 #include "luxel/export/quantise.h"
 #include "luxel/export/scene_gltf.h"
 #include "luxel/file/output_file.h"

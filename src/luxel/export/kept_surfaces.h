@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "luxel/export/kept_parts.h"
-#include "luxel/lightmap/pack_charts.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/smooth_light.h"
 
@@ -57,8 +56,5 @@ std::vector<KeptSurface> uncut_surfaces(const KeptScene& kept, const KeptPart& p
 
 // Patches, with the smooth light at theirs.
 std::vector<KeptSurface> cut_surfaces(const KeptScene& kept, const KeptPart& part, const SmoothLight& light);
-
-// The file's own triangles where a chart has the whole of one, else patches; a surface for each page.
-std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas);
 
 }  // namespace luxel

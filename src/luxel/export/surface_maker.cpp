@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/surface_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "luxel/math/barycentric.h"
+
+namespace luxel {
+namespace {
+
+constexpr double on_edge = 1e-5;  // weights below are those of points on an edge
+constexpr auto none = KeptSurface::no_light;
+
+DrawnCorner own_corner(std::uint32_t vertex) {
+  return {.place = {{vertex, vertex, vertex}, {1.0, 0.0, 0.0}}};
+}
+
+// Points on an edge are told from its two ends alone, the one that comes first in space first, so that
+// whatever else shares the edge has them at the same place to the bit.
+KeptVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 2> ends, const Vec3& point) {
+  auto ordered = of;
+  const auto key = [](const Vec3& p) { return std::tuple(p.x, p.y, p.z); };
+  if (key(ends[1]) < key(ends[0])) {
+    std::swap(ends[0], ends[1]);
+    std::swap(ordered[0], ordered[1]);
+  }
+  const auto along = Vec3d(ends[1]) - Vec3d(ends[0]);
+  const auto t =
+      std::clamp(glm::dot(Vec3d(point) - Vec3d(ends[0]), along) / glm::dot(along, along), 0.0, 1.0);
+  return {{ordered[0], ordered[1], ordered[1]}, {1.0 - t, t, 0.0}};
+}
+
+}  // namespace
+
+DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point) {
+  const auto& of_scene = kept.scene.triangles[part.triangles[i]];
+  const auto& of_file = part.corners[i];
+  const auto& at = kept.patches.vertices[point];
+  std::array<Vec3, 3> corners{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    corners[c] = kept.scene.positions[of_scene[c]];
+    if (corners[c] == at) return own_corner(of_file[c]);
+  }
+  const auto weights = barycentric(corners, at);
+  DrawnCorner corner{.place = {of_file, weights}, .point = point};
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(weights[c]) < on_edge) {
+      const auto a = static_cast<std::size_t>((c + 1) % 3), b = static_cast<std::size_t>((c + 2) % 3);
+      corner.place = on_the_edge({of_file[a], of_file[b]}, {corners[a], corners[b]}, at);
+      break;
+    }
+  return corner;
+}
+
+std::array<DrawnCorner, 3> corners_of_patch(const KeptScene& kept, const KeptPart& part, std::size_t i,
+                                            std::uint32_t patch) {
+  const auto& points = kept.patches.corners[patch];
+  return {corner_of(kept, part, i, points[0]), corner_of(kept, part, i, points[1]),
+          corner_of(kept, part, i, points[2])};
+}
+
+std::array<DrawnCorner, 3> own_corners(const KeptPart& part, std::size_t i) {
+  const auto& of_file = part.corners[i];
+  return {own_corner(of_file[0]), own_corner(of_file[1]), own_corner(of_file[2])};
+}
+
+SurfaceMaker::SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page) : part_(part) {
+  surface_.back = back;
+  surface_.page = page;
+  surface_.own.resize(part.vertices);
+  std::iota(surface_.own.begin(), surface_.own.end(), 0u);
+  surface_.light.resize(part.vertices, none);
+  surface_.uv.resize(part.vertices, Vec2(0.0f));
+}
+
+void SurfaceMaker::add(const std::array<DrawnCorner, 3>& corners) {
+  std::array<std::uint32_t, 3> triangle{};
+  for (std::size_t i = 0; i < 3; ++i) triangle[i] = vertex(corners[i]);
+  if (surface_.back != part_.mirrored) std::swap(triangle[1], triangle[2]);
+  surface_.triangles.push_back(triangle);
+}
+
+KeptSurface SurfaceMaker::finish() {
+  surface_.as_it_was = !surface_.back && surface_.added.empty() && part_.as_read &&
+                       surface_.triangles.size() == part_.corners.size();
+  // Arrays that are written anew, or are used by less than half, have no room for what nothing uses.
+  const auto used = used_of_own();
+  if (surface_.back || !surface_.added.empty() || 2 * used.size() < surface_.own.size()) keep_only(used);
+  return std::move(surface_);
+}
+
+std::vector<std::uint32_t> SurfaceMaker::used_of_own() const {
+  std::vector<bool> is_used(surface_.light.size(), false);
+  for (const auto& triangle : surface_.triangles)
+    for (const auto v : triangle) is_used[v] = true;
+  std::vector<std::uint32_t> used;
+  for (const auto v : surface_.own)
+    if (is_used[v]) used.push_back(v);
+  return used;
+}
+
+// Of the primitive's vertices, which all are there yet, no others.
+void SurfaceMaker::keep_only(const std::vector<std::uint32_t>& used) {
+  const auto all = surface_.own.size();
+  if (used.size() == all) return;
+  std::vector<std::uint32_t> number(surface_.light.size());
+  for (std::uint32_t i = 0; i < used.size(); ++i) {
+    number[used[i]] = i;
+    surface_.light[i] = surface_.light[used[i]];
+    surface_.uv[i] = surface_.uv[used[i]];
+  }
+  for (auto v = all; v < number.size(); ++v) number[v] = static_cast<std::uint32_t>(v - all + used.size());
+  const auto cut = [&](auto& values) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(used.size()),
+                 values.begin() + static_cast<std::ptrdiff_t>(all));
+  };
+  cut(surface_.light);
+  cut(surface_.uv);
+  for (auto& triangle : surface_.triangles)
+    for (auto& v : triangle) v = number[v];
+  surface_.own = used;
+  surface_.has_all_own = false;
+}
+
+// A vertex of the file keeps the first light that it is given; for another there is another vertex.
+std::uint32_t SurfaceMaker::vertex(const DrawnCorner& corner) {
+  const auto& place = corner.place;
+  const bool is_own = corner.point == none;
+  if (is_own) {
+    auto& light = surface_.light[place.of[0]];
+    if (light == none) {
+      light = corner.light;
+      surface_.uv[place.of[0]] = corner.uv;
+    }
+    if (light == corner.light) return place.of[0];
+  }
+  const auto key = std::tuple(place.of, corner.point, corner.light);
+  const auto [found, is_new] = added_.try_emplace(key, static_cast<std::uint32_t>(surface_.light.size()));
+  if (is_new) {
+    surface_.added.push_back(place);
+    surface_.light.push_back(corner.light);
+    surface_.uv.push_back(corner.uv);
+  }
+  return found->second;
+}
+
+std::vector<KeptSurface> filled(std::vector<SurfaceMaker> makers) {
+  std::vector<KeptSurface> surfaces;
+  for (auto& maker : makers)
+    if (auto surface = maker.finish(); !surface.triangles.empty()) surfaces.push_back(std::move(surface));
+  return surfaces;
+}
+
+}  // namespace luxel

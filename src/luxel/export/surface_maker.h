@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "luxel/export/kept_surfaces.h"
+
+namespace luxel {
+
+// A corner of what is drawn: where it lies in its triangle of the file, and what light it has.
+struct DrawnCorner {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  KeptVertex place;
+  std::uint32_t point = none;  // a vertex of the patches; none: a corner of the triangle
+  std::uint32_t light = none;
+  Vec2 uv{0.0f};
+};
+
+// A corner of a patch, in the part's i-th triangle; the corners of a patch there; those of the triangle.
+DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point);
+std::array<DrawnCorner, 3> corners_of_patch(const KeptScene& kept, const KeptPart& part, std::size_t i,
+                                            std::uint32_t patch);
+std::array<DrawnCorner, 3> own_corners(const KeptPart& part, std::size_t i);
+
+// Fills one surface; vertices that agree in all are one.
+class SurfaceMaker {
+ public:
+  // Keeps a reference.
+  SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page);
+
+  // As the scene winds them.
+  void add(const std::array<DrawnCorner, 3>& corners);
+  KeptSurface finish();
+
+ private:
+  std::vector<std::uint32_t> used_of_own() const;
+  void keep_only(const std::vector<std::uint32_t>& used);
+  std::uint32_t vertex(const DrawnCorner& corner);
+
+  const KeptPart& part_;
+  KeptSurface surface_;
+  std::map<std::tuple<std::array<std::uint32_t, 3>, std::uint32_t, std::uint32_t>, std::uint32_t> added_;
+};
+
+// Those that have triangles.
+std::vector<KeptSurface> filled(std::vector<SurfaceMaker> makers);
+
+}  // namespace luxel
