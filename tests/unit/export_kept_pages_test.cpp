@@ -195,6 +195,50 @@ TEST_F(ExportKeptPages, each_primitive_has_the_coordinates_that_its_material_nam
   EXPECT_FALSE(lit().root()["materials"][0]["extensions"]["MOZ_lightmap"]);
 }
 
+// Two materials, one with holes, share nothing but a sampler; one texture was never used.
+TEST_F(ExportKeptPages, pictures_that_black_surfaces_do_not_show_go) {
+  auto gltf = small_room();
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0}]},)"
+                R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":1}]})";
+  gltf.nodes = R"({"mesh":0},{"mesh":1,"translation":[0,0,1]})";
+  gltf.rest =
+      R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"normalTexture":{"index":3},)"
+      R"("extensions":{"KHR_materials_clearcoat":{"clearcoatTexture":{"index":4}}}},{"alphaMode":"MASK",)"
+      R"("pbrMetallicRoughness":{"baseColorTexture":{"index":1}}}],"extensionsUsed":["KHR_materials_clearcoat"],)"
+      R"("samplers":[{"wrapS":33071},{"wrapS":33648}],"images":[{"uri":"a.png"},{"uri":"b.png"},{"uri":"c.png"},)"
+      R"({"uri":"d.png"},{"uri":"e.png"}],"textures":[{"source":0,"sampler":0},{"source":1,"sampler":1},)"
+      R"({"source":2,"sampler":0},{"source":3},{"source":4}])";
+  files_.write("room.gltf", gltf.text());
+  solve("room.gltf", 0.0f);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
+  const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
+  const auto names = [&] {
+    std::vector<std::string> found;
+    const auto file = lit();
+    const auto images = file.root()["images"];
+    for (std::size_t i = 0; i < images.size(); ++i)
+      found.push_back(images[i][images[i]["uri"] ? "uri" : "name"].text());
+    return found;
+  };
+  export_kept_emissive(out(), input(), {atlas, pages}, {});
+  EXPECT_EQ(names(), (std::vector<std::string>{"b.png", "c.png", "light 1"}))
+      << "holes and what nobody used stay";
+  const auto file = lit();
+  const auto picture_of = [&](const JsonValue& texture_info) {
+    return file.object(file.object(texture_info["index"], "textures")["source"], "images");
+  };
+  for (const std::size_t m : {0, 1})
+    EXPECT_EQ(picture_of(file.root()["materials"][m]["emissiveTexture"])["name"].text(), "light 1");
+  const auto holed = file.root()["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"];
+  EXPECT_EQ(picture_of(holed)["uri"].text(), "b.png");
+  EXPECT_EQ(file.object(file.object(holed["index"], "textures")["sampler"], "samplers")["wrapS"].whole(),
+            33648u);
+  EXPECT_FALSE(file.root()["materials"][0]["extensions"]["KHR_materials_clearcoat"]);
+  // A lightmap multiplies them all.
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  EXPECT_EQ(names(), (std::vector<std::string>{"a.png", "b.png", "c.png", "d.png", "e.png", "lightmap 1"}));
+}
+
 TEST_F(ExportKeptPages, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.0f);

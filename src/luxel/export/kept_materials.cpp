@@ -113,10 +113,14 @@ void KeptMaterials::shining(const std::string& path, const JsonValue& index, std
   const auto material = changed_for(path, index, texture, coordinates);
   if (!material) return;
   colour_base(*material, 0, 1.0);
+  // On black nothing shows these. The base colour's picture may still say where there are holes.
+  if (copy_.text_at(*material + "/alphaMode", "OPAQUE") == "OPAQUE")
+    copy_.erase(*material + base + "/baseColorTexture");
+  for (const auto* picture : {"/normalTexture", "/occlusionTexture"}) copy_.erase(*material + picture);
   copy_.erase(*material + base + "/metallicRoughnessTexture");
-  copy_.erase(*material + "/extensions/KHR_materials_unlit");
-  copy_.erase(*material + "/extensions/MOZ_lightmap");
-  copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
+  for (const auto& extension : copy_.keys(*material + "/extensions"))
+    if (extension.starts_with("KHR_materials_") || extension == "MOZ_lightmap")
+      copy_.erase(*material + "/extensions/" + extension);
   copy_.put(*material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
   copy_.use_extension("KHR_materials_specular");
   copy_.put(*material + "/emissiveFactor", "[1,1,1]");

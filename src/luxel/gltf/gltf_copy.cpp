@@ -47,6 +47,7 @@ std::string_view picture_type(std::string_view bytes) {
 
 struct GltfCopy::Document {
   Json root;
+  std::vector<bool> once_used;  // [texture], by the file's materials
   Json& place(const std::string& path);
 };
 
@@ -59,6 +60,7 @@ struct GltfCopy::Element {
 
 GltfCopy::GltfCopy(GltfFile& file) : document_(std::make_unique<Document>()) {
   document_->root = Json::parse(file.text());
+  document_->once_used = used_textures(document_->root);
   take_buffers(file);
   take_pictures(file);
 }
@@ -116,6 +118,13 @@ bool GltfCopy::has(const std::string& path) const { return document_->root.conta
 
 std::size_t GltfCopy::size(const std::string& path) const {
   return has(path) ? document_->root.at(pointer(path)).size() : 0;
+}
+
+std::vector<std::string> GltfCopy::keys(const std::string& path) const {
+  std::vector<std::string> found;
+  if (has(path))
+    for (const auto& member : document_->root.at(pointer(path)).items()) found.push_back(member.key());
+  return found;
 }
 
 std::size_t GltfCopy::index_at(const std::string& path) const {
@@ -254,7 +263,7 @@ std::size_t GltfCopy::add_picture(std::string_view bytes, std::string_view type,
 std::string GltfCopy::bytes(const std::string& source) const {
   auto root = document_->root;
   auto binary = bytes_;
-  drop_unused(root, binary);
+  drop_unused(root, binary, document_->once_used);
   if (binary.empty())
     root.erase("buffers");
   else

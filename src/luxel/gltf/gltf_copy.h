@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "luxel/gltf/gltf_file.h"
 #include "luxel/math/vector.h"
@@ -25,6 +26,7 @@ class GltfCopy {
 
   bool has(const std::string& path) const;
   std::size_t size(const std::string& path) const;  // of an array or object; 0 where there is none
+  std::vector<std::string> keys(const std::string& path) const;  // of an object; none where there is none
   std::size_t index_at(const std::string& path) const;
   double number_at(const std::string& path, double otherwise) const;
   std::string text_at(const std::string& path, const std::string& otherwise) const;
@@ -55,8 +57,8 @@ class GltfCopy {
   // A PNG or JPEG file; gives its image.
   std::size_t add_picture(std::string_view bytes, std::string_view type, std::string_view name);
 
-  // The file, without arrays that nothing names. Throws InputError, naming `source`, where it is beyond the 4
-  // GiB of a GLB.
+  // The file, without arrays that nothing names and textures that no material uses any more. Throws
+  // InputError, naming `source`, where it is beyond the 4 GiB of a GLB.
   std::string bytes(const std::string& source) const;
 
  private:
