@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF files with pages of light on them, in new charts and as the files themselves lay their surfaces out.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,81 @@ TEST_F(ExportKeptPages, pages_are_looked_up_where_the_surface_is) {
   export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
   auto file = lit();
   EXPECT_NEAR(expect_places(file, pages, atlas.page_size, 0.05), 2.0 * plates + strip, 1e-4);
+}
+
+// A floor of 2 x 2 in eight triangles, lit from both sides, and a wall upon it that parts the light of four.
+SmallGltf parted_room() {
+  SmallGltf gltf;
+  gltf.points({0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 0, 1, 1, 0, 1, 2, 0, 1, 0, 0, 2, 1, 0, 2, 2, 0, 2});
+  gltf.array<std::uint8_t>(SmallGltf::u8, "SCALAR", 24,
+                           {0, 3, 1, 1, 3, 4, 1, 4, 2, 2, 4, 5, 3, 6, 4, 4, 6, 7, 4, 7, 5, 5, 7, 8});
+  gltf.points({0.33f, 0, 0, 0.33f, 0, 1, 0.33f, 1, 1, 0.33f, 1, 0});
+  gltf.array<std::uint8_t>(SmallGltf::u8, "SCALAR", 6, {0, 1, 2, 0, 2, 3});
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]},)"
+                R"({"primitives":[{"attributes":{"POSITION":2},"indices":3,"material":0}]})";
+  gltf.nodes = R"({"mesh":0,"name":"floor"},{"mesh":1,"name":"wall"})";
+  gltf.rest = R"(,"materials":[{"doubleSided":true}])";
+  return gltf;
+}
+
+double sum_of_areas(const PatchSet& patches) {
+  double sum = 0.0;
+  for (const auto area : patches.area) sum += static_cast<double>(area);
+  return sum;
+}
+
+// Where two triangles meet they have the same corners along their edge: nothing shows through between them.
+TEST_F(ExportKeptPages, triangles_that_are_not_cut_take_the_points_of_those_that_are) {
+  files_.write("room.glb", parted_room().glb());
+  solve("room.glb", 0.2f);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.05f, .page_size = 256});
+  const auto pages = pages_of_places(patches_, atlas);
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  auto file = lit();
+  EXPECT_NEAR(expect_places(file, pages, atlas.page_size, 0.05), 2.0 * (4.0 + 1.0), 1e-5);
+  std::vector<std::array<Vec3d, 3>> triangles;  // of the floor, seen from above
+  for_triangles(file, [&](const GltfPart& part, const std::array<Vertex, 3>& t) {
+    if (part.object == "floor" && normal_of(t).y > 0.0)
+      triangles.push_back({t[0].place, t[1].place, t[2].place});
+  });
+  EXPECT_GT(triangles.size(), 20u) << "some are cut";
+  const auto of_floor =
+      std::count_if(patches_.triangle.begin(), patches_.triangle.end(), [](auto t) { return t < 8; });
+  EXPECT_LT(static_cast<std::ptrdiff_t>(triangles.size()), of_floor) << "some are not";
+  for (const auto& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = t[k], along = t[(k + 1) % 3] - a;
+      for (const auto& other : triangles)
+        for (const auto& p : other) {
+          const auto share = glm::dot(p - a, along) / glm::dot(along, along);
+          const auto off = glm::length(p - a - share * along);
+          EXPECT_FALSE(share > 1e-6 && share < 1.0 - 1e-6 && off < 1e-6)
+              << fmt::format("({}, {}) hangs on an edge from ({}, {})", p.x, p.z, a.x, a.z);
+        }
+    }
+}
+
+// Fronts and backs that were written lie on each other exactly, so that they are sheets again.
+TEST_F(ExportKeptPages, what_was_written_can_be_solved_again) {
+  files_.write("room.glb", parted_room().glb());
+  solve("room.glb", 0.2f);
+  const auto area = sum_of_areas(patches_);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.05f, .page_size = 256});
+  const std::vector<Image> pages(static_cast<std::size_t>(atlas.pages),
+                                 Image(atlas.page_size, atlas.page_size));
+  const auto expect_the_same = [&](const char* form) {
+    const auto again = make_patches(files_.load("lit.glb"), {.max_edge = 0.2f});
+    EXPECT_NEAR(sum_of_areas(again), area, 1e-6 * area) << form;
+    for (std::size_t p = 0; p < again.size(); ++p) EXPECT_TRUE(again.material_of(p).two_sided) << form;
+  };
+  export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {});
+  expect_the_same("lightmap");
+  export_kept_emissive(out(), input(), {atlas, pages}, {});
+  expect_the_same("emissive");
+  cut();
+  expect_the_same("vertex");
+  uncut();
+  expect_the_same("vertex, the file's triangles");
 }
 
 // Two nodes, each a square of 1 m in two halves that lie apart on the page though the surface goes on.

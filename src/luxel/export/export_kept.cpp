@@ -64,7 +64,8 @@ class KeptExport {
               const std::vector<float>& front, const std::vector<float>& back);
   std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name);
   // What a part becomes, and the further texture coordinates of a surface: their number.
-  std::vector<KeptSurface> surfaces_on(const KeptPages& pages, const KeptPart& part) const;
+  std::vector<KeptSurface> surfaces_on(const KeptPages& pages, const KeptPart& part,
+                                       const PageCuts& cuts) const;
   std::size_t add_coordinates(const KeptPages& pages, const KeptSurface& surface, const std::string& path);
   void put_out_lamps();
 
@@ -211,8 +212,9 @@ std::vector<std::size_t> KeptExport::add_pages(const std::vector<Image>& pages, 
 }
 
 // Coordinates of the file's own are of fronts, and of a page for each node or one for all.
-std::vector<KeptSurface> KeptExport::surfaces_on(const KeptPages& pages, const KeptPart& part) const {
-  if (!pages.as_file_has_it) return mapped_surfaces(kept(), part, pages.atlas);
+std::vector<KeptSurface> KeptExport::surfaces_on(const KeptPages& pages, const KeptPart& part,
+                                                 const PageCuts& cuts) const {
+  if (!pages.as_file_has_it) return mapped_surfaces(kept(), part, pages.atlas, cuts);
   auto surfaces = uncut_surfaces(kept(), part);
   if (surfaces.size() > 1) surfaces.resize(1);
   if (surfaces.empty()) return surfaces;
@@ -268,7 +270,8 @@ std::string vertex_light(const ToneCurve& curve, const MeshHabits& habits) {
 // there.
 template <typename Material>
 void put_pages(KeptExport& output, const KeptPages& pages, const Material& material) {
-  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part); },
+  const PageCuts cuts(output.kept(), pages.atlas);
+  output.put([&](const KeptPart& part) { return output.surfaces_on(pages, part, cuts); },
              [&](const KeptPart& part, const KeptSurface& surface, const std::string& place) {
                material(part, surface, place, output.add_coordinates(pages, surface, place));
              });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/mapped_surfaces.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
+#include "luxel/export/cut_along_edges.h"
 #include "luxel/export/surface_maker.h"
 #include "luxel/math/barycentric.h"
 
@@ -33,28 +35,59 @@ std::array<Vec2, 3> whole_uv(const KeptScene& kept, std::uint32_t triangle, std:
 // Surfaces by side and page, in the order in which they are first wanted.
 class PagedSurfaces {
  public:
-  PagedSurfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas)
-      : kept_(kept), part_(part), atlas_(atlas) {}
+  PagedSurfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas, const PageCuts& cuts)
+      : kept_(kept), part_(part), atlas_(atlas), cuts_(cuts) {}
 
   void add(std::size_t i, std::size_t back) {
     const auto t = part_.triangles[i];
     const auto begin = kept_.of_triangles.begin(t), end = kept_.of_triangles.end(t);
     if (begin == end) return;
-    const auto first = chart_of(begin, back);
-    bool whole = true;
-    for (auto p = begin; p < end; ++p) whole = whole && chart_of(p, back) == first;
-    if (!whole) {
+    if (cuts_.is_cut(t))
       for (auto p = begin; p < end; ++p) add_patch(i, p, back);
-    } else if (first != Charts::none) {
-      add(own_corners(part_, i), whole_uv(kept_, t, back, atlas_), first, back);
-    }
+    else if (const auto chart = atlas_.chart_of[2 * std::size_t{begin} + back]; chart != Charts::none)
+      add_whole(i, chart, back);
   }
 
   std::vector<KeptSurface> finish() { return filled(std::move(makers_)); }
 
  private:
-  std::uint32_t chart_of(std::uint32_t patch, std::size_t back) const {
-    return atlas_.chart_of[2 * std::size_t{patch} + back];
+  // A corner of the border of a triangle that is not cut.
+  struct OnBorder {
+    DrawnCorner corner;
+    BorderPoint point;
+    Vec2 uv{0.0f};
+  };
+
+  // The triangle's corners, and between them the points that its neighbours need.
+  std::vector<OnBorder> border_of(std::size_t i, std::size_t back) const {
+    const auto t = part_.triangles[i];
+    std::array<std::map<double, std::uint32_t>, 3> between;  // [edge][share of the way]
+    for (auto p = kept_.of_triangles.begin(t); p < kept_.of_triangles.end(t); ++p)
+      for (const auto point : kept_.patches.corners[p])
+        if (cuts_.is_drawn(point))
+          if (const auto place = place_on_edge(kept_, t, point)) between[place->edge][place->share] = point;
+    const auto own = own_corners(part_, i);
+    const auto uv = whole_uv(kept_, t, back, atlas_);
+    const auto& of_scene = kept_.scene.triangles[t];
+    std::vector<OnBorder> border;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto next = (k + 1) % 3, before = (k + 2) % 3;
+      border.push_back({own[k], {Vec3d(kept_.scene.positions[of_scene[k]]), 1u << k | 1u << before}, uv[k]});
+      for (const auto& [share, point] : between[k])
+        border.push_back({corner_of(kept_, part_, i, point),
+                          {Vec3d(kept_.patches.vertices[point]), 1u << k},
+                          uv[k] + static_cast<float>(share) * (uv[next] - uv[k])});
+    }
+    return border;
+  }
+
+  void add_whole(std::size_t i, std::uint32_t chart, std::size_t back) {
+    const auto border = border_of(i, back);
+    std::vector<BorderPoint> points;
+    for (const auto& on : border) points.push_back(on.point);
+    for (const auto& [a, b, c] : cut_along_edges(points))
+      add({border[a].corner, border[b].corner, border[c].corner}, {border[a].uv, border[b].uv, border[c].uv},
+          chart, back);
   }
 
   void add_patch(std::size_t i, std::uint32_t patch, std::size_t back) {
@@ -79,14 +112,30 @@ class PagedSurfaces {
   const KeptScene& kept_;
   const KeptPart& part_;
   const Atlas& atlas_;
+  const PageCuts& cuts_;
   std::vector<SurfaceMaker> makers_;
   std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> number_of_;
 };
 
 }  // namespace
 
-std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas) {
-  PagedSurfaces surfaces(kept, part, atlas);
+PageCuts::PageCuts(const KeptScene& kept, const Atlas& atlas)
+    : is_cut_(kept.scene.triangles.size(), false), is_drawn_(kept.patches.vertices.size(), false) {
+  for (std::uint32_t t = 0; t < is_cut_.size(); ++t) {
+    const auto begin = kept.of_triangles.begin(t), end = kept.of_triangles.end(t);
+    for (auto p = begin; p < end; ++p)
+      for (const std::size_t back : {0, 1})
+        if (atlas.chart_of[2 * std::size_t{p} + back] != atlas.chart_of[2 * std::size_t{begin} + back])
+          is_cut_[t] = true;
+    if (!is_cut_[t]) continue;
+    for (auto p = begin; p < end; ++p)
+      for (const auto point : kept.patches.corners[p]) is_drawn_[point] = true;
+  }
+}
+
+std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas,
+                                         const PageCuts& cuts) {
+  PagedSurfaces surfaces(kept, part, atlas, cuts);
   for (std::size_t i = 0; i < part.triangles.size(); ++i)
     for (const std::size_t back : {0, 1}) surfaces.add(i, back);
   return surfaces.finish();

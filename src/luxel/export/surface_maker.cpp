@@ -33,25 +33,41 @@ KeptVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 
   return {{ordered[0], ordered[1], ordered[1]}, {1.0 - t, t, 0.0}};
 }
 
+std::array<Vec3, 3> corners_of(const KeptScene& kept, std::uint32_t triangle) {
+  const auto& corners = kept.scene.triangles[triangle];
+  return {kept.scene.positions[corners[0]], kept.scene.positions[corners[1]],
+          kept.scene.positions[corners[2]]};
+}
+
+// The edge that a point with these weights lies on; 3: none.
+std::size_t edge_at(const Vec3d& weights) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (std::abs(weights[static_cast<int>(c)]) < on_edge) return (c + 1) % 3;
+  return 3;
+}
+
 }  // namespace
 
-DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point) {
-  const auto& of_scene = kept.scene.triangles[part.triangles[i]];
-  const auto& of_file = part.corners[i];
+std::optional<EdgePlace> place_on_edge(const KeptScene& kept, std::uint32_t triangle, std::uint32_t point) {
+  const auto corners = corners_of(kept, triangle);
   const auto& at = kept.patches.vertices[point];
-  std::array<Vec3, 3> corners{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    corners[c] = kept.scene.positions[of_scene[c]];
+  if (std::find(corners.begin(), corners.end(), at) != corners.end()) return std::nullopt;
+  const auto weights = barycentric(corners, at);
+  const auto edge = edge_at(weights);
+  if (edge == 3) return std::nullopt;
+  return EdgePlace{edge, weights[static_cast<int>((edge + 1) % 3)]};
+}
+
+DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point) {
+  const auto& of_file = part.corners[i];
+  const auto corners = corners_of(kept, part.triangles[i]);
+  const auto& at = kept.patches.vertices[point];
+  for (std::size_t c = 0; c < 3; ++c)
     if (corners[c] == at) return own_corner(of_file[c]);
-  }
   const auto weights = barycentric(corners, at);
   DrawnCorner corner{.place = {of_file, weights}, .point = point};
-  for (int c = 0; c < 3; ++c)
-    if (std::abs(weights[c]) < on_edge) {
-      const auto a = static_cast<std::size_t>((c + 1) % 3), b = static_cast<std::size_t>((c + 2) % 3);
-      corner.place = on_the_edge({of_file[a], of_file[b]}, {corners[a], corners[b]}, at);
-      break;
-    }
+  if (const auto a = edge_at(weights), b = (a + 1) % 3; a < 3)
+    corner.place = on_the_edge({of_file[a], of_file[b]}, {corners[a], corners[b]}, at);
   return corner;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct DrawnCorner {
   std::uint32_t light = none;
   Vec2 uv{0.0f};
 };
+
+// Where a vertex of the patches lies on an edge of its triangle, from corner `edge` to the next.
+struct EdgePlace {
+  std::size_t edge = 0;
+  double share = 0.0;  // of the way
+};
+// Nothing for corners, and for points inside.
+std::optional<EdgePlace> place_on_edge(const KeptScene& kept, std::uint32_t triangle, std::uint32_t point);
 
 // A corner of a patch, in the part's i-th triangle; the corners of a patch there; those of the triangle.
 DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point);
