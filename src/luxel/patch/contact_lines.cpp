@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -149,7 +150,7 @@ class Finder {
     if (of_j.all_above(reach) || of_j.all_below(-reach)) return;
     const auto of_i = heights(j, i);
     if (of_i.all_above(reach) || of_i.all_below(-reach)) return;
-    if (are_beside(i, j, reach) || are_beside(j, i, reach)) return;
+    if (are_beside(i, j, slack, reach) || are_beside(j, i, slack, reach)) return;
     Meeting(*this, i, j, of_j, slack, reach, lines).find();
     Meeting(*this, j, i, of_i, slack, reach, lines).find();
   }
@@ -167,27 +168,55 @@ class Finder {
     const auto k = apex_of(a, b);
     if (k >= 3) return false;
     const auto l = apex_of(b, a);
-    const auto from = a[(k + 1) % 3], to = a[(k + 2) % 3];
-    return glm::dot(away(from, to, a[k]), away(from, to, b[l])) < folded_cosine;
+    // Away from the edge into either, at right angles to it: as the normals are to each other, turned.
+    const auto cosine = glm::dot(shapes_[i].normal, shapes_[j].normal);
+    return (a[(k + 1) % 3] == b[(l + 1) % 3] ? cosine : -cosine) < folded_cosine;
   }
 
-  // Whether a plane through an edge of `on` parts it from `other`, of which one corner at most may touch it.
-  bool are_beside(std::uint32_t on, std::uint32_t other, double reach) const {
+  // Whether a plane through an edge of `on` parts it from `other`: what that has within reach of the plane is
+  // one corner at most, or stands beside the edge.
+  bool are_beside(std::uint32_t on, std::uint32_t other, double slack, double reach) const {
     const auto p = points(on);
     const auto q = points(other);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto edge = Vec3d(p[(k + 1) % 3]) - Vec3d(p[k]);
       const auto inward = glm::cross(shapes_[on].normal, edge);  // as long as the edge
-      const auto limit2 = reach * reach * glm::dot(edge, edge);
+      const auto length2 = glm::dot(edge, edge);
+      std::array<double, 3> inside{}, along{};  // m, times the edge's length
       int near = 0;
-      for (const auto& corner : q) {
-        const auto inside = glm::dot(inward, Vec3d(corner) - Vec3d(p[k]));
-        const bool is_near = inside * inside <= limit2;
-        if (is_near || inside > 0.0) near += is_near ? 1 : 2;
+      bool is_within = false;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto d = Vec3d(q[c]) - Vec3d(p[k]);
+        inside[c] = glm::dot(inward, d);
+        along[c] = glm::dot(edge, d);
+        const bool is_near = inside[c] * inside[c] <= reach * reach * length2;
+        near += is_near ? 1 : 0;
+        is_within |= !is_near && inside[c] > 0.0;
       }
+      if (is_within) continue;
       if (near <= 1) return true;
+      if (near == 2 && is_off_the_ends(inside, along, slack, reach, length2)) return true;
     }
     return false;
+  }
+
+  // Whether a triangle of which two corners are within reach of an edge's line, and one is outside, is there
+  // only before one end of the edge or behind the other.
+  static bool is_off_the_ends(const std::array<double, 3>& inside, const std::array<double, 3>& along,
+                              double slack, double reach, double length2) {
+    const auto length = std::sqrt(length2);
+    const auto far =
+        static_cast<std::size_t>(std::min_element(inside.begin(), inside.end()) - inside.begin());
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const auto c : {(far + 1) % 3, (far + 2) % 3}) {
+      const auto share =
+          (inside[c] + reach * length) / (inside[c] - inside[far]);  // until it leaves the reach
+      const auto leaves = along[c] + share * (along[far] - along[c]);
+      low = std::min({low, along[c], leaves});
+      high = std::max({high, along[c], leaves});
+    }
+    return low >= length2 - slack * length || high <= slack * length;
   }
 
   // What one triangle, `other`, does on another one, `on`.

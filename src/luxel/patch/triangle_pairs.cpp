@@ -2,7 +2,6 @@
 #include "luxel/patch/triangle_pairs.h"
 
 #include <algorithm>
-#include <numeric>
 #include <ranges>
 #include <utility>
 
@@ -10,6 +9,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t leaf_size = 4;
+constexpr std::size_t items_grain = 1 << 14;
 constexpr std::uint32_t task_boxes = 1 << 13;  // a node of so many is one thread's work
 
 bool overlap(const Bounds& a, const Bounds& b) {
@@ -29,12 +29,13 @@ std::uint32_t tree_size(std::uint32_t count) {
 }  // namespace
 
 OverlappingPairs::OverlappingPairs(std::span<const Bounds> boxes, const Workers& workers)
-    : boxes_(boxes.begin(), boxes.end()), index_(boxes.size()) {
+    : boxes_(boxes.size()), index_(boxes.size()) {
   if (boxes.empty()) return;
-  std::iota(index_.begin(), index_.end(), 0u);
-  build(workers);
-  // In the order of the tree, where neighbours stand together.
-  for (std::size_t i = 0; i < index_.size(); ++i) boxes_[i] = boxes[index_[i]];
+  std::vector<Item> items(boxes.size());
+  workers.for_chunks(boxes.size(), items_grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) items[i] = {boxes[i], static_cast<std::uint32_t>(i)};
+  });
+  build(items, workers);
   part_the_pairs();
 }
 
@@ -55,8 +56,8 @@ void OverlappingPairs::for_pairs(std::size_t part, const Visit& visit) const {
   }
 }
 
-void OverlappingPairs::build(const Workers& workers) {
-  const auto count = static_cast<std::uint32_t>(boxes_.size());
+void OverlappingPairs::build(std::span<Item> items, const Workers& workers) {
+  const auto count = static_cast<std::uint32_t>(items.size());
   nodes_.resize(tree_size(count));
   nodes_[0].count = count;
   // Large nodes level by level, then each small one with all that is below it.
@@ -64,30 +65,31 @@ void OverlappingPairs::build(const Workers& workers) {
   while (!level.empty()) {
     std::vector<std::uint32_t> large;
     for (const auto n : level) (nodes_[n].count > task_boxes ? large : tasks).push_back(n);
-    workers.for_chunks(large.size(), 1, [&](std::size_t i, std::size_t, int) { cut_in_half(large[i]); });
+    workers.for_chunks(large.size(), 1,
+                       [&](std::size_t i, std::size_t, int) { cut_in_half(large[i], items); });
     level.clear();
     for (const auto n : large) level.insert(level.end(), {n + 1, nodes_[n].right});
     large_nodes.insert(large_nodes.end(), large.begin(), large.end());
   }
-  workers.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i]); });
+  workers.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i], items); });
   for (const auto n : std::views::reverse(large_nodes))
     nodes_[n].box = join(nodes_[n + 1].box, nodes_[nodes_[n].right].box);
 }
 
-// Gives the node its children, which know their boxes by number but not yet the space they take.
-void OverlappingPairs::cut_in_half(std::uint32_t number) {
+// Gives the node its children, which know their boxes but not yet the space they take.
+void OverlappingPairs::cut_in_half(std::uint32_t number, std::span<Item> items) {
   auto& node = nodes_[number];
-  const auto begin = index_.begin() + node.first;
+  const auto own = items.subspan(node.first, node.count);
   Bounds centers;
-  for (auto i = begin; i != begin + node.count; ++i) centers.add(boxes_[*i].center());
+  for (const auto& item : own) centers.add(item.box.center());
   const auto size = centers.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
   const auto half = node.count / 2;
   // Ties go by number, so that the halves are the same sets with every library's nth_element.
-  std::nth_element(begin, begin + half, begin + node.count, [&](std::uint32_t i, std::uint32_t j) {
-    const auto a = boxes_[i].low[axis] + boxes_[i].high[axis];
-    const auto b = boxes_[j].low[axis] + boxes_[j].high[axis];
-    return a != b ? a < b : i < j;
+  std::nth_element(own.begin(), own.begin() + half, own.end(), [axis](const Item& a, const Item& b) {
+    const auto c = a.box.low[axis] + a.box.high[axis];
+    const auto d = b.box.low[axis] + b.box.high[axis];
+    return c != d ? c < d : a.index < b.index;
   });
   node.right = number + 1 + tree_size(half);
   nodes_[number + 1].first = node.first;
@@ -96,17 +98,21 @@ void OverlappingPairs::cut_in_half(std::uint32_t number) {
   nodes_[node.right].count = node.count - half;
 }
 
-void OverlappingPairs::build_below(std::uint32_t number) {
+void OverlappingPairs::build_below(std::uint32_t number, std::span<Item> items) {
   auto& node = nodes_[number];
   if (node.count > leaf_size) {
-    cut_in_half(number);
-    build_below(number + 1);
-    build_below(node.right);
+    cut_in_half(number, items);
+    build_below(number + 1, items);
+    build_below(node.right, items);
     node.box = join(nodes_[number + 1].box, nodes_[node.right].box);
-  } else {
-    const auto begin = index_.begin() + node.first;
-    std::sort(begin, begin + node.count);
-    for (auto i = begin; i != begin + node.count; ++i) node.box = join(node.box, boxes_[*i]);
+    return;
+  }
+  const auto own = items.subspan(node.first, node.count);
+  std::sort(own.begin(), own.end(), [](const Item& a, const Item& b) { return a.index < b.index; });
+  for (std::uint32_t i = 0; i < node.count; ++i) {
+    index_[node.first + i] = own[i].index;
+    boxes_[node.first + i] = own[i].box;
+    node.box = join(node.box, boxes_[node.first + i]);
   }
 }
 

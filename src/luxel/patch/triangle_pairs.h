@@ -34,23 +34,29 @@ class OverlappingPairs {
     std::uint32_t right = 0;  // 0: a leaf
     bool is_leaf() const { return right == 0; }
   };
+  // While the tree is built.
+  struct Item {
+    Bounds box;
+    std::uint32_t index = 0;
+  };
   // Two nodes apart, or a node with itself.
   struct NodePair {
     std::uint32_t a = 0, b = 0;
   };
 
-  void build(const Workers& workers);
-  void cut_in_half(std::uint32_t number);
-  void build_below(std::uint32_t number);
+  void build(std::span<Item> items, const Workers& workers);
+  void cut_in_half(std::uint32_t number, std::span<Item> items);
+  void build_below(std::uint32_t number, std::span<Item> items);
   void part_the_pairs();
   void descend(const NodePair& pair, std::vector<NodePair>& open) const;
   void meet_in_leaf(const Node& leaf, const Visit& visit) const;
   void meet_in_leaves(const Node& a, const Node& b, const Visit& visit) const;
   void meet(std::uint32_t i, std::uint32_t j, const Visit& visit) const;
 
-  std::vector<Bounds> boxes_;
-  std::vector<std::uint32_t> index_;  // place in the tree -> box
   std::vector<Node> nodes_;
+  // In the order of the tree, where neighbours stand together.
+  std::vector<Bounds> boxes_;
+  std::vector<std::uint32_t> index_;  // of the box given
   std::vector<NodePair> parts_;
 };
 
