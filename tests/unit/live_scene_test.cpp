@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <functional>
-#include <iterator>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -16,44 +14,10 @@
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/relight.h"
 
+#include "support/live_cornell.h"
+
 namespace luxel {
 namespace {
-
-const std::string cornell = LUXEL_SOURCE_DIR "/scenes/cornell-box.obj";
-
-// A file of this test; not there yet.
-std::filesystem::path place(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("luxel-live-" + name);
-}
-std::filesystem::path fresh(const std::string& name) {
-  const auto path = place(name);
-  std::filesystem::remove(path);
-  return path;
-}
-
-std::string bytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-LiveSettings coarse() {
-  LiveSettings settings;
-  settings.patches.max_edge = 0.5f;
-  settings.light.sampled.error = 0.05;
-  return settings;
-}
-
-// Long enough for anything here on a slow machine.
-bool wait_until(const std::function<bool()>& is_so) {
-  for (int i = 0; i < 30'000; ++i) {
-    if (is_so()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return false;
-}
-bool wait_for_idle(const LiveScene& scene) {
-  return wait_until([&] { return scene.status().is_idle; });
-}
 
 TEST(LiveScene, ends_with_the_bytes_of_a_bake) {
   const auto settings = coarse();
@@ -94,17 +58,6 @@ TEST(LiveScene, says_in_a_sentence_what_is_wrong_with_a_file) {
   broken.solve({});
   ASSERT_TRUE(wait_for_idle(broken));
   EXPECT_EQ(broken.status().errors, 2u);
-}
-
-// Takes minutes if nobody stops it.
-LiveSettings endless() {
-  auto settings = coarse();
-  settings.light.sampled.error = 1e-6;
-  return settings;
-}
-
-const std::vector<float>& front(const std::shared_ptr<const LiveLight>& light) {
-  return light->solution.irradiance_front;
 }
 
 // What waits to be sent on, of what lamps emit.
@@ -310,22 +263,6 @@ TEST(LiveScene, dims_lamps_together_where_there_are_too_many_kinds) {
   EXPECT_TRUE(std::any_of(messages.begin(), messages.end(), [](const Message& m) {
     return m.text.find("all lamps are dimmed together") != std::string::npos;
   }));
-}
-
-TEST(LiveScene, changes_its_method) {
-  LiveScene live(cornell, endless());
-  ASSERT_TRUE(wait_until([&] { return !live.status().history.empty(); }));
-  auto light = endless().light;
-  light.method = LightOptions::by_lines;
-  live.solve(light);
-  ASSERT_TRUE(wait_for_idle(live));
-  EXPECT_EQ(live.light()->solution.provenance.method, "lines");
-  EXPECT_FALSE(live.status().can_relight);
-  light.method = "by magic";
-  live.solve(light);
-  ASSERT_TRUE(wait_for_idle(live));
-  EXPECT_NE(live.status().error_message.find("by magic"), std::string::npos);
-  EXPECT_EQ(live.light()->solution.provenance.method, "lines");
 }
 
 TEST(LiveScene, shows_the_bounces_of_its_samples) {

@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <variant>
 
@@ -21,7 +22,7 @@ struct GlbOrder {
 };
 using FileOrder = std::variant<std::filesystem::path, GlbOrder>;  // a path: the solution
 
-// Where the window and the solver's thread leave each other word.
+// Where the window, the solver's thread and the one beside it leave each other word.
 struct Board {
   mutable std::mutex mutex;
   std::condition_variable changed;
@@ -30,9 +31,14 @@ struct Board {
   std::shared_ptr<const LiveMesh> mesh;
   std::shared_ptr<const LiveLight> light;
   LiveStatus status;
+  bool is_open = false;  // the file was read, or could not be
+  LightOptions current;  // of the solve that is, or was, or will be the first
+
+  // The Sideline's.
   std::shared_ptr<const CheckReport> faults;
   std::shared_ptr<const LiveDifference> difference;
-  LightOptions current;  // of the solve that is, or was, or will be the first
+  bool is_answering = false;
+  std::optional<std::uint64_t> compared;  // light that was compared with the second solution; none: no such
 
   // The window's.
   bool is_paused = false, is_stepping = false;
@@ -47,10 +53,18 @@ struct Board {
   std::deque<FileOrder> files;
   std::optional<std::filesystem::path> last_save;  // once everything has ended
 
-  // Call with the mutex held.
-  bool has_orders() const { return solve || error || lighting || bounces || has_questions(); }
-  // What is answered while a solve is under way.
-  bool has_questions() const { return second || asks_faults || !files.empty(); }
+  // ---- Call these with the mutex held ----
+
+  // For the solver's thread.
+  bool has_orders() const { return solve || error || lighting || bounces || !files.empty(); }
+  // For the Sideline: what can be answered now, and all that was asked.
+  bool compares_anew() const { return compared && light && light->number != *compared; }
+  bool has_questions() const { return is_open && (asks_faults || second || compares_anew()); }
+  bool awaits_answers() const { return is_answering || asks_faults || second || compares_anew(); }
+
+  // Does it, without the mutex, and puts what it throws into the status. Says whether it went well. file:
+  // that of the scene.
+  bool attempt(const std::filesystem::path& file, const std::function<void()>& work);
 };
 
 }  // namespace luxel

@@ -92,6 +92,7 @@ void LiveRun::open_solution() {
     board_.status.stop = solution.stop;
   }
   show_mesh();
+  lit_ = mesh_;
   show(std::move(solution), true);
   build_tracer();
   auto light = *own_light_;

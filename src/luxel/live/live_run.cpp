@@ -2,10 +2,12 @@
 #include "luxel/live/live_run.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "luxel/live/relit_patches.h"
 #include "luxel/report/error.h"
 
 namespace luxel {
@@ -30,29 +32,17 @@ LiveRun::LiveRun(Board& board, std::filesystem::path file, LiveSettings settings
       workers_(threads_of(settings_.threads)),
       light_(settings_.light) {}
 
-bool LiveRun::attempt(const std::function<void()>& work) {
-  const auto fail = [&](std::string sentence) {
-    const std::lock_guard lock(board_.mutex);
-    board_.status.error_message = std::move(sentence);
-    ++board_.status.errors;
-    return false;
-  };
-  try {
-    work();
-    return true;
-  } catch (const std::bad_alloc&) {
-    return fail(fmt::format("{}: there is not enough memory", file_.string()));
-  } catch (const std::exception& error) {
-    return fail(error.what());
-  }
-}
+bool LiveRun::attempt(const std::function<void()>& work) { return board_.attempt(file_, work); }
 
 void LiveRun::go() {
-  const bool is_open = attempt([&] { open(); });
-  if (is_open && settings_.begins_at_once && !own_light_) {
+  const bool is_fine = attempt([&] { open(); });
+  {
     const std::lock_guard lock(board_.mutex);
-    if (!board_.solve && !board_.stops) board_.solve = SolveOrder{light_};
+    board_.is_open = true;
+    if (is_fine && settings_.begins_at_once && !own_light_ && !board_.solve && !board_.stops)
+      board_.solve = SolveOrder{light_};
   }
+  board_.changed.notify_all();
   while (wait_for_orders()) {
     while (const auto order = next_solve()) {
       attempt([&] { solve(*order); });
@@ -65,7 +55,7 @@ void LiveRun::go() {
     }
     take_lighting();
     if (bounces) attempt([&] { show_bounces(*bounces); });
-    answer_questions();
+    write_files();
   }
   write_files();
   if (board_.last_save) attempt([&] { write(*board_.last_save); });
@@ -91,7 +81,7 @@ std::optional<SolveOrder> LiveRun::next_solve() {
   if (board_.closes) return {};
   auto order = std::exchange(board_.solve, {});
   if (const auto error = std::exchange(board_.error, {})) {
-    if (!order && light_.method == LightOptions::by_sampling) order = SolveOrder{light_};
+    if (!order && is_sampled()) order = SolveOrder{light_};
     if (order) order->light.sampled.error = *error;
     light_.sampled.error = board_.current.sampled.error = *error;
   }
@@ -119,16 +109,17 @@ void LiveRun::refuse_too_much(const SolveOrder& order) {
             static_cast<double>(forecast->bytes) / (1024.0 * 1024.0 * 1024.0), forecast->sides));
 }
 
-void LiveRun::solve(const SolveOrder& order) {
-  if (!mesh_.tracer) throw InputError(file_.string(), "it could not be opened, so there is nothing to light");
-  refuse_too_much(order);
+// What the sampled solver knows of each lamp apart makes other lamps and colours out of its samples; other
+// methods solve for them.
+void LiveRun::begin_solve(const SolveOrder& order, SampleKeeping& keeping) {
   auto face = std::move(light_.dense.face);
   light_ = order.light;
   light_.dense.face = std::move(face);
-  const bool is_sampled = light_.method == LightOptions::by_sampling;
-  SampleKeeping keeping;
+  lit_ = mesh_;
+  if (!is_sampled() && lighting_ != Lighting{})
+    lit_.patches = std::make_shared<const PatchSet>(relit_patches(*mesh_.patches, lighting_));
   if (goes_on_with_samples(light_)) keeping.from = samples_;
-  if (is_sampled)
+  if (is_sampled())
     keeping.keep = [this](auto state) {
       samples_ = std::move(state);
       relighter_.reset();
@@ -142,7 +133,7 @@ void LiveRun::solve(const SolveOrder& order) {
     auto& status = board_.status;
     board_.current = light_;
     status.method = light_.method;
-    status.error_asked = is_sampled ? light_.sampled.error : 0.0;
+    status.error_asked = is_sampled() ? light_.sampled.error : 0.0;
     status.stop.reset();
     if (!keeping.from) {
       status.history.clear();
@@ -153,41 +144,62 @@ void LiveRun::solve(const SolveOrder& order) {
     pace_.go_on();
   }
   step_ = 0;
+  began_ = pace_.seconds();
+  is_out_of_time_ = false;
   begin_bounces();
+}
 
+void LiveRun::solve(const SolveOrder& order) {
+  if (!mesh_.tracer) throw InputError(file_.string(), "it could not be opened, so there is nothing to light");
+  refuse_too_much(order);
+  SampleKeeping keeping;
+  begin_solve(order, keeping);
+  // The solver's own clock would count pauses: watch() has one that does not.
+  auto asked = light_;
+  if (asked.sampled.seconds > 0.0) asked.sampled.seconds = std::numeric_limits<double>::infinity();
   Solution solution;
   solution.mesh_error = mesh_error_;
   if (settings_.sign) settings_.sign(solution.provenance, light_);
+  if (lit_.patches != mesh_.patches) note_lighting(solution.provenance, lighting_);
   is_solving_ = true;
   const auto monitor = [this](const Progress& progress) { return watch(progress); };
   const auto report = [&] {
     try {
-      return solve_light(*mesh_.patches, *mesh_.tracer, solution, light_, workers_, monitor, keeping);
+      return solve_light(*lit_.patches, *mesh_.tracer, solution, asked, workers_, monitor, keeping);
     } catch (const InputError& error) {
       throw InputError(file_.string(), error.what());  // it has no light; the solver knows no file
     }
   }();
   is_solving_ = false;
   pace_.hold();
-  bool is_interrupted = false;
+  const auto stop = is_out_of_time_ ? StopReason::time_limit : report.stop;
+  if (is_out_of_time_) solution.stop = stop;
   {
     const std::lock_guard lock(board_.mutex);
-    is_interrupted = board_.solve || board_.error;
-    if (!is_interrupted) board_.status.stop = report.stop;
     board_.status.rays = std::max(board_.status.rays, report.rays);
     if (report.predicted_error > 0.0) board_.status.error = report.predicted_error;
+    if (board_.solve || board_.error || is_to_be_lit_anew()) return;  // it is not the last
+    board_.status.stop = stop;
   }
-  if (is_interrupted) return;
-  show(std::move(solution), true);
-  know_group_light();  // so that what is saved has it, and the first change of a lamp is as quick as the
-                       // others
-  if (lighting_ == Lighting{}) return;
-  if (samples_) return relight(lighting_);
-  lighting_ = {};
+  end_solve(std::move(solution));
+}
+
+void LiveRun::end_solve(Solution solution) {
+  if (lighting_ == Lighting{} || !samples_) {
+    show(std::move(solution), true);
+    know_group_light();  // so that what is saved has it, and the first change of a lamp is as quick as others
+    return;
+  }
+  own_ = std::move(solution);
+  own_light_.reset();
+  relight(lighting_);
 }
 
 // Hears of the solve's progress, shows its pictures, holds it, and ends it.
-Next LiveRun::watch(const Progress& progress) {
+Next LiveRun::watch(Progress progress) {
+  const double limit = is_sampled() ? light_.sampled.seconds : 0.0;
+  const double spent = pace_.seconds() - began_;
+  if (limit > 0.0) progress.done = std::max(progress.done, std::min(1.0, spent / limit));
   {
     const std::lock_guard lock(board_.mutex);
     pace_.note(progress, board_.status);
@@ -195,28 +207,38 @@ Next LiveRun::watch(const Progress& progress) {
   }
   if (progress.light != nullptr) {
     note_unshot(*progress.light);
-    if (lighting_ == Lighting{})
+    if (lighting_ == Lighting{} || !is_sampled()) {
       show(*progress.light, false);
-    else if (samples_)
+    } else if (samples_) {
+      own_ = *progress.light;
+      own_light_.reset();
       attempt([&] { relight(lighting_); });
+    }
     ++step_;
   }
   pace_.hold();
   if (samples_) take_lighting();
-  answer_questions();
+  write_files();
   std::unique_lock lock(board_.mutex);
+  board_.status.stage = progress.stage;
   if (progress.light != nullptr && board_.is_stepping) board_.status.is_paused = board_.is_paused = true;
   while (board_.is_paused && !must_end(progress)) {
     board_.status.rays_per_second = 0.0;
     board_.changed.wait(lock);
     lock.unlock();
     if (samples_) take_lighting();
-    answer_questions();
+    write_files();
     lock.lock();
+    board_.status.stage = progress.stage;
   }
   pace_.go_on();
-  board_.status.stage = progress.stage;
-  return must_end(progress) ? Next::stop : Next::go_on;
+  // There is an answer at least.
+  is_out_of_time_ = limit > 0.0 && spent >= limit && progress.error > 0.0;
+  return is_out_of_time_ || must_end(progress) ? Next::stop : Next::go_on;
+}
+
+bool LiveRun::is_to_be_lit_anew() const {
+  return !is_sampled() && board_.lighting && *board_.lighting != lighting_;
 }
 
 // Whether the solve is to be left. An order that goes on with its samples waits for the answer that is on its
@@ -226,8 +248,9 @@ bool LiveRun::must_end(const Progress& progress) const {
   if (board_.solve &&
       !(same_samples(board_.solve->light.sampled, sampled_) && board_.solve->light.method == light_.method))
     return true;
+  if (is_to_be_lit_anew()) return true;
   if (!board_.solve && !board_.error) return false;
-  if (light_.method != LightOptions::by_sampling) return board_.solve.has_value();
+  if (!is_sampled()) return board_.solve.has_value();
   const auto error = board_.error ? *board_.error : board_.solve->light.sampled.error;
   return progress.light != nullptr || (progress.error > 0.0 && progress.error <= error);
 }

@@ -39,10 +39,6 @@ class LiveRun {
   // ---- Orders ----
   bool wait_for_orders();
   std::optional<SolveOrder> next_solve();
-  void answer_questions();
-  void find_faults();
-  void read_second(const std::optional<std::filesystem::path>& file);
-  void compare(const LiveLight& light);
   void write_files();
   void write(const FileOrder& order);
 
@@ -50,8 +46,12 @@ class LiveRun {
   void solve(const SolveOrder& order);
   void refuse_too_much(const SolveOrder& order);
   bool goes_on_with_samples(const LightOptions& light) const;
-  Next watch(const Progress& progress);
-  bool must_end(const Progress& progress) const;
+  void begin_solve(const SolveOrder& order, SampleKeeping& keeping);
+  void end_solve(Solution solution);
+  Next watch(Progress progress);
+  bool must_end(const Progress& progress) const;  // this and the next: call with the board's mutex held
+  bool is_to_be_lit_anew() const;
+  bool is_sampled() const { return light_.method == LightOptions::by_sampling; }
   void show(Solution solution, bool is_last);
   bool goes_by_bounces() const;
   void begin_bounces();
@@ -60,6 +60,7 @@ class LiveRun {
   void relight(const Lighting& lighting);
   void set_lighting(const Lighting& lighting);
   void sign_relit(Solution& relit, const Lighting& lighting) const;
+  void note_lighting(Provenance& provenance, const Lighting& lighting) const;
   void know_group_light();
   void show_bounces(std::optional<int> count);
   LiveLight light_of(LiveMesh mesh, Solution solution) const;
@@ -79,18 +80,18 @@ class LiveRun {
   LightOptions light_;                          // of the solve that is, or was
   std::shared_ptr<const SampleState> samples_;  // of the newest answer
   SampledOptions sampled_;                      // they were made with
-  std::shared_ptr<const LiveLight> own_light_;  // newest of the scene's own lamps and colours
-  Lighting lighting_;
+  // The newest answer by the scene's own lamps and colours; where it was shown, as that.
+  std::optional<Solution> own_;
+  std::shared_ptr<const LiveLight> own_light_;
+  Lighting lighting_;                     // as it is asked for
+  LiveMesh lit_;                          // as the solve sees it: with the lighting, unless it is sampled
   std::unique_ptr<Relighter> relighter_;  // of samples_
   Lighting relit_;                        // as it is set there
   std::unique_ptr<Bounces> bounces_;      // likewise
-  struct Second {
-    std::filesystem::path file;
-    Baked baked;
-  };
-  std::optional<Second> second_;  // solution, to compare with
   double mesh_error_ = 0.0;
   bool is_solving_ = false;
+  double began_ = 0.0;           // this solve, by pace_
+  bool is_out_of_time_ = false;  // which ended it
 
   // Of the newest picture, and what it has more than the one before, W/m²; empty where light does not go by
   // bounces.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/live/live_scene.h"
 
+#include <algorithm>
 #include <thread>
 
 #include "luxel/live/live_run.h"
+#include "luxel/live/sideline.h"
 
 namespace luxel {
 
@@ -11,7 +13,8 @@ struct LiveScene::State {
   State(std::filesystem::path path, LiveSettings how) : file(std::move(path)), settings(std::move(how)) {
     board.current = settings.light;
     board.status.method = settings.light.method;
-    thread = std::thread([this] { LiveRun(board, file, settings).go(); });
+    solver = std::thread([this] { LiveRun(board, file, settings).go(); });
+    sideline = std::thread([this] { Sideline(board, file, std::max(1, Workers().threads() / 4)).go(); });
   }
 
   // Leaves word for the solver.
@@ -28,7 +31,7 @@ struct LiveScene::State {
   std::filesystem::path file;
   LiveSettings settings;
   Board board;
-  std::thread thread;
+  std::thread solver, sideline;
 };
 
 LiveScene::LiveScene(std::filesystem::path file, LiveSettings settings)
@@ -49,8 +52,16 @@ std::shared_ptr<const LiveLight> LiveScene::light() const {
 }
 
 LiveStatus LiveScene::status() const {
+  const auto& board = state_->board;
+  const std::lock_guard lock(board.mutex);
+  auto status = board.status;
+  status.is_answering = board.awaits_answers();
+  return status;
+}
+
+LightOptions LiveScene::options() const {
   const std::lock_guard lock(state_->board.mutex);
-  return state_->board.status;
+  return state_->board.current;
 }
 
 void LiveScene::pause() {
@@ -124,12 +135,13 @@ void LiveScene::export_glb(const std::filesystem::path& file, const Vec3& up, co
 }
 
 void LiveScene::close(const std::optional<std::filesystem::path>& save) {
-  if (!state_->thread.joinable()) return;
+  if (!state_->solver.joinable()) return;
   state_->order([&](Board& b) {
     b.last_save = save;
     b.closes = true;
   });
-  state_->thread.join();
+  state_->solver.join();
+  state_->sideline.join();
 }
 
 }  // namespace luxel

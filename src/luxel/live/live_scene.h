@@ -47,6 +47,8 @@ class LiveScene {
   std::shared_ptr<const LiveMesh> mesh() const;
   std::shared_ptr<const LiveLight> light() const;
   LiveStatus status() const;
+  // Of the solve that is, or was, or will be the first.
+  LightOptions options() const;
 
   // ---- The solver ----
 
@@ -59,33 +61,36 @@ class LiveScene {
   void step();
   // Ends the solve: the light so far stays. resume() has nothing to go on with then; solve() has.
   void stop();
-  // Solves by that method and its options. A sampled run goes on where its samples are; with another seed,
-  // number of replicates or switch, and by any other method, light begins anew. One that would take more than
-  // an hour or than the memory there is fails with a sentence, unless force is set.
+  // Solves by that method and its options, with the lamps and colours that were asked for. A sampled run goes
+  // on where its samples are; with another seed, number of replicates or switch, and by any other method,
+  // light begins anew. One that would take more than an hour or than the memory there is fails with a
+  // sentence, unless force is set.
   void solve(const LightOptions& light, bool force = false);
   // The same with another error: a share. Samples are never lost by it.
   void ask_error(double error);
 
   // ---- The light ----
 
-  // Other lamps and colours, without a ray: of the newest samples, for which a sampled solve that is under
-  // way waits. The last word counts. It stays said: each answer of a sampled solve is relit too. Light of
-  // another method is the scene's own. Cost: as that of Relighter; where a solve goes on, that of each
-  // group's light an answer.
+  // Other lamps and colours. The last word counts. It stays said, whatever the method.
+  // Where the light knows its samples: without a ray, of the newest of these; a sampled solve that is under
+  // way waits, and each of its answers is relit too. Cost: as that of Relighter; where a solve goes on, that
+  // of each group's light an answer. Else it is solved anew with these lamps and colours, by the method that
+  // the light is of.
   void relight(const Lighting& lighting);
 
   // The light after so many bounces, at least 0, of the newest samples and without a ray (see Bounces): the
   // scene's own lamps and colours, once no solve is under way. Nothing, or a new solve: all of it.
   void show_bounces(std::optional<int> bounces);
 
-  // ---- Questions: answered between two pieces of the solver's work, which waits meanwhile ----
+  // ---- Questions: answered beside the solver, in a thread of their own, while its work goes on ----
 
   // Looks for what is wrong with the scene as `luxel check` does; not of a solution's file, which has no
-  // scene. Seconds for a large scene. The answer comes once, and stays.
+  // scene. Seconds for a large scene, on a quarter of the cores. The answer comes once, and stays.
   void ask_faults();
   std::shared_ptr<const CheckReport> faults() const;
 
   // How each light that is shown from now on differs from a solution on the same patches; nothing: none.
+  // Where light comes faster than it can be compared, some are left out.
   void compare_with(const std::optional<std::filesystem::path>& solution);
   std::shared_ptr<const LiveDifference> difference() const;
 

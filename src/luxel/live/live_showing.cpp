@@ -22,7 +22,7 @@ bool LiveRun::goes_by_bounces() const {
 void LiveRun::begin_bounces() {
   for (auto* values : {&radiosity_front_, &radiosity_back_, &unshot_front_, &unshot_back_}) values->clear();
   if (!goes_by_bounces()) return;
-  const auto& patches = *mesh_.patches;
+  const auto& patches = *lit_.patches;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     for (std::size_t b = 0; b < patches.band_count(); ++b)
       radiosity_front_.push_back(patches.emittance(p, b));
@@ -70,11 +70,14 @@ void LiveRun::show(Solution solution, bool is_last) {
     const std::lock_guard lock(board_.mutex);
     if (!is_last && !board_.is_stepping && begin - shown_ < 2 * cost_of_showing_) return;
   }
-  auto light = light_of(mesh_, std::move(solution));
+  auto light = light_of(lit_, std::move(solution));
   light.is_last = is_last;
+  light.is_relit = lit_.patches != mesh_.patches;
   light.unshot_front = unshot_front_;
   light.unshot_back = unshot_back_;
-  own_light_ = publish(std::move(light));
+  const auto shown = publish(std::move(light));
+  own_light_ = shown->is_relit ? nullptr : shown;
+  own_.reset();
   shown_ = Clock::now();
   cost_of_showing_ = shown_ - begin;
 }
@@ -87,7 +90,7 @@ std::shared_ptr<const LiveLight> LiveRun::publish(LiveLight light) {
     board_.status.can_relight = newest->samples != nullptr;
     board_.light = newest;
   }
-  if (second_) attempt([&] { compare(*newest); });
+  board_.changed.notify_all();  // it may be compared
   return newest;
 }
 
@@ -108,13 +111,22 @@ void LiveRun::know_group_light() {
   if (samples) samples_ = std::move(samples);
 }
 
-// What it came from, and what was changed: as `luxel relight` would be told.
+// What it came from, and what was changed.
 void LiveRun::sign_relit(Solution& relit, const Lighting& lighting) const {
-  const auto& patches = *mesh_.patches;
-  const auto bands = patches.band_count();
-  auto provenance = own_light_->solution.provenance;
+  const auto& own = own_light_ ? own_light_->solution : *own_;
+  auto provenance = own.provenance;
   provenance.rays = relit.provenance.rays;
   provenance.scene_fingerprint = relit.provenance.scene_fingerprint;
+  note_lighting(provenance, lighting);
+  relit.provenance = std::move(provenance);
+  relit.mesh_error = own.mesh_error;
+  relit.stop = own.stop;
+}
+
+// As `luxel relight` would be told.
+void LiveRun::note_lighting(Provenance& provenance, const Lighting& lighting) const {
+  const auto& patches = *mesh_.patches;
+  const auto bands = patches.band_count();
   std::string flags;
   const auto note = [&](const char* option, const std::string& name, std::span<const float> values) {
     const bool is_grey = std::all_of(values.begin(), values.end(), [&](float v) { return v == values[0]; });
@@ -134,9 +146,6 @@ void LiveRun::sign_relit(Solution& relit, const Lighting& lighting) const {
       note("reflectance", patches.materials[m].name, reflectance);
   }
   provenance.command_line += fmt::format("; luxel relight{}", flags);
-  relit.provenance = std::move(provenance);
-  relit.mesh_error = own_light_->solution.mesh_error;
-  relit.stop = own_light_->solution.stop;
 }
 
 void LiveRun::show_bounces(std::optional<int> count) {
@@ -182,15 +191,26 @@ void LiveRun::take_lighting() {
   if (lighting) attempt([&] { relight(*lighting); });
 }
 
+// Where there are no samples to do it with, it is solved anew.
 void LiveRun::relight(const Lighting& lighting) {
+  const bool is_other = lighting_ != lighting;
   lighting_ = lighting;
-  if (lighting == Lighting{}) {
-    if (own_light_) publish(*own_light_);
+  if (!samples_ || !mesh_.tracer) {
+    if (!mesh_.tracer)
+      throw InputError(file_.string(), "it could not be opened, so there is nothing to light");
+    const std::lock_guard lock(board_.mutex);
+    if (is_other && !board_.solve) board_.solve = SolveOrder{light_};
     return;
   }
-  if (!samples_ || !mesh_.tracer)
-    throw InputError(file_.string(),
-                     "its light keeps no samples to relight with: solve it by the method sampled");
+  if (lighting == Lighting{}) {
+    if (own_light_) {
+      publish(*own_light_);
+    } else if (own_) {
+      shown_ = {};  // it is not left out, however soon
+      show(*own_, !is_solving_);
+    }
+    return;
+  }
   know_group_light();
   if (is_closing()) return;
   begin_stage("relight");

@@ -63,9 +63,10 @@ struct LiveStatus {
   // What is being done: "load", "triangles", "patches", "refine", "hierarchy", "light", "surface", "light
   // groups", "relight", "read", "write"; empty where there is nothing to do.
   std::string stage;
-  double done = 0.0;       // share of the stage, 0 to 1
-  bool is_idle = false;    // nothing is being done, and no command waits
-  bool is_paused = false;  // or will be, as soon as the solver hears of it
+  double done = 0.0;          // share of the stage, 0 to 1
+  bool is_idle = false;       // the solver has nothing to do, and no command waits
+  bool is_answering = false;  // beside it faults or a difference are looked for, or will be
+  bool is_paused = false;     // or will be, as soon as the solver hears of it
   bool is_stepping = false;
 
   std::string method;                     // of the solve

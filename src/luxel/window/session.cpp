@@ -48,9 +48,9 @@ void Session::update() {
     }
   }
   if (!live_) return;
+  status_ = live_->status();  // first: where it says that all is done, all is there
   mesh_ = live_->mesh();
   light_ = live_->light();
-  status_ = live_->status();
   if (status_.errors > errors_seen_) errors_.push_back(status_.error_message);
   errors_seen_ = status_.errors;
 }
@@ -60,7 +60,9 @@ std::string Session::title() const {
   return shown == nullptr ? "" : shown->file().filename().string();
 }
 
-bool Session::is_busy() const { return coming_ != nullptr || (live_ && !status_.is_idle); }
+bool Session::is_busy() const {
+  return coming_ != nullptr || (live_ && (!status_.is_idle || status_.is_answering));
+}
 
 std::vector<std::string> Session::take_errors() { return std::exchange(errors_, {}); }
 
