@@ -1,48 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // `luxel view` by scripts: off screen, and in a window of a display that nobody looks at.
-#include <cmath>
-#include <fstream>
-
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "luxel/image/image_file.h"
-
-#include "cli/run_program.h"
+#include "cli/view_fixture.h"
 
 namespace luxel::cli {
 namespace {
-
-const std::string view = "$LUXEL view cornell-box.obj --max-edge 0.1 --error 10% --width 320 --height 240 ";
-const std::string camera = "--eye 0,0.2744,1.08 --target 0,0.2744,-0.2796 --fov 30 ";
-
-// Mean difference of display values, in [0, 1].
-double difference(const Image& a, const Image& b) {
-  if (a.width != b.width || a.height != b.height) return 1.0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      sum += std::abs(srgb_encode(a.pixels[i][c]) - srgb_encode(b.pixels[i][c])) / 3.0;
-  return sum / static_cast<double>(a.pixels.size());
-}
-
-class View : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fresh_folder(testing::UnitTest::GetInstance()->current_test_info()->name());
-    const auto tried = run("view.txt", "close\n", "--off-screen");
-    if (tried.err.find("off screen") != std::string::npos) GTEST_SKIP() << tried.err;
-  }
-  Outcome run(const std::string& file, const std::string& script, const std::string& options,
-              const std::string& before = "") {
-    std::ofstream(folder_ / file) << script;
-    return cli::run(folder_, before + view + camera + options + " --script " + file);
-  }
-  Image picture(const std::string& name) const { return read_image(folder_ / name); }
-
-  std::filesystem::path folder_;
-};
 
 TEST_F(View, its_light_is_that_of_a_baked_picture) {
   const auto shown = run("s.txt", "set panel off\nwait finished\nset help off\nwait 300 frames\n",
@@ -88,7 +52,8 @@ TEST_F(View, each_choice_shows_something_else) {
 TEST_F(View, lamps_colours_and_bounces_change_the_light_and_can_be_undone) {
   const auto done =
       run("s.txt",
-          "set panel off\nset automatic-exposure off\nset tone clamp\nwait finished\nsnapshot all.png\n"
+          "set panel off\nset automatic-exposure off\nset tone clamp\nwait finished\nwait 300 frames\n"
+          "snapshot all.png\n"
           "lamp lamp 0.2\nwait finished\nsnapshot dim.png\n"
           "lamp lamp 1\npaint white 0.1,0.1,0.9\nwait finished\nsnapshot blue.png\n"
           "paint white 0.7,0.7,0.7\nbounces 0\nwait finished\nsnapshot direct.png\n"

@@ -1,4 +1,7 @@
 luxel_test(unit/view ROOMS view)
+luxel_test(unit/local_tone ROOMS view)
 luxel_test(unit/window ROOMS window)
 luxel_test(cli/view ROOMS file image)
 add_dependencies(cli_view_test luxel)
+luxel_test(cli/view_files ROOMS file image)
+add_dependencies(cli_view_files_test luxel)

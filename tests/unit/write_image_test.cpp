@@ -9,6 +9,7 @@
 
 #include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
+#include "luxel/image/screen_image.h"
 #include "luxel/report/error.h"
 
 namespace luxel {
@@ -51,6 +52,20 @@ TEST(WritePng, every_code_of_every_channel_is_read_back) {
   EXPECT_EQ(back.width, 256);
   EXPECT_EQ(back.height, 3);
   EXPECT_EQ(back.pixels, image.pixels);
+}
+
+TEST(WritePng, codes_of_a_screen_are_written_as_they_are) {
+  ScreenImage screen{16, 16, {}};
+  for (int i = 0; i < 3 * 256; ++i) screen.codes.push_back(static_cast<std::uint8_t>(i * 7 % 256));
+  write_png(path("screen.png"), screen);
+  const auto back = read_image(path("screen.png"));
+  ASSERT_EQ(back.pixels.size(), 256u);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(srgb_code(back.at(x, y)[c]),
+                  screen.codes[screen.index(x, y) + static_cast<std::size_t>(c)]);
+  EXPECT_THROW(write_png(path("nothing.png"), ScreenImage()), DeviceError);
 }
 
 TEST(WritePng, a_file_says_it_is_srgb_and_not_when_it_was_made) {

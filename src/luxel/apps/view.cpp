@@ -15,7 +15,7 @@ class View final : public Command {
  public:
   explicit View(OptionSet& options) : Command(options) {
     auto& s = settings_;
-    s.scene.declare(options, "the mesh, an OBJ file with its MTL, or a .vtkhdf solution");
+    s.scene.declare(options, "the mesh (OBJ with MTL, glTF), or a .vtkhdf solution");
     s.scene.declare_contacts(options);
     s.refine.declare(options);
     s.scene.declare_sky(options);

@@ -13,6 +13,8 @@
 
 namespace luxel {
 
+struct ScreenImage;
+
 // The formats, in memory. The room's own: image_file.h adds the disk, the choice of format and the file's
 // name.
 
@@ -30,6 +32,7 @@ void check_size(std::int64_t width, std::int64_t height);
 inline Raster of_numbers(Image image) { return {image.width, image.height, {}, std::move(image.pixels)}; }
 
 std::string encode_png(const Image& display, const PictureNotes& notes = {});
+std::string encode_png(const ScreenImage& image);
 std::string encode_png(const Raster& raster);  // of codes
 std::string encode_exr(const Image& linear);
 std::string encode_hdr(const Image& linear);

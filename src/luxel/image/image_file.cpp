@@ -10,6 +10,7 @@
 #include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/codec.h"
+#include "luxel/image/screen_image.h"
 #include "luxel/report/error.h"
 
 namespace luxel {
@@ -18,8 +19,8 @@ namespace {
 
 constexpr std::uint64_t largest_file = std::uint64_t{512} << 20;
 
-template <typename Encode>
-void write_encoded(const fs::path& path, const Image& image, const Encode& encode) {
+template <typename Picture, typename Encode>
+void write_encoded(const fs::path& path, const Picture& image, const Encode& encode) {
   const auto refuse = [&](const std::string& reason) {
     throw DeviceError(fmt::format("cannot write {}: {}", path.string(), reason));
   };
@@ -54,6 +55,9 @@ void check_size(std::int64_t width, std::int64_t height) {
 
 void write_png(const fs::path& path, const Image& display, const PictureNotes& notes) {
   write_encoded(path, display, [&](const Image& image) { return encode_png(image, notes); });
+}
+void write_png(const fs::path& path, const ScreenImage& image) {
+  write_encoded(path, image, [](const ScreenImage& codes) { return encode_png(codes); });
 }
 std::string png_of(const Image& display, const PictureNotes& notes) { return encode_png(display, notes); }
 std::string png_of(const Raster& raster) {

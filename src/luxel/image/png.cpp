@@ -7,6 +7,7 @@
 #include <png.h>
 
 #include "luxel/image/codec.h"
+#include "luxel/image/screen_image.h"
 
 namespace luxel {
 namespace {
@@ -122,6 +123,10 @@ std::string encode_png(const Image& display, const PictureNotes& notes) {
   for (auto note = notes.rbegin(); note != notes.rend(); ++note)
     bytes.insert(end_of_header, text_chunk(note->first, note->second));
   return bytes;
+}
+
+std::string encode_png(const ScreenImage& image) {
+  return encode_codes(image.width, image.height, PNG_FORMAT_RGB, image.codes.data());
 }
 
 std::string encode_png(const Raster& raster) {

@@ -5,43 +5,34 @@
 
 #include "luxel/tone/blur.h"
 #include "luxel/tone/curve.h"
+#include "luxel/tone/local_scales.h"
 #include "luxel/tone/tone.h"
 
 namespace luxel {
 namespace {
 
-// Curve inputs above are equally white; a lamp or an infinity must not make a surround of infinity.
-constexpr float brightest_input = 1e6f;
-
-// Reinhard et al. 2002, section 3.2: their constants.
-constexpr int scales = 8;         // s = 1.6^i pixels: 1 to 27; the surround of the last is 43
-constexpr double ratio = 1.6;     // of surround to centre, and of each scale to the one before
-constexpr double phi = 8.0;       // sharpness
-constexpr float epsilon = 0.05f;  // contrast of centre and surround that ends the search
-constexpr double smallest_deviation =
-    0.25;  // of the centre at s = 1: alpha_1 / sqrt(2), alpha_1 = 1 / (2 sqrt(2))
-
 GreyPicture curve_inputs(const Image& radiance, float scale) {
   GreyPicture plane{radiance.width, radiance.height, {}};
   plane.values.reserve(radiance.pixels.size());
   for (const auto& pixel : radiance.pixels)
-    plane.values.push_back(std::min(scale * luminance(clean_color(pixel)), brightest_input));
+    plane.values.push_back(std::min(scale * luminance(clean_color(pixel)), LocalScales::brightest));
   return plane;
 }
 
 // V1 at the largest scale around each pixel that shows no edge: equations 5 to 8. The surround of one scale
 // is the centre of the next, as both grow by the same ratio, so nine blurs serve eight scales.
 GreyPicture local_adaptation(const GreyPicture& inputs, double key) {
-  auto centre = gaussian_blur(inputs, static_cast<float>(smallest_deviation));
+  using S = LocalScales;
+  auto centre = gaussian_blur(inputs, static_cast<float>(S::smallest));
   auto adaptation = centre;
   std::vector<char> is_open(inputs.values.size(), 1);
   double s = 1.0;
-  for (int i = 0; i < scales; ++i, s *= ratio) {
-    auto surround = gaussian_blur(inputs, static_cast<float>(smallest_deviation * s * ratio));
-    const auto level = static_cast<float>(std::exp2(phi) * key / (s * s));  // equation 7
+  for (int i = 0; i < S::count; ++i, s *= S::ratio) {
+    auto surround = gaussian_blur(inputs, static_cast<float>(S::smallest * s * S::ratio));
+    const auto level = static_cast<float>(std::exp2(S::phi) * key / (s * s));  // equation 7
     for (std::size_t p = 0; p < is_open.size(); ++p) {
       const float V1 = centre.values[p];
-      is_open[p] = is_open[p] && std::abs(V1 - surround.values[p]) < epsilon * (level + V1);
+      is_open[p] = is_open[p] && std::abs(V1 - surround.values[p]) < S::epsilon * (level + V1);
       if (is_open[p]) adaptation.values[p] = V1;
     }
     centre = std::move(surround);

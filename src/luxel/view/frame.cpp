@@ -6,56 +6,18 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "luxel/report/error.h"
-#include "luxel/view/gl_object.h"
+#include "luxel/view/cover.h"
+#include "luxel/view/framebuffer.h"
 
 namespace luxel {
 namespace {
 
-// A triangle that covers the screen, and a texture on it.
-constexpr std::string_view cover_shader = R"(
-void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
 constexpr std::string_view copy_shader = R"(
 uniform sampler2D source;
 uniform float strength;
 out vec4 pixel;
 void main() { pixel = vec4(texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb, strength); }
 )";
-
-void check_complete(ScreenSize size) {
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw DeviceError(
-        fmt::format("the graphics driver has no framebuffer of {} x {} pixels", size.width, size.height));
-}
-
-void texture_storage(const GlTexture& texture, GLint format, ScreenSize size) {
-  glBindTexture(GL_TEXTURE_2D, texture.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, format, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
-void attach(GLenum place, const GlTexture& texture) {
-  glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, texture.name(), 0);
-}
-
-// Colour (none where it is 0) and depth of the framebuffer that is bound.
-void attach_rendered(const GlRenderbuffer* colour, const GlRenderbuffer& depth, int samples,
-                     ScreenSize size) {
-  const auto one = [&](const GlRenderbuffer& buffer, GLenum format, GLenum place) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.width, size.height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer.name());
-  };
-  if (colour != nullptr) one(*colour, GL_SRGB8_ALPHA8, GL_COLOR_ATTACHMENT0);
-  one(depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
-}
 
 }  // namespace
 
@@ -77,8 +39,8 @@ struct DrawnFrame::State {
   GlTexture pixels, mean;
   GlRenderbuffer depth;
   GlFramebuffer resolved, mean_frame;
-  GlVertexArray nothing;
-  GlProgram copy{cover_shader, copy_shader};
+  Cover covers;
+  GlProgram copy{Cover::vertex_shader, copy_shader};
   EdgeSmoothing edges = EdgeSmoothing::sampled;
 
   void resize(ScreenSize to);
@@ -133,8 +95,7 @@ void DrawnFrame::State::cover(const GlTexture& with, float strength) const {
   copy.set("strength", strength);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, with.name());
-  glBindVertexArray(nothing.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  covers.draw();
 }
 
 DrawnFrame::DrawnFrame() : state_(std::make_unique<State>()) {}
@@ -144,11 +105,10 @@ void DrawnFrame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing ed
   auto& s = *state_;
   if (size != s.size) s.resize(size);
   if (edges == EdgeSmoothing::sampled && size != s.sampled.size) s.resize_sampled(size);
-  const ScreenSize half{(size.width + 1) / 2, (size.height + 1) / 2};
-  if (edges == EdgeSmoothing::coarse && half != s.coarse.size) s.resize_coarse(half);
+  const auto drawn = drawn_size(size, edges);
+  if (edges == EdgeSmoothing::coarse && drawn != s.coarse.size) s.resize_coarse(drawn);
   s.edges = edges;
   glBindFramebuffer(GL_FRAMEBUFFER, s.drawn_into().name());
-  const auto drawn = edges == EdgeSmoothing::coarse ? half : size;
   glViewport(0, 0, drawn.width, drawn.height);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glEnable(GL_MULTISAMPLE);
@@ -197,23 +157,57 @@ void DrawnFrame::show_joined() {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-Image DrawnFrame::read() const {
+ScreenImage DrawnFrame::read_codes() const {
   const auto& [width, height] = state_->size;
-  std::vector<std::uint8_t> codes(static_cast<std::size_t>(width) * height * 4);
+  std::vector<std::uint8_t> fours(static_cast<std::size_t>(width) * height * 4);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->resolved.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, fours.data());
+  ScreenImage image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
+  for (int y = 0; y < height; ++y) {
+    // OpenGL counts rows from the bottom.
+    const auto* from = fours.data() + static_cast<std::size_t>(height - 1 - y) * width * 4;
+    auto* to = image.codes.data() + image.index(0, y);
+    for (int x = 0; x < width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
+  }
+  return image;
+}
+
+Image DrawnFrame::read() const {
+  const auto seen = read_codes();
   std::array<float, 256> linear;
   for (std::size_t code = 0; code < linear.size(); ++code)
     linear[code] = srgb_decode(static_cast<float>(code) / 255.0f);
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      // OpenGL counts rows from the bottom.
-      const auto* code = codes.data() + (static_cast<std::size_t>(height - 1 - y) * width + x) * 4;
-      image.at(x, y) = Vec3(linear[code[0]], linear[code[1]], linear[code[2]]);
-    }
+  Image image(seen.width, seen.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const auto* code = seen.codes.data() + 3 * i;
+    image.pixels[i] = Vec3(linear[code[0]], linear[code[1]], linear[code[2]]);
+  }
   return image;
+}
+
+ScreenSize drawn_size(ScreenSize size, EdgeSmoothing edges) {
+  if (edges != EdgeSmoothing::coarse) return size;
+  return {(size.width + 1) / 2, (size.height + 1) / 2};
+}
+
+Tile tile_of(const PicturePart& part, const Tile& whole) {
+  const auto at = [](float low, float high, int pixel, int pixels) {
+    return low + (high - low) * static_cast<float>(pixel) / static_cast<float>(pixels);
+  };
+  const auto x = [&](int pixel) { return at(whole.left, whole.right, pixel, part.whole.width); };
+  const auto y = [&](int pixel) { return at(whole.bottom, whole.top, pixel, part.whole.height); };
+  const auto& [left, bottom] = part.begin;
+  return {x(left), x(left + part.size.width), y(bottom), y(bottom + part.size.height)};
+}
+
+PicturePart with_margin(const PicturePart& part, int margin) {
+  const PixelOffset begin{std::max(0, part.begin.left - margin), std::max(0, part.begin.bottom - margin)};
+  const auto end = [&](int its_end, int end_of_all) { return std::min(end_of_all, its_end + margin); };
+  return {part.whole,
+          begin,
+          {end(part.begin.left + part.size.width, part.whole.width) - begin.left,
+           end(part.begin.bottom + part.size.height, part.whole.height) - begin.bottom}};
 }
 
 Tile shifted_tile(int shift, ScreenSize size) {

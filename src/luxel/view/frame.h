@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "luxel/image/image.h"
+#include "luxel/image/screen_image.h"
 #include "luxel/view/pose.h"
 #include "luxel/view/screen.h"
 
@@ -15,6 +16,9 @@ enum class EdgeSmoothing {
   rough,    // one: a fifth of the time where a processor draws
   coarse    // one for four pixels: where that still takes too long while something moves
 };
+
+// How many pixels are drawn for a picture of this size.
+ScreenSize drawn_size(ScreenSize size, EdgeSmoothing edges);
 
 // A framebuffer of our own, sRGB, with depth: the same off screen and in a window, so that pictures of both
 // are the same. Needs the context it was made in.
@@ -36,13 +40,24 @@ class DrawnFrame {
   void join(int count);
   // The pixels become that mean: in the place of begin(), drawing and resolve().
   void show_joined();
-  // After resolve(): linear, display-referred. Waits for the driver.
+  // After resolve(): what is seen, and the same as linear, display-referred values. Both wait for the driver.
+  ScreenImage read_codes() const;
   Image read() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+// A part of a picture.
+struct PicturePart {
+  ScreenSize whole;        // pixels of the picture
+  PixelOffset begin = {};  // in it
+  ScreenSize size;         // of the part
+};
+Tile tile_of(const PicturePart& part, const Tile& whole = {});
+// With so many pixels more on every side, but for where the picture ends.
+PicturePart with_margin(const PicturePart& part, int margin);
 
 // The whole picture, shifted within a pixel: four of these (0 to 3) stand for four samples.
 inline constexpr int shifts = 4;

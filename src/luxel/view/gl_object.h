@@ -64,9 +64,11 @@ class GlProgram {
   // Of the program in use. A uniform that the driver has left out, as unused, is ignored.
   void set(const char* uniform, float value) const;
   void set(const char* uniform, int value) const;
+  void set(const char* uniform, int x, int y) const;
   void set(const char* uniform, const Vec3& value) const;
   void set(const char* uniform, const Vec2& value) const;
   void set(const char* uniform, const Mat4& value) const;
+  void set(const char* uniform, const float* fours, int count) const;  // an array of vec4
 
  private:
   GLuint name_ = 0;

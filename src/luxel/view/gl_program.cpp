@@ -52,6 +52,9 @@ void GlProgram::set(const char* uniform, float value) const {
 void GlProgram::set(const char* uniform, int value) const {
   glUniform1i(glGetUniformLocation(name_, uniform), value);
 }
+void GlProgram::set(const char* uniform, int x, int y) const {
+  glUniform2i(glGetUniformLocation(name_, uniform), x, y);
+}
 void GlProgram::set(const char* uniform, const Vec3& value) const {
   glUniform3f(glGetUniformLocation(name_, uniform), value.x, value.y, value.z);
 }
@@ -60,6 +63,9 @@ void GlProgram::set(const char* uniform, const Vec2& value) const {
 }
 void GlProgram::set(const char* uniform, const Mat4& value) const {
   glUniformMatrix4fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, &value[0][0]);
+}
+void GlProgram::set(const char* uniform, const float* fours, int count) const {
+  glUniform4fv(glGetUniformLocation(name_, uniform), count, fours);
 }
 
 }  // namespace luxel

@@ -16,6 +16,11 @@ struct ScreenSize {
   bool empty() const { return width <= 0 || height <= 0; }
 };
 
+// Where a part of a picture lies in another: pixels from the left and from the bottom.
+struct PixelOffset {
+  int left = 0, bottom = 0;
+};
+
 // Where pictures are shown, with an OpenGL 3.3 core context that is current on the thread that made it: a
 // window, or nothing but memory. All calls from that thread.
 class Screen {

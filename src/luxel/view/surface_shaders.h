@@ -5,7 +5,8 @@
 
 namespace luxel {
 
-// The room's own. Which paint a program is for is a define: LIGHT, SMOOTH, PATCHES, SIDES, WIRES; none: grey.
+// The room's own. Which paint a program is for is a define: LIGHT, LIGHT and LOCAL, LIGHT and INPUT, SMOOTH,
+// PATCHES, SIDES, WIRES; none: grey.
 
 inline constexpr std::string_view surface_vertex_shader = R"(
 layout(location = 0) in vec3 place;
@@ -39,13 +40,26 @@ out vec4 pixel;
 #ifdef LIGHT
 in vec3 front, back;
 uniform int curved;
-uniform float tone_scale, white;
+uniform float tone_scale, white, brightest;
+#ifdef LOCAL
+uniform sampler2D around;
+uniform ivec2 from;
+#endif
 void main() {
   vec3 radiance = max(gl_FrontFacing ? front : back, vec3(0.0));
   float L = tone_scale * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
+#ifdef INPUT
+  pixel = vec4(min(L, brightest), 0.0, 0.0, 1.0);
+#else
+#ifdef LOCAL
+  float V = texelFetch(around, ivec2(gl_FragCoord.xy) + from, 0).r;
+#else
+  float V = L;
+#endif
   float burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
-  float factor = curved != 0 ? tone_scale * burn_out / (1.0 + L) : tone_scale;
+  float factor = curved != 0 ? tone_scale * burn_out / (1.0 + V) : tone_scale;
   pixel = vec4(min(factor * radiance, vec3(1.0)), 1.0);
+#endif
 }
 #elif defined(SMOOTH) || defined(PATCHES)
 uniform float low, high;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "luxel/tone/local_scales.h"
 #include "luxel/view/mesh_buffers.h"
 #include "luxel/view/surface_shaders.h"
 
@@ -53,12 +54,15 @@ struct Surfaces::State {
 
   GlTexture heat = colour_texture(ColourMap::heat), difference = colour_texture(ColourMap::difference);
   GlProgram grey = surface_program(""), light = surface_program("#define LIGHT"),
+            light_locally = surface_program("#define LIGHT\n#define LOCAL"),
+            curve_input = surface_program("#define LIGHT\n#define INPUT"),
             smooth = surface_program("#define SMOOTH"), of_patches = surface_program("#define PATCHES"),
             sides = surface_program("#define SIDES"), wires = surface_program("#define WIRES");
 
   bool step();
   bool light_step();
-  const GlProgram& program(Paint paint) const;
+  bool shows_radiance() const { return values && shown.what == VertexValue::radiance; }
+  const GlProgram& program(const SurfaceView& view) const;
   const MeshBuffers& drawn() const { return values ? *mesh : *preview; }
 };
 
@@ -130,11 +134,15 @@ bool Surfaces::upload(double seconds) {
 
 bool Surfaces::has_light() const { return state_->values != nullptr; }
 bool Surfaces::has_side_values() const { return state_->side_texture != nullptr; }
+bool Surfaces::shows_radiance() const { return state_->shows_radiance(); }
 
-const GlProgram& Surfaces::State::program(Paint paint) const {
-  switch (paint) {
+const GlProgram& Surfaces::State::program(const SurfaceView& view) const {
+  switch (view.paint) {
     case Paint::light:
-      if (values && shown.what == VertexValue::radiance) return light;
+      if (shows_radiance()) return view.local != nullptr ? light_locally : light;
+      break;
+    case Paint::curve_input:
+      if (shows_radiance()) return curve_input;
       break;
     case Paint::smooth:
       if (values && shown.what != VertexValue::radiance) return smooth;
@@ -157,7 +165,7 @@ void Surfaces::draw(const SurfaceView& view) {
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  const auto& program = s.program(view.paint);
+  const auto& program = s.program(view);
   program.use();
   program.set("projection", view.projection);
   program.set("eye", view.eye);
@@ -166,6 +174,10 @@ void Surfaces::draw(const SurfaceView& view) {
   const bool is_curved =
       view.tone.options.op == ToneOperator::reinhard || view.tone.options.op == ToneOperator::reinhard_local;
   program.set("curved", is_curved ? 1 : 0);
+  program.set("brightest", LocalScales::brightest);
+  program.set("around", 2);
+  program.set("from", view.from.left, view.from.bottom);
+  if (view.local != nullptr) view.local->use(2);
   program.set("low", view.scale.low);
   program.set("high", view.scale.high);
   program.set("logarithmic", view.scale.logarithmic ? 1 : 0);

@@ -10,23 +10,28 @@
 #include "luxel/tone/tone.h"
 #include "luxel/view/colour_map.h"
 #include "luxel/view/draw_vertices.h"
+#include "luxel/view/local_tone.h"
 
 namespace luxel {
 
 // How surfaces are painted. What lies off to the side of the light, as there is none yet, is grey.
 enum class Paint {
-  grey,     // 0.6, a little darker where the surface turns away, so that shapes are seen
-  light,    // through the tone curve
-  smooth,   // false colour of what the vertices show (VertexValue lux or watts)
-  patches,  // false colour of one value a patch side
-  sides     // blue fronts, red backs
+  grey,         // 0.6, a little darker where the surface turns away, so that shapes are seen
+  light,        // through the tone curve
+  curve_input,  // the luminance that the tone curve takes: what LocalTone looks at
+  smooth,       // false colour of what the vertices show (VertexValue lux or watts)
+  patches,      // false colour of one value a patch side
+  sides         // blue fronts, red backs
 };
 
 struct SurfaceView {
   Mat4 projection = Mat4(1.0f);  // from the world (m) to clip space
   Vec3 eye = Vec3(0.0f);         // m
   Paint paint = Paint::grey;
-  ToneCurve tone = {};    // light; reinhard_local is drawn as reinhard
+  ToneCurve tone = {};  // light
+  // Of reinhard_local: the light around each pixel, and where what is drawn lies in it. Null: as reinhard.
+  const LocalTone* local = nullptr;
+  PixelOffset from = {};
   ValueScale scale = {};  // smooth, patches
   bool wires = false;     // the patches' edges over it
 };
@@ -55,6 +60,7 @@ class Surfaces {
   // What is drawn now: none of it before it is whole.
   bool has_light() const;
   bool has_side_values() const;
+  bool shows_radiance() const;  // what Paint::light needs, else it is grey
 
   void draw(const SurfaceView& view);
 

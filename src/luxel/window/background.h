@@ -22,6 +22,9 @@ class Background {
   bool is_ready() const {
     return future_.valid() && future_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   }
+  void wait() const {
+    if (future_.valid()) future_.wait();
+  }
   // The result, once. Throws what the work threw.
   std::optional<Result> take() {
     if (!is_ready()) return std::nullopt;

@@ -52,6 +52,9 @@ void files_section(Viewer& viewer) {
     size.width *= times, size.height *= times;
     viewer.save_picture(picture.text.data(), size);
   }
+  if (const auto* making = viewer.picture())
+    ImGui::ProgressBar(static_cast<float>(making->done()), ImVec2(280.0f, 0.0f),
+                       making->is_drawn() ? "writing" : "drawing");
   ImGui::SliderInt("times the window", &times, 1, 8);
   if (line("solution", solution)) viewer.save_solution(solution.text.data());
   if (line("GLB", model)) viewer.export_glb(model.text.data());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -42,14 +44,30 @@ bool colour_pickers(LampBoard& board) {
   return changed;
 }
 
+// Where nothing is known of each lamp apart, what is set here is asked for by a button.
+void solve_button(Viewer& viewer, const std::string& method) {
+  ImGui::TextWrapped(
+      "Light of the method %s does not know its lamps apart: it is solved again for what is set here.",
+      method.c_str());
+  const bool is_set = viewer.lamps == viewer.lamps_asked;
+  if (is_set) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4f);
+  if (ImGui::Button("Solve with these") && !is_set) viewer.relight();
+  if (is_set) ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 void lamps_section(Viewer& viewer) {
   if (!viewer.session.mesh() || !ImGui::CollapsingHeader("Lamps and colours")) return;
-  if (!viewer.session.status().can_relight) {
-    ImGui::TextWrapped("Once the sampled light is there, lamps and colours change without another ray.");
+  const auto& status = viewer.session.status();
+  const bool is_coming = status.method == LightOptions::by_sampling && !status.is_idle;
+  if (!status.can_relight && (is_coming || !viewer.session.light())) {
+    ImGui::TextWrapped(
+        "Once the light is there, lamps and colours can be changed: sampled light without another ray.");
+    if (!viewer.lamps.is_untouched()) ImGui::TextWrapped("It will have those that were set.");
     return;
   }
+  if (!status.can_relight) solve_button(viewer, status.method);
   bool changed = lamp_sliders(viewer.lamps);
   ImGui::Separator();
   changed |= colour_pickers(viewer.lamps);
@@ -57,7 +75,7 @@ void lamps_section(Viewer& viewer) {
     viewer.lamps = LampBoard(*viewer.session.mesh()->patches);
     changed = true;
   }
-  if (changed) viewer.relight();
+  if (changed && status.can_relight) viewer.relight();
 }
 
 }  // namespace luxel

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -17,14 +20,13 @@ constexpr auto still = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
                        ImGuiWindowFlags_AlwaysAutoResize;
 
-constexpr const char* keys_free =
-    "drag: turn   right drag: look   middle drag: shift   wheel: exposure   Shift+wheel: nearer   F focus   "
-    "H home   "
-    "Tab fly   F1 keys";
-constexpr const char* keys_flying =
-    "mouse: look   W A S D: go   Q E: down, up   Shift: faster   wheel: speed   F focus   H home   Tab: free "
-    "the "
-    "mouse";
+// The more one needs them, the earlier: a narrow window shows the first and the last.
+constexpr std::array keys_free = {
+    "drag: turn",         "wheel: exposure", "Tab fly", "right drag: look", "Shift+wheel: nearer",
+    "middle drag: shift", "F focus",         "H home",  "F1 keys"};
+constexpr std::array keys_flying = {"mouse: look",   "W A S D: go",  "Q E: down, up", "Tab: free the mouse",
+                                    "Shift: faster", "wheel: speed", "F focus",       "H home",
+                                    "F1 keys"};
 
 constexpr const char* all_keys =
     "Tab           fly, or free the mouse        Space   pause the solver, go on\n"
@@ -41,6 +43,20 @@ constexpr const char* all_keys =
 
 ImU32 screen_colour(const Vec3& linear) {
   return IM_COL32(srgb_code(linear.r), srgb_code(linear.g), srgb_code(linear.b), 255);
+}
+
+// Side by side, as many as the window is wide for; the last always.
+void words(std::span<const char* const> all, float width) {
+  constexpr float gap = 20.0f;
+  const auto width_of = [](const char* text) { return ImGui::CalcTextSize(text).x; };
+  float left = width - width_of(all.back());
+  for (const char* each : all.first(all.size() - 1)) {
+    left -= width_of(each) + gap;
+    if (left < 0.0f) break;
+    ImGui::TextUnformatted(each);
+    ImGui::SameLine(0.0f, gap);
+  }
+  ImGui::TextUnformatted(all.back());
 }
 
 void value_line(const char* what, const LightValue& value) {
@@ -70,9 +86,13 @@ void key_line(const Viewer& viewer) {
   ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y - 6.0f), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
   ImGui::SetNextWindowBgAlpha(0.6f);
   ImGui::Begin("##keys", nullptr, still);
-  if (!viewer.said().empty())
+  const float width = display.x - 40.0f;
+  if (!viewer.said().empty()) {
+    ImGui::PushTextWrapPos(std::min(width, ImGui::CalcTextSize(viewer.said().c_str()).x + 20.0f));
     ImGui::TextColored(ImVec4(1.0f, 0.78f, 0.3f, 1.0f), "%s", viewer.said().c_str());
-  ImGui::TextUnformatted(viewer.navigator.is_flying() ? keys_flying : keys_free);
+    ImGui::PopTextWrapPos();
+  }
+  viewer.navigator.is_flying() ? words(keys_flying, width) : words(keys_free, width);
   ImGui::End();
   if (!viewer.look.help) return;
   ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y * 0.5f), ImGuiCond_Always, ImVec2(0.5f, 0.5f));

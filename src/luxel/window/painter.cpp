@@ -10,8 +10,6 @@
 namespace luxel {
 namespace {
 
-constexpr int largest_piece = 2048;  // pixels a side of what is drawn at once
-
 bool is_of_sides(Show show) {
   return show == Show::standard_error || show == Show::patch_size || show == Show::level ||
          show == Show::difference || show == Show::unshot;
@@ -130,46 +128,47 @@ Paint Painter::paint(const Look& look) const {
   }
 }
 
-void Painter::draw(const Look& look, const Viewpoint& from, float aspect, float point_size,
-                   const Tile& tile) {
-  const auto to_screen = projection(from.pose, from.space, from.box, aspect, tile);
+// What the local operator asks before it draws anything: how bright each pixel and its surroundings are.
+void Painter::look_around(Canvas& canvas, const Viewpoint& from, const PicturePart& part, EdgeSmoothing edges,
+                          const Tile& all) {
+  if (!canvas.local) canvas.local = std::make_unique<LocalTone>();
+  canvas.local->begin(drawn_size(part.size, edges), from.tone, sky());
+  surfaces_.draw({.projection = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all)),
+                  .paint = Paint::curve_input,
+                  .tone = from.tone});
+  canvas.local->finish(from.tone, edges == EdgeSmoothing::coarse ? 2.0f : 1.0f);
+}
+
+void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,
+                   EdgeSmoothing edges, float point_size, const Tile& all) {
+  const auto painted = paint(look);
+  const bool is_local = from.tone.options.op == ToneOperator::reinhard_local && painted == Paint::light &&
+                        surfaces_.shows_radiance();
+  const auto around = with_margin(part, LocalTone::reach);
+  const PixelOffset offset{part.begin.left - around.begin.left, part.begin.bottom - around.begin.bottom};
+  if (is_local) look_around(canvas, from, around, edges, all);
+  canvas.frame.begin(part.size, background(from.tone), edges);
+  if (is_local && sky() != Vec3(0.0f)) canvas.local->cover(from.tone, sky(), offset);
+  const auto to_screen = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all));
   surfaces_.draw({.projection = to_screen,
                   .eye = from.pose.eye,
-                  .paint = paint(look),
+                  .paint = painted,
                   .tone = from.tone,
+                  .local = is_local ? canvas.local.get() : nullptr,
+                  .from = offset,
                   .scale = scale_.value_or(ValueScale()),
                   .wires = look.wires});
   marks_.draw(to_screen, point_size, true);
 }
 
-Vec3 Painter::background(const ToneCurve& tone) const {
-  const Vec3 dark(0.012f);
-  if (!mesh_ || !mesh_->patches->has_sky() || !light_) return dark;
-  return tone(in_gamut(mesh_->patches->colours().rgb(mesh_->patches->sky)));
+Vec3 Painter::sky() const {
+  if (!mesh_ || !mesh_->patches->has_sky() || !light_) return Vec3(0.0f);
+  return in_gamut(mesh_->patches->colours().rgb(mesh_->patches->sky));
 }
 
-Image Painter::picture(const Look& look, const Viewpoint& from, ScreenSize size) {
-  Image whole(size.width, size.height);
-  const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  DrawnFrame frame;
-  for (int top = 0; top < size.height; top += largest_piece)
-    for (int left = 0; left < size.width; left += largest_piece) {
-      const ScreenSize piece{std::min(largest_piece, size.width - left),
-                             std::min(largest_piece, size.height - top)};
-      const auto x = [&](int pixel) {
-        return 2.0f * static_cast<float>(pixel) / static_cast<float>(size.width) - 1.0f;
-      };
-      const auto y = [&](int pixel) {
-        return 1.0f - 2.0f * static_cast<float>(pixel) / static_cast<float>(size.height);
-      };
-      frame.begin(piece, background(from.tone), EdgeSmoothing::sampled);
-      draw(look, from, aspect, 4.0f, {x(left), x(left + piece.width), y(top + piece.height), y(top)});
-      frame.resolve();
-      const auto part = frame.read();
-      for (int row = 0; row < piece.height; ++row)
-        std::copy_n(&part.at(0, row), piece.width, &whole.at(left, top + row));
-    }
-  return whole;
+Vec3 Painter::background(const ToneCurve& tone) const {
+  const Vec3 dark(0.012f);
+  return sky() == Vec3(0.0f) ? dark : tone(sky());
 }
 
 }  // namespace luxel

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/image/image.h"
 #include "luxel/live/live_answers.h"
 #include "luxel/live/live_state.h"
 #include "luxel/view/frame.h"
 #include "luxel/view/lines.h"
+#include "luxel/view/local_tone.h"
 #include "luxel/view/surfaces.h"
 #include "luxel/window/background.h"
 #include "luxel/window/look.h"
@@ -23,6 +23,13 @@ struct Viewpoint {
   Space space;
   Bounds box;
   ToneCurve tone;
+  float aspect = 1.0f;  // of the picture
+};
+
+// What pictures are drawn into.
+struct Canvas {
+  DrawnFrame frame;
+  std::unique_ptr<LocalTone> local;  // once it was needed
 };
 
 // Brings what is looked at to the graphics card, as it was chosen to be seen, and draws it.
@@ -35,10 +42,9 @@ class Painter {
   // For about so many seconds. True where everything is there and shown.
   bool upload(double seconds);
 
-  void draw(const Look& look, const Viewpoint& from, float aspect, float point_size, const Tile& tile = {});
-  Vec3 background(const ToneCurve& tone) const;  // what lies behind all surfaces; linear, [0, 1]
-  // Of any size, in pieces where it is large; four samples a pixel.
-  Image picture(const Look& look, const Viewpoint& from, ScreenSize size);
+  // Into the canvas, to be resolved there. all: the whole picture that the part is of, see shifted_tile().
+  void draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,
+            EdgeSmoothing edges, float point_size, const Tile& all = {});
 
   void set_marks(const Marks& marks) { marks_.set(marks); }
   // How false colours are to be read now; nothing where there are none.
@@ -49,6 +55,10 @@ class Painter {
   void update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference);
   void update_scale(const Look& look);
   Paint paint(const Look& look) const;
+  Vec3 sky() const;                              // W/(m² sr)
+  Vec3 background(const ToneCurve& tone) const;  // what lies behind all surfaces; linear, [0, 1]
+  void look_around(Canvas& canvas, const Viewpoint& from, const PicturePart& part, EdgeSmoothing edges,
+                   const Tile& all);
 
   Surfaces surfaces_;
   MarkBuffer marks_;

@@ -99,6 +99,7 @@ class WindowLoop {
   }
 
   void end() {
+    if (!report_.interrupted) viewer_.go_on_with_picture(true);
     if (settings_.snapshot && !report_.interrupted) {
       viewer_.frame(ScriptPlayer::frame_seconds, true);
       screen_->present();

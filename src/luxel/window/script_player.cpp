@@ -245,8 +245,11 @@ void ScriptPlayer::act(const ScriptAction& action) {
   if (verb == "paint") return paint(words);
   if (verb == "compare") return viewer_.compare(rest(words, 1));
   if (verb == "snapshot") return write_png(rest(words, 1), viewer_.snapshot());
-  if (verb == "picture")
-    return viewer_.save_picture(rest(words, 3), {whole("a width", words[1]), whole("a height", words[2])});
+  if (verb == "picture") {
+    viewer_.save_picture(rest(words, 3), {whole("a width", words[1]), whole("a height", words[2])});
+    waits_ = [this] { return viewer_.picture() == nullptr; };
+    return;
+  }
   if (verb == "save") {
     const auto file = rest(words, 1);
     return file.ends_with(".glb") ? viewer_.export_glb(file) : viewer_.save_solution(file);

@@ -109,7 +109,8 @@ void method(Viewer& viewer, const LiveStatus& status) {
 
 void solver_section(Viewer& viewer) {
   if (!viewer.session.has_scene()) {
-    ImGui::TextWrapped("%s", viewer.session.is_busy() ? "reading" : "Drop an OBJ file or a solution here.");
+    ImGui::TextWrapped("%s",
+                       viewer.session.is_busy() ? "reading" : "Drop a scene (OBJ, glTF) or a solution here.");
     return;
   }
   ImGui::TextUnformatted(viewer.session.title().c_str());

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "luxel/image/image_file.h"
 #include "luxel/render/automatic_camera.h"
 #include "luxel/window/panels.h"
 
@@ -56,10 +55,14 @@ void Viewer::complain(std::string sentence) {
 // ---- A scene ----
 
 void Viewer::begin_scene() {
+  if (is_drawing_picture()) {
+    complain(fmt::format("{} is not made: another scene was opened", picture_->file().string()));
+    picture_.reset();
+  }
   scene_ = session.number();
   has_space_ = has_home_ = false;
   messages_seen_ = 0;
-  lamps = {};
+  lamps = lamps_asked = {};
   bounces.reset();
   faults_.reset();
   asked_faults_ = false;
@@ -116,7 +119,7 @@ void Viewer::update(double seconds) {
   // The patches that are lit come after those of the grey preview.
   if (const auto& patches = session.mesh()->patches; patches != patches_) {
     patches_ = patches;
-    lamps = LampBoard(*patches);
+    lamps = lamps_asked = LampBoard(*patches);
   }
   find_home();
   ask(seconds);
@@ -134,173 +137,22 @@ void Viewer::ask(double seconds) {
     asked_faults_ = true;
     faults_ = session.live().faults();
   }
+  // What a picture is being made of stays as it is, and what is seen with it.
+  if (is_drawing_picture()) return;
   if (instruments.update(look, mesh, light, inquiry, faults_)) painter_.set_marks(instruments.marks());
   curve_ = exposure_.curve(look.tone, look.automatic_exposure, light.get(), navigator.pose(),
                            navigator.space(), aspect, seconds);
   painter_.update(scene_, mesh, light, look, session.live().difference());
 }
 
-// ---- What a person does ----
-
-void Viewer::handle(const Event& event) {
-  unchanged_frames_ = 0;
-  gui_.handle(event, !navigator.is_flying());
-  switch (event.kind) {
-    case Event::Kind::close:
-      close();
-      return;
-    case Event::Kind::drop:
-      open(event.text);
-      return;
-    case Event::Kind::resize:
-      navigator.set_screen(screen_.size());
-      return;
-    case Event::Kind::key:
-      if (gui_.wants_keys() && event.down) return;
-      if (!navigator.handle(event) && event.down && !event.repeat) handle_key(event.key);
-      return;
-    case Event::Kind::button:
-      // A drag that began on a panel stays there, and one that began on the scene likewise.
-      if (event.down) mouse_is_for_panels_ = !navigator.is_flying() && gui_.wants_mouse();
-      if (mouse_is_for_panels_) return;
-      handle_line(event);
-      if (!line) navigator.handle(event);
-      return;
-    case Event::Kind::move:
-      navigator.handle(event);
-      if (line) line->second = navigator.aim();
-      return;
-    case Event::Kind::wheel:
-      if (!navigator.is_flying() && gui_.wants_mouse()) return;
-      if (!navigator.handle(event))
-        look.tone.exposure = std::clamp(look.tone.exposure + 0.25f * event.at.y, -20.0f, 20.0f);
-      return;
-    default:
-      return;
-  }
-}
-
-void Viewer::toggle_flying() {
-  navigator.set_flying(!navigator.is_flying());
-  screen_.capture_cursor(navigator.is_flying());
-}
-
-bool Viewer::handle_key(Key key) {
-  const auto flip = [](bool& choice) { choice = !choice; };
-  switch (key) {
-    case key::tab:
-      toggle_flying();
-      return true;
-    case key::escape:
-      if (navigator.is_flying()) toggle_flying();
-      look.help = false;
-      inquiry.unpin();
-      inquiry.clear_line();
-      return true;
-    case key::f1:
-      flip(look.help);
-      return true;
-    case key::f12:
-      save_picture(fmt::format("{}.png", session.title()), screen_.pixels());
-      return true;
-    case 'P':
-      flip(look.panel);
-      return true;
-    case 'G':
-      flip(look.wires);
-      return true;
-    case 'N':
-      flip(look.normals);
-      return true;
-    case 'B':
-      flip(look.boxes);
-      return true;
-    case 'R':
-      flip(look.rays);
-      return true;
-    case 'X':
-      flip(look.automatic_exposure);
-      return true;
-    case 'L':
-      look.show = Show::light;
-      return true;
-    case 'I':
-      look.show = Show::irradiance;
-      return true;
-    case 'O':
-      look.show = static_cast<Show>((static_cast<int>(look.show) + 1) % show_count);
-      return true;
-    case 'T':
-      look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % 4);
-      return true;
-    case ' ':
-      if (!session.has_scene()) return false;
-      session.status().is_paused ? session.live().resume() : session.live().pause();
-      return true;
-    default:
-      return false;
-  }
-}
-
-// Shift and drag: a line whose profile is asked for. A click that does not drag pins the probe.
-void Viewer::handle_line(const Event& event) {
-  if (navigator.is_flying() || event.button != MouseButton::left) return;
-  if (event.down && navigator.is_shifted()) {
-    line = {navigator.aim(), navigator.aim()};
-  } else if (!event.down && line) {
-    inquiry.draw_line(navigator.pose(), navigator.space(), navigator.aspect(), line->first, line->second);
-    line.reset();
-  } else if (!event.down && navigator.is_click()) {
-    inquiry.is_pinned() ? inquiry.unpin() : inquiry.pin();
-  }
-}
-
-void Viewer::relight() {
-  if (session.has_scene() && session.mesh()) session.live().relight(lamps.lighting(*session.mesh()->patches));
-}
-
-void Viewer::save_picture(const std::filesystem::path& file, ScreenSize size) {
-  try {
-    write_png(file, painter_.picture(look, viewpoint(), size));
-    say(fmt::format("{} is written, {} x {} pixels", file.string(), size.width, size.height));
-  } catch (const std::exception& error) {
-    complain(error.what());
-  }
-}
-
-void Viewer::compare(const std::filesystem::path& file) {
-  if (!session.has_scene()) return;
-  compared_with_ = file;
-  session.live().compare_with(file);
-}
-
-void Viewer::show_bounces(std::optional<int> count) {
-  if (!session.has_scene()) return;
-  bounces = count;
-  session.live().show_bounces(count);
-}
-
-void Viewer::save_solution(const std::filesystem::path& file) {
-  if (session.has_scene()) session.live().save_solution(file);
-}
-
-void Viewer::export_glb(const std::filesystem::path& file) {
-  if (session.has_scene()) session.live().export_glb(file, navigator.space().up, look.tone);
-}
-
-void Viewer::solve_by(const std::string& method) {
-  if (!session.has_scene()) return;
-  auto light = settings.live(session.live().file()).light;
-  light.method = method;
-  session.live().solve(light);
-}
-
 // ---- A frame ----
 
-Viewpoint Viewer::viewpoint() const { return {navigator.pose(), navigator.space(), navigator.box(), curve_}; }
+Viewpoint Viewer::viewpoint() const {
+  return {navigator.pose(), navigator.space(), navigator.box(), curve_, navigator.aspect()};
+}
 
 bool Viewer::is_at_rest() const {
-  return is_uploaded_ && exposure_.is_settled() && !navigator.is_moving() && !session.is_busy();
+  return is_uploaded_ && !picture_ && exposure_.is_settled() && !navigator.is_moving() && !session.is_busy();
 }
 
 void Viewer::note_changes() {
@@ -326,15 +178,16 @@ void Viewer::draw_scene(bool fine) {
   const bool is_coarse = is_rough && is_moving && slow_scene_ == scene_;
   const auto pixels = screen_.pixels();
   const bool joins = is_rough && unchanged_frames_ > 3;
-  if (joins && joined_ >= shifts) return frame_.show_joined();
+  auto& frame = canvas_.frame;
+  if (joins && joined_ >= shifts) return frame.show_joined();
   const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
-  frame_.begin(pixels, painter_.background(curve_),
-               is_coarse  ? EdgeSmoothing::coarse
-               : is_rough ? EdgeSmoothing::rough
-                          : EdgeSmoothing::sampled);
-  painter_.draw(look, viewpoint(), navigator.aspect(), 4.0f * screen_.text_scale(), tile);
-  frame_.resolve();
-  if (joins) frame_.join(joined_++);
+  const auto edges = is_coarse  ? EdgeSmoothing::coarse
+                     : is_rough ? EdgeSmoothing::rough
+                                : EdgeSmoothing::sampled;
+  painter_.draw(canvas_, is_drawing_picture() ? picture_->look() : look, viewpoint(), {pixels, {}, pixels},
+                edges, 4.0f * screen_.text_scale(), tile);
+  frame.resolve();
+  if (joins) frame.join(joined_++);
 }
 
 void Viewer::frame(double seconds, bool fine) {
@@ -343,7 +196,8 @@ void Viewer::frame(double seconds, bool fine) {
   if (said_left_ <= 0.0) said_.clear();
   navigator.advance(seconds);
   update(seconds);
-  is_uploaded_ = painter_.upload(fine ? 1.0 : upload_seconds);
+  go_on_with_picture(false);
+  is_uploaded_ = !is_drawing_picture() && painter_.upload(fine ? 1.0 : upload_seconds);
   note_changes();
   draw_scene(fine);
   gui_.begin(seconds);

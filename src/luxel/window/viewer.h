@@ -16,6 +16,7 @@
 #include "luxel/window/look.h"
 #include "luxel/window/navigator.h"
 #include "luxel/window/painter.h"
+#include "luxel/window/picture_maker.h"
 #include "luxel/window/run_window.h"
 #include "luxel/window/session.h"
 
@@ -34,12 +35,14 @@ class Viewer {
   // One frame, and what happens meanwhile in so many seconds. fine: smooth edges whatever they cost.
   void frame(double seconds, bool fine);
   // The last frame's pixels.
-  Image snapshot() const { return frame_.read(); }
+  Image snapshot() const { return canvas_.frame.read(); }
 
   // ---- What a person can do ----
   void open(const std::filesystem::path& file) { session.open(file); }
   void relight();  // as the lamp board says
+  // Tile by tile between frames: until it is drawn, newer light and other choices wait. One at a time.
   void save_picture(const std::filesystem::path& file, ScreenSize size);
+  void go_on_with_picture(bool to_the_end);  // else for a part of a frame
   void save_solution(const std::filesystem::path& file);
   void export_glb(const std::filesystem::path& file);
   void solve_by(const std::string& method);
@@ -54,7 +57,8 @@ class Viewer {
   // All that was put out is seen, and nothing moves.
   bool is_at_rest() const;
   // Frames may wait for a person: another would be the same.
-  bool may_sleep() const { return unchanged_frames_ > 12; }
+  bool may_sleep() const { return unchanged_frames_ > 12 && !picture_; }
+  const PictureMaker* picture() const { return picture_.get(); }      // that is being made, or null
   const std::vector<std::string>& errors() const { return errors_; }  // all there were
   void say(std::string sentence);                                     // on the screen for a few seconds
   void complain(std::string sentence);                                // in a dialog
@@ -65,6 +69,7 @@ class Viewer {
   Inquiry inquiry;
   Instruments instruments;
   LampBoard lamps;
+  LampBoard lamps_asked;       // as the solver was told
   std::optional<int> bounces;  // that are shown
   const WindowSettings& settings;
   std::deque<std::string> dialogs;            // errors to be read, the first is shown
@@ -83,6 +88,7 @@ class Viewer {
   void begin_scene();
   void find_home();
   void ask(double seconds);
+  bool is_drawing_picture() const { return picture_ && !picture_->is_drawn(); }
   void draw_scene(bool fine);
   Viewpoint viewpoint() const;
   void note_changes();
@@ -91,7 +97,8 @@ class Viewer {
   Driver driver_ = current_driver();
   Gui gui_;
   Painter painter_;
-  DrawnFrame frame_;
+  Canvas canvas_;
+  std::unique_ptr<PictureMaker> picture_;
   Exposure exposure_;
   ToneCurve curve_;
   Background<Pose> finding_home_;

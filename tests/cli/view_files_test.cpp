@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that come and go while `luxel view` is open: scenes dropped on the window, pictures of any size.
+#include "cli/view_fixture.h"
+#include "support/small_gltf.h"
+
+namespace luxel::cli {
+namespace {
+
+// A red floor of 2 x 2 m under a lamp.
+SmallGltf small_room() {
+  SmallGltf gltf;
+  gltf.points({-1, 0, -1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0, -1});
+  gltf.points({-0.3f, 1, -0.3f, 0.3f, 1, -0.3f, 0.3f, 1, 0.3f});
+  gltf.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"material":0},)"
+                R"({"attributes":{"POSITION":1},"material":1}]})";
+  gltf.rest =
+      R"(,"materials":[{"name":"ground","pbrMetallicRoughness":{"baseColorFactor":[0.8,0.1,0.1,1],"metallicFactor":0}},)"
+      R"({"name":"bulb","emissiveFactor":[1,1,1]}],"scenes":[{"nodes":[0]}],"scene":0)";
+  return gltf;
+}
+
+class ViewFiles : public View {
+ protected:
+  void write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
+};
+
+TEST_F(ViewFiles, a_gltf_scene_dropped_on_the_window_is_lit_and_shown) {
+  write("room.gltf", small_room().text());
+  write("room.glb", small_room().glb());
+  for (const std::string ending : {"gltf", "glb"}) {
+    // A material that is not there would end the script: it is the other scene.
+    const auto done = run("s.txt",
+                          "set panel off\nwait finished\nsnapshot box.png\n"
+                          "drop room." +
+                              ending +
+                              "\nwait finished\nexpect light\nexpect no-error\n"
+                              "snapshot room.png\npaint ground 0.1,0.1,0.8\nlamp bulb 2\nwait finished\n"
+                              "snapshot blue.png\nexpect no-error\nsave room.vtkhdf\nwait finished\n",
+                          "--off-screen");
+    ASSERT_EQ(done.code, 0) << ending << ": " << done.err;
+    EXPECT_GT(difference(picture("box.png"), picture("room.png")), 0.02) << ending;
+    const auto red = mean_color(picture("room.png")), blue = mean_color(picture("blue.png"));
+    EXPECT_GT(red.r, 1.5f * red.b) << ending;
+    EXPECT_GT(blue.b, 1.5f * blue.r) << ending;
+    EXPECT_EQ(cli::run(folder_, "$LUXEL info room.vtkhdf").code, 0) << ending;
+  }
+}
+
+TEST_F(ViewFiles, a_broken_gltf_file_is_a_dialog_and_what_was_there_stays) {
+  const auto whole = small_room().glb();
+  write("cut.glb", whole.substr(0, whole.size() - 20));
+  write("words.gltf", "this is no scene");
+  for (const std::string name : {"cut.glb", "words.gltf"}) {
+    const auto done = run("s.txt",
+                          "set panel off\nwait finished\nset automatic-exposure off\nwait 10 frames\n"
+                          "snapshot before.png\ndrop " +
+                              name + "\nwait error\nexpect error " + name +
+                              "\nwait 20 frames\nsnapshot dialog.png\nkey enter\nwait 20 frames\n"
+                              "snapshot after.png\npaint white 0.2,0.2,0.9\nwait finished\nexpect light\n",
+                          "--off-screen");
+    ASSERT_EQ(done.code, 0) << name << ": " << done.err;
+    EXPECT_GT(difference(picture("before.png"), picture("dialog.png")), 0.01) << name;
+    EXPECT_LT(difference(picture("before.png"), picture("after.png")), 1e-3) << name;
+  }
+}
+
+TEST_F(ViewFiles, a_picture_made_of_tiles_has_no_seams_under_any_tone_curve) {
+  // Twice the window: nine tiles where a processor draws. Each pixel of the window is the mean of four of it,
+  // or nearly; a tile that did not know its surroundings would be off along its edges.
+  const auto done = run("s.txt",
+                        "set panel off\nwait finished\nwait 300 frames\nset help off\n"
+                        "picture 640 480 reinhard.png\nexpect no-error\n"
+                        "set tone reinhard-local\nset exposure 2\nwait 300 frames\n"
+                        "picture 640 480 local.png\npicture 641 479 odd.png\nexpect no-error\n",
+                        "--off-screen");
+  ASSERT_EQ(done.code, 0) << done.err;
+  for (const std::string name : {"local.png", "odd.png", "reinhard.png"}) {
+    const auto image = picture(name);
+    EXPECT_NEAR(image.width, 640, 1);
+    // Rows and columns beside a tile's edge change no more than those beside them.
+    const auto step = [&](int x) {
+      double sum = 0.0;
+      for (int y = 0; y < image.height; ++y)
+        sum += std::abs(srgb_encode(image.at(x, y).g) - srgb_encode(image.at(x - 1, y).g));
+      return sum;
+    };
+    EXPECT_LT(step(256), 2.0 * std::max(step(253), step(259)) + 1.0) << name;
+    EXPECT_LT(step(512), 2.0 * std::max(step(509), step(515)) + 1.0) << name;
+  }
+  EXPECT_GT(difference(picture("local.png"), picture("reinhard.png")), 0.01);
+}
+
+TEST_F(ViewFiles, a_picture_that_cannot_be_is_a_sentence) {
+  const auto done = run("s.txt",
+                        "wait finished\npicture 20000 10 wide.png\nexpect error 16384 pixels a side\n"
+                        "picture 100 100 none/small.png\nexpect error none/small.png\n",
+                        "--off-screen");
+  EXPECT_EQ(done.code, 0) << done.err;
+}
+
+TEST_F(ViewFiles, a_picture_under_way_is_finished_when_the_window_is_closed) {
+  const auto done = run("s.txt", "wait finished\nkey f12\nclose\n", "--off-screen");
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(picture("cornell-box.obj.png").width, 320);
+}
+
+}  // namespace
+}  // namespace luxel::cli
