@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/report/error.h"
+#include "luxel/window/instruments.h"
 #include "luxel/window/lamp_board.h"
 #include "luxel/window/look.h"
 #include "luxel/window/navigator.h"
@@ -127,6 +128,50 @@ TEST_F(Flight, views_are_kept_and_home_is_found_again) {
   key('H', true);
   navigator_.advance(1.0);
   EXPECT_LT(glm::length(navigator_.pose().eye - begin.eye), 1e-5f);
+}
+
+// A square floor of 4 m at z = 0 with a tracer, and an eye above it.
+class DrawnLine : public testing::Test {
+ protected:
+  DrawnLine() {
+    test::LitPatches lit;
+    for (const auto& p : {Vec3(-2, -2, 0), Vec3(2, -2, 0), Vec3(2, 2, 0), Vec3(-2, 2, 0)}) lit.vertex(p);
+    lit.patch({0, 1, 2}, 1.0f);
+    lit.patch({0, 2, 3}, 1.0f);
+    auto mesh = std::make_shared<LiveMesh>();
+    mesh->patches = std::make_shared<const PatchSet>(lit.patches);
+    mesh->tracer = std::make_shared<const Tracer>(lit.patches, Workers(1));
+    mesh->geometry = 1;
+    mesh_ = mesh;
+  }
+  void frame() {
+    inquiry_.update_profile(*mesh_, nullptr);
+    instruments_.update({}, mesh_, nullptr, inquiry_, nullptr);
+  }
+
+  std::shared_ptr<const LiveMesh> mesh_;
+  Inquiry inquiry_;
+  Instruments instruments_;
+};
+
+TEST_F(DrawnLine, lies_on_the_scene_while_its_plot_is_there) {
+  const Space space(Vec3(0, 0, 1));
+  const Pose above{.eye = Vec3(0, 0, 3), .pitch = -steepest};
+  frame();
+  EXPECT_TRUE(instruments_.marks().empty());
+  inquiry_.draw_line(above, space, 1.0f, Vec2(-0.5f, 0.0f), Vec2(0.5f, 0.0f));
+  frame();
+  EXPECT_GT(instruments_.marks().segments.size(), 100u);
+  for (const auto& mark : instruments_.marks().segments) EXPECT_NEAR(mark.place.z, 0.0f, 1e-5f);
+  const auto before = instruments_.marks().segments.front().place;
+  // One looks at something else, from elsewhere: it stays where it lies.
+  inquiry_.look_at(*mesh_, nullptr, {.eye = Vec3(1, 1, 1), .pitch = -steepest}, space, 1.0f, Vec2(0.1f));
+  frame();
+  ASSERT_FALSE(instruments_.marks().segments.empty());
+  EXPECT_EQ(instruments_.marks().segments.front().place, before);
+  inquiry_.clear_line();
+  frame();
+  EXPECT_TRUE(instruments_.marks().empty());
 }
 
 TEST(LampBoard, untouched_it_changes_nothing_and_a_slider_changes_its_own_group_alone) {

@@ -56,7 +56,7 @@ std::vector<ProfilePoint> profile(const LiveMesh& mesh, const LiveLight* light, 
     if (hit) {
       const auto at = rays[i].origin + hit.distance * rays[i].direction;
       if (last) along += static_cast<double>(glm::distance(*last, at));
-      last = at;
+      last = points[i].place = at;
     }
     points[i].along = along;
     if (!hit || !lies_on(light, mesh)) continue;

@@ -37,7 +37,8 @@ struct Probe {
 std::optional<Probe> probe(const LiveMesh& mesh, const LiveLight* light, const Ray& ray);
 
 struct ProfilePoint {
-  double along = 0.0;   // m, from the first point on, in a straight line from each to the next
+  double along = 0.0;              // m, from the first point on, in a straight line from each to the next
+  std::optional<Vec3> place = {};  // m, counted from the patches' origin; nothing: the ray met nothing
   bool is_lit = false;  // false: the ray met nothing, or there is no light yet; the rest is empty then
   std::uint32_t patch = 0;
   bool back = false;

@@ -30,19 +30,27 @@ void Inquiry::pin() {
 }
 
 void Inquiry::draw_line(const Pose& pose, const Space& space, float aspect, Vec2 from, Vec2 to) {
-  sights_.clear();
+  clear_line();
   for (int i = 0; i < profile_rays; ++i)
     sights_.push_back(
         ray_of(pose, space, aspect, glm::mix(from, to, static_cast<float>(i) / (profile_rays - 1))));
+}
+
+void Inquiry::clear_line() {
+  sights_.clear();
   profile_.clear();
+  ++line_version_;
 }
 
 void Inquiry::update_profile(const LiveMesh& mesh, const LiveLight* light) {
   if (sights_.empty()) return;
   const auto number = light == nullptr ? 0 : light->number;
-  if (!profile_.empty() && profiled_light_ == number) return;
+  const void* const tracer = mesh.tracer.get();
+  if (!profile_.empty() && profiled_light_ == number && profiled_tracer_ == tracer) return;
   profile_ = luxel::profile(mesh, light, sights_);
+  if (profiled_tracer_ != tracer) ++line_version_;
   profiled_light_ = number;
+  profiled_tracer_ = tracer;
 }
 
 }  // namespace luxel

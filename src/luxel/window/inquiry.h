@@ -26,17 +26,19 @@ class Inquiry {
 
   // A line over the screen, from one point to another, [-1, 1].
   void draw_line(const Pose& pose, const Space& space, float aspect, Vec2 from, Vec2 to);
-  void clear_line() { sights_.clear(), profile_.clear(); }
+  void clear_line();
   // Once a frame: the profile is that of the newest light.
   void update_profile(const LiveMesh& mesh, const LiveLight* light);
   const std::vector<ProfilePoint>& profile() const { return profile_; }
+  std::uint64_t line_version() const { return line_version_; }  // other where the line lies elsewhere
 
  private:
   std::optional<Ray> pinned_;
   Ray last_{};
   std::optional<Probe> probe_;
   std::vector<Ray> sights_;
-  std::uint64_t profiled_light_ = 0;
+  std::uint64_t profiled_light_ = 0, line_version_ = 0;
+  const void* profiled_tracer_ = nullptr;
   std::vector<ProfilePoint> profile_;
 };
 

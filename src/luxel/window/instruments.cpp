@@ -11,7 +11,8 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t most_normals = 100'000, most_boxes = 20'000, most_rays = 256;
-const Vec3 normal_colour(0.05f, 0.55f, 0.75f), outline_colour(1.0f, 0.75f, 0.05f);
+const Vec3 normal_colour(0.05f, 0.55f, 0.75f), outline_colour(1.0f, 0.75f, 0.05f),
+    line_colour(1.0f, 0.5f, 0.05f);
 const Vec3 gather_colour(0.9f, 0.35f, 0.05f), lost_colour(0.25f, 0.3f, 0.5f);
 const Vec3 seen_colour(1.0f, 0.9f, 0.2f), blocked_colour(0.75f, 0.03f, 0.05f);
 
@@ -69,6 +70,21 @@ void add_faults(const Scene& scene, const CheckReport& report, Marks& marks) {
   }
 }
 
+// Where the way of the plot goes, also from other views: dashes of two colours, which one sees on any
+// surface.
+void add_line(const std::vector<ProfilePoint>& profile, Marks& marks) {
+  constexpr std::size_t dash = 6;
+  std::optional<Vec3> last;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const auto& place = profile[i].place;
+    if (!place) continue;
+    if (last) marks.add_segment(*last, *place, i / dash % 2 == 0 ? line_colour : Vec3(0.0f));
+    if (!last) marks.add_point(*place, line_colour);
+    last = place;
+  }
+  if (last) marks.add_point(*last, line_colour);
+}
+
 float size_of(const PatchSet& patches) {
   Bounds box;
   for (const auto& vertex : patches.vertices) box.add(vertex);
@@ -97,6 +113,7 @@ bool Instruments::update(const Look& look, const std::shared_ptr<const LiveMesh>
       look.samples,
       look.box_level,
       asks_rays && light ? light->number : 0,
+      inquiry.line_version(),
       mesh->patches.get(),
       look.faults ? faults.get() : nullptr,
       has_side ? std::optional<std::uint64_t>(2ull * probe->patch + (probe->back ? 1 : 0)) : std::nullopt};
@@ -110,6 +127,7 @@ bool Instruments::update(const Look& look, const std::shared_ptr<const LiveMesh>
     const auto levels = tree_boxes(patches, *mesh->tree);
     add_boxes(levels[std::min(static_cast<std::size_t>(look.box_level), levels.size() - 1)], marks_);
   }
+  add_line(inquiry.profile(), marks_);
   if (has_side) add_outline(patches, probe->patch, marks_);
   if (has_side && light && look.rays) add_gather_rays(*light, *probe, size_of(patches), marks_);
   if (has_side && light && look.samples) add_direct_rays(*light, *probe, marks_);

@@ -14,7 +14,7 @@
 namespace luxel {
 
 // Lines and points over the surfaces that show how the scene and the solver work: normals, boxes of the
-// hierarchy, rays of a patch, faults.
+// hierarchy, rays of a patch, faults, the line that light is plotted along.
 class Instruments {
  public:
   // Another scene.
@@ -32,7 +32,7 @@ class Instruments {
   struct Made {
     bool normals = false, boxes = false, rays = false, samples = false;
     int level = 0;
-    std::uint64_t light = 0;
+    std::uint64_t light = 0, line = 0;
     const void* mesh = nullptr;
     const void* faults = nullptr;
     std::optional<std::uint64_t> side;

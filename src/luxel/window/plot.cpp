@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -46,6 +47,8 @@ std::string value_text(double value, const PlotStyle& style, const char* unit) {
 
 void draw_curve(const Chart& chart, const std::vector<PlotPoint>& points) {
   auto& list = *ImGui::GetWindowDrawList();
+  // Smooth edges of neighbours would overlap, and be seen as stripes.
+  const auto flags = std::exchange(list.Flags, list.Flags & ~ImDrawListFlags_AntiAliasedFill);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const auto &a = points[i], &b = points[i + 1];
     if (a.is_gap || b.is_gap) continue;
@@ -53,6 +56,7 @@ void draw_curve(const Chart& chart, const std::vector<PlotPoint>& points) {
       list.AddQuadFilled(chart.at(a.x, a.y - a.error), chart.at(b.x, b.y - b.error),
                          chart.at(b.x, b.y + b.error), chart.at(a.x, a.y + a.error), band);
   }
+  list.Flags = flags;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     if (!points[i].is_gap && !points[i + 1].is_gap)
       list.AddLine(chart.at(points[i].x, points[i].y), chart.at(points[i + 1].x, points[i + 1].y), curve,
