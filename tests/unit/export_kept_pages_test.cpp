@@ -238,6 +238,26 @@ TEST_F(ExportKeptPages, what_has_no_material_gets_the_grey_that_it_was_solved_wi
     EXPECT_EQ(base["baseColorFactor"][c].number(), scene_.materials[0].reflectance[static_cast<int>(c)]);
 }
 
+// What Luxel solved has no gloss. A file's own is its author's, but where it would take from the light.
+TEST_F(ExportKeptPages, gloss_takes_nothing_off_the_light) {
+  const auto gloss_after = [&](const std::string& name, MeshProgram program) {
+    solve(name, 0.3f);
+    const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
+    const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
+    export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {.tone = {}, .program = program});
+    const auto file = lit();
+    const auto material = file.object(file.root()["meshes"][0]["primitives"][0]["material"], "materials");
+    return material["extensions"]["KHR_materials_specular"]["specularFactor"].number(1.0);
+  };
+  files_.write("room.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n");
+  EXPECT_EQ(gloss_after("room.obj", MeshProgram::any), 0.0);
+  files_.write("bare.glb", one_triangle().glb());
+  EXPECT_EQ(gloss_after("bare.glb", MeshProgram::any), 0.0) << "no material is one of ours";
+  files_.write("room.glb", small_room().glb());
+  EXPECT_EQ(gloss_after("room.glb", MeshProgram::any), 1.0);
+  EXPECT_EQ(gloss_after("room.glb", MeshProgram::three), 0.0);
+}
+
 // Two primitives share a material, and one has more texture coordinates than the other; and the file has been
 // lightmapped before.
 TEST_F(ExportKeptPages, each_primitive_has_the_coordinates_that_its_material_names) {

@@ -42,6 +42,7 @@ std::optional<std::string> KeptMaterials::changed_for(const std::string& path, c
           fmt::format(
               R"({{"name":"none","pbrMetallicRoughness":{{"baseColorFactor":[{},{},{},1],"metallicFactor":0}}}})",
               grey.r, grey.g, grey.b));
+      take_gloss_off(fmt::format("/materials/{}", found->second));
     } else {
       taken_.resize(std::max(taken_.size(), of_file + 1));
       found->second =
@@ -62,6 +63,12 @@ void KeptMaterials::plain_base(const std::string& material) {
     if (copy_.has(material + older + from)) copy_.put_copy(material + base + to, material + older + from);
   copy_.put(material + base + "/metallicFactor", "0");
   copy_.erase(material + older);
+}
+
+// Of a dielectric; a metal is gloss and nothing else.
+void KeptMaterials::take_gloss_off(const std::string& material) {
+  copy_.put(material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
+  copy_.use_extension("KHR_materials_specular");
 }
 
 void KeptMaterials::colour_base(const std::string& material, int grey, double roughness) {
@@ -97,6 +104,7 @@ void KeptMaterials::lightmapped(const std::string& path, const JsonValue& index,
   copy_.put(*material + "/extensions/MOZ_lightmap",
             fmt::format(R"({{"index":{},"texCoord":{},"intensity":{}}})", texture, coordinates, intensity));
   copy_.use_extension("MOZ_lightmap");
+  if (habits_of(program_).gloss_dims_lightmaps) take_gloss_off(*material);
   const auto most = std::max({emission.r, emission.g, emission.b});
   if (!(most > 0.0f)) return;
   // Factors are at most 1, the strength has the rest. With a texture the factor stays, which has the colour.
@@ -121,8 +129,7 @@ void KeptMaterials::shining(const std::string& path, const JsonValue& index, std
   for (const auto& extension : copy_.keys(*material + "/extensions"))
     if (extension.starts_with("KHR_materials_") || extension == "MOZ_lightmap")
       copy_.erase(*material + "/extensions/" + extension);
-  copy_.put(*material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
-  copy_.use_extension("KHR_materials_specular");
+  take_gloss_off(*material);
   copy_.put(*material + "/emissiveFactor", "[1,1,1]");
   copy_.put(*material + "/emissiveTexture", texture_info(texture, coordinates));
 }

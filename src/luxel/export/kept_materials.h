@@ -43,6 +43,7 @@ class KeptMaterials {
   std::optional<std::string> changed_for(const std::string& path, const JsonValue& index, std::size_t texture,
                                          std::size_t coordinates);
   void plain_base(const std::string& material);
+  void take_gloss_off(const std::string& material);
   void colour_base(const std::string& material, int grey, double roughness);  // alpha stays
 
   GltfCopy& copy_;

@@ -28,6 +28,8 @@ MeshHabits habits_of(MeshProgram program) {
     case MeshProgram::godot:
       // Its importer takes the suffix off again, and sets "use as albedo" and "is sRGB".
       return {.keeps_irradiance = false, .colours_are_srgb = true, .material_suffix = "-vcol"};
+    case MeshProgram::three:
+      return {.gloss_dims_lightmaps = true};
     case MeshProgram::babylon:
     case MeshProgram::unity:
     case MeshProgram::unreal:

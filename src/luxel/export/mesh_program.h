@@ -23,6 +23,9 @@ struct MeshHabits {
   // so the dark is not cut into steps. Against glTF, which wants them linear.
   bool colours_are_srgb = false;
   std::string_view material_suffix = "";
+  // What gloss would send back is taken off a lightmap's light, whether there is anything to mirror or not:
+  // so a lightmapped surface has no gloss.
+  bool gloss_dims_lightmaps = false;
 };
 
 MeshHabits habits_of(MeshProgram program);

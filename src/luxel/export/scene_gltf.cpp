@@ -67,6 +67,9 @@ class SceneWriter {
       copy_.put(path + "/alphaCutoff", fmt::format("{}", textures.cutout_threshold));
     }
     if (!material.opaque) copy_.put_text(path + "/alphaMode", "BLEND");
+    // Luxel's surfaces are diffuse; glTF's have a gloss that takes its share of the light.
+    copy_.put(path + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
+    copy_.use_extension("KHR_materials_specular");
     add_emission(material, path);
   }
 
