@@ -150,6 +150,28 @@ TEST(LightmapCommand, and_export_say_that_they_were_stopped_while_texels_were_ga
   EXPECT_TRUE(std::filesystem::exists(folder / "map.glb"));
 }
 
+// Pages that were there stay as they were.
+TEST(LightmapCommand, and_export_write_nothing_when_stopped_after_the_texels) {
+  const auto folder = fresh_folder("lightmap_stopped_late");
+  ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
+  write_file(folder / "map.exr", "old");
+  for (const std::string line : {"$LUXEL lightmap box.vtkhdf -o map.png -o map.exr",
+                                 "$LUXEL export box.vtkhdf --as emissive -o map.glb"}) {
+    const auto run = cli::run(
+        folder,
+        line +
+            " --texels-per-metre 3000 --final-gather none --progress json & pid=$!; for i in $(seq 600); do "
+            "grep -q 'places\\|seams' stderr.txt && break; sleep 0.05; done; kill -INT $pid; wait $pid");
+    EXPECT_EQ(run.code, 3) << line << run.err;
+    EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(read_file(folder / "map.exr"), "old");
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    EXPECT_TRUE(entry.path().filename().string().find("map") == std::string::npos ||
+                entry.path().filename() == "map.exr")
+        << entry.path();
+}
+
 TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
   const auto folder = fresh_folder("lightmap_refuses");
   ASSERT_EQ(cli::run(folder, bake + "true").code, 0);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -322,16 +324,36 @@ TEST(Lightmap, the_same_bits_on_one_and_five_threads_and_on_pages_of_any_size_mu
   }
 }
 
-TEST(Lightmap, a_stop_leaves_the_interpolated_light) {
+TEST(Lightmap, a_stop_among_texels_leaves_the_interpolated_light) {
   const auto baked = bake(truth::cube_a(), 0.3f, 0.05);
   const Workers workers(2);
   const Tracer tracer(baked.patches, workers);
   LightmapReport report;
-  const auto stopped = make_lightmap(baked.patches, baked.light, &tracer, {.texels = {.error = 0.01}},
-                                     workers, &report, [](const Progress&) { return Next::stop; });
+  const auto stopped = make_lightmap(
+      baked.patches, baked.light, &tracer, {.texels = {.error = 0.01}}, workers, &report,
+      [](const Progress& progress) { return progress.stage == "texels" ? Next::stop : Next::go_on; });
   EXPECT_TRUE(report.texels.stopped);
   const auto plain = make_lightmap(baked.patches, baked.light, nullptr, {}, workers);
   EXPECT_EQ(stopped.pages[0].irradiance.pixels, plain.pages[0].irradiance.pixels);
+}
+
+// A lightmap with a seam, so that all stages have something to do.
+TEST(Lightmap, a_stop_in_any_other_stage_leaves_no_pages) {
+  const auto patches = make_patches(truth::sphere(14, 0.5f), {.max_edge = 1.0f});
+  const auto light = even_light(patches, 1.0f);
+  const Workers workers(2);
+  std::set<std::string> stages;
+  make_lightmap(patches, light, nullptr, {}, workers, nullptr, [&](const Progress& progress) {
+    stages.emplace(progress.stage);
+    return Next::go_on;
+  });
+  EXPECT_EQ(stages, (std::set<std::string>{"charts", "places", "smooth light", "seams", "margins"}));
+  for (const auto& stage : stages) {
+    const auto stopped = make_lightmap(
+        patches, light, nullptr, {}, workers, nullptr,
+        [&](const Progress& progress) { return progress.stage == stage ? Next::stop : Next::go_on; });
+    EXPECT_TRUE(stopped.pages.empty()) << stage;
+  }
 }
 
 TEST(Lightmap, senseless_options_and_light_of_other_patches_are_refused) {

@@ -335,6 +335,23 @@ TEST_F(ExportKeptPages, pictures_that_black_surfaces_do_not_show_go) {
   EXPECT_EQ(names(), (std::vector<std::string>{"a.png", "b.png", "c.png", "d.png", "e.png", "lightmap 1"}));
 }
 
+TEST_F(ExportKeptPages, what_is_stopped_writes_no_file) {
+  files_.write("room.glb", small_room().glb());
+  solve("room.glb", 0.0f);
+  const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
+  const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
+  for (const auto* stage : {"pictures", "write"}) {
+    const Monitor monitor = [&](const Progress& progress) {
+      return progress.stage == stage ? Next::stop : Next::go_on;
+    };
+    EXPECT_FALSE(export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {}, monitor));
+    EXPECT_FALSE(export_kept_emissive(out(), input(), {atlas, pages}, {}, monitor));
+    EXPECT_FALSE(std::filesystem::exists(out())) << stage;
+  }
+  const Monitor go_on = [](const Progress&) { return Next::go_on; };
+  EXPECT_TRUE(export_kept_lightmap(out(), input(), {atlas, pages, 1.0f}, {}, go_on));
+}
+
 TEST_F(ExportKeptPages, a_lightmapped_file_has_no_lamps_to_light_it_twice) {
   files_.write("room.glb", small_room().glb());
   solve("room.glb", 0.0f);

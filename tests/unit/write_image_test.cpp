@@ -83,6 +83,23 @@ TEST(WritePng, what_cannot_be_shown_is_clamped) {
   EXPECT_EQ(back.pixels, (std::vector{Vec3(0.0f), Vec3(1.0f), Vec3(0.0f), Vec3(1.0f, 0.0f, 0.0f)}));
 }
 
+// The monitor is asked at least every million codes, and then there is no file.
+TEST(WriteImage, can_be_stopped_on_the_way) {
+  const Image image(2000, 700, Vec3(0.5f));
+  for (const bool as_png : {true, false}) {
+    int asked = 0;
+    const auto made = [&](int last) {
+      const Monitor monitor = [&](const Progress&) { return ++asked < last ? Next::go_on : Next::stop; };
+      asked = 0;
+      return as_png ? png_of(image, {}, monitor) : exr_of(image, monitor);
+    };
+    EXPECT_FALSE(made(1000).empty());
+    EXPECT_GE(asked, 3);
+    EXPECT_TRUE(made(2).empty());
+    EXPECT_EQ(asked, 2);
+  }
+}
+
 // Half floats have 11 significant bits from 6.1e-5 on, so rounding costs at most 2^-11; below, steps of
 // 2^-24.
 TEST(WriteExr, values_are_read_back_within_a_half) {

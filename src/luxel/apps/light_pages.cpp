@@ -59,8 +59,14 @@ std::optional<LightPages> make_light_pages(const PagesInput& input, const Lightm
 
   LightPages made;
   auto& record = made.record;
-  made.lightmap = fill_lightmap(input.patches, input.solution, tracer, *laid, options, workers, &record.made,
-                                console.monitor());
+  // After an interrupt that came before there is no time to gather, but pages are wanted.
+  const auto monitor = [heeding = console.monitor(), interrupted_before](const Progress& progress) {
+    const auto next = heeding(progress);
+    return interrupted_before && progress.stage != "texels" ? Next::go_on : next;
+  };
+  made.lightmap =
+      fill_lightmap(input.patches, input.solution, tracer, *laid, options, workers, &record.made, monitor);
+  if (made.lightmap.pages.empty()) return std::nullopt;
   record.pages = made.lightmap.atlas.pages;
   record.page_size = made.lightmap.atlas.page_size;
   record.as_file_has_it = as_file_has_it;

@@ -36,8 +36,8 @@ struct PagesInput {
 };
 
 // Lays surfaces out, as the scene's file has them where that is wanted and can be used, and gathers their
-// light; says what was done. Nothing after a Ctrl-C that came before the surfaces were laid out; after a
-// later one the rest of the texels hold interpolated light. Throws what the stages throw.
+// light; says what was done. After a Ctrl-C while texels are gathered the rest of them hold interpolated
+// light; after one in any other stage there is nothing. Throws what the stages throw.
 std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
                                            const Tracer* tracer, const Workers& workers, Console& console);
 

@@ -13,6 +13,7 @@
 #include "luxel/apps/settings.h"
 #include "luxel/apps/solved_scene.h"
 #include "luxel/file/ending_of.h"
+#include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/lightmap/lightmap_picture.h"
 #include "luxel/lightmap/radiance_pages.h"
@@ -87,7 +88,10 @@ class LightmapCommand final : public Command {
     });
     if (!made) return stopped_before_light(console);
     const auto& lightmap = made->lightmap;
-    auto files = record.stage("write", [&](auto&) { return write(lightmap); });
+    auto files =
+        record.stage("write", [&](auto&) { return write(lightmap, console.monitor(!interrupted())); });
+    console.clear_bar();
+    if (files.empty()) return stopped_before_light(console);
     std::optional<Camera> camera;
     if (!settings_.preview.empty()) {
       camera =
@@ -136,35 +140,41 @@ class LightmapCommand final : public Command {
     check_before_work(run, picture_, picture_kinds);
   }
 
-  std::vector<std::string> write(const Lightmap& lightmap) const {
+  // All are made before the first is written, so that Ctrl-C leaves all of them or none. Gives their names.
+  std::vector<std::string> write(const Lightmap& lightmap, const Monitor& monitor) const {
     const auto white = settings_.white == LightmapSettings::automatic_white
                            ? white_of(irradiance_pages(lightmap))
                            : static_cast<float>(settings_.white);
-    std::vector<std::string> files;
+    std::vector<std::string> files, bytes;
+    const auto add = [&](std::string name, std::string encoded) {
+      files.push_back(std::move(name));
+      bytes.push_back(std::move(encoded));
+      return !bytes.back().empty();
+    };
     for (std::size_t p = 0; p < lightmap.pages.size(); ++p) {
       const auto& page = lightmap.pages[p];
-      for (const auto& output : run_.outputs) {
-        files.push_back(name_of_page(output, p));
-        if (ending_of(output) == ".exr")
-          write_exr(files.back(), page.irradiance);
-        else
-          write_page_png(files.back(), page.irradiance, white);
-      }
-      for (std::size_t i = 0; i < page.light_vector.size(); ++i) {
-        files.push_back(name_of_page(name_of_axis(settings_.directional, axes[i]), p));
-        write_exr(files.back(), page.light_vector[i]);
-      }
-      if (settings_.error_map.empty()) continue;
-      files.push_back(name_of_page(settings_.error_map, p));
-      write_exr(files.back(), page.standard_error);
+      for (const auto& output : run_.outputs)
+        if (!add(name_of_page(output, p), ending_of(output) == ".exr"
+                                              ? exr_of(page.irradiance, monitor)
+                                              : png_of_page(page.irradiance, white, monitor)))
+          return {};
+      for (std::size_t i = 0; i < page.light_vector.size(); ++i)
+        if (!add(name_of_page(name_of_axis(settings_.directional, axes[i]), p),
+                 exr_of(page.light_vector[i], monitor)))
+          return {};
+      if (!settings_.error_map.empty() &&
+          !add(name_of_page(settings_.error_map, p), exr_of(page.standard_error, monitor)))
+        return {};
     }
+    for (std::size_t i = 0; i < files.size(); ++i) write_file(files[i], bytes[i]);
     return files;
   }
 
-  static void write_page_png(const std::string& file, Image page, float white) {
+  static std::string png_of_page(Image page, float white, const Monitor& monitor) {
     for (auto& pixel : page.pixels) pixel /= white;
-    write_png(file, page,
-              {{"Encoding", "sRGB of irradiance / white"}, {"White W/m2", fmt::format("{}", white)}});
+    return png_of(page,
+                  {{"Encoding", "sRGB of irradiance / white"}, {"White W/m2", fmt::format("{}", white)}},
+                  monitor);
   }
 
   std::string file_, scene_;

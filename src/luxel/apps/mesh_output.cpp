@@ -28,13 +28,18 @@ GlbDone write_on_pages(const std::string& output, const KeptInput& input, const 
                        needs_rays(settings) ? tracer : nullptr, workers, console);
   if (!made) return {.is_written = false};
   const auto& [lightmap, record] = *made;
+  const auto monitor = console.monitor(!interrupted());
   if (settings.as == "emissive") {
-    const auto pages = radiance_pages(input.patches, lightmap, workers);
-    export_kept_emissive(output, input, {lightmap.atlas, pages, 1.0f, record.as_file_has_it}, options);
+    const auto pages = radiance_pages(input.patches, lightmap, workers, monitor);
+    if (pages.empty() ||
+        !export_kept_emissive(output, input, {lightmap.atlas, pages, 1.0f, record.as_file_has_it}, options,
+                              monitor))
+      return {.is_written = false};
   } else {
     const auto pages = irradiance_pages(lightmap);
-    export_kept_lightmap(output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it},
-                         options);
+    if (!export_kept_lightmap(output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it},
+                              options, monitor))
+      return {.is_written = false};
   }
   return {.pages = record};
 }

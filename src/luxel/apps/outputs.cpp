@@ -219,7 +219,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
         written.files.push_back(output);
       else
         warn(console.log(),
-             fmt::format("stopped: surfaces were not laid out, and {} is not written", output));
+             fmt::format("stopped: pages of light were not finished, and {} is not written", output));
     } catch (const DeviceError& error) {
       if (failure)
         warn(console.log(), error.what());

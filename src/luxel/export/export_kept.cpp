@@ -57,12 +57,20 @@ class KeptExport {
   template <typename SurfacesOf, typename Light>
   void put(const SurfacesOf& surfaces_of, const Light& light);
   void describe(const char* form, const std::string& light);
-  void write(const std::filesystem::path& path) const { write_file(path, copy_.bytes(path.string())); }
+  // False, and nothing is written, where the monitor says stop.
+  bool write(const std::filesystem::path& path, const Monitor& monitor) const {
+    if (tell(monitor, {"write", 0.0}) == Next::stop) return false;
+    write_file(path, copy_.bytes(path.string()));
+    return true;
+  }
 
   // COLOR_0 and _IRRADIANCE. front, back: [element][band], W/m², which the surface's vertices name.
   void colour(const KeptPart& part, const KeptSurface& surface, const std::string& path,
               const std::vector<float>& front, const std::vector<float>& back);
-  std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name);
+  // code(pixel): what is written of it. Gives the textures; none after the monitor's stop.
+  template <typename Code>
+  std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name, const Code& code,
+                                     const Monitor& monitor);
   // What a part becomes, and the further texture coordinates of a surface: their number.
   std::vector<KeptSurface> surfaces_on(const KeptPages& pages, const KeptPart& part,
                                        const PageCuts& cuts) const;
@@ -199,12 +207,18 @@ void KeptExport::colour(const KeptPart& part, const KeptSurface& surface, const 
   materials_.shadeless(path, part.drawn.primitive["material"]);
 }
 
-std::vector<std::size_t> KeptExport::add_pages(const std::vector<Image>& pages, const char* name) {
+template <typename Code>
+std::vector<std::size_t> KeptExport::add_pages(const std::vector<Image>& pages, const char* name,
+                                               const Code& code, const Monitor& monitor) {
   std::vector<std::size_t> textures;
   const auto sampler =
       copy_.append("/samplers", R"({"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071})");
   for (std::size_t p = 0; p < pages.size(); ++p) {
-    const auto image = copy_.add_picture(png_of(pages[p]), "image/png", fmt::format("{} {}", name, p + 1));
+    auto page = pages[p];
+    for (auto& pixel : page.pixels) pixel = code(pixel);
+    const auto png = png_of(page, {}, monitor);
+    if (png.empty()) return {};
+    const auto image = copy_.add_picture(png, "image/png", fmt::format("{} {}", name, p + 1));
     textures.push_back(
         copy_.append("/textures", fmt::format(R"({{"source":{},"sampler":{}}})", image, sampler)));
   }
@@ -288,7 +302,7 @@ void export_vertices(const std::filesystem::path& path, const KeptInput& input, 
                output.colour(part, surface, place, front, back);
              });
   output.describe("vertex", vertex_light(output.curve(), habits_of(options.program)));
-  output.write(path);
+  output.write(path, {});
 }
 
 }  // namespace
@@ -334,13 +348,12 @@ void export_kept_uncut(const std::filesystem::path& path, const KeptInput& input
   export_vertices(path, input, options, uncut_surfaces, fit.irradiance_front, fit.irradiance_back);
 }
 
-void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
-                          const KeptOptions& options) {
+bool export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
+                          const KeptOptions& options, const Monitor& monitor) {
   KeptExport output(input, options);
-  std::vector<Image> codes = pages.pages;
-  for (auto& page : codes)
-    for (auto& pixel : page.pixels) pixel /= pages.white;
-  const auto textures = output.add_pages(codes, "lightmap");
+  const auto code = [&](const Vec3& irradiance) { return irradiance / pages.white; };
+  const auto textures = output.add_pages(pages.pages, "lightmap", code, monitor);
+  if (textures.empty()) return false;
   const auto scale = output.curve().scale;
   const auto colours = input.patches.colours();
   put_pages(output, pages,
@@ -356,16 +369,14 @@ void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& in
                   R"("radiance":"reflectance * irradiance / pi","intensity":"white * scale","scale":{},)"
                   R"("lumens_per_watt":{}}})",
                   pages.white, scale, luminous_efficacy));
-  output.write(path);
+  return output.write(path, monitor);
 }
 
-void export_kept_emissive(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
-                          const KeptOptions& options) {
+bool export_kept_emissive(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
+                          const KeptOptions& options, const Monitor& monitor) {
   KeptExport output(input, options);
-  std::vector<Image> shown = pages.pages;
-  for (auto& page : shown)
-    for (auto& pixel : page.pixels) pixel = output.curve()(pixel);
-  const auto textures = output.add_pages(shown, "light");
+  const auto textures = output.add_pages(pages.pages, "light", output.curve(), monitor);
+  if (textures.empty()) return false;
   put_pages(output, pages,
             [&](const KeptPart& part, const KeptSurface& surface, const std::string& place, std::size_t set) {
               output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
@@ -376,7 +387,7 @@ void export_kept_emissive(const std::filesystem::path& path, const KeptInput& in
       fmt::format(R"({{"quantity":"radiance after the tone curve","unit":"1: the display's white",)"
                   R"("encoding":"sRGB codes","tone":"{}","scale":{}}})",
                   name(output.curve().options.op), output.curve().scale));
-  output.write(path);
+  return output.write(path, monitor);
 }
 
 }  // namespace luxel

@@ -8,6 +8,7 @@
 #include "luxel/image/image.h"
 #include "luxel/lightmap/pack_charts.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/report/progress.h"
 #include "luxel/scene/scene.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
@@ -61,13 +62,15 @@ struct KeptPages {
   bool as_file_has_it = false;      // the file's own coordinates (kept_layout()), not new ones
 };
 
+// Both write nothing, and answer false, where the monitor says stop before all is ready.
+//
 // Further texture coordinates where the pages show each surface; triangles stay as they are but where charts
 // are cut. Pages become 8-bit sRGB textures. Irradiance: glTF has no place of its own for it, so
 // materials name their page as MOZ_lightmap has it.
-void export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
-                          const KeptOptions& options);
+bool export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
+                          const KeptOptions& options, const Monitor& monitor = {});
 // Radiance: as what black surfaces emit, so that every program shows it without a lamp.
-void export_kept_emissive(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
-                          const KeptOptions& options);
+bool export_kept_emissive(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
+                          const KeptOptions& options, const Monitor& monitor = {});
 
 }  // namespace luxel

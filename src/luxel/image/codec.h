@@ -31,10 +31,11 @@ void check_size(std::int64_t width, std::int64_t height);
 // The pixels of a file of linear values.
 inline Raster of_numbers(Image image) { return {image.width, image.height, {}, std::move(image.pixels)}; }
 
-std::string encode_png(const Image& display, const PictureNotes& notes = {});
+// Empty where the monitor says stop; here and below.
+std::string encode_png(const Image& display, const PictureNotes& notes = {}, const Monitor& monitor = {});
 std::string encode_png(const ScreenImage& image);
 std::string encode_png(const Raster& raster);  // of codes
-std::string encode_exr(const Image& linear);
+std::string encode_exr(const Image& linear, const Monitor& monitor = {});
 std::string encode_hdr(const Image& linear);
 
 Raster decode_png(std::string_view bytes);

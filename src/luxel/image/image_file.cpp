@@ -59,11 +59,16 @@ void write_png(const fs::path& path, const Image& display, const PictureNotes& n
 void write_png(const fs::path& path, const ScreenImage& image) {
   write_encoded(path, image, [](const ScreenImage& codes) { return encode_png(codes); });
 }
-std::string png_of(const Image& display, const PictureNotes& notes) { return encode_png(display, notes); }
+std::string png_of(const Image& display, const PictureNotes& notes, const Monitor& monitor) {
+  return encode_png(display, notes, monitor);
+}
 std::string png_of(const Raster& raster) {
   return raster.codes.empty() ? encode_png(as_image(raster)) : encode_png(raster);
 }
-void write_exr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_exr); }
+void write_exr(const fs::path& path, const Image& linear) {
+  write_encoded(path, linear, [](const Image& image) { return encode_exr(image); });
+}
+std::string exr_of(const Image& linear, const Monitor& monitor) { return encode_exr(linear, monitor); }
 void write_hdr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_hdr); }
 
 Raster decode_raster(std::string_view bytes, const std::string& name) {

@@ -8,6 +8,7 @@
 
 #include "luxel/image/image.h"
 #include "luxel/image/raster.h"
+#include "luxel/report/progress.h"
 
 namespace luxel {
 
@@ -19,13 +20,14 @@ namespace luxel {
 // notes: keywords of up to 79 Latin letters and what they say, as text chunks of the file.
 using PictureNotes = std::vector<std::pair<std::string, std::string>>;
 void write_png(const std::filesystem::path& path, const Image& display, const PictureNotes& notes = {});
-// The same file in memory.
-std::string png_of(const Image& display, const PictureNotes& notes = {});
+// The same file in memory. After the monitor's stop it is empty.
+std::string png_of(const Image& display, const PictureNotes& notes = {}, const Monitor& monitor = {});
 // Of the raster's codes, with their alpha; linear values are clamped to [0, 1] first.
 std::string png_of(const Raster& raster);
 // Scene-referred linear values as they are: OpenEXR (half floats, ZIP; within ±65504) and Radiance RGBE (0 to
 // 1e38).
 void write_exr(const std::filesystem::path& path, const Image& linear);
+std::string exr_of(const Image& linear, const Monitor& monitor = {});  // as png_of()
 void write_hdr(const std::filesystem::path& path, const Image& linear);
 
 // PNG, JPEG, BMP, Radiance HDR, OpenEXR (told by their first bytes) or TGA (told by its ending) as linear

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <csetjmp>
 #include <cstring>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -81,7 +84,7 @@ std::uint32_t cyclic_redundancy_check(std::string_view bytes) {
   return ~crc;
 }
 
-// libpng's simplified interface writes no text.
+// Put behind the header when all is written: where the picture ends does not depend on what it says.
 std::string text_chunk(const std::string& keyword, const std::string& text) {
   const auto number = [](std::uint32_t value) {
     std::string bytes;
@@ -96,29 +99,93 @@ std::string text_chunk(const std::string& keyword, const std::string& text) {
          number(cyclic_redundancy_check(chunk));
 }
 
-// libpng's simplified interface writes IHDR, sRGB, IDAT and IEND, and no time.
-std::string encode_codes(int width, int height, png_uint_32 format, const void* codes) {
-  png_image png = {};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(width);
-  png.height = static_cast<png_uint_32>(height);
-  png.format = format;
-  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
-  png_alloc_size_t size = bytes.size();
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, codes, 0, nullptr))
-    throw CodecError(png.message);
-  bytes.resize(size);
-  return bytes;
+// Like the Decoder.
+struct Encoder {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string bytes;
+  char problem[160] = "it cannot be written";
+
+  ~Encoder() { png_destroy_write_struct(&png, &info); }
+};
+
+[[noreturn]] void on_encoder_error(png_structp png, png_const_charp message) {
+  auto& encoder = *static_cast<Encoder*>(png_get_error_ptr(png));
+  std::strncpy(encoder.problem, message, sizeof(encoder.problem) - 1);
+  png_longjmp(png, 1);
+}
+
+bool append(std::string& bytes, png_const_bytep from, std::size_t size) {
+  try {
+    bytes.append(reinterpret_cast<const char*>(from), size);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+void on_write(png_structp png, png_bytep from, std::size_t size) {
+  if (!append(static_cast<Encoder*>(png_get_io_ptr(png))->bytes, from, size))
+    png_error(png, "it does not fit into memory");
+}
+
+// 8-bit sRGB codes.
+bool write_header(Encoder& encoder, int width, int height, int channels) {
+  encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, on_encoder_error, on_warning);
+  if (!encoder.png) return false;
+  if (setjmp(png_jmpbuf(encoder.png))) return false;
+  encoder.info = png_create_info_struct(encoder.png);
+  if (!encoder.info) return false;
+  png_set_write_fn(encoder.png, &encoder, on_write, nullptr);
+  png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
+               8, channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(encoder.png, encoder.info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_write_info(encoder.png, encoder.info);
+  return true;
+}
+
+bool write_row(Encoder& encoder, const std::uint8_t* codes) {
+  if (setjmp(png_jmpbuf(encoder.png))) return false;
+  png_write_row(encoder.png, codes);
+  return true;
+}
+
+bool write_end(Encoder& encoder) {
+  if (setjmp(png_jmpbuf(encoder.png))) return false;
+  png_write_end(encoder.png, encoder.info);
+  return true;
+}
+
+// row(y): the codes of a row. Empty where the monitor says stop.
+template <typename Row>
+std::string encode_codes(int width, int height, int channels, const Row& row, const Monitor& monitor) {
+  constexpr int codes_between_calls = 1 << 20;
+  Encoder encoder;
+  const auto refuse = [&] { throw CodecError(encoder.problem); };
+  if (!write_header(encoder, width, height, channels)) refuse();
+  const auto rows_between_calls = std::max(1, codes_between_calls / (channels * width));
+  for (int y = 0; y < height; ++y) {
+    if (y % rows_between_calls == 0 &&
+        tell(monitor, {"pictures", static_cast<double>(y) / height}) == Next::stop)
+      return {};
+    if (!write_row(encoder, row(y))) refuse();
+  }
+  if (!write_end(encoder)) refuse();
+  return std::move(encoder.bytes);
 }
 
 }  // namespace
 
-std::string encode_png(const Image& display, const PictureNotes& notes) {
-  std::vector<std::uint8_t> codes;
-  codes.reserve(3 * display.pixels.size());
-  for (const auto& pixel : display.pixels)
-    for (int c = 0; c < 3; ++c) codes.push_back(srgb_code(pixel[c]));
-  auto bytes = encode_codes(display.width, display.height, PNG_FORMAT_RGB, codes.data());
+std::string encode_png(const Image& display, const PictureNotes& notes, const Monitor& monitor) {
+  std::vector<std::uint8_t> codes(3 * static_cast<std::size_t>(display.width));
+  const auto row = [&](int y) {
+    for (int x = 0; x < display.width; ++x)
+      for (int c = 0; c < 3; ++c) codes[static_cast<std::size_t>(3 * x + c)] = srgb_code(display.at(x, y)[c]);
+    return codes.data();
+  };
+  auto bytes = encode_codes(display.width, display.height, 3, row, monitor);
+  if (bytes.empty()) return bytes;
   constexpr std::size_t end_of_header = 33;  // signature and IHDR
   for (auto note = notes.rbegin(); note != notes.rend(); ++note)
     bytes.insert(end_of_header, text_chunk(note->first, note->second));
@@ -126,11 +193,15 @@ std::string encode_png(const Image& display, const PictureNotes& notes) {
 }
 
 std::string encode_png(const ScreenImage& image) {
-  return encode_codes(image.width, image.height, PNG_FORMAT_RGB, image.codes.data());
+  const auto row = [&](int y) { return image.codes.data() + image.index(0, y); };
+  return encode_codes(image.width, image.height, 3, row, {});
 }
 
 std::string encode_png(const Raster& raster) {
-  return encode_codes(raster.width, raster.height, PNG_FORMAT_RGBA, raster.codes.data());
+  const auto row = [&](int y) {
+    return raster.codes[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width)].data();
+  };
+  return encode_codes(raster.width, raster.height, 4, row, {});
 }
 
 Raster decode_png(std::string_view bytes) {

@@ -60,10 +60,15 @@ bool add_ring(LightmapPage& page) {
 
 }  // namespace
 
-void dilate(Lightmap& lightmap, int rings) {
-  for (auto& page : lightmap.pages)
-    for (int ring = 0; ring < rings && add_ring(page); ++ring) {
+bool dilate(Lightmap& lightmap, int rings, const Monitor& monitor) {
+  auto& pages = lightmap.pages;
+  for (std::size_t p = 0; p < pages.size(); ++p)
+    for (int ring = 0; ring < rings; ++ring) {
+      const auto done = static_cast<double>(p) / static_cast<double>(pages.size());
+      if (tell(monitor, {"margins", done}) == Next::stop) return false;
+      if (!add_ring(pages[p])) break;
     }
+  return true;
 }
 
 }  // namespace luxel

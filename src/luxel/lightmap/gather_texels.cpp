@@ -124,10 +124,11 @@ struct Wanting {
   std::uint32_t page, texel;
 };
 
-// Fills all texels with the smooth light; returns those it does not do for.
+// Fills all texels with the smooth light; returns those it does not do for. After the monitor's stop there
+// are no pages.
 std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
-                                 double error, double least, bool all, Lightmap& lightmap,
-                                 TexelReport& report) {
+                                 double error, double least, bool all, const Monitor& monitor,
+                                 Lightmap& lightmap, TexelReport& report) {
   std::vector<Wanting> wanting;
   const auto& atlas = lightmap.atlas;
   std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; not yet known
@@ -137,6 +138,11 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
     return is_wanting[side] > 0;
   };
   for (std::uint32_t p = 0; p < places.size(); ++p) {
+    const auto done = static_cast<double>(p) / static_cast<double>(places.size());
+    if (tell(monitor, {"smooth light", done}) == Next::stop) {
+      lightmap.pages.clear();
+      return {};
+    }
     auto& page = lightmap.pages.emplace_back();
     page.irradiance = page.standard_error = Image(atlas.page_size, atlas.page_size);
     page.texels.assign(places[p].size(), Texel::empty);
@@ -256,13 +262,13 @@ TexelReport gather_texels(const PatchSet& patches, const Solution& solution, con
   if (options.directional && !(tracer && options.error > 0.0))
     throw InputError("the directions of light come from a final gather: ask for one");
   const auto& atlas = lightmap.atlas;
-  const auto places = find_texel_places(atlas, workers);
+  const auto places = find_texel_places(atlas, workers, monitor);
   const SolvedLight solved(patches, solution, light);
   const auto least = options.dark * mean_light(patches, solved, atlas);
   TexelReport report;
   lightmap.pages.clear();
-  const auto wanting =
-      interpolate(places, solved, tracer ? options.error : 0.0, least, options.directional, lightmap, report);
+  const auto wanting = interpolate(places, solved, tracer ? options.error : 0.0, least, options.directional,
+                                   monitor, lightmap, report);
   if (wanting.empty()) return report;
 
   const PointGather gather(patches, light, *tracer);

@@ -27,7 +27,8 @@ struct TexelReport {
   std::uint64_t gathered = 0;     // of them, by final gather
   std::uint64_t short_of_it = 0;  // of these, with most_rays and still a larger error than asked
   std::uint64_t rays = 0;         // traced
-  bool stopped = false;           // by the monitor: the texels not reached hold the interpolated light
+  bool stopped =
+      false;  // by the monitor in the stage "texels": those not reached hold the interpolated light
 };
 
 // Fills the pages of an atlas, each texel with the irradiance at its place (find_texel_places).
@@ -41,6 +42,8 @@ struct TexelReport {
 // those that then still stand out from all texels around them go on from more.
 //
 // Directional: every texel is gathered, and its light vector with it; the error asked is of the irradiance.
+//
+// After the monitor's stop in another stage than "texels" there are no pages.
 //
 // The same bits on any number of threads. Throws MismatchError where the parts are not of one scene or the
 // bands have no colour; InputError where an option is out of its range or, gathering, there is no light, or

@@ -50,8 +50,11 @@ Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const 
   done.charts = laid.charts.charts.size();
   lightmap.atlas = laid.atlas;
   done.texels = gather_texels(patches, solution, smooth, tracer, options.texels, workers, lightmap, monitor);
-  done.seams = solve_seams(laid.charts, lightmap);
-  dilate(lightmap, options.margin);
+  if (lightmap.pages.empty()) return lightmap;
+  const Monitor none;
+  const auto& rest = done.texels.stopped ? none : monitor;
+  done.seams = solve_seams(laid.charts, lightmap, {}, rest);
+  if (done.seams.stopped || !dilate(lightmap, options.margin, rest)) lightmap.pages.clear();
   if (report) *report = done;
   return lightmap;
 }
@@ -59,8 +62,9 @@ Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const 
 Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
                        const LightmapOptions& options, const Workers& workers, LightmapReport* report,
                        const Monitor& monitor) {
-  return fill_lightmap(patches, solution, tracer, lay_out(patches, solution, options, workers), options,
-                       workers, report, monitor);
+  const auto laid = lay_out(patches, solution, options, workers, monitor);
+  if (laid.charts.charts.empty()) return {};
+  return fill_lightmap(patches, solution, tracer, laid, options, workers, report, monitor);
 }
 
 }  // namespace luxel

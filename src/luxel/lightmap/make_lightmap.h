@@ -33,14 +33,16 @@ struct LightmapReport {
 double texels_per_metre(const PatchSet& patches, const Solution& solution, const LightmapOptions& options);
 
 // The light of surfaces that are laid out already, here or by the scene's file: texels gathered, seams
-// solved, margins filled. As make_lightmap() in all else.
+// solved, margins filled. After the monitor's stop in the stage "texels" the rest of these hold interpolated
+// light, and it is not asked again; in any other stage, and there are no pages. As make_lightmap() in all
+// else.
 Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
                        const LaidOut& laid, const LightmapOptions& options, const Workers& workers,
                        LightmapReport* report = nullptr, const Monitor& monitor = {});
 
 // A lightmap of all lit surfaces: charts are made and packed, texels gathered, seams solved, margins filled.
-// tracer: none, and there is no final gather. The same bytes on any number of threads. After the monitor's
-// stop the rest of the texels hold interpolated light. Throws what the stages throw.
+// tracer: none, and there is no final gather. The same bytes on any number of threads. Throws what the stages
+// throw.
 Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
                        const LightmapOptions& options, const Workers& workers,
                        LightmapReport* report = nullptr, const Monitor& monitor = {});

@@ -18,16 +18,20 @@ constexpr std::size_t texels_a_chunk = 1024;
 
 }  // namespace
 
-std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Workers& workers) {
+std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Workers& workers,
+                                  const Monitor& monitor) {
   if (lightmap.atlas.chart_of.size() != 2 * patches.size())
     throw MismatchError(
         fmt::format("the lightmap is of {} sides but the scene has {}: make it from this scene",
                     lightmap.atlas.chart_of.size(), 2 * patches.size()));
-  const auto places = find_texel_places(lightmap.atlas, workers);
+  const auto places = find_texel_places(lightmap.atlas, workers, monitor);
+  if (places.empty()) return {};
   const FineColours fine(patches);
   const auto colours = patches.colours();
   auto shining = lightmap;
   for (std::size_t p = 0; p < shining.pages.size(); ++p) {
+    const auto done = static_cast<double>(p) / static_cast<double>(shining.pages.size());
+    if (tell(monitor, {"colours", done}) == Next::stop) return {};
     auto& page = shining.pages[p];
     workers.for_chunks(places[p].size(), texels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
@@ -43,7 +47,7 @@ std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& light
       }
     });
   }
-  dilate(shining, std::max(lightmap.atlas.margin, 1));
+  if (!dilate(shining, std::max(lightmap.atlas.margin, 1), monitor)) return {};
   return irradiance_pages(shining);
 }
 

@@ -74,8 +74,11 @@ double dot(const Numbers& a, const Numbers& b) {
 }
 
 // The change d of the texels x that makes |S (x + d)|² + w |d|² least: (S'S + w) d = -S'S x. Conjugate
-// gradients (Hestenes and Stiefel 1952). Returns the number of steps.
-int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Numbers& d) {
+// gradients (Hestenes and Stiefel 1952). Returns the number of steps. next_step(): whether there shall be one
+// more.
+template <typename NextStep>
+int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Numbers& d,
+           const NextStep& next_step) {
   constexpr double as_good = 1e-10;  // of the squared residual
   const auto apply = [&](const Numbers& v) {
     auto result = seams.back(seams.differences(v));
@@ -89,7 +92,7 @@ int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Num
   auto norm = dot(residual, residual);
   const auto enough = as_good * norm;
   int step = 0;
-  for (; step < options.most_steps && norm > enough; ++step) {
+  for (; step < options.most_steps && norm > enough && next_step(step); ++step) {
     const auto image = apply(direction);
     const auto length = norm / dot(direction, image);
     for (std::size_t i = 0; i < d.size(); ++i) {
@@ -135,7 +138,8 @@ std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas
   return places;
 }
 
-SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options) {
+SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options,
+                       const Monitor& monitor) {
   if (!(options.weight_of_light > 0.0))
     throw InputError(
         fmt::format("at seams the light must weigh more than 0, but it does {}", options.weight_of_light));
@@ -154,7 +158,13 @@ SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptio
     Numbers x(seams.texels().size()), d;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(pixel(seams.texels()[i])[c]);
     const auto found = seams.differences(x);
-    report.steps = std::max(report.steps, change(seams, x, options, d));
+    const auto next_step = [&](int step) {
+      const auto done = (c + static_cast<double>(step) / options.most_steps) / 3.0;
+      report.stopped = report.stopped || tell(monitor, {"seams", done}) == Next::stop;
+      return !report.stopped;
+    };
+    report.steps = std::max(report.steps, change(seams, x, options, d, next_step));
+    if (report.stopped) return report;
     before += dot(found, found) / static_cast<double>(found.size());
     light += dot(x, x) / static_cast<double>(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "luxel/lightmap/lightmap.h"
 #include "luxel/lightmap/make_charts.h"
+#include "luxel/report/progress.h"
 
 namespace luxel {
 
@@ -15,6 +16,7 @@ struct SeamReport {
   std::size_t places = 0;                                  // along seams where two charts are compared
   double difference_before = 0.0, difference_after = 0.0;  // relative, root mean square over the places
   int steps = 0;                                           // of conjugate gradients, the most of a colour
+  bool stopped = false;                                    // by the monitor: not all texels are changed
 };
 
 // Makes both sides of a seam read the same light: where a smooth surface is parted between two charts, texels
@@ -22,7 +24,8 @@ struct SeamReport {
 // both charts agree; least squares, by conjugate gradients (Iwanicki, "Lighting Technology of The Last of
 // Us", 2013; Castano, "Lightmap Seams", 2017). Edges where light may jump are no seams. Cost: linear in the
 // length of the seams; on the calling thread.
-SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options = {});
+SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options = {},
+                       const Monitor& monitor = {});
 
 // Where two charts are compared: a place of a seam, as each of them has it, in texels of its page.
 struct SeamPlace {

@@ -98,20 +98,30 @@ class ChartTexels {
 
 }  // namespace
 
-std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Workers& workers) {
+std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Workers& workers,
+                                                       const Monitor& monitor) {
   std::vector<std::vector<std::uint32_t>> sides(atlas.places.size());
   for (std::uint32_t s = 0; s < atlas.chart_of.size(); ++s)
     if (atlas.has(s)) sides[atlas.chart_of[s]].push_back(s);
   const auto size = static_cast<std::size_t>(atlas.page_size);
   std::vector<std::vector<TexelPlace>> pages(static_cast<std::size_t>(atlas.pages),
                                              std::vector<TexelPlace>(size * size));
-  // Charts share no texel.
-  workers.for_chunks(sides.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-    for (auto c = begin; c < end; ++c) {
-      ChartTexels texels(atlas.places[c]);
-      for (const auto side : sides[c]) texels.add(atlas, side, pages[atlas.places[c].page]);
-    }
-  });
+  constexpr std::size_t texels_between_calls = 1 << 18;
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    if (tell(monitor, {"places", static_cast<double>(first) / static_cast<double>(sides.size())}) ==
+        Next::stop)
+      return {};
+    for (std::size_t texels = 0; last < sides.size() && texels < texels_between_calls; ++last)
+      texels += static_cast<std::size_t>(atlas.places[last].width) *
+                static_cast<std::size_t>(atlas.places[last].height);
+    // Charts share no texel.
+    workers.for_chunks(last - first, 1, [&](std::size_t begin, std::size_t end, int) {
+      for (auto c = first + begin; c < first + end; ++c) {
+        ChartTexels texels(atlas.places[c]);
+        for (const auto side : sides[c]) texels.add(atlas, side, pages[atlas.places[c].page]);
+      }
+    });
+  }
   return pages;
 }
 
