@@ -6,6 +6,7 @@
 
 #include "luxel/live/live_run.h"
 #include "luxel/live/sideline.h"
+#include "luxel/parallel/give_way.h"
 
 namespace luxel {
 
@@ -13,8 +14,15 @@ struct LiveScene::State {
   State(std::filesystem::path path, LiveSettings how) : file(std::move(path)), settings(std::move(how)) {
     board.current = settings.light;
     board.status.method = settings.light.method;
-    solver = std::thread([this] { LiveRun(board, file, settings).go(); });
-    sideline = std::thread([this] { Sideline(board, file, std::max(1, Workers().threads() / 4)).go(); });
+    // Who looks must not wait: the window draws first.
+    solver = std::thread([this] {
+      give_way();
+      LiveRun(board, file, settings).go();
+    });
+    sideline = std::thread([this] {
+      give_way();
+      Sideline(board, file, std::max(1, Workers().threads() / 4)).go();
+    });
   }
 
   // Leaves word for the solver.
