@@ -256,6 +256,11 @@ TEST_F(ExportKeptPages, gloss_takes_nothing_off_the_light) {
   files_.write("room.glb", small_room().glb());
   EXPECT_EQ(gloss_after("room.glb", MeshProgram::any), 1.0);
   EXPECT_EQ(gloss_after("room.glb", MeshProgram::three), 0.0);
+  // Shadeless, and nothing else that would say how light comes back.
+  solve("bare.glb", 0.3f);
+  cut();
+  EXPECT_EQ(lit().root()["materials"][0]["extensions"].keys(),
+            std::vector<std::string>{"KHR_materials_unlit"});
 }
 
 // Two primitives share a material, and one has more texture coordinates than the other; and the file has been

@@ -71,6 +71,13 @@ void KeptMaterials::take_gloss_off(const std::string& material) {
   copy_.use_extension("KHR_materials_specular");
 }
 
+// Those that say how a surface sends light back.
+void KeptMaterials::take_extensions_off(const std::string& material) {
+  for (const auto& extension : copy_.keys(material + "/extensions"))
+    if (extension.starts_with("KHR_materials_") || extension == "MOZ_lightmap")
+      copy_.erase(material + "/extensions/" + extension);
+}
+
 void KeptMaterials::colour_base(const std::string& material, int grey, double roughness) {
   plain_base(material);
   const auto factor = material + base + "/baseColorFactor";
@@ -84,8 +91,7 @@ void KeptMaterials::shadeless(const std::string& path, const JsonValue& index) {
   const auto material = changed_for(path, index, no_texture, 0);
   if (!material) return;
   colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
-  copy_.erase(*material + "/extensions/KHR_materials_emissive_strength");
-  copy_.erase(*material + "/extensions/MOZ_lightmap");
+  take_extensions_off(*material);  // next to this one the others mean nothing
   copy_.put(*material + "/extensions/KHR_materials_unlit", "{}");
   copy_.use_extension("KHR_materials_unlit");
   if (const auto suffix = habits_of(program_).material_suffix; !suffix.empty())
@@ -126,9 +132,7 @@ void KeptMaterials::shining(const std::string& path, const JsonValue& index, std
     copy_.erase(*material + base + "/baseColorTexture");
   for (const auto* picture : {"/normalTexture", "/occlusionTexture"}) copy_.erase(*material + picture);
   copy_.erase(*material + base + "/metallicRoughnessTexture");
-  for (const auto& extension : copy_.keys(*material + "/extensions"))
-    if (extension.starts_with("KHR_materials_") || extension == "MOZ_lightmap")
-      copy_.erase(*material + "/extensions/" + extension);
+  take_extensions_off(*material);
   take_gloss_off(*material);
   copy_.put(*material + "/emissiveFactor", "[1,1,1]");
   copy_.put(*material + "/emissiveTexture", texture_info(texture, coordinates));

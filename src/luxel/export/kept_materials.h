@@ -44,6 +44,7 @@ class KeptMaterials {
                                          std::size_t coordinates);
   void plain_base(const std::string& material);
   void take_gloss_off(const std::string& material);
+  void take_extensions_off(const std::string& material);
   void colour_base(const std::string& material, int grey, double roughness);  // alpha stays
 
   GltfCopy& copy_;
