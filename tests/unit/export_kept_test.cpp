@@ -146,6 +146,42 @@ TEST_F(ExportKept, a_picture_that_is_missing_stays_so) {
 }
 
 // A vertex array of many of which few are used, and an array that is too short for it.
+// What Luxel does not read may be wrong too: a sentence that names it, or left as it is.
+TEST_F(ExportKept, damage_in_parts_that_nobody_reads_is_answered) {
+  const auto refusal = [&](const SmallGltf& gltf) -> std::string {
+    files_.write("room.gltf", gltf.text());
+    solve("room.gltf", 0.4f);
+    try {
+      cut();
+      uncut();
+      return "written";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const auto expect = [](const std::string& found, const std::string& words) {
+    EXPECT_NE(found.find(words), std::string::npos) << found;
+  };
+  for (const auto* place : {R"(,"byteOffset":[1])", R"(,"byteOffset":-4)", R"(,"byteOffset":99999)"}) {
+    auto gltf = small_room();
+    gltf.views += fmt::format(R"(,{{"buffer":0,"byteLength":4{}}})", place);
+    expect(refusal(gltf), "room.gltf: /bufferViews/5");
+  }
+  auto used = small_room();
+  used.rest.replace(used.rest.find(R"("FREE_wind"])"), 11, "7");
+  expect(refusal(used), "room.gltf: /extensionsUsed/1: expected");
+  for (const auto* more : {R"("animations":[{"samplers":[{"input":99,"output":"x"},3]}])",
+                           R"("skins":[{"inverseBindMatrices":-1}])", R"("animations":7,"skins":{"a":1})",
+                           R"("textures":{},"samplers":5)", R"("textures":[{"source":9,"sampler":{}},4])"}) {
+    auto gltf = small_room();
+    gltf.rest += std::string(",") + more;
+    EXPECT_EQ(refusal(gltf), "written") << more;
+  }
+  auto sparse = small_room();
+  sparse.accessors += R"(,{"componentType":5126,"type":"SCALAR","count":1,"sparse":3})";
+  EXPECT_EQ(refusal(sparse), "written");
+}
+
 TEST_F(ExportKept, vertices_that_nothing_uses_are_not_written_again) {
   auto gltf = small_room();
   std::vector<float> points = {0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0};

@@ -58,8 +58,8 @@ void visit_view_names(Json& root, const Visit& visit) {
   each_of(root, "accessors", [&](Json& accessor) {
     at_member(accessor, "bufferView", visit);
     at_member(accessor, "sparse", [&](Json& sparse) {
-      at_member(sparse["indices"], "bufferView", visit);
-      at_member(sparse["values"], "bufferView", visit);
+      for (const auto* part : {"indices", "values"})
+        at_member(sparse, part, [&](Json& names) { at_member(names, "bufferView", visit); });
     });
   });
   each_of(root, "images", [&](Json& image) { at_member(image, "bufferView", visit); });
@@ -92,9 +92,14 @@ bool names_one_of(const Json& name, std::size_t count) {
   return name.is_number_unsigned() && name.get<std::size_t>() < count;
 }
 
+std::size_t size_of(const Json& root, const char* array) {
+  const auto found = root.find(array);
+  return found != root.end() && found->is_array() ? found->size() : 0;
+}
+
 // [element]
 std::vector<bool> named(Json& root, const char* array, const Names& names) {
-  std::vector<bool> is_named(root.contains(array) ? root[array].size() : 0, false);
+  std::vector<bool> is_named(size_of(root, array), false);
   names(root, [&](Json& name) {
     if (names_one_of(name, is_named.size())) is_named[name.get<std::size_t>()] = true;
   });
@@ -105,7 +110,7 @@ std::vector<bool> named(Json& root, const char* array, const Names& names) {
 // [element]; those beyond its end stay.
 void drop_unnamed(Json& root, const char* array, const Names& names, const std::vector<bool>& may_go) {
   const auto all = root.find(array);
-  if (all == root.end()) return;
+  if (all == root.end() || !all->is_array()) return;
   const auto is_named = named(root, array, names);
   std::vector<std::size_t> number(is_named.size());
   auto kept = Json::array();
@@ -145,9 +150,7 @@ void drop_unused(Json& root, std::string& bytes, const std::vector<bool>& once_u
   drop_unnamed(root, "textures", visit_texture_names, once_used);
   drop_unnamed(root, "images", visit_picture_names, pictures);
   drop_unnamed(root, "samplers", visit_sampler_names, samplers);
-  const auto all = [&](const char* array) {
-    return std::vector<bool>(root.contains(array) ? root[array].size() : 0, true);
-  };
+  const auto all = [&](const char* array) { return std::vector<bool>(size_of(root, array), true); };
   drop_unnamed(root, "accessors", visit_accessor_names, all("accessors"));
   drop_unnamed(root, "bufferViews", visit_view_names, all("bufferViews"));
   pack_bytes(root, bytes);

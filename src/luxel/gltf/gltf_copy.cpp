@@ -58,7 +58,27 @@ struct GltfCopy::Element {
   int target;
 };
 
+namespace {
+
+// What is copied without having been read.
+void check_unread(GltfFile& file) {
+  const auto views = file.root()["bufferViews"];
+  for (std::size_t i = 0; i < views.size(); ++i) file.view(i);
+  const auto used = file.root()["extensionsUsed"];
+  for (std::size_t i = 0; i < used.size(); ++i) used[i].text();
+}
+
+// An array that is to be added to. What is none gives way.
+Json& array_at(Json& root, const std::string& path) {
+  auto& array = root[pointer(path)];
+  if (!array.is_array()) array = Json::array();
+  return array;
+}
+
+}  // namespace
+
 GltfCopy::GltfCopy(GltfFile& file) : document_(std::make_unique<Document>()) {
+  check_unread(file);
   document_->root = Json::parse(file.text());
   document_->once_used = used_textures(document_->root);
   take_buffers(file);
@@ -171,25 +191,25 @@ void GltfCopy::erase(const std::string& path) {
 }
 
 std::size_t GltfCopy::append(const std::string& array, std::string_view json) {
-  auto& into = document_->root[pointer(array)];
+  auto& into = array_at(document_->root, array);
   into.push_back(Json::parse(json));
   return into.size() - 1;
 }
 
 std::size_t GltfCopy::append_copy(const std::string& array, const std::string& of) {
   auto copy = document_->root.at(pointer(of));
-  auto& into = document_->root[pointer(array)];
+  auto& into = array_at(document_->root, array);
   into.push_back(std::move(copy));
   return into.size() - 1;
 }
 
 void GltfCopy::use_extension(std::string_view name) {
-  auto& used = document_->root["extensionsUsed"];
+  auto& used = array_at(document_->root, "/extensionsUsed");
   if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(std::string(name));
 }
 
 std::size_t GltfCopy::add_view(std::string_view bytes, int target) {
-  auto& views = document_->root["bufferViews"];
+  auto& views = array_at(document_->root, "/bufferViews");
   Json view = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
   if (target != none) view["target"] = target;
   views.push_back(std::move(view));
@@ -204,7 +224,7 @@ std::size_t GltfCopy::add_array(std::string_view bytes, std::size_t count, const
                    {"type", element.type},
                    {"count", count}};
   if (element.normalised) accessor["normalized"] = true;
-  auto& accessors = document_->root["accessors"];
+  auto& accessors = array_at(document_->root, "/accessors");
   accessors.push_back(std::move(accessor));
   return accessors.size() - 1;
 }
@@ -254,7 +274,7 @@ std::size_t GltfCopy::add_indices(std::span<const std::array<std::uint32_t, 3>> 
 }
 
 std::size_t GltfCopy::add_picture(std::string_view bytes, std::string_view type, std::string_view name) {
-  auto& images = document_->root["images"];
+  auto& images = array_at(document_->root, "/images");
   images.push_back(
       {{"bufferView", add_view(bytes, none)}, {"mimeType", std::string(type)}, {"name", std::string(name)}});
   return images.size() - 1;

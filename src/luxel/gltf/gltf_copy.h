@@ -20,7 +20,8 @@ namespace luxel {
 // behind. Places in the JSON are named by their paths ("/meshes/3/name"), as errors name them.
 class GltfCopy {
  public:
-  // Throws InputError where a buffer is missing; a picture that is missing stays so.
+  // Throws InputError where a buffer is missing, and where one is said to hold what it does not, be it for
+  // parts that nobody reads; a picture that is missing stays so.
   explicit GltfCopy(GltfFile& file);
   ~GltfCopy();
 

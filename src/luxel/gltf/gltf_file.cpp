@@ -96,7 +96,12 @@ JsonValue GltfFile::object(const JsonValue& index, std::string_view array) const
 }
 
 std::string_view GltfFile::view(const JsonValue& index) {
-  const auto view = object(index, "bufferViews");
+  object(index, "bufferViews");
+  return view(index.whole());
+}
+
+std::string_view GltfFile::view(std::size_t number) {
+  const auto view = root_["bufferViews"][number];
   object(view["buffer"], "buffers");
   const auto whole = buffer(view["buffer"].whole());
   const auto offset = view["byteOffset"].whole(0), length = view["byteLength"].whole();

@@ -38,6 +38,9 @@ class GltfFile {
   // for. Not thread-safe.
   std::string_view view(const JsonValue& index);
 
+  // The same by its number, below how many there are.
+  std::string_view view(std::size_t number);
+
   // The bytes of a buffer, by its number, likewise.
   std::string_view buffer(std::size_t number);
 
