@@ -165,7 +165,8 @@ TEST_F(Card, every_tone_curve_gives_the_codes_that_the_processor_gives) {
 TEST_F(Card, rough_and_coarse_edges_change_no_colour) {
   surfaces_->set_light(patches_, light_, VertexValue::radiance);
   const ToneCurve curve{{.op = ToneOperator::clamp}, 0.1f};
-  for (const auto edges : {EdgeSmoothing::rough, EdgeSmoothing::coarse, EdgeSmoothing::rough})
+  for (const auto edges :
+       {EdgeSmoothing::rough, EdgeSmoothing::coarse, EdgeSmoothing::coarsest, EdgeSmoothing::rough})
     expect_near(draw({.paint = Paint::light, .tone = curve}, edges), 20, curve(Vec3(0.8f * 5.0f / pi)));
 }
 

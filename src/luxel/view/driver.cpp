@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cstdlib>
 #include <string>
-#include <thread>
 
 #include <epoxy/gl.h>
 
@@ -19,11 +16,6 @@ Driver current_driver() {
   for (const char* software : {"llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader"})
     driver.is_software |= driver.name.find(software) != std::string::npos;
   return driver;
-}
-
-void leave_cores_to_the_solver() {
-  const auto half = std::max(1u, std::thread::hardware_concurrency() / 2);
-  setenv("LP_NUM_THREADS", std::to_string(half).c_str(), 0);
 }
 
 }  // namespace luxel

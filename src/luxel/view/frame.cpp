@@ -28,7 +28,7 @@ struct DrawnFrame::State {
     GlRenderbuffer colour, depth;
     GlFramebuffer frame;
   } sampled;
-  // A quarter of the pixels, likewise.
+  // A quarter or a ninth of the pixels, likewise.
   struct Coarse {
     ScreenSize size{0, 0};
     GlRenderbuffer colour, depth;
@@ -77,7 +77,7 @@ void DrawnFrame::State::resize_coarse(ScreenSize to) {
 }
 
 const GlFramebuffer& DrawnFrame::State::drawn_into() const {
-  if (edges == EdgeSmoothing::coarse) return coarse.frame;
+  if (pixel_step(edges) > 1) return coarse.frame;
   return edges == EdgeSmoothing::sampled ? sampled.frame : resolved;
 }
 
@@ -106,7 +106,7 @@ void DrawnFrame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing ed
   if (size != s.size) s.resize(size);
   if (edges == EdgeSmoothing::sampled && size != s.sampled.size) s.resize_sampled(size);
   const auto drawn = drawn_size(size, edges);
-  if (edges == EdgeSmoothing::coarse && drawn != s.coarse.size) s.resize_coarse(drawn);
+  if (pixel_step(edges) > 1 && drawn != s.coarse.size) s.resize_coarse(drawn);
   s.edges = edges;
   glBindFramebuffer(GL_FRAMEBUFFER, s.drawn_into().name());
   glViewport(0, 0, drawn.width, drawn.height);
@@ -121,7 +121,7 @@ void DrawnFrame::begin(ScreenSize size, const Vec3& background, EdgeSmoothing ed
 void DrawnFrame::resolve() {
   const auto& s = *state_;
   if (s.edges != EdgeSmoothing::rough) {
-    const bool is_coarse = s.edges == EdgeSmoothing::coarse;
+    const bool is_coarse = pixel_step(s.edges) > 1;
     const auto from = is_coarse ? s.coarse.size : s.size;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, s.drawn_into().name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, s.resolved.name());
@@ -186,9 +186,14 @@ Image DrawnFrame::read() const {
   return image;
 }
 
+int pixel_step(EdgeSmoothing edges) {
+  if (edges == EdgeSmoothing::coarsest) return 3;
+  return edges == EdgeSmoothing::coarse ? 2 : 1;
+}
+
 ScreenSize drawn_size(ScreenSize size, EdgeSmoothing edges) {
-  if (edges != EdgeSmoothing::coarse) return size;
-  return {(size.width + 1) / 2, (size.height + 1) / 2};
+  const auto step = pixel_step(edges);
+  return {(size.width + step - 1) / step, (size.height + step - 1) / step};
 }
 
 Tile tile_of(const PicturePart& part, const Tile& whole) {

@@ -14,9 +14,12 @@ namespace luxel {
 enum class EdgeSmoothing {
   sampled,  // four samples a pixel, where the driver has them
   rough,    // one: a fifth of the time where a processor draws
-  coarse    // one for four pixels: where that still takes too long while something moves
+  coarse,   // one for four pixels: where that still takes too long while something moves
+  coarsest  // one for nine
 };
 
+// How many pixels wide and high is what one drawn pixel stands for: 1, 2 or 3.
+int pixel_step(EdgeSmoothing edges);
 // How many pixels are drawn for a picture of this size.
 ScreenSize drawn_size(ScreenSize size, EdgeSmoothing edges);
 

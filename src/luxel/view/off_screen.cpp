@@ -89,7 +89,6 @@ class OffScreen final : public Screen {
 }  // namespace
 
 std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio) {
-  leave_cores_to_the_solver();
   return std::make_unique<OffScreen>(size, pixel_ratio);
 }
 

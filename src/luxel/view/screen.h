@@ -45,9 +45,8 @@ class Screen {
   virtual void set_clipboard(const std::string& text) = 0;
 };
 
-// Mesa's software renderer takes half of the cores then, unless LP_NUM_THREADS says otherwise: beside a
-// solver, frames of two threads on two cores take up to twice as long as those of one. Both throw
-// DeviceError, one sentence, where it cannot be had: no display, no driver, or none that knows OpenGL 3.3.
+// Both throw DeviceError, one sentence, where it cannot be had: no display, no driver, or none that knows
+// OpenGL 3.3.
 std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size);
 // pixel_ratio: pixels a unit.
 std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio = 1.0f);
@@ -59,8 +58,5 @@ struct Driver {
   bool is_software = false;
 };
 Driver current_driver();
-
-// The room's own: what the sentence above says, before a context is made.
-void leave_cores_to_the_solver();
 
 }  // namespace luxel

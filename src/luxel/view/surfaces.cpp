@@ -33,6 +33,13 @@ GlTexture colour_texture(ColourMap map) {
   return texture;
 }
 
+void prepare_depth() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+}
+
 GlProgram surface_program(std::string_view define) {
   return {surface_vertex_shader, surface_fragment_shader, define};
 }
@@ -158,13 +165,33 @@ const GlProgram& Surfaces::State::program(const SurfaceView& view) const {
   return grey;
 }
 
+void Surfaces::try_programs() const {
+  constexpr std::array<Vec3, 6> places{};
+  constexpr std::array<GLuint, 3> corners{};
+  const GlVertexArray array;
+  const GlBuffer place_buffer, corner_buffer;
+  glBindVertexArray(array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, place_buffer.name());
+  glBufferData(GL_ARRAY_BUFFER, sizeof places, places.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, corner_buffer.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof corners, corners.data(), GL_STATIC_DRAW);
+  const auto draw_by = [&](const GlProgram& program, GLuint attributes) {
+    for (GLuint i = 0; i < attributes; ++i) {
+      glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, (i == 0 ? 1 : 2) * sizeof(Vec3), nullptr);
+      glEnableVertexAttribArray(i);
+    }
+    program.use();
+    glDrawElements(GL_TRIANGLES, corners.size(), GL_UNSIGNED_INT, nullptr);
+  };
+  prepare_depth();
+  draw_by(state_->grey, 1);
+  draw_by(state_->light, 3);
+}
+
 void Surfaces::draw(const SurfaceView& view) {
   auto& s = *state_;
   if (!s.patches) return;
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
+  prepare_depth();
   const auto& program = s.program(view);
   program.use();
   program.set("projection", view.projection);

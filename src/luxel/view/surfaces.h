@@ -63,6 +63,9 @@ class Surfaces {
   bool shows_radiance() const;  // what Paint::light needs, else it is grey
 
   void draw(const SurfaceView& view);
+  // Draws nothing visible, grey and as light: drivers compile a program when it is first drawn by, and that
+  // takes longer than a frame may.
+  void try_programs() const;
 
  private:
   struct State;

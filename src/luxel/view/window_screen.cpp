@@ -178,7 +178,6 @@ void WindowScreen::listen_to_mouse() {
 }  // namespace
 
 std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size) {
-  leave_cores_to_the_solver();
   return std::make_unique<WindowScreen>(title, size);
 }
 

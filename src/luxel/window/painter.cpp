@@ -136,7 +136,7 @@ void Painter::look_around(Canvas& canvas, const Viewpoint& from, const PicturePa
   surfaces_.draw({.projection = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all)),
                   .paint = Paint::curve_input,
                   .tone = from.tone});
-  canvas.local->finish(from.tone, edges == EdgeSmoothing::coarse ? 2.0f : 1.0f);
+  canvas.local->finish(from.tone, static_cast<float>(pixel_step(edges)));
 }
 
 void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,

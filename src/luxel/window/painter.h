@@ -46,6 +46,8 @@ class Painter {
   void draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,
             EdgeSmoothing edges, float point_size, const Tile& all = {});
 
+  // What no frame should wait for later, see Surfaces.
+  void try_programs() const { surfaces_.try_programs(); }
   void set_marks(const Marks& marks) { marks_.set(marks); }
   // How false colours are to be read now; nothing where there are none.
   std::optional<ValueScale> scale() const { return scale_; }

@@ -40,7 +40,9 @@ class WindowLoop {
         continue;
       }
       frame();
-      note(seconds_since(begin));
+      const auto seconds = seconds_since(begin);
+      viewer_.note_frame(seconds);
+      note(seconds);
       refuse_what_failed();
     }
     end();

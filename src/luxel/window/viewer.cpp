@@ -2,6 +2,7 @@
 #include "luxel/window/viewer.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,7 +15,11 @@ namespace {
 
 constexpr double upload_seconds = 0.005;  // of a frame, for what goes to the card
 constexpr double said_seconds = 4.0;
-constexpr double slow_frame = 0.020;  // s, of late: then a single long one may be seen
+// Where a processor draws, while something moves: each where a frame took longer than that of late, s, by the
+// one before. Then a single long one may be seen.
+constexpr std::array moving_edges = {EdgeSmoothing::rough, EdgeSmoothing::coarse, EdgeSmoothing::coarsest};
+constexpr std::array slow_frame = {0.020, 0.022};
+constexpr double longest_counted = 0.05;  // s: one frame in which the driver compiles says nothing
 
 Bounds box_of(const PatchSet& patches) {
   Bounds box;
@@ -174,24 +179,41 @@ void Viewer::draw_scene(bool fine) {
   const bool is_rough = driver_.is_software && !fine;
   const bool is_moving = unchanged_frames_ == 0;
   // It stays so for this scene: quick coarse frames say nothing of what fine ones would take.
-  if (is_rough && is_moving && frame_seconds_ > slow_frame) slow_scene_ = scene_;
-  const bool is_coarse = is_rough && is_moving && slow_scene_ == scene_;
+  if (slow_scene_ != scene_) slow_scene_ = scene_, coarseness_ = 0;
+  if (is_rough && is_moving && coarseness_ < slow_frame.size() && frame_seconds_ > slow_frame[coarseness_]) {
+    ++coarseness_;
+    frame_seconds_ = 0.0;
+  }
   const auto pixels = screen_.pixels();
   const bool joins = is_rough && unchanged_frames_ > 3;
   auto& frame = canvas_.frame;
   if (joins && joined_ >= shifts) return frame.show_joined();
   const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
-  const auto edges = is_coarse  ? EdgeSmoothing::coarse
-                     : is_rough ? EdgeSmoothing::rough
-                                : EdgeSmoothing::sampled;
+  const auto edges = !is_rough   ? EdgeSmoothing::sampled
+                     : is_moving ? moving_edges[coarseness_]
+                                 : EdgeSmoothing::rough;
   painter_.draw(canvas_, is_drawing_picture() ? picture_->look() : look, viewpoint(), {pixels, {}, pixels},
                 edges, 4.0f * screen_.text_scale(), tile);
   frame.resolve();
   if (joins) frame.join(joined_++);
 }
 
+// What is drawn into for the first time is made then, and its programs compiled: not while somebody moves.
+void Viewer::try_edges() {
+  tried_edges_ = true;
+  const auto pixels = screen_.pixels();
+  for (const auto edges : moving_edges) {
+    painter_.draw(canvas_, look, viewpoint(), {pixels, {}, pixels}, edges, 4.0f * screen_.text_scale());
+    painter_.try_programs();
+    canvas_.frame.resolve();
+  }
+}
+
+void Viewer::note_frame(double seconds) {
+  frame_seconds_ += 0.2 * (std::min(seconds, longest_counted) - frame_seconds_);
+}
+
 void Viewer::frame(double seconds, bool fine) {
-  frame_seconds_ += 0.1 * (seconds - frame_seconds_);
   said_left_ -= seconds;
   if (said_left_ <= 0.0) said_.clear();
   navigator.advance(seconds);
@@ -199,6 +221,7 @@ void Viewer::frame(double seconds, bool fine) {
   go_on_with_picture(false);
   is_uploaded_ = !is_drawing_picture() && painter_.upload(fine ? 1.0 : upload_seconds);
   note_changes();
+  if (driver_.is_software && !fine && !tried_edges_) try_edges();
   draw_scene(fine);
   gui_.begin(seconds);
   panel(*this);

@@ -34,6 +34,8 @@ class Viewer {
   void handle(const Event& event);
   // One frame, and what happens meanwhile in so many seconds. fine: smooth edges whatever they cost.
   void frame(double seconds, bool fine);
+  // How long that took, s, as it was seen.
+  void note_frame(double seconds);
   // The last frame's pixels.
   Image snapshot() const { return canvas_.frame.read(); }
 
@@ -79,7 +81,6 @@ class Viewer {
   const std::string& said() const { return said_; }
   const std::filesystem::path& compared_with() const { return compared_with_; }
   const std::shared_ptr<const CheckReport>& faults() const { return faults_; }  // null: not known yet
-  double frame_seconds() const { return frame_seconds_; }                       // lately
 
  private:
   bool handle_key(Key key);
@@ -90,6 +91,7 @@ class Viewer {
   void ask(double seconds);
   bool is_drawing_picture() const { return picture_ && !picture_->is_drawn(); }
   void draw_scene(bool fine);
+  void try_edges();
   Viewpoint viewpoint() const;
   void note_changes();
 
@@ -123,9 +125,11 @@ class Viewer {
     ScreenSize size;
     bool operator==(const Shown&) const = default;
   } shown_;
-  int unchanged_frames_ = 0;                 // since the scene, the view or an event changed
-  std::optional<std::uint64_t> slow_scene_;  // whose frames took too long
-  int joined_ = 0;                           // rough pictures joined into the one that is seen
+  int unchanged_frames_ = 0;      // since the scene, the view or an event changed
+  std::uint64_t slow_scene_ = 0;  // whose frames took too long
+  bool tried_edges_ = false;
+  std::size_t coarseness_ = 0;  // and what they are drawn by while something moves
+  int joined_ = 0;              // rough pictures joined into the one that is seen
 };
 
 }  // namespace luxel
