@@ -5,9 +5,15 @@ import { numberText } from './tone.js';
 
 const element = (id) => document.getElementById(id);
 const stops = (v) => `${v >= 0 ? '+' : '−'}${Math.abs(v).toFixed(2)} stops`;
-const modeHelp = {
-  orbit: 'Drag to turn, wheel or pinch to come closer, right drag or two fingers to shift. F: turn about the point under the mouse.',
-  walk: 'Drag to look around. W A S D to walk, Q and E for down and up, Shift to hurry.',
+const help = {
+  mouse: {
+    orbit: 'Drag to turn, wheel or pinch to come closer, right drag or two fingers to shift. F: turn about the point under the mouse.',
+    walk: 'Drag to look around. W A S D to walk, Q and E for down and up, Shift to hurry.',
+  },
+  touch: {
+    orbit: 'Drag to turn, pinch to come closer, two fingers to shift.',
+    walk: 'Drag to look around, push the pad to walk.',
+  },
 };
 
 export class Panel {
@@ -43,8 +49,7 @@ export class Panel {
     }
     element('light-controls').hidden = look.show !== 'light';
     element('scale-controls').hidden = look.show === 'light';
-    element('mode-help').textContent = navigation.mode === 'walk' && isTouch()
-      ? 'Drag to look around, push the pad to walk.' : modeHelp[navigation.mode];
+    element('mode-help').textContent = help[isTouch() ? 'touch' : 'mouse'][navigation.mode];
     element('pad').hidden = navigation.mode !== 'walk' || !isTouch();
     this.lamps.forEach((show) => show());
     element('lamps-reset').disabled = scene.isAsSolved;
@@ -176,6 +181,7 @@ export class Panel {
   }
 }
 
+const percent = (share) => `${numberText(100 * Number(share.toPrecision(2)))}\u00a0%`; // never on a line of its own
 const isTouch = () => matchMedia('(pointer: coarse)').matches;
 
 function check(name, value) {
@@ -198,8 +204,8 @@ const codeOf = (linear) => '#' + linear.map((c) => {
 function madeText({ about, triangleCount }) {
   const { luxel, method, rays, error, meshError } = about.made;
   const parts = [`Made with Luxel ${luxel}`, `method ${method}`];
-  if (error > 0) parts.push(`standard error of the whole ${numberText(100 * Number(error.toPrecision(2)))} %`);
-  if (meshError > 0) parts.push(`of the mesh about ${numberText(100 * Number(meshError.toPrecision(2)))} %`);
+  if (error > 0) parts.push(`standard error of the whole ${percent(error)}`);
+  if (meshError > 0) parts.push(`of the mesh about ${percent(meshError)}`);
   if (rays > 0) parts.push(`${rays.toLocaleString('en')} rays`);
   parts.push(`${triangleCount.toLocaleString('en')} patches`);
   return parts.join(', ') + '.';

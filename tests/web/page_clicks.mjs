@@ -198,7 +198,8 @@ async function desk(browser) {
   const page = await open(browser, { viewport: { width: 1280, height: 800 } });
   assert.equal(await page.title(), title);
   assert.equal(await page.locator('h1').innerText(), title);
-  assert.match(await page.locator('#made').innerText(), /Made with Luxel .*sampled.*%.*patches/);
+  assert.match(await page.locator('#made').innerText(), /Made with Luxel .*sampled.*\d\u00a0%.*patches/);
+  assert.match(await page.locator('#mode-help').innerText(), /wheel.*mouse/);
   await photograph(page, 'whole');
   await clickLook(page);
   await clickFalseColours(page);
@@ -215,6 +216,7 @@ async function phone(browser) {
   assert.ok(await page.locator('#sheet').isHidden());
   await page.locator('#fold').tap();
   last = await changes(page, last, 'sheet');
+  assert.doesNotMatch(await page.locator('#mode-help').innerText(), /mouse|wheel|Shift/, 'a finger has none of these');
   await page.locator('#panel').getByText('Illuminance', { exact: true }).tap();
   await page.locator('#fold').tap();
   last = await changes(page, last, 'illuminance');
