@@ -839,18 +839,19 @@ class Bake:
     def begin(self):
         self.exporter.write(os.path.join(self.folder, "scene.glb"))
         self.notes += self.exporter.notes
-        self.run = Run(self.program, self.words(), self.folder)
+        self.steps = [self.words()] + (self.words_of_pages() if self.settings.target == "LIGHTMAP" else [])
+        self.begin_step()
+
+    def begin_step(self):
+        self.run = Run(self.program, [*self.steps.pop(0), "--threads", str(self.settings.threads)], self.folder)
 
     def words(self):
         settings, exporter = self.settings, self.exporter
-        words = ["bake", "scene.glb", "-o", "lit.glb", "--error", f"{settings.error:.6g}%",
-                 "--threads", str(settings.threads)]
+        words = ["bake", "scene.glb", "--error", f"{settings.error:.6g}%"]
         if settings.target == "VERTEX":
-            words += ["--as", "vertex", "--keep-topology"]
+            words += ["-o", "lit.glb", "--as", "vertex", "--keep-topology"]
         else:
-            words += ["--as", "lightmap", "--layout", "new", "--page", str(settings.page)]
-            if settings.texels > 0.0:
-                words += ["--texels-per-metre", f"{settings.texels:.6g}"]
+            words += ["-o", "light.vtkhdf"]
         if settings.max_edge > 0.0:
             words += ["--max-edge", f"{settings.max_edge:.6g}"]
         if settings.mesh_error > 0.0:
@@ -861,14 +862,27 @@ class Bake:
             words += ["--contact-gap", f"{1e-4 * exporter.unit:.6g}"]
         return words
 
+    def words_of_pages(self):
+        """The light on pages, in floats; and where the corners lie on these, which the same options make the same."""
+        pages = ["--page", str(self.settings.page)]
+        if self.settings.texels > 0.0:
+            pages += ["--texels-per-metre", f"{self.settings.texels:.6g}"]
+        return [["lightmap", "light.vtkhdf", "-o", "page.exr", *pages],
+                ["export", "light.vtkhdf", "--scene", "scene.glb", "-o", "lit.glb", "--as", "lightmap", "--layout",
+                 "new", "--final-gather", "none", *pages]]
+
     def poll(self):
         code = self.run.poll()
         if code is None:
             return False
-        if code not in (0, 3) or not os.path.exists(os.path.join(self.folder, "lit.glb")):
+        if code not in (0, 3) or not (self.steps or os.path.exists(os.path.join(self.folder, "lit.glb"))):
             said = "; ".join(self.run.said[-3:]) or f"exit code {code}"
             raise BakeError(f"luxel failed: {said}")
-        self.notes += self.run.said
+        self.notes += [note for note in self.run.said if note not in self.notes]
+        if self.steps:
+            self.run.stop()
+            self.begin_step()
+            return False
         return True
 
     def apply(self):
@@ -878,21 +892,22 @@ class Bake:
         chosen = [self.context.scene.objects.get(name) for name in self.exporter.meshes]
         if self.settings.only_selected:
             chosen = [item for item in chosen if item and item.select_get()]
-        image = self.page(lit) if self.settings.target == "LIGHTMAP" else None
+        image = self.image() if self.settings.target == "LIGHTMAP" else None
         applied = 0
         for item in filter(None, chosen):
             number, parts, corners = self.exporter.meshes[item.name]
             mesh = self.own_mesh(item, corners, graph)
             if mesh is None:
                 continue
-            primitives = lit.json["meshes"][number]["primitives"][:len(parts)]  # backs come behind
-            if image is None:
-                write_colours(mesh, self.colours(lit, primitives, parts, corners))
+            primitives = lit.json["meshes"][number]["primitives"]
+            if image is None:  # backs come behind
+                write_colours(mesh, self.colours(lit, primitives[:len(parts)], parts, corners))
             else:
-                cut = write_coordinates(mesh, [Corners(lit, primitive, page_of(lit, primitive)["texCoord"])
-                                               for primitive in primitives if page_of(lit, primitive)])
+                cut = write_coordinates(mesh, [Corners(lit, primitive) for primitive in primitives
+                                               if page_of(lit, primitive)])
                 if cut:
-                    self.notes.append(f"{cut} faces of '{item.name}' were cut where light jumps across them")
+                    self.notes.append(f"{cut} faces of '{item.name}' were cut where light jumps across them, or took "
+                                      "corners of such neighbours")
                 show_image(mesh, image)
             applied += 1
         return applied
@@ -911,38 +926,45 @@ class Bake:
             colours[loops, :3] = values / math.pi if is_light else values
         return colours
 
-    def page(self, lit):
-        """The image 'Luxel': irradiance over pi, linear. The file has it in sRGB codes over a white."""
-        if len(lit.json["textures"]) - self.textures_written() != 1:
-            raise BakeError("the light does not fit on one page: ask for fewer texels per unit")
-        source = lit.json["images"][lit.json["textures"][-1]["source"]]
-        view = lit.json["bufferViews"][source["bufferView"]]
-        path = os.path.join(self.folder, "page.png")
-        with open(path, "wb") as file:
-            file.write(lit.body[view.get("byteOffset", 0):view.get("byteOffset", 0) + view["byteLength"]])
-        read = bpy.data.images.load(path)
-        codes = np.empty(read.size[0] * read.size[1] * 4, np.float32)
-        read.pixels.foreach_get(codes)
-        size = tuple(read.size)
-        bpy.data.images.remove(read)
-        codes = codes.reshape(-1, 4)
-        white = lit.json["asset"]["extras"]["luxel"]["light"]["white_W_per_m2"]
-        codes[:, :3] = to_linear(codes[:, :3]) * (white / math.pi)
-        codes[:, 3] = 1.0
+    def image(self):
+        """The image 'Luxel': irradiance over pi, linear, in floats; of several pages a tile each."""
+        pages = []
+        while os.path.exists(path := self.page_file(len(pages))):
+            pages.append(radiance_in(path))
+        if len(pages) > 1:
+            return self.tiled_image(pages)
         image = bpy.data.images.get(LAYER)
-        if image is not None and (tuple(image.size) != size or not image.is_float):
+        size = tuple(pages[0].shape[1::-1])
+        if image is not None and (tuple(image.size) != size or not image.is_float or image.source == "TILED"):
             bpy.data.images.remove(image)
             image = None
         if image is None:
             image = bpy.data.images.new(LAYER, *size, alpha=False, float_buffer=True)
         image.colorspace_settings.name = "Linear"
-        image.pixels.foreach_set(codes.reshape(-1))
+        image.pixels.foreach_set(pages[0].reshape(-1))
         image.update()
         image.pack()
         return image
 
-    def textures_written(self):
-        return len(self.exporter.glb.json.get("textures", []))
+    def page_file(self, page):
+        return os.path.join(self.folder, "page.exr" if page == 0 else f"page-{page + 1}.exr")
+
+    def tiled_image(self, pages):
+        """Page n is UDIM tile 1001 + n. Blender fills the tiles of an image from files alone."""
+        for page, pixels in enumerate(pages):
+            with open(os.path.join(self.folder, f"{LAYER}.{1001 + page}.exr"), "wb") as file:
+                file.write(exr_of(pixels))
+        if LAYER in bpy.data.images:
+            bpy.data.images.remove(bpy.data.images[LAYER])
+        image = bpy.data.images.load(os.path.join(self.folder, f"{LAYER}.1001.exr"))
+        image.source, image.name = "TILED", LAYER
+        image.colorspace_settings.name = "Linear"
+        image.filepath = os.path.join(self.folder, f"{LAYER}.<UDIM>.exr")
+        for page in range(len(pages)):
+            if image.tiles.get(1001 + page) is None:
+                image.tiles.new(tile_number=1001 + page)
+        image.pack()
+        return image
 
     def own_mesh(self, item, corners, graph):
         """The mesh of an object to write to: its own, and with as many corners as were baked."""
@@ -971,17 +993,53 @@ class Bake:
 
 
 class Corners:
-    """The triangles of a primitive with places on the page: which face of the mesh each was, and which of its loops,
-    where it is no new corner."""
+    """The triangles of a primitive with places on the pages: which face of the mesh each was, and which of its loops,
+    where it is no new corner. Page n has its places where UDIM has tile 1001 + n."""
 
-    def __init__(self, lit, primitive, number):
-        attributes = primitive["attributes"]
+    def __init__(self, lit, primitive):
+        attributes, page = primitive["attributes"], page_of(lit, primitive)
+        name = lit.json["images"][lit.json["textures"][page["index"]]["source"]]["name"]  # "lightmap 2"
+        tile = int(name.split()[-1]) - 1
         of = lit.array(primitive["indices"]).reshape(-1, 3)
         self.face = np.round(lit.array(attributes["_FACE"])[of[:, 0], 0]).astype(int)
         self.place = lit.array(attributes["POSITION"])[of]
-        self.uv = lit.array(attributes[f"TEXCOORD_{number}"])[of]
-        self.uv[..., 1] = 1.0 - self.uv[..., 1]
+        self.uv = lit.array(attributes[f"TEXCOORD_{page['texCoord']}"])[of]
+        self.uv[..., 0] += tile % 10
+        self.uv[..., 1] = tile // 10 + 1.0 - self.uv[..., 1]
         self.loop = lit.array(attributes["_LOOP"])[of][..., 0]
+
+
+def radiance_in(path):
+    """Irradiance over pi of a page that Luxel wrote: (height, width, 4), from the bottom left as Blender counts."""
+    read = bpy.data.images.load(path)
+    pixels = np.empty(read.size[0] * read.size[1] * 4, np.float32)
+    read.pixels.foreach_get(pixels)
+    pixels = pixels.reshape(read.size[1], read.size[0], 4)
+    bpy.data.images.remove(read)
+    pixels[..., :3] /= math.pi
+    pixels[..., 3] = 1.0
+    return pixels
+
+
+def exr_of(pixels):
+    """The bytes of an OpenEXR file of floats, as they are: Blender's own writer changes their colour space."""
+    def attribute(name, kind, value):
+        return name + b"\0" + kind + b"\0" + struct.pack("<I", len(value)) + value
+
+    height, width = pixels.shape[:2]
+    channels = b"".join(name + b"\0" + struct.pack("<IIII", 2, 0, 1, 1) for name in (b"B", b"G", b"R")) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    header = struct.pack("<II", 20000630, 2) + b"".join((
+        attribute(b"channels", b"chlist", channels), attribute(b"compression", b"compression", b"\0"),
+        attribute(b"dataWindow", b"box2i", window), attribute(b"displayWindow", b"box2i", window),
+        attribute(b"lineOrder", b"lineOrder", b"\0"), attribute(b"pixelAspectRatio", b"float", struct.pack("<f", 1.0)),
+        attribute(b"screenWindowCenter", b"v2f", struct.pack("<2f", 0.0, 0.0)),
+        attribute(b"screenWindowWidth", b"float", struct.pack("<f", 1.0)))) + b"\0"
+    rows = pixels[::-1, :, 2::-1].transpose(0, 2, 1).astype("<f4").reshape(height, -1)  # from the top: B, G, R
+    line = 8 + rows[0].nbytes
+    begin = len(header) + 8 * height
+    offsets = struct.pack(f"<{height}Q", *range(begin, begin + height * line, line))
+    return header + offsets + b"".join(struct.pack("<iI", y, row.nbytes) + row.tobytes() for y, row in enumerate(rows))
 
 
 def page_of(lit, primitive):
@@ -1000,6 +1058,11 @@ def write_coordinates(mesh, parts):
     face_of = face_of_loops(mesh)
     face, loop, uv, place = (np.concatenate([getattr(part, name) for part in parts])
                              for name in ("face", "loop", "uv", "place"))
+    # Of a sheet that light fell on from both sides the front is shown.
+    normal = column(mesh.polygons, "normal", 3)[face]
+    across = np.cross(place[:, 1] - place[:, 0], place[:, 2] - place[:, 0])
+    front = np.einsum("ij,ij->i", across, normal) > 0.0
+    face, loop, uv, place = face[front], loop[front], uv[front], place[front]
     # Whole are faces whose triangles have the face's own corners, and one place on the page for each.
     nearest = np.clip(np.round(loop).astype(int), 0, len(mesh.loops) - 1)
     own = (np.abs(loop - nearest) < 1e-3) & (face_of[nearest] == face[:, None])
@@ -1128,7 +1191,7 @@ class LuxelSettings(bpy.types.PropertyGroup):
     texels: bpy.props.FloatProperty(name="Texels per unit", default=0.0, min=0.0,
                                     description="The least there are along one Blender unit; 0: chosen by Luxel")
     page: bpy.props.IntProperty(name="Page", default=2048, min=64, max=16384, subtype="PIXEL",
-                                description="The image is no wider and no higher than this")
+                                description="No tile of the image is wider or higher than this")
     threads: bpy.props.IntProperty(name="Threads", default=0, min=0, max=4096, description="0 takes every core")
     only_selected: bpy.props.BoolProperty(
         name="Only selected", description="Only selected objects get the light; all of them take part in it")

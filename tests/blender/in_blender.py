@@ -100,6 +100,17 @@ class Check:
             lights[target] = [light(bpy.data.objects[name], "Luxel").mean() for name in ("cube", "fine", "shine")]
         expect(min(lights["VERTEX"]) > 0.0, f"all have light: {lights}")
         expect_near(lights["LIGHTMAP"], lights["VERTEX"], 0.04, "the light of vertex colours and lightmap")
+        image = bpy.data.images["Luxel"]
+        expect(image.is_float and image.source != "TILED" and image.packed_file, "one page of floats, packed")
+        expect(len(np.unique(truth.pixels_of(image)[..., 0])) > 300, "eight bits would have 256 lights")
+        # The same on tiles, with and without their files.
+        expect(self.bake(target="LIGHTMAP", page=64) == {"FINISHED"}, "several pages")
+        image = bpy.data.images["Luxel"]
+        expect(image.is_float and image.source == "TILED" and len(image.tiles) > 1, "a page is a tile")
+        expect(len(image.packed_files) == len(image.tiles), "all tiles are packed")
+        tiles = truth.packed_tiles(image, self.folder)
+        found = [truth.at_middles(bpy.data.objects[name], "Luxel", tiles).mean() for name in ("cube", "fine", "shine")]
+        expect_near(found, lights["VERTEX"], 0.04, "the light of vertex colours and of tiles")
         expect(np.all(truth.corner_colours(bpy.data.objects["pane"], "Luxel") == 0.0), "glass has none")
         scene.unit_settings.scale_length = 0.01
         words = self.add_on.Bake(bpy.context, scene.luxel, self.luxel).words()

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The light that Cycles bakes, as a mean over each quad."""
+import os
+
 import bpy
 import numpy as np
 
@@ -65,14 +67,33 @@ def corner_colours(item, name):
     return np.stack(sums, axis=1) / np.bincount(face, area, len(mesh.polygons))[:, None]
 
 
-def at_middles(item, name):
-    """What an image has at the middle of each face, by the UV map of the same name: (faces, 3)."""
-    image, layer = bpy.data.images[name], item.data.uv_layers[name]
+def pixels_of(image):
     pixels = np.empty(image.size[0] * image.size[1] * 4, np.float32)
     image.pixels.foreach_get(pixels)
+    return pixels.reshape(image.size[1], image.size[0], 4)
+
+
+def packed_tiles(image, folder):
+    """The tiles of an image from what is packed of them, in their order."""
+    found = []
+    for packed in sorted(image.packed_files, key=lambda packed: packed.filepath):
+        path = os.path.join(folder, "packed.exr")
+        with open(path, "wb") as file:
+            file.write(packed.packed_file.data)
+        read = bpy.data.images.load(path)
+        found.append(pixels_of(read))
+        bpy.data.images.remove(read)
+    return found
+
+
+def at_middles(item, name, tiles=None):
+    """What an image, or its tiles, have at the middle of each face, by the UV map of the same name: (faces, 3)."""
+    tiles = np.stack(tiles or [pixels_of(bpy.data.images[name])])
+    layer = item.data.uv_layers[name]
     middles = [np.mean([layer.data[loop].uv for loop in face.loop_indices], axis=0) for face in item.data.polygons]
-    texels = (np.array(middles) * image.size).astype(int)
-    return pixels.reshape(image.size[1], image.size[0], 4)[texels[:, 1], texels[:, 0], :3]
+    row = np.floor(middles).astype(int)
+    texels = ((np.array(middles) - row) * tiles.shape[2:0:-1]).astype(int)
+    return tiles[row[:, 0] + 10 * row[:, 1], texels[:, 1], texels[:, 0], :3]
 
 
 def areas():
