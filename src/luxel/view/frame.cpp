@@ -157,6 +157,8 @@ void DrawnFrame::show_joined() {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
+void DrawnFrame::wait() const { glFinish(); }
+
 ScreenImage DrawnFrame::read_codes() const {
   const auto& [width, height] = state_->size;
   std::vector<std::uint8_t> fours(static_cast<std::size_t>(width) * height * 4);

@@ -43,6 +43,8 @@ class DrawnFrame {
   void join(int count);
   // The pixels become that mean: in the place of begin(), drawing and resolve().
   void show_joined();
+  // Waits until all that was drawn is: its time is known then.
+  void wait() const;
   // After resolve(): what is seen, and the same as linear, display-referred values. Both wait for the driver.
   ScreenImage read_codes() const;
   Image read() const;

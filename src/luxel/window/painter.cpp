@@ -71,8 +71,8 @@ void Painter::update_light(const Look& look) {
 }
 
 void Painter::update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference) {
-  if (auto done = values_.take()) {
-    side_values_ = *done;
+  if (auto done = values_.take(); done && done->patches == mesh_->patches.get()) {
+    side_values_ = std::move(done->values);
     if (side_values_->empty()) side_values_.reset();
     surfaces_.set_side_values(side_values_);
     scale_.reset();
@@ -83,8 +83,8 @@ void Painter::update_side_values(const Look& look, const std::shared_ptr<const L
   if (wanted == sides_) return;
   sides_ = wanted;
   values_.start([show = look.show, lux = look.lux, mesh = mesh_, light = light_, difference] {
-    return std::make_shared<const std::vector<float>>(
-        side_values(show, lux, *mesh->patches, light.get(), difference.get()));
+    return FoundValues{mesh->patches.get(), std::make_shared<const std::vector<float>>(side_values(
+                                                show, lux, *mesh->patches, light.get(), difference.get()))};
   });
 }
 

@@ -78,7 +78,11 @@ class Painter {
     const void* difference = nullptr;
     bool operator==(const Sides&) const = default;
   } sides_;
-  Background<std::shared_ptr<const std::vector<float>>> values_;
+  struct FoundValues {
+    const void* patches;  // that they are of
+    std::shared_ptr<const std::vector<float>> values;
+  };
+  Background<FoundValues> values_;
   std::shared_ptr<const std::vector<float>> side_values_;
   // What the scale was made for.
   struct Scaled {

@@ -60,7 +60,7 @@ void Viewer::complain(std::string sentence) {
 // ---- A scene ----
 
 void Viewer::begin_scene() {
-  if (is_drawing_picture()) {
+  if (picture_ && !picture_->is_drawn()) {
     complain(fmt::format("{} is not made: another scene was opened", picture_->file().string()));
     picture_.reset();
   }
@@ -96,21 +96,21 @@ void Viewer::find_home() {
       has_home_ = true;
     }
   }
-  if (auto pose = finding_home_.take(); pose && !has_home_) {
-    navigator.set_home(*pose, true);
+  if (const auto found = finding_home_.take(); found && found->scene == scene_ && !has_home_) {
+    navigator.set_home(found->pose, true);
     has_home_ = true;
   }
   // The view is judged by the first light; where none will come, by the surfaces.
   const bool has_light_to_judge = session.light() || session.status().is_idle;
   if (has_home_ || finding_home_.is_busy() || !mesh->tracer || !has_light_to_judge) return;
-  finding_home_.start(
-      [mesh, light = session.light(), space = navigator.space(), aspect = navigator.aspect()] {
-        const Solution nothing;
-        return pose_of(
-            automatic_camera(*mesh->patches, light ? light->solution : nothing, *mesh->tracer, Workers(1),
-                             space.up, std::clamp(aspect, smallest_aspect, largest_aspect)),
-            space);
-      });
+  finding_home_.start([mesh, light = session.light(), space = navigator.space(), aspect = navigator.aspect(),
+                       scene = scene_] {
+    const Solution nothing;
+    const auto camera =
+        automatic_camera(*mesh->patches, light ? light->solution : nothing, *mesh->tracer, Workers(1),
+                         space.up, std::clamp(aspect, smallest_aspect, largest_aspect));
+    return FoundHome{scene, pose_of(camera, space)};
+  });
 }
 
 void Viewer::update(double seconds) {
@@ -144,10 +144,11 @@ void Viewer::ask(double seconds) {
   }
   // What a picture is being made of stays as it is, and what is seen with it.
   if (is_drawing_picture()) return;
-  if (instruments.update(look, mesh, light, inquiry, faults_)) painter_.set_marks(instruments.marks());
-  curve_ = exposure_.curve(look.tone, look.automatic_exposure, light.get(), navigator.pose(),
+  const auto& seen = seen_look();
+  if (instruments.update(seen, mesh, light, inquiry, faults_)) painter_.set_marks(instruments.marks());
+  curve_ = exposure_.curve(seen.tone, seen.automatic_exposure, light.get(), navigator.pose(),
                            navigator.space(), aspect, seconds);
-  painter_.update(scene_, mesh, light, look, session.live().difference());
+  painter_.update(scene_, mesh, light, seen, session.live().difference());
 }
 
 // ---- A frame ----
@@ -192,8 +193,8 @@ void Viewer::draw_scene(bool fine) {
   const auto edges = !is_rough   ? EdgeSmoothing::sampled
                      : is_moving ? moving_edges[coarseness_]
                                  : EdgeSmoothing::rough;
-  painter_.draw(canvas_, is_drawing_picture() ? picture_->look() : look, viewpoint(), {pixels, {}, pixels},
-                edges, 4.0f * screen_.text_scale(), tile);
+  painter_.draw(canvas_, seen_look(), viewpoint(), {pixels, {}, pixels}, edges, 4.0f * screen_.text_scale(),
+                tile);
   frame.resolve();
   if (joins) frame.join(joined_++);
 }
@@ -218,8 +219,8 @@ void Viewer::frame(double seconds, bool fine) {
   if (said_left_ <= 0.0) said_.clear();
   navigator.advance(seconds);
   update(seconds);
-  go_on_with_picture(false);
-  is_uploaded_ = !is_drawing_picture() && painter_.upload(fine ? 1.0 : upload_seconds);
+  is_uploaded_ = is_drawing_picture() || painter_.upload(fine ? 1.0 : upload_seconds);
+  if (is_uploaded_) go_on_with_picture(false);
   note_changes();
   if (driver_.is_software && !fine && !tried_edges_) try_edges();
   draw_scene(fine);

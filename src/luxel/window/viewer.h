@@ -42,7 +42,8 @@ class Viewer {
   // ---- What a person can do ----
   void open(const std::filesystem::path& file) { session.open(file); }
   void relight();  // as the lamp board says
-  // Tile by tile between frames: until it is drawn, newer light and other choices wait. One at a time.
+  // Tile by tile between frames, once all that was put out is seen; until it is drawn, newer light and other
+  // choices of what to show wait. One at a time.
   void save_picture(const std::filesystem::path& file, ScreenSize size);
   void go_on_with_picture(bool to_the_end);  // else for a part of a frame
   void save_solution(const std::filesystem::path& file);
@@ -89,7 +90,8 @@ class Viewer {
   void begin_scene();
   void find_home();
   void ask(double seconds);
-  bool is_drawing_picture() const { return picture_ && !picture_->is_drawn(); }
+  bool is_drawing_picture() const { return picture_ && picture_->has_begun() && !picture_->is_drawn(); }
+  const Look& seen_look() const { return picture_ && !picture_->is_drawn() ? picture_->look() : look; }
   void draw_scene(bool fine);
   void try_edges();
   Viewpoint viewpoint() const;
@@ -103,7 +105,11 @@ class Viewer {
   std::unique_ptr<PictureMaker> picture_;
   Exposure exposure_;
   ToneCurve curve_;
-  Background<Pose> finding_home_;
+  struct FoundHome {
+    std::uint64_t scene;
+    Pose pose;
+  };
+  Background<FoundHome> finding_home_;
   std::uint64_t scene_ = 0;  // that this is set up for
   bool has_space_ = false, has_home_ = false, is_closing_ = false, is_uploaded_ = false;
   std::shared_ptr<const PatchSet> patches_;  // that the lamp board is of

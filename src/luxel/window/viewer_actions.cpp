@@ -11,8 +11,7 @@
 namespace luxel {
 namespace {
 
-constexpr double picture_seconds = 0.010;           // of a frame, for tiles of a picture that is to be saved
-constexpr int small_tile = 256, large_tile = 1024;  // pixels a side, where a processor draws, or a card
+constexpr double picture_seconds = 0.005;  // of a frame, for tiles of a picture that is to be saved
 
 }  // namespace
 
@@ -138,8 +137,7 @@ void Viewer::relight() {
 void Viewer::save_picture(const std::filesystem::path& file, ScreenSize size) {
   if (picture_) return say(fmt::format("{} is still being made", picture_->file().string()));
   try {
-    picture_ = std::make_unique<PictureMaker>(file, size, look, viewpoint(),
-                                              driver_.is_software ? small_tile : large_tile);
+    picture_ = std::make_unique<PictureMaker>(file, size, look, viewpoint(), driver_.is_software);
   } catch (const InputError& error) {
     complain(error.what());
   }
@@ -147,6 +145,7 @@ void Viewer::save_picture(const std::filesystem::path& file, ScreenSize size) {
 
 void Viewer::go_on_with_picture(bool to_the_end) {
   if (!picture_) return;
+  if (!picture_->has_begun()) picture_->begin(curve_);
   try {
     if (to_the_end) {
       picture_->finish(painter_);
