@@ -96,6 +96,7 @@ void key_line(const Viewer& viewer) {
   ImGui::End();
   if (!viewer.look.help) return;
   ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y * 0.5f), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowBgAlpha(1.0f);  // the panel may lie below
   ImGui::Begin("##help", nullptr, still);
   ImGui::TextUnformatted(all_keys);
   ImGui::End();

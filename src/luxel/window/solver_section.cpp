@@ -56,9 +56,12 @@ void progress(const LiveStatus& status) {
   ImGui::GetWindowDrawList()->AddText(
       ImVec2(corner.x + 140.0f - 0.5f * ImGui::CalcTextSize(stage.c_str()).x, corner.y + 3.0f),
       IM_COL32(240, 240, 240, 255), stage.c_str());
-  if (status.rays > 0)
-    ImGui::Text("%s rays in %s, %s/s", short_count(static_cast<double>(status.rays)).c_str(),
-                short_time(status.seconds).c_str(), short_count(status.rays_per_second).c_str());
+  if (status.rays > 0) {
+    const auto rate =
+        status.rays_per_second > 0.0 ? fmt::format(", {}/s", short_count(status.rays_per_second)) : "";
+    ImGui::Text("%s rays in %s%s", short_count(static_cast<double>(status.rays)).c_str(),
+                short_time(status.seconds).c_str(), rate.c_str());
+  }
   const auto asked =
       status.error_asked > 0.0 ? fmt::format(" of {:.2g} % asked for", 100.0 * status.error_asked) : "";
   if (status.error > 0.0) ImGui::Text("error %.2f %%%s", 100.0 * status.error, asked.c_str());
