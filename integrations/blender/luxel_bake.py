@@ -36,7 +36,9 @@ LAYER = "Luxel"  # the name of what is baked: colour attribute, UV map, image
 EFFICACY = 179.0  # lm/W, Luxel's own: cd/m² and cd of the file over W
 SHEET_GAP = 2e-4  # m, between the two sides of a sheet that emits; surfaces nearer than 1e-4 m touch
 LAMP_GAP = 5e-4  # m, that an area lamp hangs before the surface it lies in
-LAMP_REFLECTANCE = 0.8  # of area lamps: Cycles lets light through them to what is behind, mostly a ceiling
+LAMP_REFLECTANCE = 0.8  # of what there is of area lamps
+LAMP_CELLS = 10  # along an edge of an area lamp; light goes through it in Cycles, so it is squares with gaps
+LAMP_SQUARE = 0.25  # of a cell's edge, is a square's: a sixteenth of the lamp is in the way
 
 
 class BakeError(Exception):
@@ -592,33 +594,35 @@ class Exporter:
                               spot={"innerConeAngle": inner, "outerConeAngle": outer})
 
     def add_area_lamp(self, source, matrix, watts):
-        """Radiance P / (4 A), from the side that -Z points to; the area is that after scaling."""
+        """Radiance P / (4 A), from the side that -Z points to; the area is that of its squares, after scaling."""
         lamp = source.data
         x = 0.5 * lamp.size
         y = 0.5 * (lamp.size_y if lamp.shape in {"RECTANGLE", "ELLIPSE"} else lamp.size)
+        middle = (2.0 * np.arange(LAMP_CELLS) + 1.0) / LAMP_CELLS - 1.0
+        middle = np.stack(np.meshgrid(middle, middle), axis=-1).reshape(-1, 2)
         if lamp.shape in {"DISK", "ELLIPSE"}:
-            angle = np.arange(32) * (-2.0 * math.pi / 32)
-            grow = math.sqrt(math.pi / (16.0 * math.sin(2.0 * math.pi / 32)))  # the polygon has the disc's area
-            rim = np.stack([x * grow * np.cos(angle), y * grow * np.sin(angle), np.zeros(32)], axis=1)
-        else:
-            rim = np.array([(-x, -y, 0.0), (-x, y, 0.0), (x, y, 0.0), (x, -y, 0.0)])
+            middle = middle[(middle ** 2).sum(axis=1) <= 1.0]
+        square = np.array([(-1, -1), (-1, 1), (1, 1), (1, -1)]) * (LAMP_SQUARE / LAMP_CELLS)
+        place = ((middle[:, None, :] + square) * (x, y)).reshape(-1, 2)
+        place = np.concatenate([place, np.zeros((len(place), 1))], axis=1)
         if lamp.spread < math.radians(179.0):
             self.notes.append(f"lamp '{source.name}': its spread is taken as 180 degrees")
         world = np.array(matrix)
-        rim = rim @ world[:3, :3].T + world[:3, 3]
+        place = place @ world[:3, :3].T + world[:3, 3]
         normal = -np.cross(world[:3, 0], world[:3, 1])  # Cycles' own, also of a mirrored lamp
         normal /= max(np.linalg.norm(normal), 1e-30)
         if normal @ world[:3, 2] > 0.0:
             normal = -normal
-        indices = np.array([(0, i, i + 1) for i in range(1, len(rim) - 1)], np.uint32)
-        corner = rim[indices]
+        first = 4 * np.arange(len(middle))[:, None]
+        indices = np.stack([first + (0, 1, 2), first + (0, 2, 3)], axis=1).reshape(-1, 3).astype(np.uint32)
+        corner = place[indices]
         across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
         area = 0.5 * np.linalg.norm(across, axis=1).sum()
         if area <= 0.0:
             return
         if across[0] @ normal < 0.0:
             indices = indices[:, ::-1]
-        self.add_shining(source, rim + LAMP_GAP * self.unit * normal, indices, watts / (4.0 * area),
+        self.add_shining(source, place + LAMP_GAP * self.unit * normal, indices, watts / (4.0 * area),
                          LAMP_REFLECTANCE)
 
     def add_ball(self, source, matrix, watts):

@@ -80,7 +80,7 @@ class Check:
         expect(count["plain"] == 4 * 6 * 2, f"a subdivided cube as the modifier makes it: {count}")
         expect(count["two tone"] == 2 and count["second"] == 2, f"a mesh of two materials: {count}")
         expect(count["shine"] == 4, f"a sheet that shines has a back of its own: {count}")
-        expect(count["Area"] == 2, f"an area lamp: {count}")
+        expect(count["Area"] == 2 * 100, f"an area lamp in squares: {count}")
         expect("hidden" not in materials, f"what is not rendered: {count}")
         expect(not materials["glass"]["opaque"] and materials["plain"]["opaque"], "glass lets light pass")
         # The picture is a quarter of (1, 0, 0) and three of (0, 0.5, 0) in sRGB codes: 0.214 linear.
@@ -89,7 +89,7 @@ class Check:
         plain = self.add_on.MaterialReader(gloss_is_diffuse=False).read(bpy.data.materials["plain"])
         expect_near(plain.colour, (0.4, 0.5, 0.6), 1e-5, "its colour alone")
         expect_near(materials["shine"]["emittance_W_per_m2"], np.pi * np.array((3.0, 1.5, 0.75)), 1e-4, "its emission")
-        expect_near(materials["Area"]["emittance_W_per_m2"], [np.pi * 40.0 / (4 * 2.0)] * 3, 1e-4, "watts over 4 areas")
+        expect_near(materials["Area"]["emittance_W_per_m2"], [16 * np.pi * 40.0 / (4 * 2.0)] * 3, 1e-4, "watts over 4 areas")
         expect_near(info["low_m"], (-3.0, -2.0, -6.0), 1e-5, "Y is up, and parents move their children")
         expect_near(exporter.sky, (0.1, 0.2, 0.4), 1e-5, "the world")
         expect(any("metal" in note for note in exporter.notes), f"what is not taken over is told: {exporter.notes}")
