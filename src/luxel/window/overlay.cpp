@@ -69,6 +69,10 @@ void value_line(const char* what, const LightValue& value) {
   ImGui::Text("%-12s%s", "", with_error(value.watts, value.watts_error, "W/m\u00b2").c_str());
 }
 
+bool shows_probe(const Viewer& viewer) {
+  return viewer.inquiry.probe() && (viewer.inquiry.is_pinned() || viewer.look.show != Show::light);
+}
+
 void place_text(const Probe& probe) {
   ImGui::Text("%-12s%u, %s side", "patch", probe.patch, probe.back ? "back" : "front");
   ImGui::Text("%-12s%.3g m\u00b2, longest edge %.3g m", "", probe.area, probe.longest_edge);
@@ -137,7 +141,7 @@ void legend(const Viewer& viewer) {
 
 void probe_card(const Viewer& viewer) {
   const auto& probe = viewer.inquiry.probe();
-  if (!probe || (!viewer.inquiry.is_pinned() && viewer.look.show == Show::light)) return;
+  if (!shows_probe(viewer)) return;
   const auto& display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(display.x - 10.0f, display.y - 40.0f), ImGuiCond_Always, ImVec2(1.0f, 1.0f));
   ImGui::Begin("##probe", nullptr, still);
@@ -168,7 +172,14 @@ void profile_card(Viewer& viewer) {
         {p.along, lux ? p.irradiance.lux : p.irradiance.watts, 1.96 * error.value_or(0.0), !p.is_lit});
   }
   const auto& display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y - 40.0f), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+  // Below; or, where the probe's card is there, above, between the panel and the legend.
+  constexpr float left_of_it = 320.0f, right_of_it = 130.0f;
+  if (shows_probe(viewer))
+    ImGui::SetNextWindowPos(ImVec2(0.5f * (left_of_it + display.x - right_of_it), 10.0f), ImGuiCond_Always,
+                            ImVec2(0.5f, 0.0f));
+  else
+    ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y - 40.0f), ImGuiCond_Always,
+                            ImVec2(0.5f, 1.0f));
   ImGui::Begin("##profile", nullptr, still);
   ImGui::Text("Irradiance along the line, %s; the band holds the truth 95 times in 100",
               lux ? "lux" : "W/m\u00b2");
