@@ -94,6 +94,7 @@ TEST_F(View, closing_at_any_moment_ends_it_and_saves_if_asked) {
     EXPECT_EQ(run("s.txt", std::string(moment) + "close\n", "--off-screen --error 0.01%").code, 0) << moment;
   const auto saved = run("s.txt", "wait light\nclose\n", "--off-screen --error 0.01% --save kept.vtkhdf");
   ASSERT_EQ(saved.code, 0) << saved.err;
+  EXPECT_NE(saved.err.find("kept.vtkhdf is written"), std::string::npos) << saved.err;
   const auto again =
       cli::run(folder_, "$LUXEL view kept.vtkhdf --width 160 --height 120 --snapshot kept.png");
   EXPECT_EQ(again.code, 0) << again.err;

@@ -43,6 +43,7 @@ class View final : public Command {
     settings_.light.check();
     settings_.picture.check();
     const auto report = run_window(window_settings());
+    if (!report.saved.empty()) Console().say(report.saved);
     return report.interrupted ? exit_stopped_early : exit_fine;
   }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -107,8 +108,9 @@ class WindowLoop {
       screen_->present();
       write_png(*settings_.snapshot, viewer_.snapshot());
     }
-    const auto error = viewer_.session.close(settings_.save);
-    if (!error.empty()) throw DeviceError(error);
+    auto ending = viewer_.session.close(settings_.save);
+    if (!ending.error.empty()) throw DeviceError(ending.error);
+    report_.saved = std::move(ending.saved);
   }
 
   const WindowSettings& settings_;

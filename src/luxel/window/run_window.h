@@ -38,6 +38,7 @@ struct WindowSettings {
 struct WindowReport {
   std::vector<double> frame_seconds;          // each, from events to the finished picture
   std::vector<double> solving_frame_seconds;  // those of them while light was being solved
+  std::string saved;  // a sentence about the file that was saved at the end; empty: none was
   bool interrupted = false;
 };
 

@@ -66,18 +66,19 @@ bool Session::is_busy() const {
 
 std::vector<std::string> Session::take_errors() { return std::exchange(errors_, {}); }
 
-std::string Session::close(const std::optional<std::filesystem::path>& save) {
+Session::Ending Session::close(const std::optional<std::filesystem::path>& save) {
   if (coming_) retire(std::move(coming_));
-  std::string error;
+  Ending ending;
   if (live_) {
     const auto before = live_->status().errors;
     live_->close(save);
     const auto after = live_->status();
-    if (after.errors > before) error = after.error_message;
+    if (after.errors > before) ending.error = after.error_message;
+    if (save && ending.error.empty() && !after.messages.empty()) ending.saved = after.messages.back().text;
     live_.reset();
   }
   retiring_.clear();
-  return error;
+  return ending;
 }
 
 }  // namespace luxel

@@ -45,8 +45,12 @@ class Session {
   // Sentences about what failed since the last call, in order.
   std::vector<std::string> take_errors();
 
-  // Stops the solver, saves the light if a file is given, and waits. The sentence says what went wrong.
-  std::string close(const std::optional<std::filesystem::path>& save);
+  // Stops the solver, saves the light if a file is given, and waits.
+  struct Ending {
+    std::string error;  // a sentence; empty: nothing went wrong
+    std::string saved;  // likewise, about the file
+  };
+  Ending close(const std::optional<std::filesystem::path>& save);
 
  private:
   void take_place();
