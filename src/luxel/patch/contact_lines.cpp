@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 #include "luxel/math/triangle.h"
 #include "luxel/patch/flat_triangle.h"
 #include "luxel/patch/triangle_pairs.h"
+#include "luxel/patch/vertex_triangles.h"
 
 namespace luxel {
 namespace {
@@ -22,38 +22,6 @@ constexpr double folded_cosine = 0.999;  // likewise, of two that lie on each ot
 constexpr std::size_t shapes_grain = 8192;
 
 using Triangle = std::array<Vec3, 3>;
-
-// Which triangles meet at a vertex.
-class Neighbours {
- public:
-  Neighbours(const std::vector<CleanTriangle>& triangles, std::size_t vertices)
-      : triangles_(triangles), begin_(vertices + 1, 0), at_(3 * triangles.size()) {
-    for (const auto& t : triangles)
-      for (const auto v : t.corners) ++begin_[v + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    auto next = begin_;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i)
-      for (const auto v : triangles[i].corners) at_[next[v]++] = i;
-  }
-
-  // Whether a triangle other than `but` that has both vertices fits; ask(triangle, its third vertex).
-  template <typename Ask>
-  bool any_across(std::uint32_t a, std::uint32_t b, std::uint32_t but, Ask ask) const {
-    for (auto i = begin_[a]; i < begin_[a + 1]; ++i) {
-      const auto t = at_[i];
-      if (t == but) continue;
-      const auto& c = triangles_[t].corners;
-      if (c[0] != b && c[1] != b && c[2] != b) continue;
-      if (ask(c[0] != a && c[0] != b ? c[0] : (c[1] != a && c[1] != b ? c[1] : c[2]))) return true;
-    }
-    return false;
-  }
-
- private:
-  const std::vector<CleanTriangle>& triangles_;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> at_;
-};
 
 class Finder {
  public:
@@ -394,7 +362,7 @@ class Finder {
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
   const Workers& workers_;
-  Neighbours neighbours_;
+  VertexTriangles neighbours_;
   std::vector<Shape> shapes_;
 };
 
