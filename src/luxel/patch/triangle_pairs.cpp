@@ -2,7 +2,6 @@
 #include "luxel/patch/triangle_pairs.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace luxel {
@@ -72,8 +71,8 @@ void OverlappingPairs::build(std::span<Item> items, const Workers& workers) {
     large_nodes.insert(large_nodes.end(), large.begin(), large.end());
   }
   workers.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i], items); });
-  for (const auto n : std::views::reverse(large_nodes))
-    nodes_[n].box = join(nodes_[n + 1].box, nodes_[nodes_[n].right].box);
+  for (auto n = large_nodes.rbegin(); n != large_nodes.rend(); ++n)
+    nodes_[*n].box = join(nodes_[*n + 1].box, nodes_[nodes_[*n].right].box);
 }
 
 // Gives the node its children, which know their boxes but not yet the space they take.
