@@ -10,8 +10,9 @@ void check_light(const PatchSet& patches) {
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (patches.material_of(p).is_lamp()) return;
   throw InputError(
-      "the scene has no lamp: give a material a 'Ke R G B' line (radiance, W/(m² sr)) in its MTL file, and "
-      "use that material on at least one face; or let in light from all around with --sky 1");
+      "the scene has no lamp: give a material emission (OBJ: a line 'Ke R G B' in its MTL file, radiance in "
+      "W/(m² sr); glTF: an emissiveFactor), and use that material on at least one face; or let in light from "
+      "all around with --sky 1");
 }
 
 }  // namespace luxel
