@@ -2,14 +2,11 @@
 #include "luxel/solve/relight.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <optional>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "luxel/random/address.h"
 #include "luxel/report/error.h"
+#include "luxel/solve/own_lighting.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/slot_light.h"
@@ -59,19 +56,6 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
   return gathered;
 }
 
-std::uint64_t changed_fingerprint(std::uint64_t key, const PatchSet& patches) {
-  const auto add = [&](const std::vector<float>& values) {
-    for (const auto v : values) key = stream_key(key, 0, std::bit_cast<std::uint32_t>(v + 0.0f));
-  };
-  for (const auto& material : patches.materials) {
-    add(material.reflectance);
-    add(material.emittance);
-  }
-  add(patches.sky);
-  for (const auto& light : patches.point_lights) add(light.intensity);
-  return key;
-}
-
 }  // namespace
 
 std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
@@ -88,12 +72,8 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
 }
 
 struct Relighter::State {
-  PatchSet patches;                           // as they are now
-  std::vector<std::vector<float>> emittance;  // [material], in the run
-  std::vector<float> reflectance;             // in the run, [material * bands + band]
-  std::vector<float> sky;                     // in the run
-  std::vector<BandPointLight> point_lights;   // in the run
-  std::uint64_t fingerprint;                  // of the run's scene
+  PatchSet patches;  // as they are now
+  OwnLighting own;   // in the run
   const Workers& workers;
   std::shared_ptr<const SampleState> samples;
   SampledOptions options;
@@ -105,18 +85,12 @@ struct Relighter::State {
   State(PatchSet of_run, const Tracer& tracer, std::shared_ptr<const SampleState> kept,
         const SampledOptions& run_options, const Workers& run_workers)
       : patches(std::move(of_run)),
-        sky(patches.sky),
-        point_lights(patches.point_lights),
-        fingerprint(patches.scene_fingerprint),
+        own(patches),
         workers(run_workers),
         samples(std::move(kept)),
         options(run_options),
         sampling(patches, tracer, run_options, run_workers),
         weight(patches.group_count() * patches.band_count(), 1.0f) {
-    for (const auto& material : patches.materials) {
-      emittance.push_back(material.emittance);
-      reflectance.insert(reflectance.end(), material.reflectance.begin(), material.reflectance.end());
-    }
     sampling.take_up(*samples);
     look_at_surfaces();
     if (samples->gathered.empty()) {
@@ -144,40 +118,15 @@ Relighter::~Relighter() = default;
 const PatchSet& Relighter::patches() const { return state_->patches; }
 
 void Relighter::set_lamps(std::vector<float> weight) {
-  auto& s = *state_;
-  if (weight.size() != s.weight.size() ||
-      !std::all_of(weight.begin(), weight.end(), [](float w) { return w >= 0.0f && std::isfinite(w); }))
-    throw InputError(
-        fmt::format("expected {} numbers, at least 0, one for each light group and band", s.weight.size()));
-  s.weight = std::move(weight);
-  const auto bands = s.patches.band_count();
-  for (std::size_t m = 0; m < s.emittance.size(); ++m) {
-    auto& material = s.patches.materials[m];
-    for (std::size_t b = 0; b < bands; ++b)
-      material.emittance[b] = s.weight[material.light_group * bands + b] * s.emittance[m][b];
-  }
-  for (std::size_t i = 0; i < s.point_lights.size(); ++i) {
-    auto& light = s.patches.point_lights[i];
-    for (std::size_t b = 0; b < bands; ++b)
-      light.intensity[b] = s.weight[light.light_group * bands + b] * s.point_lights[i].intensity[b];
-  }
-  for (std::size_t b = 0; b < s.sky.size(); ++b)
-    s.patches.sky[b] = s.weight[(s.patches.group_count() - 1) * bands + b] * s.sky[b];
-  s.patches.scene_fingerprint = changed_fingerprint(s.fingerprint, s.patches);
+  state_->own.set_lamps(weight, state_->patches);
+  state_->weight = std::move(weight);
 }
 
 void Relighter::set_reflectance(const std::vector<float>& reflectance) {
   auto& s = *state_;
-  const auto bands = s.patches.band_count();
-  if (reflectance.size() != s.patches.materials.size() * bands ||
-      !std::all_of(reflectance.begin(), reflectance.end(), [](float r) { return r >= 0.0f && r < 1.0f; }))
-    throw InputError(fmt::format("expected {} reflectances from 0 to below 1, one for each material and band",
-                                 s.patches.materials.size() * bands));
-  for (std::size_t m = 0; m < s.patches.materials.size(); ++m)
-    std::copy_n(&reflectance[m * bands], bands, s.patches.materials[m].reflectance.begin());
+  s.own.set_reflectance(reflectance, s.patches);
   s.look_at_surfaces();
-  s.reflects_as_in_run = reflectance == s.reflectance;
-  s.patches.scene_fingerprint = changed_fingerprint(s.fingerprint, s.patches);
+  s.reflects_as_in_run = reflectance == s.own.reflectance();
 }
 
 Solution Relighter::light() const {
