@@ -79,8 +79,6 @@ void PolynomialFit::add_energy(const Moments& m, Columns columns, Energy& energy
       return add_energy_of<terms_of_degree(0)>(m, columns, energy);
     case 1:
       return add_energy_of<terms_of_degree(1)>(m, columns, energy);
-    case 2:
-      return add_energy_of<terms_of_degree(2)>(m, columns, energy);
     default:
       return add_energy_of<most_terms>(m, columns, energy);
   }
