@@ -12,7 +12,6 @@
 #include "luxel/apps/quantity.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/streams.h"
-#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/reference/difference_picture.h"
@@ -21,8 +20,6 @@ namespace luxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-bool is_solution(const std::string& file) { return ending_of(file) == ".vtkhdf"; }
 
 class Compare final : public Command {
  public:

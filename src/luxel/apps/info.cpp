@@ -8,7 +8,6 @@
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/streams.h"
-#include "luxel/file/ending_of.h"
 #include "luxel/file/output_file.h"
 #include "luxel/photometry/luminous_efficacy.h"
 
@@ -23,7 +22,7 @@ class Info final : public Command {
   }
 
   int run() override {
-    const auto text = ending_of(file_) == ".vtkhdf" ? of_solution() : of_scene();
+    const auto text = is_solution(file_) ? of_solution() : of_scene();
     print_result(text);
     return exit_fine;
   }

@@ -117,24 +117,20 @@ class LightmapCommand final : public Command {
 
  private:
   void check() const {
-    const auto expect = [](const char* option, const std::string& file, const std::string& kinds) {
-      if (kinds.find(ending_of(file)) == std::string::npos || ending_of(file).empty())
-        throw UsageError(fmt::format("{} {}: expected an ending among {}", option, file, kinds));
-    };
     auto run = run_;
-    for (const auto& output : run.outputs) expect("-o", output, page_kinds);
+    for (const auto& output : run.outputs) expect_ending("-o", output, page_kinds);
     if (!settings_.error_map.empty()) {
-      expect("--error-map", settings_.error_map, ".exr");
+      expect_ending("--error-map", settings_.error_map, ".exr");
       run.outputs.push_back(settings_.error_map);
     }
     if (!settings_.directional.empty()) {
-      expect("--directional", settings_.directional, ".exr");
+      expect_ending("--directional", settings_.directional, ".exr");
       if (settings_.lightmap.texels.error == 0.0)
         throw UsageError("--directional needs a final gather: give --final-gather a share, such as 2%");
       for (const auto axis : axes) run.outputs.push_back(name_of_axis(settings_.directional, axis));
     }
     if (!settings_.preview.empty()) {
-      expect("--preview", settings_.preview, picture_kinds);
+      expect_ending("--preview", settings_.preview, picture_kinds);
       run.outputs.push_back(settings_.preview);
     }
     check_before_work(run, picture_, picture_kinds);

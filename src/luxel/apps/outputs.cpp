@@ -33,7 +33,7 @@ bool is_among(const std::string& word, const std::string& words) {
 
 void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
                 const LookSettings& look, const SampleState* samples) {
-  if (ending_of(output) == ".vtkhdf") return write_solution(output, baked.patches, baked.solution, samples);
+  if (is_solution(output)) return write_solution(output, baked.patches, baked.solution, samples);
   export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
 }
 
@@ -65,6 +65,11 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
 }
 
 bool is_picture(const std::string& output) { return is_among(ending_of(output), picture_kinds); }
+
+void expect_ending(const std::string& option, const std::string& file, const std::string& kinds) {
+  if (!is_among(ending_of(file), kinds))
+    throw UsageError(fmt::format("{} {}: expected an ending among {}", option, file, kinds));
+}
 
 bool is_page(const std::string& output) { return ending_of(output) == ".html"; }
 
@@ -122,8 +127,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
     throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
   Places places;
   for (const auto& output : run.outputs) {
-    if (!is_among(ending_of(output), kinds))
-      throw UsageError(fmt::format("-o {}: expected an ending among {}", output, kinds));
+    expect_ending("-o", output, kinds);
     if (const auto why = page_is_missing(); is_page(output) && !why.empty())
       throw DeviceError(fmt::format("-o {}: {}", output, why));
     places.add("-o", output);
@@ -138,9 +142,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
                       Console& console, RunRecord& record, const KeptSamples& samples, const MeshWish& mesh) {
   // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
-  const auto turn = [](const std::string& o) {
-    return is_picture(o) ? 2 : ending_of(o) == ".vtkhdf" ? 0 : 1;
-  };
+  const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : is_solution(o) ? 0 : 1; };
   std::stable_sort(outputs.begin(), outputs.end(), [&](auto& a, auto& b) { return turn(a) < turn(b); });
 
   std::optional<SmoothLight> light;
@@ -151,8 +153,7 @@ Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSetting
   std::exception_ptr failure;  // one file that cannot be written does not cost the others
   for (const auto& output : outputs) {
     const bool on_pages = ending_of(output) == ".glb" && mesh.settings && mesh.settings->on_pages();
-    const bool is_smooth =
-        ending_of(output) != ".vtkhdf" && !on_pages && !(is_picture(output) && picture.gather > 0);
+    const bool is_smooth = !is_solution(output) && !on_pages && !(is_picture(output) && picture.gather > 0);
     if (is_smooth && !light) {
       console.announce("surface");
       light = record.stage("surface", [&](auto&) {

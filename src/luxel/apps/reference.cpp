@@ -75,22 +75,18 @@ class Reference final : public Command {
   }
 
  private:
-  bool is_of_solution() const { return ending_of(scene_.file) == ".vtkhdf"; }
-
   void check() const {
     scene_.check();
     light_.check();
     check_before_work(run_, picture_, all_kinds);
     if (!error_picture_.empty()) {
-      if (!error_picture_.ends_with(".exr") && !error_picture_.ends_with(".hdr"))
-        throw UsageError(
-            fmt::format("--error-picture {}: expected an ending among .exr .hdr", error_picture_));
+      expect_ending("--error-picture", error_picture_, ".exr .hdr");
       if (std::none_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
         throw UsageError("--error-picture needs a picture: give -o FILE, ending in one of .png .exr .hdr");
     }
     const SceneSettings as_it_is;
     const auto& l = scene_.load;
-    if (is_of_solution() &&
+    if (is_solution(scene_.file) &&
         (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() ||
          l.max_reflectance != as_it_is.load.max_reflectance || l.sky != as_it_is.load.sky ||
          !l.spectra.empty() || scene_.patches.max_edge != as_it_is.patches.max_edge))
@@ -101,7 +97,8 @@ class Reference final : public Command {
 
   // A solution's own light stays, to find a view by.
   Baked read(const Workers& workers, Console& console, RunRecord& record) {
-    if (is_of_solution()) return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
+    if (is_solution(scene_.file))
+      return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
     const auto scene = record.stage("load", [&](auto&) {
       return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
     });

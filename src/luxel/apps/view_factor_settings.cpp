@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "luxel/apps/quantity.h"
+#include "luxel/file/ending_of.h"
 #include "luxel/report/memory.h"
 #include "luxel/scene/name_pattern.h"
 
@@ -117,7 +118,7 @@ SampleFactorsOptions ViewFactorSettings::sample_options(const ViewElements& elem
   options.rows = rows(elements);
   options.is_enforced = enforce;
   for (const auto& output : outputs)
-    if (output.ends_with(".h5")) options.bytes_beside = bytes_in_file;
+    if (ending_of(output) == ".h5") options.bytes_beside = bytes_in_file;
   if (options.memory == 0)
     options.memory = static_cast<std::uint64_t>(memory_share * static_cast<double>(free_memory()));
   return options;

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/format.h>
 
 #include "luxel/live/live_run.h"
@@ -13,16 +10,6 @@
 // The beginning of a live scene: from the file to a mesh with its tracer.
 
 namespace luxel {
-namespace {
-
-bool is_solution(const std::filesystem::path& file) {
-  auto ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".vtkhdf";
-}
-
-}  // namespace
 
 void LiveRun::open() {
   if (is_solution(file_)) return open_solution();

@@ -10,6 +10,9 @@
 
 namespace luxel {
 
+// Whether a file is a solution, by its ending: .vtkhdf, in small letters or large.
+bool is_solution(const std::filesystem::path& path);
+
 // What a .vtkhdf file holds: the light and the patches it lies on.
 struct Baked {
   PatchSet patches;

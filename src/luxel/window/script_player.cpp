@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/file/ending_of.h"
 #include "luxel/image/image_file.h"
 #include "luxel/report/error.h"
 
@@ -252,7 +253,7 @@ void ScriptPlayer::act(const ScriptAction& action) {
   }
   if (verb == "save") {
     const auto file = rest(words, 1);
-    return file.ends_with(".glb") ? viewer_.export_glb(file) : viewer_.save_solution(file);
+    return ending_of(file) == ".glb" ? viewer_.export_glb(file) : viewer_.save_solution(file);
   }
   if (verb == "bounces")
     return viewer_.show_bounces(words[1] == "all" ? std::nullopt : std::optional(whole("bounces", words[1])));
