@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/report/error.h"
 #include "luxel/view/frame.h"
 #include "luxel/view/surfaces.h"
 
 #include "support/lit_patches.h"
+#include "support/off_screen.h"
 
 namespace luxel {
 namespace {
@@ -53,14 +53,11 @@ Image radiance() {
   return image;
 }
 
-class LocalToneOnACard : public testing::Test {
+class LocalToneOnACard : public test::OffScreen {
  protected:
-  void SetUp() override {
-    try {
-      screen_ = open_off_screen(size);
-    } catch (const DeviceError& error) {
-      GTEST_SKIP() << "nothing draws off screen here: " << error.what();
-    }
+  LocalToneOnACard() : OffScreen(size) {}
+
+  void set_up() override {
     const auto lit = sheet();
     const auto patches = std::make_shared<PatchSet>(lit.patches);
     surfaces_ = std::make_unique<Surfaces>();
@@ -98,7 +95,6 @@ class LocalToneOnACard : public testing::Test {
     return frame.read();
   }
 
-  std::unique_ptr<Screen> screen_;
   std::unique_ptr<Surfaces> surfaces_;
 };
 

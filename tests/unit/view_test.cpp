@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "luxel/image/image.h"
-#include "luxel/report/error.h"
 #include "luxel/view/frame.h"
 #include "luxel/view/lines.h"
 #include "luxel/view/surfaces.h"
 
 #include "support/lit_patches.h"
+#include "support/off_screen.h"
 
 namespace luxel {
 namespace {
@@ -104,14 +104,11 @@ LitPatches two_sides() {
 
 constexpr ScreenSize size{64, 32};
 
-class Card : public testing::Test {
+class Card : public test::OffScreen {
  protected:
-  void SetUp() override {
-    try {
-      screen_ = open_off_screen(size);
-    } catch (const DeviceError& error) {
-      GTEST_SKIP() << "nothing draws off screen here: " << error.what();
-    }
+  Card() : OffScreen(size) {}
+
+  void set_up() override {
     patches_ = std::make_shared<PatchSet>(lit_.patches);
     light_ = std::make_shared<SmoothLight>(make_smooth_light(lit_.patches, lit_.solution));
     surfaces_ = std::make_unique<Surfaces>();
@@ -137,7 +134,6 @@ class Card : public testing::Test {
   }
 
   LitPatches lit_ = two_sides();
-  std::unique_ptr<Screen> screen_;
   std::shared_ptr<const PatchSet> patches_;
   std::shared_ptr<const SmoothLight> light_;
   std::unique_ptr<Surfaces> surfaces_;
