@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/lightmap/cross.h"
 #include "luxel/lightmap/flat_cover.h"
 #include "luxel/lightmap/flat_piece.h"
 #include "luxel/report/error.h"
@@ -18,8 +19,6 @@ using Point = glm::dvec2;
 
 constexpr double widest_gap = 2.0;    // texels; a wider one has a texel for each of its borders
 constexpr double shortest_gap = 4.0;  // texels; less is the foot of a leg, not of a wall
-
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
 Point on_chart(const Chart& chart, const Vec3& p) {
   const auto place = Charts::place(chart, p);

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/lightmap/cross.h"
+
 namespace luxel {
 namespace {
 
 using Point = glm::dvec2;
 
 constexpr double rounding = 1e-5;  // of the box
-
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
 // Whether an edge of a has all of b beyond it, but for so much.
 bool has_edge_between(const FlatCover::Triangle& a, const FlatCover::Triangle& b, double tolerance) {

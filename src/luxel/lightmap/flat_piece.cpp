@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/lightmap/cross.h"
 #include "luxel/lightmap/flat_cover.h"
 
 namespace luxel {
@@ -12,8 +13,6 @@ namespace {
 
 using Point = glm::dvec2;
 using Triangle = FlatCover::Triangle;
-
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
 struct Box {
   Point low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/lightmap/cross.h"
 #include "luxel/lightmap/point_gather.h"
 #include "luxel/lightmap/texel_places.h"
 #include "luxel/random/address.h"
@@ -113,7 +114,7 @@ SurfacePoint point_of(const PatchSet& patches, const Atlas& atlas, const TexelPl
   const auto& t = atlas.corners[place.side];
   const auto b = t[1] - t[0], c = t[2] - t[0];
   const auto longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
-  const auto third_height = std::abs(b.x * c.y - b.y * c.x) / (3.0f * longest);
+  const auto third_height = std::abs(cross(b, c)) / (3.0f * longest);
   const auto drawn_in =
       third_height > 0.0f ? std::min(most_drawn_in, from_border / third_height) : most_drawn_in;
   return surface_point(patches, place.side / 2, place.side % 2 == 1,

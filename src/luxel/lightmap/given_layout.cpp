@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/lightmap/cross.h"
 #include "luxel/math/barycentric.h"
 #include "luxel/math/triangle.h"
 #include "luxel/math/trig.h"
@@ -30,7 +31,7 @@ void check(const Scene& scene, const PatchSet& patches, const GivenLayout& given
 
 double uv_area(const std::array<Vec2, 3>& uv) {
   const auto b = Point(uv[1]) - Point(uv[0]), c = Point(uv[2]) - Point(uv[0]);
-  return 0.5 * std::abs(b.x * c.y - b.y * c.x);
+  return 0.5 * std::abs(cross(b, c));
 }
 
 // Calls for each texel whose middle lies well inside the triangle.
@@ -40,7 +41,7 @@ void for_texels_inside(const std::array<Vec2, 3>& uv, int size, const Visit& vis
   std::array<Point, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = static_cast<double>(size) * Point(uv[k]) - 0.5;
   const auto b = t[1] - t[0], c = t[2] - t[0];
-  const auto area = b.x * c.y - b.y * c.x;
+  const auto area = cross(b, c);
   if (area == 0.0) return;
   const auto low = glm::ceil(glm::min(glm::min(t[0], t[1]), t[2]));
   const auto high = glm::floor(glm::max(glm::max(t[0], t[1]), t[2]));
@@ -48,7 +49,7 @@ void for_texels_inside(const std::array<Vec2, 3>& uv, int size, const Visit& vis
     for (auto x = std::max(0, static_cast<int>(low.x)); x <= std::min(size - 1, static_cast<int>(high.x));
          ++x) {
       const auto p = Point(x, y) - t[0];
-      const auto v = (p.x * c.y - p.y * c.x) / area, w = (b.x * p.y - b.y * p.x) / area;
+      const auto v = cross(p, c) / area, w = cross(b, p) / area;
       if (v > well && w > well && v + w < 1.0 - well)
         visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x));
     }

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/lightmap/cross.h"
+
 namespace luxel {
 namespace {
 
 using Point = glm::dvec2;
 using Triangle = std::array<Point, 3>;
-
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
 struct Nearest {
   double distance2 = std::numeric_limits<double>::infinity();
