@@ -106,11 +106,7 @@ ChartCuts::Cut ChartCuts::across_page(const Chart& chart) const {
   const auto most = static_cast<double>(options_.most_texels) * static_cast<double>(options_.texel);
   if (chart.size[0] <= most && chart.size[1] <= most) return {};
   const Cut across{true, {{0.5 * chart.size[0], 0.0}, {0.0, 1.0}}};
-  const auto is_left = [&](std::uint32_t side) {
-    return on_chart(chart, patches_.centroid(side / 2)).x < across.line.point.x;
-  };
-  const auto left = std::count_if(chart.sides.begin(), chart.sides.end(), is_left);
-  if (left > 0 && left < static_cast<std::ptrdiff_t>(chart.sides.size())) return across;
+  if (parts(chart, across.line)) return across;
   if (chart.sides.size() > 1) {  // all around one place: by their order, as nothing else tells them apart
     const auto x = on_chart(chart, patches_.centroid(chart.sides[0] / 2)).x;
     for (const auto side : chart.sides)
