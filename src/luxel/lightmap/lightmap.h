@@ -36,6 +36,9 @@ struct Lightmap {
   std::vector<LightmapPage> pages;  // each atlas.page_size wide and high
 };
 
+// Throws MismatchError where the lightmap is of other patches.
+void check_is_of(const PatchSet& patches, const Lightmap& lightmap);
+
 // The irradiance that a reader sees: between the middles of texels it runs bilinearly. at: texels, from the
 // top left of the page. Beyond the page's edge its last texels go on.
 Vec3 look_up(const Image& page, const Vec2& at);

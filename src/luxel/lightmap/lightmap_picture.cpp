@@ -39,10 +39,7 @@ Vec3d radiance_at(const Shot& shot, const Hit& hit) {
 
 Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const Tracer& tracer,
                        const Camera& camera, const RenderOptions& options, const Workers& workers) {
-  if (lightmap.atlas.chart_of.size() != 2 * patches.size())
-    throw MismatchError(
-        fmt::format("the lightmap is of {} sides but the scene has {}: make it from this scene",
-                    lightmap.atlas.chart_of.size(), 2 * patches.size()));
+  check_is_of(patches, lightmap);
   if (!patches.has_colours())
     throw MismatchError("a picture from a lightmap needs light that was solved in plain colour");
   if (options.samples_per_side < 1)

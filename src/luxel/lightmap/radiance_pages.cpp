@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <fmt/format.h>
-
 #include "luxel/lightmap/dilate.h"
 #include "luxel/lightmap/texel_places.h"
-#include "luxel/report/error.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
@@ -20,10 +17,7 @@ constexpr std::size_t texels_a_chunk = 1024;
 
 std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Workers& workers,
                                   const Monitor& monitor) {
-  if (lightmap.atlas.chart_of.size() != 2 * patches.size())
-    throw MismatchError(
-        fmt::format("the lightmap is of {} sides but the scene has {}: make it from this scene",
-                    lightmap.atlas.chart_of.size(), 2 * patches.size()));
+  check_is_of(patches, lightmap);
   const auto places = find_texel_places(lightmap.atlas, workers, monitor);
   if (places.empty()) return {};
   const FineColours fine(patches);
