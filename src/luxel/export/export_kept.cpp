@@ -23,6 +23,7 @@
 #include "luxel/gltf/is_gltf.h"
 #include "luxel/image/image_file.h"
 #include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/solution/back_is_lit.h"
 
 namespace luxel {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/lit_mesh.h"
 
-#include <algorithm>
 #include <limits>
 #include <span>
 #include <utility>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/report/error.h"
+#include "luxel/solution/back_is_lit.h"
 
 namespace luxel {
 namespace {
@@ -69,11 +69,6 @@ LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, 
 }
 
 }  // namespace
-
-bool back_is_lit(const Solution& solution, std::size_t patch) {
-  const auto back = of_element(solution.irradiance_back, patch, solution.bands.size());
-  return std::any_of(back.begin(), back.end(), [](float h) { return h > 0.0f; });
-}
 
 ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const ToneOptions& tone) {
   const auto colours = patches.colours();

@@ -31,9 +31,6 @@ struct LitVertex {
   Vec3 irradiance;  // W/m² by linear sRGB, of the side shown
 };
 
-// Whether light fell on the back of a patch.
-bool back_is_lit(const Solution& solution, std::size_t patch);
-
 // One curve for a whole mesh, from every side that sends light out.
 ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const ToneOptions& tone);
 

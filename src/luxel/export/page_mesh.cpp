@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/page_mesh.h"
 
-#include <algorithm>
 #include <limits>
+
+#include "luxel/solution/back_is_lit.h"
 
 namespace luxel {
 namespace {
 
 constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
-
-bool back_is_lit(const Solution& solution, std::size_t patch) {
-  const auto bands = static_cast<std::ptrdiff_t>(solution.bands.size());
-  const auto back = solution.irradiance_back.begin() + static_cast<std::ptrdiff_t>(patch) * bands;
-  return std::any_of(back, back + bands, [](float h) { return h > 0.0f; });
-}
 
 // number: [smooth vertex]; its vertex of the material at hand, or unnumbered.
 void add_triangle(PageMesh& mesh, const SmoothLight& light, std::size_t material, std::uint32_t patch,

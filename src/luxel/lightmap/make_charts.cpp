@@ -10,6 +10,7 @@
 #include "luxel/lightmap/flat_piece.h"
 #include "luxel/math/trig.h"
 #include "luxel/report/error.h"
+#include "luxel/solution/back_is_lit.h"
 #include "luxel/surface/side_nodes.h"
 
 namespace luxel {
@@ -48,15 +49,12 @@ class Pieces {
 
   // Every front, and the backs of pieces where light fell.
   void want_lit(const Solution& solution) {
-    const auto bands = patches_.band_count();
     const auto holds_light = [&](std::uint32_t side) {
       return side % 2 == 0 || patches_.material_of(side / 2).two_sided;
     };
     for (std::uint32_t p = 0; p < patches_.size(); ++p) taken_[2 * p] = false;
     for (std::uint32_t p = 0; p < patches_.size(); ++p) {
-      const auto* light = solution.irradiance_back.data() + p * bands;
-      if (!taken_[2 * p + 1] || std::none_of(light, light + bands, [](float h) { return h > 0.0f; }))
-        continue;
+      if (!taken_[2 * p + 1] || !back_is_lit(solution, p)) continue;
       for (const auto side : reach(2 * p + 1, holds_light, true)) taken_[side] = false;
     }
   }

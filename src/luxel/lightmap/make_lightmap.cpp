@@ -9,6 +9,7 @@
 #include "luxel/lightmap/dilate.h"
 #include "luxel/lightmap/new_layout.h"
 #include "luxel/report/error.h"
+#include "luxel/solution/back_is_lit.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
@@ -18,15 +19,9 @@ namespace {
 double automatic_texels(const PatchSet& patches, const Solution& solution, int page_size) {
   constexpr int most_of_page = 512;
   constexpr double share = 0.5;
-  const auto bands = patches.band_count();
-  const auto& backs = solution.irradiance_back;
   double area = 0.0;  // m²
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto* back = backs.data() + p * bands;
-    const bool is_lit =
-        p * bands < backs.size() && std::any_of(back, back + bands, [](float e) { return e > 0.0f; });
-    area += (is_lit ? 2.0 : 1.0) * patches.area[p];
-  }
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    area += (back_is_lit(solution, p) ? 2.0 : 1.0) * patches.area[p];
   const double side = std::min(page_size, most_of_page);
   return std::sqrt(share * side * side / area);
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "luxel/solution/solution.h"
+
+namespace luxel {
+
+// Whether light fell on the back of a patch; on none where the solution has no light of it.
+bool back_is_lit(const Solution& solution, std::size_t patch);
+
+}  // namespace luxel
