@@ -12,8 +12,6 @@ namespace {
 constexpr int columns = 36, rows = 23;
 constexpr double reaction = 0.12;  // s, for two thirds of the way
 
-float exp2_of(float stops) { return std::exp2(stops); }
-
 }  // namespace
 
 std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Space& space, float aspect) {
@@ -48,7 +46,7 @@ ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const Live
   ToneCurve curve{.options = options};
   if (options.op == ToneOperator::clamp) {
     is_settled_ = true;
-    curve.scale = exp2_of(options.exposure);
+    curve.scale = std::exp2(options.exposure);
     return curve;
   }
   const bool is_other = fitted_.op != options.op || fitted_.key != options.key;
@@ -64,7 +62,7 @@ ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const Live
     if (is_settled_) base_ = goal;
     fitted_ = options;
   }
-  curve.scale = std::exp(base_.value_or(0.0f)) * exp2_of(options.exposure);
+  curve.scale = std::exp(base_.value_or(0.0f)) * std::exp2(options.exposure);
   return curve;
 }
 

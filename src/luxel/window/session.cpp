@@ -39,9 +39,9 @@ void Session::take_place() {
 void Session::update() {
   if (coming_) {
     const auto status = coming_->status();
+    // The first scene is there at once, so that its progress is seen.
     if (coming_->mesh() || (!live_ && status.errors == 0)) {
-      // The first scene is there at once, so that its progress is seen.
-      if (coming_->mesh() || !live_) take_place();
+      take_place();
     } else if (status.errors > 0) {
       errors_.push_back(status.error_message);
       retire(std::move(coming_));

@@ -84,7 +84,7 @@ class Viewer {
   const std::shared_ptr<const CheckReport>& faults() const { return faults_; }  // null: not known yet
 
  private:
-  bool handle_key(Key key);
+  void handle_key(Key key);
   void handle_line(const Event& event);
   void update(double seconds);
   void begin_scene();

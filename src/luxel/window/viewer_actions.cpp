@@ -58,60 +58,59 @@ void Viewer::toggle_flying() {
   screen_.capture_cursor(navigator.is_flying());
 }
 
-bool Viewer::handle_key(Key key) {
+void Viewer::handle_key(Key key) {
   const auto flip = [](bool& choice) { choice = !choice; };
   switch (key) {
     case key::tab:
       toggle_flying();
-      return true;
+      return;
     case key::escape:
       if (navigator.is_flying()) toggle_flying();
       look.help = false;
       inquiry.unpin();
       inquiry.clear_line();
-      return true;
+      return;
     case key::f1:
       flip(look.help);
-      return true;
+      return;
     case key::f12:
       save_picture(fmt::format("{}.png", session.title()), screen_.pixels());
-      return true;
+      return;
     case 'P':
       flip(look.panel);
-      return true;
+      return;
     case 'G':
       flip(look.wires);
-      return true;
+      return;
     case 'N':
       flip(look.normals);
-      return true;
+      return;
     case 'B':
       flip(look.boxes);
-      return true;
+      return;
     case 'R':
       flip(look.rays);
-      return true;
+      return;
     case 'X':
       flip(look.automatic_exposure);
-      return true;
+      return;
     case 'L':
       look.show = Show::light;
-      return true;
+      return;
     case 'I':
       look.show = Show::irradiance;
-      return true;
+      return;
     case 'O':
       look.show = static_cast<Show>((static_cast<int>(look.show) + 1) % show_count);
-      return true;
+      return;
     case 'T':
       look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % 4);
-      return true;
+      return;
     case ' ':
-      if (!session.has_scene()) return false;
-      session.status().is_paused ? session.live().resume() : session.live().pause();
-      return true;
+      if (session.has_scene()) session.status().is_paused ? session.live().resume() : session.live().pause();
+      return;
     default:
-      return false;
+      return;
   }
 }
 
