@@ -80,7 +80,8 @@ class KeptExport {
 
   KeptMaterials& materials() { return materials_; }
   const BandMaterial& material_of(const KeptPart& part) const {
-    return input_.patches.materials[number_of_material(part)];
+    const auto number = input_.scene.triangle_material[part.triangles.front()];
+    return input_.patches.materials[static_cast<std::size_t>(number)];
   }
 
  private:
@@ -91,13 +92,6 @@ class KeptExport {
   }
   // gone: [node] primitives of its mesh, ascending.
   void take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone);
-  // A part has one material, and so all of its triangles have.
-  std::size_t number_of_material(const KeptPart& part) const {
-    return static_cast<std::size_t>(input_.scene.triangle_material[part.triangles.front()]);
-  }
-  bool is_opaque(const KeptPart& part) const {
-    return !part.triangles.empty() && input_.scene.materials[number_of_material(part)].opaque;
-  }
   JsonValue material_json(const KeptPart& part) const {
     const auto index = part.drawn.primitive["material"];
     return index ? file_->object(index, "materials") : index;
@@ -126,7 +120,7 @@ void KeptExport::put(const SurfacesOf& surfaces_of, const Light& light) {
       mesh_of[node] = mesh_of_node(copy_, node, taken);
   std::map<std::size_t, std::vector<std::size_t>> gone;  // [node]: primitives, ascending
   for (const auto& part : parts_) {
-    if (!is_opaque(part)) continue;
+    if (!is_opaque(input_.scene, part)) continue;
     const auto mesh = mesh_of.at(part.drawn.placed.number);
     const auto own = primitive_path(mesh, part.drawn.number);
     const auto surfaces = surfaces_of(part);

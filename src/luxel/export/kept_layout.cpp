@@ -15,10 +15,6 @@ namespace {
 constexpr int judged_at = 512;   // texels of a page
 constexpr float beyond = 1e-4f;  // of a page: rounding
 
-bool is_opaque(const Scene& scene, const KeptPart& part) {
-  return scene.materials[static_cast<std::size_t>(scene.triangle_material[part.triangles.front()])].opaque;
-}
-
 bool on_page(const Vec2& uv) {
   return uv.x >= -beyond && uv.y >= -beyond && uv.x <= 1.0f + beyond && uv.y <= 1.0f + beyond;
 }
@@ -38,7 +34,7 @@ std::optional<GivenLayout> kept_layout(const Scene& scene, const PatchSet& patch
   std::size_t with = 0;
   std::string without;
   for (const auto& part : kept_parts(file, scene, metres_a_unit, {})) {
-    if (part.triangles.empty() || !is_opaque(scene, part)) continue;
+    if (!is_opaque(scene, part)) continue;
     const auto place = part.drawn.primitive["attributes"][lightmap_coordinates];
     if (!place) {
       without = part.drawn.object;

@@ -37,6 +37,11 @@ void match_corners(KeptPart& part, const GltfArray& positions, const Scene& scen
 
 }  // namespace
 
+bool is_opaque(const Scene& scene, const KeptPart& part) {
+  if (part.triangles.empty()) return false;
+  return scene.materials[static_cast<std::size_t>(scene.triangle_material[part.triangles.front()])].opaque;
+}
+
 std::vector<KeptPart> kept_parts(GltfFile& file, const Scene& scene, double metres_a_unit,
                                  const std::vector<std::uint32_t>& order) {
   std::vector<KeptPart> parts;

@@ -21,6 +21,9 @@ struct KeptPart {
   bool as_read = true;                                // no triangle was turned since
 };
 
+// Whether it draws anything, and what it draws lets no light pass. A part has one material.
+bool is_opaque(const Scene& scene, const KeptPart& part);
+
 // The parts of a file that a scene was read from, or that was made of it. order: [triangle of the file] that
 // of the scene; empty: the same. Throws InputError as reading it does, MismatchError where the scene has
 // other triangles than the file.
