@@ -12,7 +12,7 @@ namespace luxel {
 namespace {
 
 constexpr double on_edge = 1e-5;  // weights below are those of points on an edge
-constexpr auto none = KeptSurface::no_light;
+constexpr auto no_light = KeptSurface::no_light;
 
 DrawnCorner own_corner(std::uint32_t vertex) {
   return {.place = {{vertex, vertex, vertex}, {1.0, 0.0, 0.0}}};
@@ -88,7 +88,7 @@ SurfaceMaker::SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page) 
   surface_.page = page;
   surface_.own.resize(part.vertices);
   std::iota(surface_.own.begin(), surface_.own.end(), 0u);
-  surface_.light.resize(part.vertices, none);
+  surface_.light.resize(part.vertices, no_light);
   surface_.uv.resize(part.vertices, Vec2(0.0f));
 }
 
@@ -144,10 +144,10 @@ void SurfaceMaker::keep_only(const std::vector<std::uint32_t>& used) {
 // A vertex of the file keeps the first light that it is given; for another there is another vertex.
 std::uint32_t SurfaceMaker::vertex(const DrawnCorner& corner) {
   const auto& place = corner.place;
-  const bool is_own = corner.point == none;
+  const bool is_own = corner.point == DrawnCorner::none;
   if (is_own) {
     auto& light = surface_.light[place.of[0]];
-    if (light == none) {
+    if (light == no_light) {
       light = corner.light;
       surface_.uv[place.of[0]] = corner.uv;
     }

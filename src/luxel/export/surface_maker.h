@@ -17,7 +17,7 @@ struct DrawnCorner {
   static constexpr std::uint32_t none = 0xffffffffu;
   KeptVertex place;
   std::uint32_t point = none;  // a vertex of the patches; none: a corner of the triangle
-  std::uint32_t light = none;
+  std::uint32_t light = KeptSurface::no_light;
   Vec2 uv{0.0f};
 };
 
