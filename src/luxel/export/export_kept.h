@@ -31,6 +31,10 @@ struct KeptInput {
   const Solution& solution;
 };
 
+// Patches as if a file had them so, for where their scene is not at hand. PatchSet::triangle of theirs must
+// be each its own number.
+Scene scene_of(const PatchSet& patches);
+
 // A scene with light on it, as one GLB. Where it was read from a glTF file (Scene::source, is_gltf()) that
 // file is kept: its nodes, names, hierarchy, textures, extensions and whatever else it says stay. Another
 // scene becomes what it would be as glTF, see gltf_of(). A mesh that several nodes show becomes one for each,
@@ -42,12 +46,8 @@ struct KeptInput {
 // All throw MismatchError where scene, file, patches and solution do not belong together, InputError where
 // the file is damaged or the GLB would be beyond 4 GiB, DeviceError.
 
-// Patches as if a file had them so, for where their scene is not at hand. PatchSet::triangle of theirs must
-// be each its own number.
-Scene scene_of(const PatchSet& patches);
-
-// COLOR_0, tone-mapped, and _IRRADIANCE as in export_glb(), materials unlit. The surfaces
-// are cut into patches as the light is; a new vertex has the mean of what those around it have.
+// COLOR_0, tone-mapped, and _IRRADIANCE as in export_glb(), materials unlit. The surfaces are cut into
+// patches as the light is; a new vertex has the mean of what those around it have.
 void export_kept_cut(const std::filesystem::path& path, const KeptInput& input, const SmoothLight& light,
                      const KeptOptions& options);
 // The same on the file's own triangles, where `fit` has the light.
@@ -65,8 +65,8 @@ struct KeptPages {
 // Both write nothing, and answer false, where the monitor says stop before all is ready.
 //
 // Further texture coordinates where the pages show each surface; triangles stay as they are but where charts
-// are cut. Pages become 8-bit sRGB textures. Irradiance: glTF has no place of its own for it, so
-// materials name their page as MOZ_lightmap has it.
+// are cut. Pages become 8-bit sRGB textures. Irradiance: glTF has no place of its own for it, so materials
+// name their page as MOZ_lightmap has it.
 bool export_kept_lightmap(const std::filesystem::path& path, const KeptInput& input, const KeptPages& pages,
                           const KeptOptions& options, const Monitor& monitor = {});
 // Radiance: as what black surfaces emit, so that every program shows it without a lamp.

@@ -26,7 +26,8 @@ class KeptMaterials {
   // Whether a texture goes on colouring what the primitive's material reflects.
   static bool is_textured(const JsonValue& material);
 
-  // Each gives the primitive at `path` its material: `material` of the file, which may be none, changed.
+  // Each gives the primitive at `path` its material: that of the file which `index` names, changed; or one
+  // made for it, where there is no index.
   // Shadeless, the base colour white: what the vertices say is what is seen, but for the texture.
   void shadeless(const std::string& path, const JsonValue& index);
   // Lit by a texture: of so much irradiance where it is 1, after the display's scale. emission: of the

@@ -18,9 +18,9 @@ class GltfArray {
   // An accessor without a bufferView is all zeros, and could say that it has any number of them.
   static constexpr std::size_t most_zeros = std::size_t{1} << 20;
 
-  // index is the place that names the accessor, as primitive["indices"]. components: how many numbers an
-  // element must have, from `fewest` to `most` (of vectors and scalars; matrices are refused). Throws
-  // InputError where the file's bytes do not hold what it says.
+  // index is the place that names the accessor, as primitive["indices"]. fewest, most: how many numbers an
+  // element may have (of vectors and scalars; matrices are refused). Throws InputError where the file's bytes
+  // do not hold what it says.
   GltfArray(GltfFile& file, const JsonValue& index, int fewest, int most);
 
   std::size_t size() const { return count_; }

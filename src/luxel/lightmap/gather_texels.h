@@ -27,8 +27,8 @@ struct TexelReport {
   std::uint64_t gathered = 0;     // of them, by final gather
   std::uint64_t short_of_it = 0;  // of these, with most_rays and still a larger error than asked
   std::uint64_t rays = 0;         // traced
-  bool stopped =
-      false;  // by the monitor in the stage "texels": those not reached hold the interpolated light
+  // By the monitor in the stage "texels": those not reached hold the interpolated light.
+  bool stopped = false;
 };
 
 // Fills the pages of an atlas, each texel with the irradiance at its place (find_texel_places).

@@ -26,9 +26,9 @@ struct Lighting {
 
 // A scene whose light is solved in a thread of its own, while others look at it.
 //
-// Opened with a scene (OBJ) it is read, cut and solved; opened with a solution (.vtkhdf) its light is shown
-// as it is. Once a solve has ended its light is, to the bit, that of a `luxel bake` with the same options
-// (--keep-transport where keeps_transport is set).
+// Opened with a scene (OBJ, glTF) it is read, cut and solved; opened with a solution (.vtkhdf) its light is
+// shown as it is. Once a solve has ended its light is, to the bit, that of a `luxel bake` with the same
+// options (--keep-transport where keeps_transport is set).
 //
 // No call throws, and none takes long: each leaves a word for the solver's thread, or takes what it has put
 // out. The functions may be called by any one thread at a time. What goes wrong becomes a sentence in the
