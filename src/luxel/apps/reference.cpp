@@ -20,7 +20,7 @@ namespace {
 class Reference final : public Command {
  public:
   explicit Reference(OptionSet& options) : Command(options) {
-    scene_.declare(options, "the mesh: an OBJ file with its MTL; or a solution (.vtkhdf), for its patches");
+    scene_.declare(options, "the mesh (OBJ with MTL, glTF); or a solution (.vtkhdf), for its patches");
     scene_.declare_contacts(options);
     scene_.declare_sky(options);
     scene_.declare_spectra(options);

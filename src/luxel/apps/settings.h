@@ -25,8 +25,8 @@ struct SceneSettings {
   LoadOptions load;
   PatchOptions patches;
   // What is to be read, and how; then what it is cut into as well.
-  void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
-  void declare(OptionSet& set, const char* what_it_takes = "the mesh: an OBJ file with its MTL");
+  void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
+  void declare(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
   // Of the commands that find light; the first right after declare(), the others where the options of light
   // begin.
   void declare_contacts(OptionSet& set);
