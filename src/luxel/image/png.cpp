@@ -198,9 +198,7 @@ std::string encode_png(const ScreenImage& image) {
 }
 
 std::string encode_png(const Raster& raster) {
-  const auto row = [&](int y) {
-    return raster.codes[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width)].data();
-  };
+  const auto row = [&](int y) { return raster.codes[raster.index(0, y)].data(); };
   return encode_codes(raster.width, raster.height, 4, row, {});
 }
 
