@@ -60,8 +60,8 @@ struct ConvergencePoint {
 
 // What is going on, and what went before.
 struct LiveStatus {
-  // What is being done: "load", "triangles", "patches", "refine", "hierarchy", "light", "surface", "light
-  // groups", "relight", "read", "write"; empty where there is nothing to do.
+  // What is being done: "load", "triangles", "patches", "refine" or "read", "hierarchy", "forecast",
+  // "factors", "light", "light groups", "relight", "bounces", "write"; empty where there is nothing to do.
   std::string stage;
   double done = 0.0;          // share of the stage, 0 to 1
   bool is_idle = false;       // the solver has nothing to do, and no command waits
