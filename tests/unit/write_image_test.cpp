@@ -100,6 +100,12 @@ TEST(WriteImage, can_be_stopped_on_the_way) {
   }
 }
 
+TEST(WriteImage, in_memory_a_picture_without_pixels_is_refused_too) {
+  EXPECT_THROW(png_of(Image()), DeviceError);
+  EXPECT_THROW(png_of(Raster()), DeviceError);
+  EXPECT_THROW(exr_of(Image()), DeviceError);
+}
+
 // Half floats have 11 significant bits from 6.1e-5 on, so rounding costs at most 2^-11; below, steps of
 // 2^-24.
 TEST(WriteExr, values_are_read_back_within_a_half) {

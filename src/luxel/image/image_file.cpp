@@ -19,10 +19,11 @@ namespace {
 
 constexpr std::uint64_t largest_file = std::uint64_t{512} << 20;
 
+// name: of the file, for errors.
 template <typename Picture, typename Encode>
-void write_encoded(const fs::path& path, const Picture& image, const Encode& encode) {
+std::string encoded(const std::string& name, const Picture& image, const Encode& encode) {
   const auto refuse = [&](const std::string& reason) {
-    throw DeviceError(fmt::format("cannot write {}: {}", path.string(), reason));
+    throw DeviceError(fmt::format("cannot write {}: {}", name, reason));
   };
   if (image.width < 1 || image.height < 1) refuse("the picture has no pixels");
   std::string bytes;
@@ -31,7 +32,12 @@ void write_encoded(const fs::path& path, const Picture& image, const Encode& enc
   } catch (const CodecError& e) {
     refuse(e.what());
   }
-  write_file(path, bytes);
+  return bytes;
+}
+
+template <typename Picture, typename Encode>
+void write_encoded(const fs::path& path, const Picture& image, const Encode& encode) {
+  write_file(path, encoded(path.string(), image, encode));
 }
 
 // Only formats asked for reach a decoder: stb knows more of them, less well tested.
@@ -60,15 +66,20 @@ void write_png(const fs::path& path, const ScreenImage& image) {
   write_encoded(path, image, [](const ScreenImage& codes) { return encode_png(codes); });
 }
 std::string png_of(const Image& display, const PictureNotes& notes, const Monitor& monitor) {
-  return encode_png(display, notes, monitor);
+  return encoded("a PNG picture", display,
+                 [&](const Image& image) { return encode_png(image, notes, monitor); });
 }
 std::string png_of(const Raster& raster) {
-  return raster.codes.empty() ? encode_png(as_image(raster)) : encode_png(raster);
+  return encoded("a PNG picture", raster, [](const Raster& picture) {
+    return picture.codes.empty() ? encode_png(as_image(picture)) : encode_png(picture);
+  });
 }
 void write_exr(const fs::path& path, const Image& linear) {
   write_encoded(path, linear, [](const Image& image) { return encode_exr(image); });
 }
-std::string exr_of(const Image& linear, const Monitor& monitor) { return encode_exr(linear, monitor); }
+std::string exr_of(const Image& linear, const Monitor& monitor) {
+  return encoded("an EXR picture", linear, [&](const Image& image) { return encode_exr(image, monitor); });
+}
 void write_hdr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_hdr); }
 
 Raster decode_raster(std::string_view bytes, const std::string& name) {
