@@ -81,8 +81,7 @@ Triangle on_plane(const PatchSet& patches, const std::array<Vec3d, 2>& axes, std
   return t;
 }
 
-}  // namespace
-
+// Two axes at right angles to a unit direction, so that (first, second, direction) is right-handed.
 std::array<Vec3d, 2> axes_across(const Vec3d& direction) {
   const auto a = glm::abs(direction);
   const Vec3d other = a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0)
@@ -91,6 +90,8 @@ std::array<Vec3d, 2> axes_across(const Vec3d& direction) {
   const auto s = glm::normalize(glm::cross(other, direction));
   return {s, glm::cross(direction, s)};
 }
+
+}  // namespace
 
 Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, const Vec3d& direction) {
   const auto axes = axes_across(direction);

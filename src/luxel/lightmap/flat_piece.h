@@ -16,9 +16,6 @@ inline Vec3d facing(const PatchSet& patches, std::uint32_t side) {
   return side % 2 == 0 ? n : -n;
 }
 
-// Two axes at right angles to a unit direction, so that (first, second, direction) is right-handed.
-std::array<Vec3d, 2> axes_across(const Vec3d& direction);
-
 // The sides as a chart, seen along `direction` (unit), which they all face: in the smallest of the boxes that
 // have an edge along their convex hull (Freeman and Shapira 1975).
 Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, const Vec3d& direction);

@@ -12,8 +12,7 @@ namespace {
 constexpr int columns = 36, rows = 23;
 constexpr double reaction = 0.12;  // s, for two thirds of the way
 
-}  // namespace
-
+// What leaves the surfaces that are seen through a grid of the view, W/(m² sr), the sky where nothing is.
 std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Space& space, float aspect) {
   const auto& patches = *light.mesh.patches;
   const auto colours = patches.colours();
@@ -38,6 +37,8 @@ std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Spa
     }
   return seen;
 }
+
+}  // namespace
 
 void Exposure::forget() { base_.reset(); }
 

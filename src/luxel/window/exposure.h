@@ -28,7 +28,4 @@ class Exposure {
   bool is_settled_ = true;
 };
 
-// What leaves the surfaces that are seen through a grid of the view, W/(m² sr), the sky where nothing is.
-std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Space& space, float aspect);
-
 }  // namespace luxel

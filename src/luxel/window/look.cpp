@@ -58,8 +58,6 @@ constexpr Number numbers[] = {
 
 }  // namespace
 
-std::string_view name(Show show) { return shows[static_cast<std::size_t>(show)]; }
-
 float script_number(std::string_view of, const std::string& text) {
   float value = 0.0f;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

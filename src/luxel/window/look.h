@@ -12,8 +12,6 @@ namespace luxel {
 // What surfaces show. The order is that of the panel.
 enum class Show { light, irradiance, standard_error, patch_size, level, difference, unshot, grey, sides };
 inline constexpr int show_count = 9;
-// "light", "irradiance", "standard-error", ...: of the panel and of scripts.
-std::string_view name(Show show);
 
 // What a person has chosen to see. Every choice has a name, by which a script makes it too.
 struct Look {
