@@ -40,7 +40,10 @@ class ThreadRanks {
       together([&] { hub_.given[rank_] = own; },
                [&] {
                  auto to = all.begin();
-                 for (const auto& part : hub_.given) to = std::copy(part.begin(), part.end(), to);
+                 for (const auto& part : hub_.given) {
+                   if (part.data() != &*to) std::copy(part.begin(), part.end(), to);
+                   to += static_cast<std::ptrdiff_t>(part.size());
+                 }
                });
     }
     void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,

@@ -12,6 +12,7 @@
 #include "luxel/solve/replicate_spread.h"
 
 #include "support/chi_square.h"
+#include "support/thread_ranks.h"
 #include "support/truth_scenes.h"
 
 namespace luxel {
@@ -27,12 +28,12 @@ struct Floor {
   GatherSides sides;
   std::vector<float> area;  // [slot]
 
-  explicit Floor(int threads = 2, bool two_sided = false)
+  explicit Floor(int threads = 2, bool two_sided = false, float max_edge = 0.2f)
       : patches(make_patches(truth::SceneBuilder()
                                  .material("floor", 0.5f, 1.0f, two_sided)
                                  .quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0})
                                  .scene(),
-                             {.max_edge = 0.2f})),
+                             {.max_edge = max_edge})),
         workers(threads),
         tree(make_patch_tree(patches, workers)),
         sides(all_gather_sides(patches, tree)) {
@@ -165,6 +166,33 @@ TEST(ShareLight, gives_the_same_bits_on_any_number_of_threads) {
     EXPECT_EQ(shared.values, expected.values);
     EXPECT_EQ(shared.bias, expected.bias);
   }
+}
+
+// A region of several tasks, and fits that reach over the slots of two ranks.
+TEST(ShareLight, ranks_get_for_their_slots_the_bits_of_one) {
+  const Floor f(1, true, 0.05f);
+  ASSERT_GT(f.sides.fronts, 16'000u);
+  const auto field = [](const Vec3& p) { return p.x < 1.5f ? linear(p) : 2.0f + std::sin(6.0f * p.y); };
+  const auto noise = noisy(f, field, 0.05f, 5);
+  auto alone = noise;
+  std::vector<float> bias(alone[0].size(), 0.0f);
+  share_light(f.patches, f.tree, f.sides, alone, bias, f.workers);
+  ASSERT_NE(alone, noise);
+  for (const std::size_t count : {2u, 5u})
+    ThreadRanks::run(count, [&](const Ranks& ranks) {
+      const Workers workers(1);
+      auto values = noise;
+      std::vector<float> own_bias(bias.size(), 0.0f);
+      const auto mine = spread_share(&ranks, f.sides.size());
+      LightSharing(f.patches, f.tree, f.sides, workers).share(values, own_bias, workers, mine);
+      const auto is_same = [&](const std::vector<float>& a, const std::vector<float>& b) {
+        const auto at = [&](std::size_t slot) { return static_cast<std::ptrdiff_t>(slot * bands); };
+        return std::equal(a.begin() + at(mine.begin()), a.begin() + at(mine.end()),
+                          b.begin() + at(mine.begin()));
+      };
+      for (std::size_t r = 0; r < values.size(); ++r) EXPECT_TRUE(is_same(values[r], alone[r])) << r;
+      EXPECT_TRUE(is_same(own_bias, bias));
+    });
 }
 
 TEST(ShareLight, does_with_one_band_what_it_does_with_three_alike) {

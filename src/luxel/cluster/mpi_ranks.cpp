@@ -47,13 +47,14 @@ class MpiRanks final : public Ranks {
     if (places.back() <= largest_message) {
       const std::vector<int> counts(sizes.begin(), sizes.end());
       const std::vector<int> offsets(places.begin(), places.end() - 1);
-      MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(),
-                     offsets.data(), MPI_BYTE, MPI_COMM_WORLD);
+      const void* from = own.data() == all.data() + places[rank_] ? MPI_IN_PLACE : own.data();
+      MPI_Allgatherv(from, static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(), offsets.data(),
+                     MPI_BYTE, MPI_COMM_WORLD);
       return;
     }
     for (std::size_t r = 0; r < size_; ++r) {
       auto part = all.subspan(places[r], sizes[r]);
-      if (r == rank_) std::copy(own.begin(), own.end(), part.begin());
+      if (r == rank_ && own.data() != part.data()) std::copy(own.begin(), own.end(), part.begin());
       broadcast(part, static_cast<int>(r));
     }
   }

@@ -26,7 +26,8 @@ class Ranks {
   virtual std::size_t size() const = 0;
   virtual RankTraffic traffic() const { return {}; }  // where it is measured
 
-  // What each rank gives, one after the other: sizes[r] bytes from rank r. The same in all ranks.
+  // What each rank gives, one after the other: sizes[r] bytes from rank r. The same in all ranks. `own` may
+  // lie in `all`, at its place there.
   virtual void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
                           std::span<const std::size_t> sizes) const = 0;
   // Likewise, but in the first rank alone; `all` of the others is not looked at.
@@ -90,8 +91,11 @@ class LoopShare {
   LoopShare(const Ranks* ranks, std::size_t count, std::size_t grain)
       : ranks_(ranks), count_(count), grain_(grain) {}
 
+  const Ranks* ranks() const { return ranks_; }
+  std::size_t grain() const { return grain_; }
   std::size_t begin() const { return ranks_ ? begin_of(ranks_->rank()) : 0; }
   std::size_t end() const { return ranks_ ? begin_of(ranks_->rank() + 1) : count_; }
+  bool contains(std::size_t i) const { return begin() <= i && i < end(); }
   // What each rank has put in its range becomes known to all. width: numbers for each of [0, count).
   template <typename T>
   void share(std::span<T> values, std::size_t width) const {
@@ -114,10 +118,8 @@ class LoopShare {
     std::vector<std::size_t> sizes;
     for (std::size_t r = 0; r < ranks_->size(); ++r)
       sizes.push_back((place_of(begin_of(r + 1)) - place_of(begin_of(r))) * sizeof(T));
-    const auto first = place_of(begin());
-    const std::vector<T> own(values.begin() + static_cast<std::ptrdiff_t>(first),
-                             values.begin() + static_cast<std::ptrdiff_t>(place_of(end())));
-    ranks_->all_gather(std::as_bytes(std::span(own)), std::as_writable_bytes(values), sizes);
+    const auto own = values.subspan(place_of(begin()), place_of(end()) - place_of(begin()));
+    ranks_->all_gather(std::as_bytes(own), std::as_writable_bytes(values), sizes);
   }
 
   const Ranks* ranks_;

@@ -11,7 +11,6 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 4096;         // slots a chunk
 constexpr std::size_t block_numbers = 768;  // of each replicate at a time: all of them fit in the first cache
 constexpr std::size_t sort_grain = 1 << 17;  // numbers a chunk
 constexpr std::uint32_t bin_shift = 18;      // bits of a float left out: bins 3 % wide
@@ -110,9 +109,10 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   struct Sums {
     double variance = 0.0, bias2 = 0.0, light2 = 0.0;
   };
+  const auto mine = spread_share(ranks, slots);
+  const auto grain = mine.grain();
   std::vector<Sums> sums((slots + grain - 1) / grain);
   std::vector<float> relative(slots, 0.0f);
-  const LoopShare mine(ranks, slots, grain);
   workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
@@ -184,8 +184,8 @@ Spread spread_of_sum(Replicates first, Replicates second, std::span<const float>
 
 void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
                         std::span<double> error2_of, const Workers& workers, const Ranks* ranks) {
-  const LoopShare mine(ranks, area.size(), grain);
-  workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
+  const auto mine = spread_share(ranks, area.size());
+  workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
     Block block(bands);

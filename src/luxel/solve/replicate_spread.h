@@ -26,10 +26,13 @@ struct Spread {
 // One set of replicates: [replicate][slot * bands + band].
 using Replicates = std::span<const std::vector<float>>;
 
+// Slots that ranks share, in the functions below and where their input is made.
+inline LoopShare spread_share(const Ranks* ranks, std::size_t slots) { return {ranks, slots, 4096}; }
+
 // constraints: how many of the replicates' degrees of freedom are taken, at least one by their mean.
 // area: [slot], m². bias: squared, [slot * bands + band], may be below 0 where it is an estimate near 0. The
 // same bits on any number of threads. Cost: about 50 ns a slot for 8 replicates of 3 bands. ranks: that call
-// with the same values and share the work.
+// with the same values, of their part of spread_share() at least, and share the work.
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
                  std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
                  const Ranks* ranks = nullptr);

@@ -68,6 +68,17 @@ struct Best {
     moments.add(other.moments);
     energy.add(other.energy);
   }
+  // Calls body with each of its numbers, to read it or to put another there.
+  template <typename Body>
+  void for_each(Body body) {
+    for (auto& x : moments.gram) body(x);
+    for (auto& x : moments.right) body(x);
+    double places = moments.places;
+    body(places);
+    moments.places = static_cast<std::uint32_t>(places);
+    for (auto& x : energy.signal) body(x);
+    body(energy.noise);
+  }
 };
 
 struct NodeFit {
@@ -78,8 +89,9 @@ struct NodeFit {
 // Chooses nodes by one half of the replicates, and fits them to the other: for the sides that face one way.
 class Sharing {
  public:
-  Sharing(const PatchTree& tree, std::span<const std::uint32_t> first_slot, const Workers& workers)
-      : tree_(tree), first_slot_(first_slot), workers_(workers) {}
+  Sharing(const PatchTree& tree, std::span<const std::uint32_t> first_slot, const Workers& workers,
+          const LoopShare& mine)
+      : tree_(tree), first_slot_(first_slot), workers_(workers), mine_(mine) {}
 
   // The nodes whose fits take the place of the patches' own numbers.
   std::vector<NodeFit> choose(const ReplicateHalf& half) {
@@ -91,10 +103,12 @@ class Sharing {
     workers_.for_chunks(tasks.size(), tasks_grain, [&](std::size_t begin, std::size_t end, int) {
       std::deque<Best> levels(1, Best(half.columns()));
       for (auto t = begin; t < end; ++t) {
+        if (!is_mine(tasks[t])) continue;
         represent(half, tasks[t].node, 0, levels);
         if (tasks[t].is_joined) best[t] = levels[0];
       }
     });
+    if (mine_.ranks()) share_tasks(*mine_.ranks(), half, tasks, best);
     std::size_t next = 0;
     for (const auto region : tree_.regions) join(half, region, tasks, best, next);
     std::vector<NodeFit> fits;
@@ -105,7 +119,10 @@ class Sharing {
   void apply(std::span<const NodeFit> fits, const ReplicateHalf& half, std::span<float> bias) const {
     workers_.for_chunks(fits.size(), tasks_grain, [&](std::size_t begin, std::size_t end, int) {
       Scratch scratch(half.columns());
-      for (auto f = begin; f < end; ++f) replace(half, fits[f], bias, scratch);
+      for (auto f = begin; f < end; ++f)
+        if (const auto& node = tree_.nodes[fits[f].node];
+            first_slot(node) < mine_.end() && end_slot(node) > mine_.begin())
+          replace(half, fits[f], bias, scratch);
     });
   }
 
@@ -120,6 +137,11 @@ class Sharing {
     std::vector<float> finer_values;  // means over replicates, [slot - first][band]
     explicit Scratch(Columns columns) : whole(columns), part(columns), finer(columns), fitted(columns) {}
   };
+
+  // A task without slots is somebody's too.
+  bool is_mine(const Task& task) const {
+    return mine_.contains(std::min(first_slot(tree_.nodes[task.node]), first_slot_.back() - 1));
+  }
 
   std::uint32_t first_slot(const PatchTree::Node& n) const { return first_slot_[n.first]; }
   std::uint32_t end_slot(const PatchTree::Node& n) const { return first_slot_[n.first + n.count]; }
@@ -163,6 +185,27 @@ class Sharing {
       best.add(below);
     }
     consider(half, k, best, below.energy);
+  }
+
+  // What each rank found in its own tasks becomes known to all.
+  void share_tasks(const Ranks& ranks, const ReplicateHalf& half, std::span<const Task> tasks,
+                   std::vector<Best>& best) {
+    std::vector<NodeFit> fits;
+    std::vector<double> numbers;
+    for (std::size_t t = 0; t < tasks.size(); ++t) {
+      if (!is_mine(tasks[t])) continue;
+      collect_fits(tasks[t].node, fits);
+      if (tasks[t].is_joined) best[t].for_each([&](double& x) { numbers.push_back(x); });
+    }
+    for (const auto& fit : joined(ranks, fits)) kept_[fit.node] = static_cast<std::uint8_t>(fit.degree);
+    // Tasks lie in the order of their slots, and so of the ranks.
+    const auto of_all = joined(ranks, numbers);
+    auto next = of_all.begin();
+    for (std::size_t t = 0; t < tasks.size(); ++t) {
+      if (!tasks[t].is_joined) continue;
+      best[t] = Best(half.columns());
+      best[t].for_each([&](double& x) { x = *next++; });
+    }
   }
 
   // The same walk as collect_tasks; next: the first task not yet met.
@@ -249,6 +292,7 @@ class Sharing {
   const PatchTree& tree_;
   std::span<const std::uint32_t> first_slot_;
   const Workers& workers_;
+  const LoopShare& mine_;
   std::vector<std::uint8_t> kept_;  // [node]: degree of its fit, if that is better than what is below; or 0
 };
 
@@ -282,14 +326,14 @@ LightSharing::LightSharing(const PatchSet& patches, const PatchTree& tree, const
   });
 }
 
-void LightSharing::share(std::span<std::vector<float>> values, std::span<float> bias,
-                         const Workers& workers) const {
+void LightSharing::share(std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers,
+                         const LoopShare& mine) const {
   const auto count = values.size() / 2;
   const ReplicateHalf low(values.first(count), bands_, places_);
   const ReplicateHalf high(values.subspan(count), bands_, places_);
   for (const auto& first_slot : first_slot_) {
     if (first_slot.front() == first_slot.back()) continue;
-    Sharing sharing(tree_, first_slot, workers);
+    Sharing sharing(tree_, first_slot, workers, mine);
     const auto chosen_by_low = sharing.choose(low);
     const auto chosen_by_high = sharing.choose(high);
     sharing.apply(chosen_by_low, high, bias);
@@ -299,7 +343,7 @@ void LightSharing::share(std::span<std::vector<float>> values, std::span<float> 
 
 void share_light(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides,
                  std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers) {
-  LightSharing(patches, tree, sides, workers).share(values, bias, workers);
+  LightSharing(patches, tree, sides, workers).share(values, bias, workers, {nullptr, sides.size(), 1});
 }
 
 }  // namespace luxel

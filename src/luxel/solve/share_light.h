@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/parallel/ranks.h"
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
@@ -36,8 +37,10 @@ class LightSharing {
   // from its own numbers. bias: [slot * bands + band], the square of what the fit may get wrong is added to
   // it; its sum weighted by area is an unbiased estimate, so it may be below 0 in places. The same bits on
   // any number of threads. Cost: about 0.3 us a slot for 8 replicates of 3 bands; nothing is kept but marks
-  // on nodes.
-  void share(std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers) const;
+  // on nodes. mine: of ranks that call with the same values and share the work, the slots whose numbers
+  // this one needs: it gets those, and some beside them.
+  void share(std::span<std::vector<float>> values, std::span<float> bias, const Workers& workers,
+             const LoopShare& mine) const;
 
  private:
   const PatchTree& tree_;

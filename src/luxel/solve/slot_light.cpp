@@ -44,11 +44,13 @@ SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
   // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
   // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
   if (guide) guide(weight_before_sharing);
-  sharing_->share(direct, bias, workers);
-  sharing_->share(gathered, bias, workers);
+  const auto mine = spread_share(ranks_, area_.size());
+  sharing_->share(direct, bias, workers, mine);
+  sharing_->share(gathered, bias, workers, mine);
   if (guide) guide(1.0 - weight_before_sharing);
   constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
   auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families, ranks_);
+  mine.share(std::span(bias), bands);
   return {std::move(spread), std::move(bias)};
 }
 
