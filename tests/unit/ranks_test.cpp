@@ -61,6 +61,26 @@ TEST(Balance, a_block_that_cannot_be_cut_stays) {
             (std::vector<std::uint32_t>{0, 0}));
 }
 
+TEST(Balance, work_that_anybody_can_do_takes_the_place_of_blocks_that_would_move) {
+  const std::vector<double> load = {6.0, 4.0};
+  EXPECT_EQ(balanced_owners({0, 0}, load, std::vector(2, 1.0)), (std::vector<std::uint32_t>{1, 0}));
+  EXPECT_EQ(balanced_owners({0, 0}, load, std::vector(2, 1.0), 10.0), (std::vector<std::uint32_t>{0, 0}));
+}
+
+TEST(Balance, pieces_go_to_who_is_free_first_as_fast_as_each_is) {
+  const RankTimes times{{1.0, 2.0, 1.0}, {0.0, 10.0, 40.0}};
+  std::vector<double> load;
+  for (int i = 0; i < 100; ++i) load.push_back(0.1 + 0.01 * (i * 37 % 100));
+  const auto owners = dealt_pieces(load, times);
+  auto ready = times.ready;
+  for (std::size_t i = 0; i < load.size(); ++i) ready[owners[i]] += load[i] / times.speed[owners[i]];
+  // The last one has enough to do; the others share 60 seconds: x and 2 (x - 10).
+  const auto sum = std::accumulate(load.begin(), load.end(), 0.0);
+  EXPECT_EQ(ready[2], 40.0);
+  EXPECT_NEAR(ready[0], (sum + 20.0) / 3.0, 0.2);
+  EXPECT_NEAR(ready[1], (sum + 20.0) / 3.0, 0.2);
+}
+
 class RanksTest : public testing::Test {
  protected:
   SampledOperator make(const Ranks* ranks) const {
@@ -105,8 +125,15 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
              static_cast<double>(owners.size());
     };
     EXPECT_GT(share_of_slow(), 0.3);
-    for (int round = 0; round < 3; ++round) shared.double_rays(all_slots(shared), 1, workers, monitor);
-    shared.double_rays(every_third(shared), 8, workers, monitor);
+    const auto double_rays = [&](const std::vector<std::uint32_t>& slots) {
+      std::vector<double> more(shared.sides().size(), 0.0);
+      for (const auto s : slots) more[s] = shared.rays_a_slot()[s];
+      const auto times = shared.balance(more, 0.0);
+      EXPECT_EQ(times.speed.size(), 3u);
+      shared.double_rays(slots, 1, workers, monitor);
+    };
+    for (int round = 0; round < 3; ++round) double_rays(all_slots(shared));
+    double_rays(every_third(shared));
     EXPECT_LT(share_of_slow(), 0.2);
     const auto rounds = shared.rounds();
     ASSERT_EQ(rounds.size(), truth.size());

@@ -66,10 +66,11 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   std::iota(all.begin(), all.end(), 0u);
   const auto first = first_samples(all.size(), options_.replicates);
   if (!take_direct(all, first, monitor)) return false;
+  const auto direct_rays = rays_;
   make_room(std::uint64_t{first} * options_.replicates * all.size());
   const auto traced = transport_->double_rays(all, first, workers_, told);
   if (!traced) return false;
-  rays_ += *traced;
+  rays_ = direct_->share(all, direct_rays) + *traced;
   leave_out_dark_sides(first_picture);
   check_memory();
   units_ = neighbour_begins(transport_->sides(), unit_positions);
@@ -82,14 +83,11 @@ bool Sampling::take_direct(std::span<const std::uint32_t> slots, std::uint32_t f
   constexpr std::size_t least_slots = 1 << 7;   // likewise: some chunks of a loop
   const auto threads = static_cast<std::size_t>(workers_.threads());
   while (!slots.empty()) {
-    auto count = slots.size();
-    if (!options_.ranks) {  // several ranks meet at the end of each turn: they take one
-      std::uint64_t rays = 0;
-      for (count = 0; count < slots.size() && (rays < turn_rays * threads || count < least_slots * threads);
-           ++count) {
-        const auto so_far = direct_->samples_a_slot()[slots[count]];
-        rays += std::uint64_t{options_.replicates} * (so_far > 0 ? so_far : first);
-      }
+    std::size_t count = 0;
+    for (std::uint64_t rays = 0;
+         count < slots.size() && (rays < turn_rays * threads || count < least_slots * threads); ++count) {
+      const auto so_far = direct_->samples_a_slot()[slots[count]];
+      rays += std::uint64_t{options_.replicates} * (so_far > 0 ? so_far : first);
     }
     rays_ += direct_->double_samples(slots.first(count), first, workers_);
     slots = slots.subspan(count);
@@ -150,9 +148,26 @@ void Sampling::leave_out_dark_sides(const Solution& first_picture) {
   direct_->keep(lit, transport_->sides());
 }
 
+void Sampling::share_out(std::span<const std::uint8_t> doublings) {
+  const auto n = units_.size() - 1;
+  std::vector<double> more_samples(transport_->sides().size(), 0.0), more_rays(more_samples);
+  const auto more = [](std::uint32_t so_far, std::uint8_t times) {
+    return static_cast<double>(so_far) * static_cast<double>((1u << times) - 1u);
+  };
+  for (std::size_t u = 0; u < n; ++u)
+    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
+      more_samples[s] = more(direct_->samples_a_slot()[s], doublings[u]);
+      more_rays[s] = more(transport_->rays_a_slot()[s], doublings[n + u]);
+    }
+  direct_->deal(more_samples, transport_->balance(more_rays, direct_->expected_seconds(more_samples)));
+}
+
 bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& monitor) {
   const auto n = units_.size() - 1;
   const auto turns = *std::max_element(doublings.begin(), doublings.end());
+  if (options_.ranks) share_out(doublings);
+  const auto rays_before = rays_;
+  std::uint64_t gathered_rays = 0;
   for (std::uint8_t turn = 0; turn < turns; ++turn) {
     std::vector<std::uint32_t> direct;
     std::map<std::uint32_t, std::vector<std::uint32_t>> gathered;  // by rays so far
@@ -168,8 +183,14 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
       const auto traced = transport_->double_rays(std::move(slots), 0, workers_, told);
       if (!traced) return false;
       rays_ += *traced;
+      gathered_rays += *traced;
     }
   }
+  std::vector<std::uint32_t> sampled;
+  for (std::size_t u = 0; u < n; ++u)
+    for (auto s = units_[u]; doublings[u] > 0 && s < units_[u + 1]; ++s) sampled.push_back(s);
+  const auto own_rays = rays_ - rays_before - gathered_rays;
+  rays_ = rays_before + gathered_rays + direct_->share(sampled, own_rays);
   return true;
 }
 

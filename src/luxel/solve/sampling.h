@@ -58,6 +58,8 @@ class Sampling {
   void make_room(std::uint64_t more_rays);
   // The samples of all sides: none yet.
   void lay_out();
+  // Of several ranks: who takes which samples of a take().
+  void share_out(std::span<const std::uint8_t> doublings);
   // The monitor is asked a few times a second. Returns false if it said stop.
   bool take_direct(std::span<const std::uint32_t> slots, std::uint32_t first, const Monitor& monitor);
   void leave_out_dark_sides(const Solution& first_picture);

@@ -129,7 +129,6 @@ std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint3
   const auto per_replicate = so_far > 0 ? so_far : first;
   const auto level = doublings_[slots[0]];
   const auto whole = std::uint64_t{options_.replicates} * per_replicate * slots.size();
-  balance(slots);
   const auto begin_time = Clock::now();
   auto round = make_round({level, per_replicate, mine(slots), nullptr});
   if (!is_streamed_) {
@@ -280,10 +279,7 @@ void SampledOperator::Replicates::apply(std::span<const float> radiosity, std::s
       }
     }
   });
-  const auto& sides = whole_.sides_;
-  whole_.shares_.share(
-      irradiance, bands, end - begin, [begin](std::size_t i) { return begin + i; },
-      [&](std::size_t i) { return sides.position[begin + i]; });
+  whole_.share_blocks(irradiance, bands, first, block_at(end));
 }
 
 }  // namespace luxel

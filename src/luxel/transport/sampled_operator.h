@@ -22,8 +22,7 @@ struct SampledOperatorOptions {
   std::uint32_t replicates = 8;
   bool low_discrepancy = true;  // else independent random numbers
   bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
-  // Share the rows: each traces and keeps the hits of its own. Before a round, rows move from ranks that were
-  // slow in those before to ranks that were fast.
+  // Share the rows: each traces and keeps the hits of its own.
   const Ranks* ranks = nullptr;
 };
 
@@ -53,6 +52,12 @@ class SampledOperator {
   // stop.
   std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> slots, std::uint32_t first,
                                            const Workers& workers, const Monitor& monitor = {});
+
+  // Of several ranks, which call this together: gives rows, with their hits, away or gets some, where that
+  // lets all of them be done with more rays at once, by how long those before took. more_rays: [slot], of one
+  // replicate; other_seconds: of a thread, for work that ranks share out by what this returns. Knows nothing
+  // before there were rays: all are ready at once then.
+  RankTimes balance(std::span<const double> more_rays, double other_seconds);
 
   // Forgets the hits, and those of later rounds: they are streamed from now on.
   void stream();
@@ -131,9 +136,9 @@ class SampledOperator {
   bool is_mine(std::uint32_t slot) const { return shares_.is_mine(sides_.position[slot]); }
   std::vector<std::uint32_t> mine(std::vector<std::uint32_t> slots) const;
   HitRound gathered(const HitRound& own) const;
+  // The numbers, `width` of them, of the slots of blocks [first, end) become known to all ranks.
+  void share_blocks(std::span<float> values, std::size_t width, std::size_t first, std::size_t end) const;
   Round own_part(const Round& whole) const;
-  // Gives rows away, or gets some, where that lets all ranks be done with such a round at once.
-  void balance(std::span<const std::uint32_t> slots);
   void move_rows(std::vector<std::uint32_t> owners);
   // Of a round of its own that took so long: what each job did. groups: places of slots, [group + 1].
   void learn_pace(const Round& own, std::span<const std::uint32_t> groups,
@@ -167,7 +172,8 @@ class SampledOperator {
   GatherSides sides_;
   SampledOperatorOptions options_;
   RowShares shares_;
-  double busy_threads_ = 0.0;           // of this rank, mean, in its last round; 0: not known
+  // Of this rank, since it was balanced: seconds of its threads together, and of the clock.
+  double busy_seconds_ = 0.0, traced_seconds_ = 0.0;
   std::vector<double> seconds_a_slot_;  // [block of shares_]: for one ray a replicate, as its owner measured
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;

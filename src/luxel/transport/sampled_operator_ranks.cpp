@@ -41,6 +41,17 @@ HitRound SampledOperator::gathered(const HitRound& own) const {
   return whole;
 }
 
+void SampledOperator::share_blocks(std::span<float> values, std::size_t width, std::size_t first,
+                                   std::size_t end) const {
+  if (!shares_.ranks()) return;
+  std::vector<RowShares::Run> runs;
+  for (auto b = first; b < end; ++b) {
+    const auto slot = block_begins_[b];
+    runs.push_back({shares_.owner(sides_.position[slot]), slot, block_begins_[b + 1] - slot});
+  }
+  shares_.share_runs(values, width, runs);
+}
+
 std::vector<HitRound> SampledOperator::rounds() const {
   if (!shares_.ranks()) return {rounds_.begin(), rounds_.end()};
   std::vector<HitRound> all;
@@ -77,26 +88,40 @@ void SampledOperator::learn_pace(const Round& own, std::span<const std::uint32_t
     }
   }
   if (!(busy > 0.0 && seconds > 0.0)) return;
-  busy_threads_ = busy / seconds;
+  busy_seconds_ += busy;
+  traced_seconds_ += seconds;
   seconds_a_slot_.resize(cost.size(), 0.0);
   for (std::size_t b = 0; b < cost.size(); ++b)
     if (slots[b] > 0.0) seconds_a_slot_[b] = cost[b] / (slots[b] * own.per_replicate);
 }
 
-void SampledOperator::balance(std::span<const std::uint32_t> slots) {
-  if (!shares_.ranks()) return;
-  const auto speed = of_all(*shares_.ranks(), is_streamed_ ? 0.0 : busy_threads_);
-  if (*std::min_element(speed.begin(), speed.end()) <= 0.0) return;
+RankTimes SampledOperator::balance(std::span<const double> more_rays, double other_seconds) {
+  if (!shares_.ranks()) return {{1.0}, {0.0}};
+  const auto& ranks = *shares_.ranks();
+  RankTimes times;
+  times.ready.resize(ranks.size(), 0.0);
+  times.speed = of_all(ranks, traced_seconds_ > 0.0 ? busy_seconds_ / traced_seconds_ : 0.0);
+  busy_seconds_ = traced_seconds_ = 0.0;
+  const auto streamed = of_all(ranks, is_streamed_ ? 1 : 0);
+  if (*std::max_element(streamed.begin(), streamed.end()) > 0 ||
+      *std::min_element(times.speed.begin(), times.speed.end()) <= 0.0) {
+    times.speed.assign(ranks.size(), 1.0);
+    return times;
+  }
   std::vector<double> load(shares_.owners().size(), 0.0);
-  for (const auto s : slots) load[shares_.block_of(sides_.position[s])] += 1.0;
+  for (std::size_t s = 0; s < more_rays.size(); ++s)
+    load[shares_.block_of(sides_.position[s])] += more_rays[s];
   seconds_a_slot_.resize(load.size(), 0.0);
   shares_.share_blocks(std::span(seconds_a_slot_));
   for (std::size_t b = 0; b < load.size(); ++b) load[b] *= seconds_a_slot_[b];
-  auto owners = balanced_owners(shares_.owners(), load, speed);
+  auto owners = balanced_owners(shares_.owners(), load, times.speed, other_seconds);
   if (owners != shares_.owners()) move_rows(std::move(owners));
+  for (std::size_t b = 0; b < load.size(); ++b)
+    times.ready[shares_.owners()[b]] += load[b] / times.speed[shares_.owners()[b]];
+  return times;
 }
 
-// For each rank, of each round in turn: how many slots it gets, these, and their hits if they are stored.
+// For each rank, of each round in turn: how many slots it gets, these, and their hits.
 void SampledOperator::move_rows(std::vector<std::uint32_t> owners) {
   const auto& ranks = *shares_.ranks();
   const auto rank = ranks.rank();
@@ -110,7 +135,7 @@ void SampledOperator::move_rows(std::vector<std::uint32_t> owners) {
       auto& parcel = parcels[r];
       parcel.push_back(static_cast<std::uint32_t>(places[r].size()));
       for (const auto i : places[r]) parcel.push_back(round.slots[i]);
-      for (std::uint32_t k = 0; !is_streamed_ && k < options_.replicates; ++k)
+      for (std::uint32_t k = 0; k < options_.replicates; ++k)
         for (const auto i : places[r])
           parcel.insert(parcel.end(), round.hits_of(k, i), round.hits_of(k, i) + round.per_replicate);
     }
@@ -130,25 +155,26 @@ void SampledOperator::move_rows(std::vector<std::uint32_t> owners) {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < round.slots.size(); ++i)
       if (owner_of(round.slots[i]) == rank)
-        rows.push_back(
-            {round.slots[i], is_streamed_ ? nullptr : round.hits_of(0, i), round.hits_a_replicate()});
+        rows.push_back({round.slots[i], round.hits_of(0, i), round.hits_a_replicate()});
+    const auto stayed = rows.size();
     for (auto& at : next) {
       if (&at == &next[rank]) continue;
       const std::size_t count = *at++;
       const auto* hits = at + count;
+      const auto middle = std::ssize(rows);
       for (std::size_t i = 0; i < count; ++i) rows.push_back({at[i], hits + i * n, count * n});
-      at = is_streamed_ ? hits : hits + options_.replicates * count * n;
+      std::inplace_merge(rows.begin(), rows.begin() + middle, rows.end(),
+                         [](const Row& a, const Row& b) { return a.slot < b.slot; });
+      at = hits + options_.replicates * count * n;
     }
-    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.slot < b.slot; });
+    if (stayed == round.slots.size() && stayed == rows.size()) continue;
     std::vector<std::uint32_t> slots;
     for (const auto& row : rows) slots.push_back(row.slot);
     auto moved = make_round({round.level, round.per_replicate, std::move(slots), nullptr});
-    if (!is_streamed_) {
-      make_room(moved);
-      for (std::uint32_t k = 0; k < options_.replicates; ++k)
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          std::copy_n(rows[i].hits + k * rows[i].stride, n, moved.hits_of(k, i));
-    }
+    make_room(moved);
+    for (std::uint32_t k = 0; k < options_.replicates; ++k)
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        std::copy_n(rows[i].hits + k * rows[i].stride, n, moved.hits_of(k, i));
     round = std::move(moved);
   }
   shares_.set_owners(std::move(owners));
