@@ -94,15 +94,15 @@ struct Case {
   const char* options;
   const char* small_options;
 };
+void write_cornell_box(const fs::path& file) {
+  fs::copy_file(fs::path(LUXEL_SCENES) / "cornell-box.obj", file);
+  fs::copy_file(fs::path(LUXEL_SCENES) / "cornell-box.mtl", file.parent_path() / "cornell-box.mtl");
+}
 const Case cases[] = {
     {"reading room, 2 %", [](const fs::path& file) { showpiece::write_reading_room(file, 1); },
      "--max-edge 0 --error 2%", "--max-edge 0 --error 20%"},
-    {"Cornell box, 1 %",
-     [](const fs::path& file) {
-       fs::copy_file(fs::path(LUXEL_SCENES) / "cornell-box.obj", file);
-       fs::copy_file(fs::path(LUXEL_SCENES) / "cornell-box.mtl", file.parent_path() / "cornell-box.mtl");
-     },
-     "--max-edge 0.008 --error 1%", "--max-edge 0.1 --error 10%"},
+    {"Cornell box, 0.3 %", write_cornell_box, "--max-edge 0.02 --error 0.3%", "--max-edge 0.1 --error 10%"},
+    {"Cornell box, 1 %", write_cornell_box, "--max-edge 0.008 --error 1%", "--max-edge 0.1 --error 10%"},
 };
 
 }  // namespace

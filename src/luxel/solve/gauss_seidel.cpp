@@ -2,7 +2,9 @@
 #include "luxel/solve/gauss_seidel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace luxel {
 namespace {
@@ -63,31 +65,35 @@ class Acceleration {
   void improve(std::span<float> x) {
     if (memory_ == 0) return;
     const auto n = before_.size();
-    std::vector<float> residual(n);
-    for_all(n, [&](std::size_t i) { residual[i] = x[i] - before_[i]; });
-    std::vector<float> image(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
-    if (!last_residual_.empty()) {
-      if (steps_.size() == memory_) steps_.erase(steps_.begin());
-      auto& step = steps_.emplace_back();
-      step.residual.resize(n);
-      step.image.resize(n);
-      for_all(n, [&](std::size_t i) {
-        step.residual[i] = residual[i] - last_residual_[i];
-        step.image[i] = image[i] - last_image_[i];
-      });
-      const auto weights = least_squares(residual);
-      for (std::size_t k = 0; k < steps_.size(); ++k) {
-        const auto w = static_cast<float>(weights[k]);
-        for_all(n, [&](std::size_t i) { x[i] -= w * steps_[k].image[i]; });
-      }
+    const bool is_first = residual_.empty();
+    if (is_first) {
+      residual_.resize(n);
+      image_.resize(n);
+    } else {
+      if (steps_.size() == memory_) forget_oldest();
+      steps_.push_back({std::vector<float>(n), std::vector<float>(n), {}});
     }
-    last_residual_ = std::move(residual);
-    last_image_ = std::move(image);
+    if (!is_first)
+      for_all(n, [&, &step = steps_.back()](std::size_t i) {
+        step.residual[i] = x[i] - before_[i] - residual_[i];
+        step.image[i] = x[i] - image_[i];
+      });
+    for_all(n, [&](std::size_t i) {
+      residual_[i] = x[i] - before_[i];
+      image_[i] = x[i];
+    });
+    if (is_first) return;
+    std::vector<float> weights;
+    for (const auto w : least_squares()) weights.push_back(static_cast<float>(w));
+    for_all(n, [&](std::size_t i) {
+      for (std::size_t k = 0; k < weights.size(); ++k) x[i] -= weights[k] * steps_[k].image[i];
+    });
   }
 
  private:
   struct Step {
     std::vector<float> residual, image;  // differences
+    std::vector<double> products;        // of the residual with those of the steps up to this one
   };
 
   template <typename Body>
@@ -97,28 +103,49 @@ class Acceleration {
     });
   }
 
-  double dot(const std::vector<float>& a, const std::vector<float>& b) const {
-    std::vector<double> chunks((a.size() + grain - 1) / grain, 0.0);
-    workers_.for_chunks(a.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-      double sum = 0.0;
-      for (auto i = begin; i < end; ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-      chunks[begin / grain] = sum;
+  void forget_oldest() {
+    steps_.erase(steps_.begin());
+    for (auto& step : steps_) step.products.erase(step.products.begin());
+  }
+
+  static double dot(const std::vector<float>& a, const std::vector<float>& b, std::size_t begin,
+                    std::size_t end) {
+    constexpr std::size_t lanes = 8;  // sums side by side: none waits for the last
+    std::array<double, lanes> sums{};
+    for (; begin + lanes <= end; begin += lanes)
+      for (std::size_t k = 0; k < lanes; ++k)
+        sums[k] += static_cast<double>(a[begin + k]) * static_cast<double>(b[begin + k]);
+    for (; begin < end; ++begin) sums[0] += static_cast<double>(a[begin]) * static_cast<double>(b[begin]);
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+  }
+
+  // Of the last step with all steps; then of each step with the residual. In one pass, chunk by chunk.
+  std::vector<double> new_products() const {
+    const auto m = steps_.size();
+    const auto n = residual_.size();
+    std::vector<double> chunks((n + grain - 1) / grain * 2 * m);
+    workers_.for_chunks(n, grain, [&](std::size_t begin, std::size_t end, int) {
+      auto* sums = &chunks[begin / grain * 2 * m];
+      for (std::size_t k = 0; k < m; ++k) {
+        sums[k] = dot(steps_.back().residual, steps_[k].residual, begin, end);
+        sums[m + k] = dot(steps_[k].residual, residual_, begin, end);
+      }
     });
-    double sum = 0.0;
-    for (const auto c : chunks) sum += c;
-    return sum;
+    std::vector<double> sums(2 * m, 0.0);
+    for (std::size_t i = 0; i < chunks.size(); ++i) sums[i % (2 * m)] += chunks[i];
+    return sums;
   }
 
   // The normal equations, a few by a few, by Cholesky's method. A direction that adds nothing gets no weight.
-  std::vector<double> least_squares(const std::vector<float>& residual) const {
+  std::vector<double> least_squares() {
     constexpr double least_pivot = 1e-10;
     const auto m = steps_.size();
+    const auto middle = static_cast<std::ptrdiff_t>(m);
+    auto w = new_products();
+    steps_.back().products.assign(w.begin(), w.begin() + middle);
+    w.erase(w.begin(), w.begin() + middle);
     std::vector<double> a(m * m);
-    std::vector<double> w(m);
-    for (std::size_t i = 0; i < m; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) a[i * m + j] = dot(steps_[i].residual, steps_[j].residual);
-      w[i] = dot(steps_[i].residual, residual);
-    }
+    for (std::size_t i = 0; i < m; ++i) std::copy_n(steps_[i].products.begin(), i + 1, &a[i * m]);
     for (std::size_t i = 0; i < m; ++i) {
       const auto whole = a[i * m + i];
       for (std::size_t j = 0; j <= i; ++j) {
@@ -140,7 +167,7 @@ class Acceleration {
   std::size_t memory_;
   const Workers& workers_;
   std::vector<float> before_;
-  std::vector<float> last_residual_, last_image_;
+  std::vector<float> residual_, image_;  // of the last call
   std::vector<Step> steps_;
 };
 
