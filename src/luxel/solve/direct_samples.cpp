@@ -39,6 +39,7 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
   std::vector<double> seconds(shares_.ranks() ? slots.size() : 0);  // for one sample
   workers.for_chunks(slots.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     std::vector<float> estimate(mean_.size() * width_);
+    auto time = Clock::now();
     for (auto i = begin; i < end; ++i) {
       const auto s = slots[i];
       const auto more = samples_[s] > 0 ? samples_[s] : first;
@@ -46,7 +47,6 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
       samples_[s] += more;
       ++doublings_[s];
       if (!is_mine(s)) continue;
-      const auto begin_time = Clock::now();
       const auto share = static_cast<float>(more) / static_cast<float>(before + more);
       traced[begin / grain] +=
           light_.estimate(sides_->side[s], sides_->position[s], doublings_[s] - 1, more, estimate);
@@ -55,8 +55,10 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
           auto& mean = mean_[r][s * width_ + b];
           mean += share * (estimate[r * width_ + b] - mean);
         }
-      if (!seconds.empty())
-        seconds[i] = std::chrono::duration<double>(Clock::now() - begin_time).count() / more;
+      if (seconds.empty()) continue;
+      const auto now = Clock::now();
+      seconds[i] = std::chrono::duration<double>(now - time).count() / more;
+      time = now;
     }
   });
   learn_pace(slots, seconds);
