@@ -167,7 +167,8 @@ Json cost_per_patch(const Settings& settings) {
     const auto price = price_of(runs, target);
     const auto predicted = predicted_price_of(runs, target);
     print_runs("sampled", runs, price);
-    const auto rays = gather_rays(stage.patches, RayOrder::coherent, settings.small ? 100'000 : 2'000'000);
+    const auto rays = gather_rays(stage.patches, fronts_of(stage.patches, workers),
+                                  {.most = settings.small ? 100'000u : 2'000'000u}, RayOrder::traced);
     const BareEmbree embree(stage.patches);
     const auto kernel = cost([&] { embree.trace(rays, workers); });
     const auto count = static_cast<double>(stage.patches.size());
@@ -175,7 +176,7 @@ Json cost_per_patch(const Settings& settings) {
     const auto ns_a_ray = 1e9 * kernel.cpu / static_cast<double>(rays.size());
     fmt::print(
         "{:>18} {:.1f} us of processor time a patch ({:.1f} by its own error bar); Embree alone {:.0f} ns a "
-        "coherent ray\n",
+        "ray in the order of the solver\n",
         "", us_a_patch, 1e6 * predicted.cpu_seconds / count, ns_a_ray);
     auto row = head_of(stage, reference);
     row["runs"] = {to_json(runs.front()), to_json(runs.back())};

@@ -4,75 +4,58 @@
 #include <algorithm>
 #include <numeric>
 
-#include "luxel/math/bounds.h"
+#include "luxel/patch/patch_tree.h"
 #include "luxel/random/address.h"
-#include "luxel/transport/patch_emitter.h"
+#include "luxel/transport/gather_rays.h"
+#include "luxel/transport/sampled_operator.h"
 
 namespace luxel::bench {
 namespace {
 
-constexpr std::size_t side = 8;  // of the square of strata
-constexpr std::size_t strata = side * side;
-constexpr std::size_t group = 256;  // patches
-
-// The 21 low bits of x, two zeros after each.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 32) & 0x001f00000000ffffu;
-  x = (x | x << 16) & 0x001f0000ff0000ffu;
-  x = (x | x << 8) & 0x100f00f00f00f00fu;
-  x = (x | x << 4) & 0x10c30c30c30c30c3u;
-  return (x | x << 2) & 0x1249249249249249u;
-}
-
-// Patches along the Morton curve through their middles.
-std::vector<std::uint32_t> morton_order(const PatchSet& patches) {
-  Bounds box;
-  for (const auto& p : patches.vertices) box.add(p);
-  const auto size = box.size();
-  const auto longest = std::max({size.x, size.y, size.z});
-  std::vector<std::uint64_t> code(patches.size());
-  for (std::size_t i = 0; i < code.size(); ++i) {
-    const auto [a, b, c] = patches.points(i);
-    const auto at = ((a + b + c) / 3.0f - box.low) / longest * 2'097'151.0f;
-    code[i] = spread(static_cast<std::uint64_t>(at.x)) | spread(static_cast<std::uint64_t>(at.y)) << 1 |
-              spread(static_cast<std::uint64_t>(at.z)) << 2;
+// Of slots that are traced together.
+void append_rays(const PatchSet& patches, const GatherSides& sides, const GatherRound& round,
+                 std::span<const std::uint32_t> slots, std::vector<Ray>& rays) {
+  GatherRays block(patches, sides, slots, {}, 0, round.per_slot);
+  std::vector<GatherRays::Row> rows;
+  const auto count = round.replicates * round.per_slot;
+  for (std::uint32_t row = 0; row < count; ++row) {
+    rows.push_back({row / round.per_slot, row % round.per_slot});
+    if (rows.size() < GatherRays::most_rows && row + 1 < count) continue;
+    block.for_each_batch(rows,
+                         [&](std::span<const Ray> r, auto) { rays.insert(rays.end(), r.begin(), r.end()); });
+    rows.clear();
   }
-  std::vector<std::uint32_t> order(patches.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return code[a] < code[b]; });
-  return order;
-}
-
-Ray ray_of(const PatchSet& patches, std::uint32_t patch, std::size_t stratum) {
-  const auto front = side_of(patch, false);
-  auto u = uniform4(stream_key(1, 0, static_cast<std::uint32_t>(front)), stratum);
-  u[2] = (static_cast<float>(stratum % side) + u[2]) / side;
-  u[3] = (static_cast<float>(stratum / side) + u[3]) / side;
-  return PatchEmitter(patches, front).ray(u);
-}
-
-void shuffle(std::vector<Ray>& rays) {
-  for (std::size_t i = rays.size(); i > 1; --i) std::swap(rays[i - 1], rays[mix64(i) % i]);
 }
 
 }  // namespace
 
-std::vector<Ray> gather_rays(const PatchSet& patches, RayOrder order, std::size_t most) {
-  const auto along = morton_order(patches);
-  const auto groups = (along.size() + group - 1) / group;
-  const auto every = (groups * group * strata + most - 1) / most;
+GatherSides fronts_of(const PatchSet& patches, const Workers& workers) {
+  const auto all = all_gather_sides(patches, make_patch_tree(patches, workers));
+  std::vector<std::uint8_t> kept(all.size(), 0);
+  std::fill_n(kept.begin(), all.fronts, 1);
+  return kept_gather_sides(all, kept);
+}
+
+std::vector<Ray> gather_rays(const PatchSet& patches, const GatherSides& sides, const GatherRound& round,
+                             RayOrder order) {
+  const Tracer none(PatchSet{}, Workers(1));  // nothing is traced here
+  const auto groups =
+      SampledOperator(patches, sides, none, {.replicates = round.replicates}).traced_together(round.per_slot);
+  std::vector<std::uint32_t> slots(sides.size());
+  std::iota(slots.begin(), slots.end(), 0u);
+  const auto all = slots.size() * round.replicates * round.per_slot;
+  const auto every = std::max<std::size_t>(1, (all + round.most - 1) / round.most);
   std::vector<Ray> rays;
-  for (std::size_t g = 0; g < groups; g += every) {
-    const auto begin = g * group;
-    const auto end = std::min(along.size(), begin + group);
+  for (std::size_t g = 0; g + 1 < groups.size(); g += every) {
+    const auto group = std::span(slots).subspan(groups[g], groups[g + 1] - groups[g]);
     if (order == RayOrder::by_patch)
-      for (auto i = begin; i < end; ++i)
-        for (std::size_t s = 0; s < strata; ++s) rays.push_back(ray_of(patches, along[i], s));
+      for (std::size_t i = 0; i < group.size(); ++i)
+        append_rays(patches, sides, round, group.subspan(i, 1), rays);
     else
-      for (std::size_t s = 0; s < strata; ++s)
-        for (auto i = begin; i < end; ++i) rays.push_back(ray_of(patches, along[i], s));
+      append_rays(patches, sides, round, group, rays);
   }
-  if (order == RayOrder::shuffled) shuffle(rays);
+  if (order == RayOrder::shuffled)
+    for (std::size_t i = rays.size(); i > 1; --i) std::swap(rays[i - 1], rays[mix64(i) % i]);
   return rays;
 }
 

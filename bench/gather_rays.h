@@ -2,22 +2,33 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/tracer.h"
+#include "luxel/transport/gather_sides.h"
 
 namespace luxel::bench {
 
+// The fronts: in a closed room no light reaches the backs, and the solver leaves them out.
+GatherSides fronts_of(const PatchSet& patches, const Workers& workers);
+
 // Orders of the same rays.
 enum class RayOrder {
-  coherent,  // groups of 256 neighbouring patches (Morton order); in each, stratum by stratum of directions
+  traced,    // of the sampled operator, on one thread
   by_patch,  // neighbouring patches one after another, each with its rays in all directions
   shuffled
 };
 
-// 64 rays into the cosine hemisphere over the front of each patch, one a stratum (8 x 8); of larger scenes
-// only as many groups of neighbours, evenly spread, as give about `most` rays (at least 1).
-std::vector<Ray> gather_rays(const PatchSet& patches, RayOrder order, std::size_t most);
+// The rays of a sampled operator's first round: so many of each replicate and side. Of larger scenes only as
+// many groups of those that are traced together, evenly spread, as give about `most` rays (at least one).
+struct GatherRound {
+  std::uint32_t replicates = 8, per_slot = 8;
+  std::size_t most = 1u << 31;
+};
+std::vector<Ray> gather_rays(const PatchSet& patches, const GatherSides& sides, const GatherRound& round,
+                             RayOrder order);
 
 }  // namespace luxel::bench

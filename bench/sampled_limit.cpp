@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include "luxel/patch/make_patches.h"
-#include "luxel/patch/patch_tree.h"
-#include "luxel/random/address.h"
 #include "luxel/transport/sampled_operator.h"
 
+#include "bench/gather_rays.h"
 #include "bench/same_rays.h"
 #include "bench/scenes.h"
 #include "bench/sections.h"
@@ -18,34 +17,6 @@ namespace luxel::bench {
 namespace {
 
 constexpr std::uint32_t replicates = 8;
-
-// The fronts: in a closed room no light reaches the backs, and the solver leaves them out.
-GatherSides fronts_of(const PatchSet& patches, const Workers& workers) {
-  const auto all = all_gather_sides(patches, make_patch_tree(patches, workers));
-  std::vector<std::uint8_t> kept(all.size(), 0);
-  std::fill_n(kept.begin(), all.fronts, 1);
-  return kept_gather_sides(all, kept);
-}
-
-// Every ray of the operator's first round, in the order in which one thread traces them.
-std::vector<Ray> rays_of_round(const PatchSet& patches, const SampledOperator& transport,
-                               std::span<const std::uint32_t> slots, std::uint32_t per_slot) {
-  std::vector<Ray> rays;
-  const auto begins = transport.traced_together(per_slot);
-  for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
-    GatherRays block(patches, transport.sides(), slots.subspan(begins[b], begins[b + 1] - begins[b]), {}, 0,
-                     per_slot);
-    std::vector<GatherRays::Row> rows;
-    for (std::uint32_t row = 0; row < replicates * per_slot; ++row) {
-      rows.push_back({row / per_slot, row % per_slot});
-      if (rows.size() < GatherRays::most_rows && row + 1 < replicates * per_slot) continue;
-      block.for_each_batch(
-          rows, [&](std::span<const Ray> r, auto) { rays.insert(rays.end(), r.begin(), r.end()); });
-      rows.clear();
-    }
-  }
-  return rays;
-}
 
 }  // namespace
 
@@ -73,7 +44,9 @@ Json sampled_against_embree(const Settings& settings) {
     const BareEmbree embree(patches);
     std::vector<float> irradiance(sides.size() * patches.band_count());
     SampledOperator transport(patches, sides, tracer, {.replicates = replicates});
-    auto rays = rays_of_round(patches, transport, slots, per_slot);
+    const GatherRound round{.replicates = replicates, .per_slot = per_slot};
+    const auto rays = gather_rays(patches, sides, round, RayOrder::traced);
+    const auto shuffled = gather_rays(patches, sides, round, RayOrder::shuffled);
     const auto count = static_cast<double>(rays.size());
     transport.double_rays(slots, per_slot, one);
     const std::vector<float> radiosity(transport.elements() * patches.band_count(), 1.0f);
@@ -89,8 +62,7 @@ Json sampled_against_embree(const Settings& settings) {
           SampledOperator again(patches, sides, tracer, {.replicates = replicates});
           traced_time = seconds([&] { again.double_rays(slots, per_slot, one); });
         });
-    for (std::size_t i = rays.size(); i > 1; --i) std::swap(rays[i - 1], rays[mix64(i) % i]);
-    const auto shuffled_time = seconds([&] { embree.trace(rays, one); });
+    const auto shuffled_time = seconds([&] { embree.trace(shuffled, one); });
     // A sweep reads the element that each ray hit, and its radiosity.
     const auto bytes = sizeof(std::uint32_t) + sizeof(float) * patches.band_count();
     fmt::print(
