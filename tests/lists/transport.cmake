@@ -1,7 +1,6 @@
 luxel_test(unit/trig ROOMS math)
 luxel_test(unit/lamps ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(unit/join_lamps ROOMS transport)
-luxel_test(unit/ranks ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(unit/sampled_operator ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(statistics/direct_light ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(unit/polygon_form_factor ROOMS transport)

@@ -46,6 +46,10 @@ class ThreadRanks {
                  }
                });
     }
+    std::unique_ptr<Pending> start_all_gather(std::span<const std::byte> own,
+                                              std::span<std::byte> all) const override {
+      return std::make_unique<Later>([=, this] { all_gather(own, all, {}); });
+    }
     void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
                          std::span<const std::size_t> sizes) const override {
       if (rank_ == 0) return all_gather(own, all, sizes);
@@ -66,6 +70,12 @@ class ThreadRanks {
     }
 
    private:
+    struct Later final : Pending {
+      explicit Later(std::function<void()> call) : gather(std::move(call)) {}
+      void wait() override { gather(); }
+      std::function<void()> gather;
+    };
+
     template <typename Give, typename Take>
     void together(Give give, Take take) const {
       give();

@@ -9,6 +9,7 @@
 
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/solve/piece_shares.h"
 #include "luxel/transport/sampled_operator.h"
 #include "luxel/transport/shooting.h"
 
@@ -143,6 +144,30 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
       const auto count = 4 * truth[k].hits_a_replicate();
       EXPECT_TRUE(std::equal(truth[k].hits.get(), truth[k].hits.get() + count, rounds[k].hits.get())) << k;
     }
+  });
+}
+
+// Nothing is known of the pace at first: half, a quarter and a quarter of each rank's pieces. Then a rank
+// that was late with the first part does nothing of the last.
+TEST_F(RanksTest, the_last_part_goes_to_who_was_done_with_the_first) {
+  const auto sides = all_gather_sides(patches_, make_patch_tree(patches_, one_));
+  const std::vector<double> more(sides.size(), 8.0);
+  ThreadRanks::run(2, [&](const Ranks& ranks) {
+    const RowShares shares(&ranks, 1024, sides.position);
+    PieceShares pieces(shares, sides);
+    pieces.deal(more, {{1.0, 1.0}, {0.0, 0.0}});
+    const auto count_mine = [&](int part) {
+      double count = 0.0;
+      for (std::size_t s = 0; s < sides.size(); ++s)
+        count += pieces.is_mine(s) && pieces.part_of(s) == part ? 1.0 : 0.0;
+      return count / static_cast<double>(sides.size());
+    };
+    EXPECT_NEAR(count_mine(0), 0.25, 0.03);
+    EXPECT_NEAR(count_mine(1), 0.125, 0.03);
+    EXPECT_NEAR(count_mine(2), 0.125, 0.03);
+    pieces.deal_rest({{1.0, 1.0}, {1.0, 1.0 + pieces.expected_seconds(more)}});
+    EXPECT_NEAR(count_mine(0), 0.25, 0.03) << "what is done is done";
+    EXPECT_NEAR(count_mine(2), ranks.rank() == 0 ? 0.25 : 0.0, 0.05);
   });
 }
 

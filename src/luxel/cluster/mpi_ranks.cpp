@@ -59,6 +59,25 @@ class MpiRanks final : public Ranks {
     }
   }
 
+  std::unique_ptr<Pending> start_all_gather(std::span<const std::byte> own,
+                                            std::span<std::byte> all) const override {
+    // Messages to each, which need nothing of a rank that computes; a collective call would need its help.
+    constexpr int tag = 1;
+    auto messages = std::make_unique<Messages>(*this);
+    const auto count = static_cast<int>(own.size());
+    for (std::size_t r = 0; r < size_; ++r) {
+      auto* to = all.data() + r * own.size();
+      if (r == rank_) {
+        std::copy(own.begin(), own.end(), to);
+        continue;
+      }
+      const auto other = static_cast<int>(r);
+      MPI_Irecv(to, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &messages->requests.emplace_back());
+      MPI_Isend(own.data(), count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &messages->requests.emplace_back());
+    }
+    return messages;
+  }
+
   void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
                        std::span<const std::size_t> sizes) const override {
     if (rank_ > 0) {
@@ -114,6 +133,16 @@ class MpiRanks final : public Ranks {
    private:
     RankTraffic& traffic_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  };
+
+  struct Messages final : Pending {
+    explicit Messages(const MpiRanks& of) : ranks(of) {}
+    void wait() override {
+      const Wait wait(ranks, 0);
+      MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    }
+    const MpiRanks& ranks;
+    std::vector<MPI_Request> requests;
   };
 
   static std::vector<std::size_t> begins(std::span<const std::size_t> sizes) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -30,7 +31,16 @@ class Ranks {
   // lie in `all`, at its place there.
   virtual void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
                           std::span<const std::size_t> sizes) const = 0;
-  // Likewise, but in the first rank alone; `all` of the others is not looked at.
+  // Likewise, of a few bytes each: as many from every rank. They have come when wait() has returned, which is
+  // soon once all ranks have called. Until then both stay where they are, and there is no other call.
+  class Pending {
+   public:
+    virtual ~Pending() = default;
+    virtual void wait() = 0;
+  };
+  virtual std::unique_ptr<Pending> start_all_gather(std::span<const std::byte> own,
+                                                    std::span<std::byte> all) const = 0;
+  // Like all_gather, but in the first rank alone; `all` of the others is not looked at.
   virtual void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
                                std::span<const std::size_t> sizes) const = 0;
   // What the first rank has, in all.

@@ -12,8 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t grain = 32;                // slots a chunk
-constexpr std::uint32_t positions_a_piece = 64;  // that one rank does
+constexpr std::size_t grain = 32;  // slots a chunk
 
 }  // namespace
 
@@ -23,15 +22,10 @@ DirectSamples::DirectSamples(const DirectLight& light, const GatherSides& sides,
       sides_(&sides),
       width_(width),
       shares_(shares),
+      pieces_(shares, sides),
       mean_(replicates, std::vector<float>(sides.size() * width, 0.0f)),
       samples_(sides.size(), 0),
-      doublings_(sides.size(), 0) {
-  if (!shares.ranks() || sides.size() == 0) return;
-  const auto last = *std::max_element(sides.position.begin(), sides.position.end()) / positions_a_piece;
-  for (std::size_t piece = 0; piece < 2 * (last + 1); ++piece)
-    owners_.push_back(static_cast<std::uint32_t>(piece / 2 % shares.ranks()->size()));
-  seconds_a_sample_.resize(pieces(), 0.0);
-}
+      doublings_(sides.size(), 0) {}
 
 std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots, std::uint32_t first,
                                             const Workers& workers) {
@@ -46,7 +40,7 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
       const auto before = samples_[s];
       samples_[s] += more;
       ++doublings_[s];
-      if (!is_mine(s)) continue;
+      if (!pieces_.is_mine(s)) continue;
       const auto share = static_cast<float>(more) / static_cast<float>(before + more);
       traced[begin / grain] +=
           light_.estimate(sides_->side[s], sides_->position[s], doublings_[s] - 1, more, estimate);
@@ -61,50 +55,13 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
       time = now;
     }
   });
-  learn_pace(slots, seconds);
+  pieces_.learn(slots, seconds);
   return std::accumulate(traced.begin(), traced.end(), std::uint64_t{0});
-}
-
-std::size_t DirectSamples::piece_of(std::size_t slot) const {
-  return 2 * (sides_->position[slot] / positions_a_piece) + (slot < sides_->fronts ? 0 : 1);
-}
-
-void DirectSamples::learn_pace(std::span<const std::uint32_t> slots, std::span<const double> seconds) {
-  for (std::size_t i = 0; i < seconds.size();) {
-    const auto piece = piece_of(slots[i]);
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (; i < seconds.size() && piece_of(slots[i]) == piece; ++i, ++count) sum += seconds[i];
-    if (sum > 0.0) seconds_a_sample_[piece] = sum / static_cast<double>(count);
-  }
-}
-
-std::vector<double> DirectSamples::expected(std::span<const double> more) const {
-  std::vector<double> seconds(pieces(), 0.0);
-  for (std::size_t s = 0; s < more.size(); ++s)
-    if (more[s] > 0.0) seconds[piece_of(s)] += more[s] * seconds_a_sample_[piece_of(s)];
-  return seconds;
-}
-
-double DirectSamples::expected_seconds(std::span<const double> more) const {
-  if (!shares_.ranks()) return 0.0;
-  const auto seconds = expected(more);
-  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
-}
-
-void DirectSamples::deal(std::span<const double> more, const RankTimes& times) {
-  if (shares_.ranks()) owners_ = dealt_pieces(expected(more), times);
 }
 
 std::uint64_t DirectSamples::share(std::span<const std::uint32_t> slots, std::uint64_t own_rays) {
   if (!shares_.ranks()) return own_rays;
-  const auto runs = RowShares::runs_of(
-      slots.size(), [&](std::size_t i) { return slots[i]; },
-      [&](std::size_t i) { return owners_[piece_of(slots[i])]; });
-  for (auto& mean : mean_) shares_.share_runs(std::span(mean), width_, runs);
-  shares_.share_of(
-      std::span(seconds_a_sample_), 1, pieces(), [](std::size_t p) { return p; },
-      [this](std::size_t p) { return owners_[p]; });
+  pieces_.share(mean_, width_, slots);
   const auto of_ranks = of_all(*shares_.ranks(), own_rays);
   return std::accumulate(of_ranks.begin(), of_ranks.end(), std::uint64_t{0});
 }

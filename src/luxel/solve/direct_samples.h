@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "luxel/parallel/workers.h"
+#include "luxel/solve/piece_shares.h"
 #include "luxel/transport/direct_light.h"
 #include "luxel/transport/gather_sides.h"
 #include "luxel/transport/row_shares.h"
@@ -14,8 +15,8 @@ namespace luxel {
 
 // Direct light of every slot, replicate by replicate, and the samples it is the mean of.
 //
-// Several ranks share the slots by pieces of neighbouring ones, and all know all: between deal() and share()
-// each takes the samples of its own pieces, and knows those alone.
+// Several ranks share the slots, and all know all: between pieces().deal() and share() each takes the samples
+// of its own pieces, and knows those alone.
 class DirectSamples {
  public:
   // Keeps references to light, sides and shares. width: light groups times bands.
@@ -27,12 +28,8 @@ class DirectSamples {
   std::uint64_t double_samples(std::span<const std::uint32_t> slots, std::uint32_t first,
                                const Workers& workers);
 
-  // Seconds of a thread that more samples of each slot will take, by how long those before took; 0 where
-  // there were none.
-  double expected_seconds(std::span<const double> more) const;
-  // Who takes which of these samples, so that all ranks are done at once. Until the first call pieces go
-  // round.
-  void deal(std::span<const double> more, const RankTimes& times);
+  // Of several ranks: who takes which samples.
+  PieceShares& pieces() { return pieces_; }
   // After some calls of double_samples() together for these slots: the light that each rank found. Returns
   // the shadow rays of all, given one's own.
   std::uint64_t share(std::span<const std::uint32_t> slots, std::uint64_t own_rays);
@@ -51,23 +48,13 @@ class DirectSamples {
   void keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides);
 
  private:
-  std::size_t pieces() const { return owners_.size(); }
-  std::size_t piece_of(std::size_t slot) const;
-  bool is_mine(std::size_t slot) const {
-    return !shares_.ranks() || owners_[piece_of(slot)] == shares_.ranks()->rank();
-  }
-  std::vector<double> expected(std::span<const double> more) const;  // [piece], s
-  void learn_pace(std::span<const std::uint32_t> slots, std::span<const double> seconds);
-
   const DirectLight& light_;
   const GatherSides* sides_;
   std::size_t width_;
   const RowShares& shares_;
+  PieceShares pieces_;
   std::vector<std::vector<float>> mean_;
   std::vector<std::uint32_t> samples_, doublings_;  // [slot]
-  // Of several ranks, [piece]:
-  std::vector<std::uint32_t> owners_;
-  std::vector<double> seconds_a_sample_;  // of a slot, all replicates, as who took them measured
 };
 
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #include "luxel/solve/sampling.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <numeric>
 
@@ -14,6 +15,8 @@
 
 namespace luxel {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t least_rays = 1 << 17;  // of the first samples, shadow rays and gather rays each
 constexpr std::uint32_t unit_positions = 64;
@@ -148,7 +151,7 @@ void Sampling::leave_out_dark_sides(const Solution& first_picture) {
   direct_->keep(lit, transport_->sides());
 }
 
-void Sampling::share_out(std::span<const std::uint8_t> doublings) {
+RankTimes Sampling::share_out(std::span<const std::uint8_t> doublings) {
   const auto n = units_.size() - 1;
   std::vector<double> more_samples(transport_->sides().size(), 0.0), more_rays(more_samples);
   const auto more = [](std::uint32_t so_far, std::uint8_t times) {
@@ -159,38 +162,59 @@ void Sampling::share_out(std::span<const std::uint8_t> doublings) {
       more_samples[s] = more(direct_->samples_a_slot()[s], doublings[u]);
       more_rays[s] = more(transport_->rays_a_slot()[s], doublings[n + u]);
     }
-  direct_->deal(more_samples, transport_->balance(more_rays, direct_->expected_seconds(more_samples)));
+  auto& pieces = direct_->pieces();
+  auto times = transport_->balance(more_rays, pieces.expected_seconds(more_samples));
+  pieces.deal(more_samples, times);
+  return times;
 }
 
 bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& monitor) {
   const auto n = units_.size() - 1;
-  const auto turns = *std::max_element(doublings.begin(), doublings.end());
-  if (options_.ranks) share_out(doublings);
-  const auto rays_before = rays_;
-  std::uint64_t gathered_rays = 0;
+  auto times = options_.ranks ? share_out(doublings) : RankTimes{};
+  const auto begin_time = Clock::now();
+  const auto turns = *std::max_element(doublings.begin() + static_cast<std::ptrdiff_t>(n), doublings.end());
   for (std::uint8_t turn = 0; turn < turns; ++turn) {
-    std::vector<std::uint32_t> direct;
     std::map<std::uint32_t, std::vector<std::uint32_t>> gathered;  // by rays so far
     for (std::size_t u = 0; u < n; ++u)
-      for (auto s = units_[u]; s < units_[u + 1]; ++s) {
-        if (doublings[u] > turn) direct.push_back(s);
-        if (doublings[n + u] > turn) gathered[transport_->rays_a_slot()[s]].push_back(s);
-      }
+      for (auto s = units_[u]; doublings[n + u] > turn && s < units_[u + 1]; ++s)
+        gathered[transport_->rays_a_slot()[s]].push_back(s);
     const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
-    if (!take_direct(direct, 0, monitor)) return false;
     for (auto& [rays, slots] : gathered) {
       make_room(std::uint64_t{rays} * options_.replicates * slots.size());
       const auto traced = transport_->double_rays(std::move(slots), 0, workers_, told);
       if (!traced) return false;
       rays_ += *traced;
-      gathered_rays += *traced;
     }
   }
+  const auto before = rays_;
   std::vector<std::uint32_t> sampled;
   for (std::size_t u = 0; u < n; ++u)
     for (auto s = units_[u]; doublings[u] > 0 && s < units_[u + 1]; ++s) sampled.push_back(s);
-  const auto own_rays = rays_ - rays_before - gathered_rays;
-  rays_ = rays_before + gathered_rays + direct_->share(sampled, own_rays);
+  if (!options_.ranks) return take_direct_part(doublings, 0, monitor);
+  // While the others finish their first part, there is the second to do.
+  if (!take_direct_part(doublings, 0, monitor)) return false;
+  const double own = std::chrono::duration<double>(Clock::now() - begin_time).count();
+  const auto asked = options_.ranks->start_all_gather(std::as_bytes(std::span(&own, 1)),
+                                                      std::as_writable_bytes(std::span(times.ready)));
+  if (!take_direct_part(doublings, 1, monitor)) return false;
+  asked->wait();
+  direct_->pieces().deal_rest(std::move(times));
+  if (!take_direct_part(doublings, 2, monitor)) return false;
+  rays_ = before + direct_->share(sampled, rays_ - before);
+  return true;
+}
+
+bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor) {
+  const auto n = units_.size() - 1;
+  const auto turns =
+      n == 0 ? 0 : *std::max_element(doublings.begin(), doublings.begin() + static_cast<std::ptrdiff_t>(n));
+  for (std::uint8_t turn = 0; turn < turns; ++turn) {
+    std::vector<std::uint32_t> slots;
+    for (std::size_t u = 0; u < n; ++u)
+      for (auto s = units_[u]; doublings[u] > turn && s < units_[u + 1]; ++s)
+        if (direct_->pieces().part_of(s) == part) slots.push_back(s);
+    if (!take_direct(slots, 0, monitor)) return false;
+  }
   return true;
 }
 

@@ -59,7 +59,9 @@ class Sampling {
   // The samples of all sides: none yet.
   void lay_out();
   // Of several ranks: who takes which samples of a take().
-  void share_out(std::span<const std::uint8_t> doublings);
+  RankTimes share_out(std::span<const std::uint8_t> doublings);
+  // The shadow rays of a take(), of one part of the pieces.
+  bool take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor);
   // The monitor is asked a few times a second. Returns false if it said stop.
   bool take_direct(std::span<const std::uint32_t> slots, std::uint32_t first, const Monitor& monitor);
   void leave_out_dark_sides(const Solution& first_picture);
