@@ -31,6 +31,11 @@ class MpiRanks final : public Ranks {
     MPI_Comm_size(MPI_COMM_WORLD, &size);
     rank_ = static_cast<std::size_t>(rank);
     size_ = static_cast<std::size_t>(size);
+    MPI_Comm machine = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &machine);
+    MPI_Comm_size(machine, &size);
+    on_this_machine_ = static_cast<std::size_t>(size);
+    MPI_Comm_free(&machine);
   }
   ~MpiRanks() override { MPI_Finalize(); }
   MpiRanks(const MpiRanks&) = delete;
@@ -39,6 +44,7 @@ class MpiRanks final : public Ranks {
   std::size_t rank() const override { return rank_; }
   std::size_t size() const override { return size_; }
   RankTraffic traffic() const override { return traffic_; }
+  std::size_t on_this_machine() const override { return on_this_machine_; }
 
   void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
                   std::span<const std::size_t> sizes) const override {
@@ -160,6 +166,7 @@ class MpiRanks final : public Ranks {
 
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
+  std::size_t on_this_machine_ = 1;
   mutable RankTraffic traffic_;
 };
 

@@ -26,6 +26,8 @@ class Ranks {
   virtual std::size_t rank() const = 0;
   virtual std::size_t size() const = 0;
   virtual RankTraffic traffic() const { return {}; }  // where it is measured
+  // Ranks that share this one's memory, itself among them.
+  virtual std::size_t on_this_machine() const { return 1; }
 
   // What each rank gives, one after the other: sizes[r] bytes from rank r. The same in all ranks. `own` may
   // lie in `all`, at its place there.

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 
 namespace luxel {
 
-// Bytes of main memory that programs could still take; 0 where the system does not tell.
-std::uint64_t free_memory();
+// Bytes of main memory that this process could still take, at least 1: what is free, and what the limits that
+// it runs under leave of it (those of its control groups, as containers and Slurm set them, and `ulimit -v`).
+// 0 where the system does not tell. root: where /proc and /sys are found.
+std::uint64_t free_memory(const std::filesystem::path& root = "/");
 
 // Bytes of main memory that this process holds now; 0 where the system does not tell.
 std::uint64_t resident_memory();

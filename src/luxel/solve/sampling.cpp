@@ -46,7 +46,9 @@ Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledO
       tracer_(tracer),
       options_(options),
       workers_(workers),
-      memory_(options.memory > 0 ? options.memory : free_memory() / 2),
+      memory_(options.memory > 0
+                  ? options.memory
+                  : free_memory() / 2 / (options.ranks ? options.ranks->on_this_machine() : 1)),
       lamps_(patches),
       direct_light_(patches, tracer, lamps_, direct_options(options)) {}
 
@@ -58,6 +60,9 @@ void Sampling::lay_out() {
                                             .low_discrepancy = options_.low_discrepancy,
                                             .stratified = options_.stratified,
                                             .ranks = options_.ranks});
+  // Before it is known which sides are dark: the first samples of all.
+  check_memory(sizeof(float) * options_.replicates * direct_width() * transport_->sides().size(),
+               free_memory());
   direct_.emplace(direct_light_, transport_->sides(), options_.replicates, direct_width(),
                   transport_->shares());
 }
@@ -75,7 +80,7 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   if (!traced) return false;
   rays_ = direct_->share(all, direct_rays) + *traced;
   leave_out_dark_sides(first_picture);
-  check_memory();
+  check_memory(bytes_of_state(), free_memory() + resident_memory());
   units_ = neighbour_begins(transport_->sides(), unit_positions);
   return true;
 }
@@ -219,16 +224,14 @@ bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int par
 }
 
 // Hits can be traced again, but not the light: more than there is would end the process, not the run.
-void Sampling::check_memory() const {
-  constexpr double gibibyte = 1u << 30;
+void Sampling::check_memory(std::uint64_t bytes, std::uint64_t room) const {
+  constexpr std::uint64_t mebibyte = 1u << 20;
   const auto free = free_memory();
-  if (free == 0 || bytes_of_state() <= free + resident_memory()) return;
-  throw InputError(
-      fmt::format("the light of {} patch sides in {} bands needs about {:.1f} GiB of memory, of which {:.1f} "
-                  "are free: make fewer "
-                  "patches (a larger --max-edge), or fewer bands (--bands with --spectral)",
-                  transport_->sides().size(), patches_.band_count(),
-                  static_cast<double>(bytes_of_state()) / gibibyte, static_cast<double>(free) / gibibyte));
+  if (free == 0 || bytes <= room) return;
+  throw InputError(fmt::format(
+      "the light of {} patch sides in {} bands needs about {} MiB of memory, of which {} are free: "
+      "make fewer patches (a larger --max-edge), or fewer bands (--bands with --spectral)",
+      transport_->sides().size(), patches_.band_count(), bytes / mebibyte, free / mebibyte));
 }
 
 void Sampling::make_room(std::uint64_t more_rays) {
