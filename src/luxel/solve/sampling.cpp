@@ -192,12 +192,9 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
     }
   }
   const auto before = rays_;
-  std::vector<std::uint32_t> sampled;
-  for (std::size_t u = 0; u < n; ++u)
-    for (auto s = units_[u]; doublings[u] > 0 && s < units_[u + 1]; ++s) sampled.push_back(s);
-  if (!options_.ranks) return take_direct_part(doublings, 0, monitor);
-  // While the others finish their first part, there is the second to do.
   if (!take_direct_part(doublings, 0, monitor)) return false;
+  if (!options_.ranks) return true;
+  // While the others finish their first part, there is the second to do.
   const double own = std::chrono::duration<double>(Clock::now() - begin_time).count();
   const auto asked = options_.ranks->start_all_gather(std::as_bytes(std::span(&own, 1)),
                                                       std::as_writable_bytes(std::span(times.ready)));
@@ -205,6 +202,9 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
   asked->wait();
   direct_->pieces().deal_rest(std::move(times));
   if (!take_direct_part(doublings, 2, monitor)) return false;
+  std::vector<std::uint32_t> sampled;
+  for (std::size_t u = 0; u < n; ++u)
+    for (auto s = units_[u]; doublings[u] > 0 && s < units_[u + 1]; ++s) sampled.push_back(s);
   rays_ = before + direct_->share(sampled, rays_ - before);
   return true;
 }
