@@ -64,14 +64,9 @@ void PieceShares::deal(std::span<const double> more, const RankTimes& times) {
   if (!shares_.ranks()) return;
   load_ = expected(more);
   owners_ = dealt_pieces(load_, times);
-  // The small ones last.
-  std::vector<std::uint32_t> order(load_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return load_[a] > load_[b]; });
   std::vector<double> whole(times.ready.size(), 0.0), done(whole);
   for (std::size_t p = 0; p < load_.size(); ++p) whole[owners_[p]] += load_[p];
-  for (const auto p : order) {
+  for (const auto p : heaviest_first(load_)) {  // the small ones last
     const auto rank = owners_[p];
     const auto share = whole[rank] > 0.0 ? done[rank] / whole[rank] : 0.0;
     parts_[p] = share < second_part ? 0 : share < last_part ? 1 : 2;

@@ -64,16 +64,20 @@ std::vector<std::uint32_t> balanced_owners(std::vector<std::uint32_t> owners, st
   return owners;
 }
 
-std::vector<std::uint32_t> dealt_pieces(std::span<const double> load, const RankTimes& times) {
+std::vector<std::uint32_t> heaviest_first(std::span<const double> load) {
   std::vector<std::uint32_t> order(load.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return load[a] > load[b]; });
+  return order;
+}
+
+std::vector<std::uint32_t> dealt_pieces(std::span<const double> load, const RankTimes& times) {
   using Rank = std::tuple<double, std::uint32_t>;  // when it is done, and which
   std::priority_queue<Rank, std::vector<Rank>, std::greater<>> ranks;
   for (std::uint32_t r = 0; r < times.ready.size(); ++r) ranks.emplace(times.ready[r], r);
   std::vector<std::uint32_t> owners(load.size());
-  for (const auto piece : order) {
+  for (const auto piece : heaviest_first(load)) {
     const auto [ready, rank] = ranks.top();
     ranks.pop();
     owners[piece] = rank;

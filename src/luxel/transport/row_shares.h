@@ -114,6 +114,9 @@ struct RankTimes {
 std::vector<std::uint32_t> balanced_owners(std::vector<std::uint32_t> owners, std::span<const double> load,
                                            std::span<const double> speed, double other = 0.0);
 
+// Indices of loads, the heaviest first; those of one weight in their order.
+std::vector<std::uint32_t> heaviest_first(std::span<const double> load);
+
 // Who does each piece of work that any rank can do: the largest first, to who will be done with it first.
 std::vector<std::uint32_t> dealt_pieces(std::span<const double> load, const RankTimes& times);
 
