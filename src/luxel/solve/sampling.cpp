@@ -61,8 +61,7 @@ void Sampling::lay_out() {
                                             .stratified = options_.stratified,
                                             .ranks = options_.ranks});
   // Before it is known which sides are dark: the first samples of all.
-  check_memory(sizeof(float) * options_.replicates * direct_width() * transport_->sides().size(),
-               free_memory());
+  check_memory(sizeof(float) * options_.replicates * direct_width() * transport_->sides().size(), 0);
   direct_.emplace(direct_light_, transport_->sides(), options_.replicates, direct_width(),
                   transport_->shares());
 }
@@ -80,7 +79,7 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   if (!traced) return false;
   rays_ = direct_->share(all, direct_rays) + *traced;
   leave_out_dark_sides(first_picture);
-  check_memory(bytes_of_state(), free_memory() + resident_memory());
+  check_memory(bytes_of_state(), resident_memory());
   units_ = neighbour_begins(transport_->sides(), unit_positions);
   return true;
 }
@@ -224,10 +223,10 @@ bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int par
 }
 
 // Hits can be traced again, but not the light: more than there is would end the process, not the run.
-void Sampling::check_memory(std::uint64_t bytes, std::uint64_t room) const {
+void Sampling::check_memory(std::uint64_t bytes, std::uint64_t held) const {
   constexpr std::uint64_t mebibyte = 1u << 20;
   const auto free = free_memory();
-  if (free == 0 || bytes <= room) return;
+  if (free == 0 || bytes <= free + held) return;
   throw InputError(fmt::format(
       "the light of {} patch sides in {} bands needs about {} MiB of memory, of which {} are free: "
       "make fewer patches (a larger --max-edge), or fewer bands (--bands with --spectral)",

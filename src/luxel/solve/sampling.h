@@ -53,8 +53,8 @@ class Sampling {
   std::uint64_t bytes_of_state() const;
 
  private:
-  // Throws InputError where the light needs more than there is room for.
-  void check_memory(std::uint64_t bytes, std::uint64_t room) const;
+  // Throws InputError where the light needs more than is free; held: bytes that may be a part of it already.
+  void check_memory(std::uint64_t bytes, std::uint64_t held) const;
   // Hits that would not fit are not stored.
   void make_room(std::uint64_t more_rays);
   // The samples of all sides: none yet.

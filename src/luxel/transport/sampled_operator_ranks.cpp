@@ -100,11 +100,10 @@ RankTimes SampledOperator::balance(std::span<const double> more_rays, double oth
   const auto& ranks = *shares_.ranks();
   RankTimes times;
   times.ready.resize(ranks.size(), 0.0);
-  times.speed = of_all(ranks, traced_seconds_ > 0.0 ? busy_seconds_ / traced_seconds_ : 0.0);
+  const bool is_known = traced_seconds_ > 0.0 && !is_streamed_;
+  times.speed = of_all(ranks, is_known ? busy_seconds_ / traced_seconds_ : 0.0);
   busy_seconds_ = traced_seconds_ = 0.0;
-  const auto streamed = of_all(ranks, is_streamed_ ? 1 : 0);
-  if (*std::max_element(streamed.begin(), streamed.end()) > 0 ||
-      *std::min_element(times.speed.begin(), times.speed.end()) <= 0.0) {
+  if (*std::min_element(times.speed.begin(), times.speed.end()) <= 0.0) {
     times.speed.assign(ranks.size(), 1.0);
     return times;
   }
