@@ -31,10 +31,10 @@ Json sampled_against_embree(const Settings& settings) {
   const Workers one(1);
   Json rows = Json::array();
   struct Size {
-    std::uint32_t triangles, rays_a_slot;
+    std::uint32_t triangles, rays_per_slot;
   };
   for (const auto& size : {Size{10'000, 64}, Size{50'000, 16}, Size{1'000'000, 1}}) {
-    const auto per_slot = size.rays_a_slot;
+    const auto per_slot = size.rays_per_slot;
     const auto scale = settings.small ? 20 : 1;
     const auto patches = make_patches(cornell_box(size.triangles / scale), {.max_edge = no_max_edge});
     const Tracer tracer(patches, one);

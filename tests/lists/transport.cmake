@@ -1,7 +1,7 @@
 luxel_test(unit/trig ROOMS math)
 luxel_test(unit/lamps ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(unit/join_lamps ROOMS transport)
-luxel_test(unit/sampled_operator ROOMS transport LIBRARIES luxel_truth_scenes)
+luxel_test(unit/hit_store ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(statistics/direct_light ROOMS transport LIBRARIES luxel_truth_scenes)
 luxel_test(unit/polygon_form_factor ROOMS transport)
 luxel_test(unit/form_factor ROOMS transport LIBRARIES luxel_truth_scenes)

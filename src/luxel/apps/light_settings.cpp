@@ -125,6 +125,8 @@ void LightSettings::declare_variance_reduction(OptionSet& set) {
                  "the closed form of unshadowed light carries the shadow rays");
   set.add_switch("mis", sampled.multiple_importance,
                  "cosine rays that meet a lamp count too, in place of the control variate");
+  set.add_switch("both-ways", sampled.both_ways,
+                 "each ray counts for the surface it meets as well as for the one that sends it");
   set.add_switch("share", sampled.share,
                  "neighbouring patches share rays where their own do not reach the error");
 }

@@ -20,7 +20,7 @@ bool same_samples(const SampledOptions& a, const SampledOptions& b) {
   return a.seed == b.seed && a.replicates == b.replicates && a.low_discrepancy == b.low_discrepancy &&
          a.stratified == b.stratified && a.importance == b.importance &&
          a.control_variate == b.control_variate && a.multiple_importance == b.multiple_importance &&
-         a.share == b.share;
+         a.both_ways == b.both_ways && a.share == b.share;
 }
 
 }  // namespace

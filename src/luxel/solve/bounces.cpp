@@ -2,6 +2,7 @@
 #include "luxel/solve/bounces.h"
 
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "luxel/solve/replicate_solve.h"
@@ -22,9 +23,11 @@ struct Bounces::State {
   SampledOptions options;
   std::uint64_t rays;
   Sampling sampling;
+  std::optional<SampledOperator> transport;
   std::vector<float> direct;      // D, [slot * bands + band], W/m²
   std::vector<float> irradiance;  // H
-  std::vector<float> reflected;   // rho H of the bounce before, and the sky, [element * bands + band]
+  std::vector<float>
+      reflected;  // rho H of the bounce before, and the sky, [row or sink of CrossedHalves][band]
   std::vector<float> area, reflectance;
   int bounces = 0;
   double unshot = 0.0;  // W
@@ -37,9 +40,11 @@ struct Bounces::State {
         rays(state.rays + state.first_rays),
         sampling(of_run, tracer, run_options, run_workers) {
     sampling.take_up(state);
+    transport.emplace(patches, sampling.hits(), SampledOperatorOptions{.both_ways = options.both_ways},
+                      workers);
     direct = mean_of(sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers),
                      workers);
-    const SlotLight slots(patches, sampling.tree(), sampling.transport().sides(), false, workers);
+    const SlotLight slots(patches, sampling.tree(), sampling.hits().sides(), false, workers);
     area.assign(slots.area().begin(), slots.area().end());
     reflectance.assign(slots.reflectance().begin(), slots.reflectance().end());
     begin();
@@ -49,22 +54,27 @@ struct Bounces::State {
     bounces = 0;
     unshot = 0.0;
     irradiance.assign(direct.size(), 0.0f);
-    reflected = dark_but_for_sky(sampling.transport(), patches);
+    reflected = dark_but_for_sky(sampling.hits(), patches);
   }
 
   void bounce() {
     const auto bands = patches.band_count();
-    const auto& transport = sampling.transport();
-    transport.all_replicates().apply(reflected, irradiance, 0, transport.sides().size(), workers);
-    workers.for_chunks(irradiance.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-      for (auto i = begin; i < end; ++i) irradiance[i] += direct[i];
+    const auto count = irradiance.size();
+    std::vector<float> rows(2 * count);
+    const CrossedHalves crossed(*transport, bands);
+    crossed.apply(reflected, rows, 0, crossed.size(), workers);
+    workers.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) irradiance[i] = direct[i] + 0.5f * (rows[i] + rows[count + i]);
     });
-    unshot = ordered_sum(workers, irradiance.size(), [&](std::size_t i) {
+    unshot = ordered_sum(workers, count, [&](std::size_t i) {
+      const auto before =
+          0.5 * (static_cast<double>(reflected[i]) + static_cast<double>(reflected[count + i]));
       return static_cast<double>(area[i / bands]) *
-             (static_cast<double>(reflectance[i] * irradiance[i]) - static_cast<double>(reflected[i]));
+             (static_cast<double>(reflectance[i] * irradiance[i]) - before);
     });
-    workers.for_chunks(irradiance.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-      for (auto i = begin; i < end; ++i) reflected[i] = reflectance[i] * irradiance[i];
+    workers.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i)
+        for (const auto row : {i, count + i}) reflected[row] = reflectance[i] * (direct[i] + rows[row]);
     });
     ++bounces;
   }
@@ -77,7 +87,7 @@ struct Bounces::State {
       array->assign(patches.size() * bands, 0.0f);
     for (std::size_t i = 0; i < s.radiosity_front.size(); ++i)
       s.radiosity_front[i] = patches.emittance(i / bands, i % bands);
-    const auto& sides = sampling.transport().sides();
+    const auto& sides = sampling.hits().sides();
     for (std::size_t i = 0; i < irradiance.size(); ++i) {
       const auto side = sides.side[i / bands];
       const auto at = side / 2 * bands + i % bands;

@@ -20,12 +20,12 @@ void light_neighbours(std::span<const std::uint32_t> begins, std::vector<std::ui
 
 }  // namespace
 
-std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperator& transport,
+std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const HitStore& hits,
                                     const Solution& first_picture, std::span<const std::vector<float>> direct,
                                     const Workers& workers) {
-  const auto& sides = transport.sides();
+  const auto& sides = hits.sides();
   const auto bands = patches.band_count();
-  std::vector<std::uint8_t> lit(transport.elements(), 0);
+  std::vector<std::uint8_t> lit(hits.elements(), 0);
   const auto any = [bands](const std::vector<float>& values, std::size_t index) {
     return std::any_of(&values[index * bands], &values[index * bands] + bands,
                        [](float x) { return x > 0.0f; });
@@ -40,20 +40,20 @@ std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperat
       lit[s] = is_lit ? 1 : 0;
     }
   });
-  lit[transport.escaped()] = patches.has_sky() ? 1 : 0;
+  lit[hits.escaped()] = patches.has_sky() ? 1 : 0;
   const auto groups = neighbour_begins(sides, neighbours);
   // Light goes on from slot to slot. Each pass reads the one before, so threads do not matter.
   for (bool changed = true; changed;) {
     light_neighbours(groups, lit);
     auto next = lit;
-    workers.for_chunks(transport.blocks(), 1, [&](std::size_t begin, std::size_t end, int) {
+    workers.for_chunks(hits.blocks(), 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto block = begin; block < end; ++block)
         for (std::uint32_t r = 0; r < direct.size(); ++r)
-          transport.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
+          hits.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
             if (lit[element]) next[slot] = 1;
           });
     });
-    transport.shares().share(
+    hits.shares().share(
         std::span(next), 1, sides.size(), [](std::size_t s) { return s; },
         [&](std::size_t s) { return sides.position[s]; });
     changed = next != lit;

@@ -8,14 +8,14 @@
 #include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/transport/hit_store.h"
 
 namespace luxel {
 
-// Which slots of an operator any light reaches, as far as its rays so far can tell: lamps, those that have
+// Which slots any light reaches, as far as its rays so far can tell: lamps, those that have
 // light in a first picture or direct light, those whose rays meet the sky or such a slot, and so on; and the
 // neighbours of these. 1 for lit. The outside of a house is dark, and need not be sampled.
-std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const SampledOperator& transport,
+std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const HitStore& hits,
                                     const Solution& first_picture, std::span<const std::vector<float>> direct,
                                     const Workers& workers);
 

@@ -14,7 +14,7 @@
 namespace luxel {
 namespace {
 
-constexpr double tolerance = 1e-6;   // of the iteration, as in the run
+constexpr double tolerance = 1e-5;   // of the iteration
 constexpr std::size_t grain = 4096;  // slots a chunk
 
 std::size_t sky_index(const PatchSet& patches) {
@@ -40,8 +40,8 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
   for (std::size_t g = 0; g < groups; ++g) {
     const auto direct = of_group(state.direct, g, groups, bands, workers);
     const bool has_sky = g == sky_index(patches) || (groups == 1 && patches.has_sky());
-    auto radiosity = has_sky ? dark_but_for_sky(transport, patches)
-                             : std::vector<float>(transport.elements() * bands, 0.0f);
+    auto radiosity = has_sky ? dark_but_for_sky(transport.hits(), patches)
+                             : std::vector<float>((slots + transport.elements()) * bands, 0.0f);
     const auto told = [&](const Progress&) {
       return tell(monitor, {"light groups", static_cast<double>(g) / static_cast<double>(groups)});
     };
@@ -64,9 +64,10 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
                                                     const Monitor& monitor) {
   Sampling sampling(patches, tracer, options, workers);
   sampling.take_up(*state);
-  const SlotLight slots(patches, sampling.tree(), sampling.transport().sides(), false, workers);
+  const SlotLight slots(patches, sampling.tree(), sampling.hits().sides(), false, workers);
+  const SampledOperator transport(patches, sampling.hits(), {.both_ways = options.both_ways}, workers);
   auto more = std::make_shared<SampleState>(*state);
-  more->gathered = solve_groups(patches, sampling.transport(), *state, slots.reflectance(), workers, monitor);
+  more->gathered = solve_groups(patches, transport, *state, slots.reflectance(), workers, monitor);
   if (more->gathered.empty()) return nullptr;
   return more;
 }
@@ -78,6 +79,7 @@ struct Relighter::State {
   std::shared_ptr<const SampleState> samples;
   SampledOptions options;
   Sampling sampling;
+  std::optional<SampledOperator> transport;
   std::optional<SlotLight> slots;
   std::vector<float> weight;
   bool reflects_as_in_run = true;  // so that the light the samples know of each group holds
@@ -92,20 +94,22 @@ struct Relighter::State {
         sampling(patches, tracer, run_options, run_workers),
         weight(patches.group_count() * patches.band_count(), 1.0f) {
     sampling.take_up(*samples);
+    transport.emplace(patches, sampling.hits(), SampledOperatorOptions{.both_ways = options.both_ways},
+                      workers);
     look_at_surfaces();
     if (samples->gathered.empty()) {
       auto more = std::make_shared<SampleState>(*samples);
-      more->gathered = solve_groups(patches, sampling.transport(), *samples, slots->reflectance(), workers);
+      more->gathered = solve_groups(patches, *transport, *samples, slots->reflectance(), workers);
       samples = std::move(more);
     }
-    const auto width = sampling.transport().sides().size() * weight.size();
+    const auto width = sampling.hits().sides().size() * weight.size();
     for (const auto& light : samples->gathered)
       if (samples->gathered.size() != samples->replicates || light.size() != width)
         throw MismatchError("the kept light of the lamps' groups is not of these patches");
   }
 
   void look_at_surfaces() {
-    slots.emplace(patches, sampling.tree(), sampling.transport().sides(), options.share, workers);
+    slots.emplace(patches, sampling.tree(), sampling.hits().sides(), options.share, workers);
   }
 };
 
@@ -136,9 +140,8 @@ Solution Relighter::light() const {
   auto direct = sum_of_groups(s.samples->direct, groups, bands, s.weight, s.workers);
   std::vector<std::vector<float>> gathered;
   if (!s.reflects_as_in_run) {
-    auto radiosity = dark_but_for_sky(s.sampling.transport(), s.patches);
-    gathered = solve_replicates(s.sampling.transport(), direct, s.slots->reflectance(), radiosity, tolerance,
-                                s.workers)
+    auto radiosity = dark_but_for_sky(s.sampling.hits(), s.patches);
+    gathered = solve_replicates(*s.transport, direct, s.slots->reflectance(), radiosity, tolerance, s.workers)
                    .gathered;
   } else {
     gathered = sum_of_groups(s.samples->gathered, groups, bands, s.weight, s.workers);

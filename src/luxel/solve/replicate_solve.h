@@ -14,8 +14,8 @@ namespace luxel {
 // threads.
 std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Workers& workers);
 
-// The start of an iteration in which the sky shines and nothing else yet: W/m², [element * bands + band].
-std::vector<float> dark_but_for_sky(const SampledOperator& transport, const PatchSet& patches);
+// Radiosities of CrossedHalves in which the sky shines and nothing else yet: W/m², [row or sink][band].
+std::vector<float> dark_but_for_sky(const HitStore& hits, const PatchSet& patches);
 
 // The light that reaches each slot from other surfaces, replicate by replicate.
 struct ReplicateLight {
@@ -24,14 +24,18 @@ struct ReplicateLight {
   GaussSeidelReport iteration;
 };
 
-// Solves B = rho (D + F B) with the mean of all replicates, to `tolerance`, and puts each replicate around
-// it: its own direct light goes through its own rays for two bounces more, by which its noise has gone as far
-// as it can be told from the rest. So the mean over replicates is the solution with all rays, and their
-// spread its error.
+// Solves B = rho (D + F B) for both halves of the replicates, each sending on what the other gathered, to
+// `tolerance`; the light is the mean of the two. Each replicate stands around it by its influence u on that
+// mean: what differs in its own rays and direct light, sent on for as long as that changes its errors,
+//
+//     u_r = (h_r - mean of h) + (D_r - mean of D) + F rho u_r,     F of the other half.
+//
+// So the mean over replicates is the solution with all rays, and their spread its error.
 //
 // direct: [replicate][slot * bands + band], W/m²; reflectance: [slot * bands + band]; radiosity: reflected,
-// W/m², [element * bands + band], the start and the result; that of the sinks stays, so the sky is one. The
-// same bits on any number of threads. Cost: one look-up a ray for each sweep and for each own bounce.
+// W/m², [row or sink of CrossedHalves][band], the start and the result; that of the sinks stays, so the sky
+// is one. The same bits on any number of threads. Cost: two look-ups per ray for each sweep; the influences
+// cost as much as some sweeps more.
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
                                 double tolerance, const Workers& workers, const Monitor& monitor = {});

@@ -13,7 +13,8 @@ constexpr int most_doublings = 4;          // at a time: an estimate of the erro
 
 }  // namespace
 
-std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double budget) {
+std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double least,
+                                         double budget) {
   std::vector<std::uint8_t> doublings(units.size(), 0);
   using Entry = std::tuple<double, std::size_t>;  // error2 over cost, unit
   std::priority_queue<Entry> queue;
@@ -23,11 +24,10 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
     if (units[u].error2 > 0.0) queue.emplace(units[u].error2 / units[u].cost, u);
   }
   double spent = 0.0;
-  while (error2 > target && !queue.empty()) {
+  while ((error2 > target || spent < least) && !queue.empty()) {
     const auto [worth, u] = queue.top();
     queue.pop();
-    // What remains is worth less than this one, which will be seen more clearly next time.
-    if (doublings[u] == most_doublings) break;
+    if (doublings[u] == most_doublings) continue;
     double left = units[u].error2;
     double cost = units[u].cost;
     for (int i = 0; i < doublings[u]; ++i) {

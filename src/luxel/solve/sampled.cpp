@@ -13,6 +13,7 @@
 #include "luxel/random/address.h"
 #include "luxel/report/error.h"
 #include "luxel/report/memory.h"
+#include "luxel/solve/gather_errors.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sample_plan.h"
 #include "luxel/solve/sampled_energy.h"
@@ -23,8 +24,11 @@
 namespace luxel {
 namespace {
 
-constexpr double tolerance = 1e-6;       // of the iteration
+// Of the iteration: a hundredth of the error so far, which nobody can tell from none.
+double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.01 * error, 1e-6, 1e-4) : 1e-4; }
+
 constexpr double shadow_ray_cost = 0.6;  // of a gather ray and its share of the sweeps
+constexpr double least_growth = 0.5;     // a round costs at least so many times all before it
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
 constexpr double aim = 0.9;              // of the squared error asked for: another round costs more than that
@@ -82,7 +86,8 @@ class Run {
       if (is_stopped(tell(monitor_, progress(&solution_)))) return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
-      const auto doublings = plan_doublings(units, aimed_error2(), growth() * total_cost(units));
+      const auto doublings = plan_doublings(units, aimed_error2(), least_growth * total_cost(units),
+                                            growth() * total_cost(units));
       predict_memory(units);
       if (*std::max_element(doublings.begin(), doublings.end()) == 0)
         return finish(StopReason::error_reached);
@@ -122,12 +127,13 @@ class Run {
 
   // Where the iteration begins: with what the shot light says.
   void begin_iteration() {
-    radiosity_ = dark_but_for_sky(sampling_->transport(), patches_);
+    radiosity_ = dark_but_for_sky(sampling_->hits(), patches_);
     for (std::size_t s = 0; s < slots(); ++s) {
       const auto patch = side(s) / 2;
       const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
       for (std::size_t b = 0; b < bands_; ++b)
-        radiosity_[s * bands_ + b] = patches_.reflectance(patch, b) * H[patch * bands_ + b];
+        radiosity_[s * bands_ + b] = radiosity_[(slots() + s) * bands_ + b] =
+            patches_.reflectance(patch, b) * H[patch * bands_ + b];
     }
   }
 
@@ -135,7 +141,7 @@ class Run {
     sampling_.emplace(patches_, tracer_, options_, workers_);
     sampling_->take_up(state);
     prepare();
-    if (state.radiosity.size() != sampling_->transport().elements() * bands_)
+    if (state.radiosity.size() != (slots() + sampling_->hits().elements()) * bands_)
       throw MismatchError("the kept radiosities are not of these patches");
     radiosity_ = state.radiosity;
     rounds_before_ = state.rounds_done;
@@ -153,14 +159,14 @@ class Run {
   }
 
   void prepare() {
-    const auto& sides = sampling_->transport().sides();
+    const auto& sides = sampling_->hits().sides();
     light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_, ranks_);
     report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;
   }
 
-  std::size_t slots() const { return sampling_->transport().sides().size(); }
-  std::size_t side(std::size_t slot) const { return sampling_->transport().sides().side[slot]; }
+  std::size_t slots() const { return sampling_->hits().sides().size(); }
+  std::size_t side(std::size_t slot) const { return sampling_->hits().sides().side[slot]; }
 
   // ---- The answer ----
 
@@ -168,13 +174,16 @@ class Run {
   bool answer() {
     auto direct =
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
+    transport_.emplace(patches_, sampling_->hits(), SampledOperatorOptions{.both_ways = options_.both_ways},
+                       workers_);
     auto solved =
-        solve_replicates(sampling_->transport(), direct, light_->reflectance(), radiosity_, tolerance,
+        solve_replicates(*transport_, direct, light_->reflectance(), radiosity_, tolerance_for(error_),
                          workers_, [this](const Progress&) { return tell(monitor_, progress(nullptr)); });
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
+    gathered_ = mean_of(gathered, workers_);
     answer_ = light_->answer(direct, gathered, options_.error, workers_, [&](double weight) {
       add_squared_errors(direct, bands_, light_->area(), weight, direct_error2_, workers_, ranks_);
       add_squared_errors(gathered, bands_, light_->area(), weight, gathered_error2_, workers_, ranks_);
@@ -185,13 +194,13 @@ class Run {
     round.sweeps = static_cast<int>(solved.iteration.change.size());
     round.residual = solved.iteration.distance;
     round.gather_rays =
-        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->transport().rays_a_slot()));
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->hits().rays_per_slot()));
     round.shadow_rays =
         static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_a_slot()));
     round.rays = rays();
     round.error = error_;
     report_.rounds.push_back(round);
-    report_.streamed = sampling_->transport().is_streamed();
+    report_.streamed = sampling_->hits().is_streamed();
     report_.predicted_error = error_;
     light_->write(answer_, solution_, workers_);
     sign();
@@ -217,22 +226,27 @@ class Run {
     return sum;
   }
 
-  // What the shadow rays (first) and gather rays (then) of each unit cost and leave to be desired.
+  std::size_t direct_units() const { return sampling_->units().size() - 1; }
+
+  // What the shadow rays of each unit (first) and the gather rays of each slot (then) cost and leave to be
+  // desired.
   std::vector<SampleUnit> sample_units() const {
     const auto begins = sampling_->units();
-    const auto n = begins.size() - 1;
-    std::vector<SampleUnit> units(2 * n);
-    double sum = 0.0;
-    const auto book = [&](SampleUnit& unit, std::size_t u, const std::vector<double>& error2_of,
-                          double samples, double cost) {
-      for (auto s = begins[u]; s < begins[u + 1]; ++s) unit.error2 += error2_of[s];
-      unit.cost = cost * samples * options_.replicates * (begins[u + 1] - begins[u]);
-      sum += unit.error2;
-    };
+    const auto n = direct_units();
+    std::vector<SampleUnit> units(n + slots());
     for (std::size_t u = 0; u < n; ++u) {
-      book(units[u], u, direct_error2_, sampling_->direct().samples_a_slot()[begins[u]], shadow_ray_cost);
-      book(units[n + u], u, gathered_error2_, sampling_->transport().rays_a_slot()[begins[u]], 1.0);
+      for (auto s = begins[u]; s < begins[u + 1]; ++s) units[u].error2 += direct_error2_[s];
+      units[u].cost = shadow_ray_cost * sampling_->direct().samples_a_slot()[begins[u]] *
+                      options_.replicates * (begins[u + 1] - begins[u]);
     }
+    const auto gather_error2 =
+        gather_errors(patches_, *transport_, begins, light_->area(), radiosity_, gathered_,
+                      std::accumulate(gathered_error2_.begin(), gathered_error2_.end(), 0.0), workers_);
+    for (std::size_t s = 0; s < slots(); ++s)
+      units[n + s] = {gather_error2[s],
+                      static_cast<double>(sampling_->hits().rays_per_slot()[s]) * options_.replicates};
+    double sum = 0.0;
+    for (const auto& u : units) sum += u.error2;
     // Together they are the whole squared error.
     for (auto& u : units) u.error2 *= std::max(0.0, answer_.error2) / std::max(sum, 1e-300);
     return units;
@@ -246,7 +260,7 @@ class Run {
     for (std::size_t u = 0; u < units.size(); ++u) {
       const auto cost = units[u].cost * ((1 << doublings[u]) - 1);
       more += cost;
-      more_rays += u < units.size() / 2 ? cost / shadow_ray_cost : cost;
+      more_rays += u < direct_units() ? cost / shadow_ray_cost : cost;
     }
     if (options_.rays > 0 && static_cast<double>(rays()) + more_rays > static_cast<double>(options_.rays))
       return StopReason::ray_limit;
@@ -259,12 +273,12 @@ class Run {
   void predict_memory(std::span<const SampleUnit> units) {
     if (report_.rounds.size() > 1) return;
     double hits = 0.0;
-    if (!sampling_->transport().is_streamed()) {
-      const auto doublings = plan_doublings(units, aimed_error2(), 1e30);
-      for (auto u = units.size() / 2; u < units.size(); ++u) hits += units[u].cost * (1 << doublings[u]);
+    if (!sampling_->hits().is_streamed()) {
+      const auto doublings = plan_doublings(units, aimed_error2(), 0.0, 1e30);
+      for (auto u = direct_units(); u < units.size(); ++u) hits += units[u].cost * (1 << doublings[u]);
     }
     report_.memory = begin_memory_ + sampling_->bytes_of_state() +
-                     sizeof(std::uint32_t) * static_cast<std::uint64_t>(hits);
+                     2 * sizeof(std::uint32_t) * static_cast<std::uint64_t>(hits);
   }
 
   double elapsed() const {
@@ -288,8 +302,7 @@ class Run {
 
   SolveReport finish(StopReason reason) {
     if (!report_.rounds.empty()) {
-      const auto energy =
-          energy_of(patches_, sampling_->transport(), options_.replicates, answer_.mean, workers_);
+      const auto energy = energy_of(patches_, *transport_, answer_.mean, workers_);
       report_.energy = energy.balance;
       report_.back_loss = energy.back_loss;
     }
@@ -338,12 +351,14 @@ class Run {
   std::size_t bands_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<Sampling> sampling_;
+  std::optional<SampledOperator> transport_;  // by the rays of the last answer
   std::uint64_t first_rays_ = 0;
   std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
   std::shared_ptr<const SampleState> kept_;
   std::optional<SlotLight> light_;
   std::vector<float> radiosity_;  // reflected, and of the sky, W/m², [element][band]
   SlotLight::Answer answer_;
+  std::vector<float> gathered_;  // before neighbours share, W/m², [slot * bands + band]
   std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error
   double error_ = 0.0;                                   // of the whole
   std::uint64_t begin_memory_ = resident_memory();       // bytes of the process

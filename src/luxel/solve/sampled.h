@@ -38,6 +38,8 @@ struct SampledOptions {
   // what that may get wrong is part of the error bar.
   bool share = true;
 
+  bool both_ways = true;  // rays count at both their ends, else at that of the side which sends them
+
   // Processes that share the work: each calls the solver with the same arguments but for memory and monitor,
   // and all get the same answer, to the bit that of one alone. The first one's monitor may stop them all.
   const Ranks* ranks = nullptr;

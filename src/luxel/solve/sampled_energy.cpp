@@ -5,51 +5,55 @@
 
 namespace luxel {
 
-EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport, std::uint32_t replicates,
+EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport,
                         const std::vector<float>& irradiance, const Workers& workers) {
-  const auto& sides = transport.sides();
+  const auto& hits = transport.hits();
+  const auto& sides = hits.sides();
   const auto bands = patches.band_count();
   const auto materials = patches.materials.size();
-  // What a ray of the slot carries, W, [slot][band].
+  // What a ray of the slot carries in one replicate, W, [slot][band].
   std::vector<double> carried(sides.size() * bands);
-  std::vector<double> area_a_ray(sides.size());  // m²
+  std::vector<double> area_per_ray(sides.size());  // m²
   // Per block: absorbed, escaped, and at each material's back, [band]; and the area that sees the sky, m².
   const auto width = (2 + materials) * bands + 1;
-  std::vector<double> sums(transport.blocks() * width, 0.0);
-  const auto begins = transport.replicate(0).row_begins();
-  workers.for_chunks(transport.blocks(), 1, [&](std::size_t first, std::size_t last, int) {
+  std::vector<double> sums(hits.blocks() * width, 0.0);
+  const auto begins = hits.block_begins();
+  workers.for_chunks(hits.blocks(), 1, [&](std::size_t first, std::size_t last, int) {
     for (auto block = first; block < last; ++block) {
       auto* sum = &sums[block * width];
       for (std::size_t s = begins[block]; s < begins[block + 1]; ++s) {
         const auto patch = sides.side[s] / 2;
         const double area = patches.area[patch];
-        const auto rays = static_cast<double>(transport.rays_a_slot()[s]) * replicates;
-        area_a_ray[s] = area / rays;
+        area_per_ray[s] = area / hits.rays_per_slot()[s];
         for (std::size_t b = 0; b < bands; ++b) {
           const double rho = patches.reflectance(patch, b);
           const double H = irradiance[s * bands + b];
           const double own = sides.side[s] % 2 == 0 ? static_cast<double>(patches.emittance(patch, b)) : 0.0;
-          carried[s * bands + b] = area_a_ray[s] * (own + rho * H);
+          carried[s * bands + b] = area_per_ray[s] * (own + rho * H);
           sum[b] += area * (1.0 - rho) * H;
         }
       }
-      for (std::uint32_t r = 0; r < replicates; ++r)
-        transport.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
-          if (element < sides.size() || element == transport.dark()) return;
-          const auto sink = element == transport.escaped() ? 1 : 2 + element - transport.absorbed(0);
-          for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += carried[slot * bands + b];
-          if (element == transport.escaped()) sum[width - 1] += area_a_ray[slot];
+      for (std::uint32_t r = 0; r < hits.replicates(); ++r) {
+        const auto half = transport.half_of(r);
+        const auto weight = 0.5 / (transport.half_begin(half + 1) - transport.half_begin(half));
+        hits.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
+          if (element < sides.size() || element == hits.dark()) return;
+          const auto counts = weight * transport.row_factor(r, slot);
+          const auto sink = element == hits.escaped() ? 1 : 2 + element - hits.absorbed(0);
+          for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += counts * carried[slot * bands + b];
+          if (element == hits.escaped()) sum[width - 1] += counts * area_per_ray[slot];
         });
+      }
     }
   });
 
-  transport.shares().share(
-      std::span(sums), width, transport.blocks(), [](std::size_t block) { return block; },
+  hits.shares().share(
+      std::span(sums), width, hits.blocks(), [](std::size_t block) { return block; },
       [&](std::size_t block) { return sides.position[begins[block]]; });
 
   EnergyAccount energy(emitted_power(patches), materials);
   auto& balance = energy.balance;
-  for (std::size_t block = 0; block < transport.blocks(); ++block)
+  for (std::size_t block = 0; block < hits.blocks(); ++block)
     for (std::size_t b = 0; b < bands; ++b) {
       const auto* sum = &sums[block * width];
       balance.from_sky[b] += sum[width - 1] * patches.sky_radiosity(b);

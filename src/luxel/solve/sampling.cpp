@@ -54,33 +54,32 @@ Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledO
 
 void Sampling::lay_out() {
   tree_ = make_patch_tree(patches_, workers_);
-  transport_.emplace(patches_, all_gather_sides(patches_, tree_), tracer_,
-                     SampledOperatorOptions{.seed = options_.seed,
-                                            .replicates = options_.replicates,
-                                            .low_discrepancy = options_.low_discrepancy,
-                                            .stratified = options_.stratified,
-                                            .ranks = options_.ranks});
+  hits_.emplace(patches_, all_gather_sides(patches_, tree_), tracer_,
+                HitStoreOptions{.seed = options_.seed,
+                                .replicates = options_.replicates,
+                                .low_discrepancy = options_.low_discrepancy,
+                                .stratified = options_.stratified,
+                                .ranks = options_.ranks});
   // Before it is known which sides are dark: the first samples of all.
-  check_memory(sizeof(float) * options_.replicates * direct_width() * transport_->sides().size(), 0);
-  direct_.emplace(direct_light_, transport_->sides(), options_.replicates, direct_width(),
-                  transport_->shares());
+  check_memory(sizeof(float) * options_.replicates * direct_width() * hits_->sides().size(), 0);
+  direct_.emplace(direct_light_, hits_->sides(), options_.replicates, direct_width(), hits_->shares());
 }
 
 bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
   lay_out();
-  std::vector<std::uint32_t> all(transport_->sides().size());
+  std::vector<std::uint32_t> all(hits_->sides().size());
   std::iota(all.begin(), all.end(), 0u);
   const auto first = first_samples(all.size(), options_.replicates);
   if (!take_direct(all, first, monitor)) return false;
   const auto direct_rays = rays_;
   make_room(std::uint64_t{first} * options_.replicates * all.size());
-  const auto traced = transport_->double_rays(all, first, workers_, told);
+  const auto traced = hits_->double_rays(all, first, workers_, told);
   if (!traced) return false;
   rays_ = direct_->share(all, direct_rays) + *traced;
   leave_out_dark_sides(first_picture);
   check_memory(bytes_of_state(), resident_memory());
-  units_ = neighbour_begins(transport_->sides(), unit_positions);
+  units_ = neighbour_begins(hits_->sides(), unit_positions);
   return true;
 }
 
@@ -108,35 +107,35 @@ void Sampling::take_up(const SampleState& state) {
     throw MismatchError(
         fmt::format("the kept samples have {} replicates, not {}", state.replicates, options_.replicates));
   lay_out();
-  const auto all = transport_->sides().size();
+  const auto all = hits_->sides().size();
   std::vector<std::uint8_t> kept(all, 0);
   for (const auto side : state.sides) {
-    const auto slot = side < transport_->sides().slot_of_side.size() ? transport_->sides().slot_of_side[side]
-                                                                     : GatherSides::none;
+    const auto slot =
+        side < hits_->sides().slot_of_side.size() ? hits_->sides().slot_of_side[side] : GatherSides::none;
     if (slot == GatherSides::none)
       throw MismatchError("the kept samples are not of these patches: a side of theirs gathers no light");
     kept[slot] = 1;
   }
   dark_sides_ = all - static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 1));
   if (dark_sides_ > 0) {
-    transport_->keep(kept, workers_);
-    direct_->keep(kept, transport_->sides());
+    hits_->keep(kept, workers_);
+    direct_->keep(kept, hits_->sides());
   }
-  if (transport_->sides().side != state.sides)
+  if (hits_->sides().side != state.sides)
     throw MismatchError("the kept samples are not of these patches: their sides stand in another order");
-  transport_->take_up(state.rounds);
+  hits_->take_up(state.rounds);
   direct_->take_up(state.direct, state.direct_samples, state.direct_doublings);
-  if (bytes_of_state() + bytes_of_hits() > memory_) transport_->stream();
+  if (bytes_of_state() + bytes_of_hits() > memory_) hits_->stream();
   rays_ = state.rays;
-  units_ = neighbour_begins(transport_->sides(), unit_positions);
+  units_ = neighbour_begins(hits_->sides(), unit_positions);
 }
 
 SampleState Sampling::state() const {
   SampleState state;
   state.replicates = options_.replicates;
   state.rays = rays_;
-  state.sides = transport_->sides().side;
-  state.rounds = transport_->rounds();
+  state.sides = hits_->sides().side;
+  state.rounds = hits_->rounds();
   state.direct = direct_->irradiance();
   const auto samples = direct_->samples_a_slot();
   const auto doublings = direct_->doublings_a_slot();
@@ -148,26 +147,26 @@ SampleState Sampling::state() const {
 void Sampling::leave_out_dark_sides(const Solution& first_picture) {
   const auto direct =
       sum_of_groups(direct_->irradiance(), patches_.group_count(), patches_.band_count(), {}, workers_);
-  const auto lit = lit_slots(patches_, *transport_, first_picture, direct, workers_);
+  const auto lit = lit_slots(patches_, *hits_, first_picture, direct, workers_);
   dark_sides_ = static_cast<std::uint64_t>(std::count(lit.begin(), lit.end(), 0));
   if (dark_sides_ == 0) return;
-  transport_->keep(lit, workers_);
-  direct_->keep(lit, transport_->sides());
+  hits_->keep(lit, workers_);
+  direct_->keep(lit, hits_->sides());
 }
 
 RankTimes Sampling::share_out(std::span<const std::uint8_t> doublings) {
   const auto n = units_.size() - 1;
-  std::vector<double> more_samples(transport_->sides().size(), 0.0), more_rays(more_samples);
+  std::vector<double> more_samples(hits_->sides().size(), 0.0), more_rays(more_samples);
   const auto more = [](std::uint32_t so_far, std::uint8_t times) {
     return static_cast<double>(so_far) * static_cast<double>((1u << times) - 1u);
   };
   for (std::size_t u = 0; u < n; ++u)
     for (auto s = units_[u]; s < units_[u + 1]; ++s) {
       more_samples[s] = more(direct_->samples_a_slot()[s], doublings[u]);
-      more_rays[s] = more(transport_->rays_a_slot()[s], doublings[n + u]);
+      more_rays[s] = more(hits_->rays_per_slot()[s], doublings[n + s]);
     }
   auto& pieces = direct_->pieces();
-  auto times = transport_->balance(more_rays, pieces.expected_seconds(more_samples));
+  auto times = hits_->balance(more_rays, pieces.expected_seconds(more_samples));
   pieces.deal(more_samples, times);
   return times;
 }
@@ -179,13 +178,12 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
   const auto turns = *std::max_element(doublings.begin() + static_cast<std::ptrdiff_t>(n), doublings.end());
   for (std::uint8_t turn = 0; turn < turns; ++turn) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> gathered;  // by rays so far
-    for (std::size_t u = 0; u < n; ++u)
-      for (auto s = units_[u]; doublings[n + u] > turn && s < units_[u + 1]; ++s)
-        gathered[transport_->rays_a_slot()[s]].push_back(s);
+    for (std::uint32_t s = 0; s < hits_->sides().size(); ++s)
+      if (doublings[n + s] > turn) gathered[hits_->rays_per_slot()[s]].push_back(s);
     const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
     for (auto& [rays, slots] : gathered) {
       make_room(std::uint64_t{rays} * options_.replicates * slots.size());
-      const auto traced = transport_->double_rays(std::move(slots), 0, workers_, told);
+      const auto traced = hits_->double_rays(std::move(slots), 0, workers_, told);
       if (!traced) return false;
       rays_ += *traced;
     }
@@ -230,22 +228,23 @@ void Sampling::check_memory(std::uint64_t bytes, std::uint64_t held) const {
   throw InputError(fmt::format(
       "the light of {} patch sides in {} bands needs about {} MiB of memory, of which {} are free: "
       "make fewer patches (a larger --max-edge), or fewer bands (--bands with --spectral)",
-      transport_->sides().size(), patches_.band_count(), bytes / mebibyte, free / mebibyte));
+      hits_->sides().size(), patches_.band_count(), bytes / mebibyte, free / mebibyte));
 }
 
 void Sampling::make_room(std::uint64_t more_rays) {
-  const auto hits = bytes_of_hits() + sizeof(std::uint32_t) * more_rays;
-  if (!transport_->is_streamed() && bytes_of_state() + hits > memory_) transport_->stream();
+  const auto hits = bytes_of_hits() + 2 * sizeof(std::uint32_t) * more_rays;
+  if (!hits_->is_streamed() && bytes_of_state() + hits > memory_) hits_->stream();
 }
 
 std::uint64_t Sampling::bytes_of_state() const {
   const auto groups = patches_.light_groups.empty() ? 1 : 2 * patches_.group_count();
-  const std::uint64_t numbers = transport_->sides().size() * patches_.band_count();
+  const std::uint64_t numbers = hits_->sides().size() * patches_.band_count();
   // Direct and gathered light of each replicate, and of direct light that of each group and a copy of it for
-  // who keeps the state; the iteration's vectors; mean, error, bias, reflectance; what is kept by slot; the
-  // tree; and the solution.
-  return sizeof(float) * numbers * ((2 + groups) * options_.replicates + 12 + 6) +
-         64 * transport_->sides().size() + patches_.size() * (60 + sizeof(float) * 6 * patches_.band_count());
+  // who keeps the state; the iteration's vectors, of two halves; mean, error, bias, reflectance; what is kept
+  // by slot and replicate; the tree; and the solution.
+  return sizeof(float) * numbers * ((2 + groups) * options_.replicates + 24 + 6) +
+         (64 + 12 * options_.replicates) * hits_->sides().size() +
+         patches_.size() * (60 + sizeof(float) * 6 * patches_.band_count());
 }
 
 }  // namespace luxel

@@ -11,7 +11,7 @@
 #include "luxel/solve/direct_samples.h"
 #include "luxel/solve/sampled.h"
 #include "luxel/transport/direct_light.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/transport/hit_store.h"
 
 namespace luxel {
 
@@ -36,7 +36,7 @@ class Sampling {
   SampleState state() const;
 
   const PatchTree& tree() const { return tree_; }
-  const SampledOperator& transport() const { return *transport_; }
+  const HitStore& hits() const { return *hits_; }
   const DirectSamples& direct() const { return *direct_; }
   std::uint64_t dark_sides() const { return dark_sides_; }
   std::uint64_t rays() const { return rays_; }  // traced
@@ -44,12 +44,14 @@ class Sampling {
   // Unit u is slots [units()[u], units()[u + 1]).
   std::span<const std::uint32_t> units() const { return units_; }
 
-  // Doubles the shadow rays of unit u doublings[u] times, and its gather rays doublings[units + u] times.
+  // Doubles the shadow rays of unit u doublings[u] times, and the gather rays of slot s doublings[units + s]
+  // times.
   // Returns false, with some of it done, if the monitor said stop.
   bool take(std::span<const std::uint8_t> doublings, const Monitor& monitor);
 
-  // Bytes of the hits that are stored, and of all else that a solve holds at its peak.
-  std::uint64_t bytes_of_hits() const { return transport_->bytes(); }
+  // Bytes of the hits that are stored, at their senders and where they arrive, and of all else that a solve
+  // holds at its peak.
+  std::uint64_t bytes_of_hits() const { return 2 * hits_->bytes(); }
   std::uint64_t bytes_of_state() const;
 
  private:
@@ -76,7 +78,7 @@ class Sampling {
   Lamps lamps_;
   DirectLight direct_light_;
   PatchTree tree_;
-  std::optional<SampledOperator> transport_;
+  std::optional<HitStore> hits_;
   std::optional<DirectSamples> direct_;
   std::vector<std::uint32_t> units_;
   std::uint64_t dark_sides_ = 0;

@@ -1,285 +1,484 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/transport/sampled_operator.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <chrono>
-#include <functional>
+#include <cmath>
 
-#include <fmt/format.h>
-
-#include "luxel/report/error.h"
+#include "luxel/transport/row_sums.h"
 
 namespace luxel {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t rows_a_job = 4 * GatherRays::most_rows;
-constexpr std::size_t fetch_ahead = 16;           // hits
-constexpr std::size_t cached_numbers = 1u << 18;  // radiosities that stay near the processor: 1 MiB
-
-// Where each of `values` would stand among the slots.
-std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
-                                     std::span<const std::uint32_t> slots) {
-  std::vector<std::uint32_t> places;
-  for (const auto v : values)
-    places.push_back(
-        static_cast<std::uint32_t>(std::lower_bound(slots.begin(), slots.end(), v) - slots.begin()));
-  return places;
-}
-
-// Adds up `width` of the bands, from band0 on, over the hits of slots: sum is of the slots from slot0 on.
-// Where the radiosities fit into the cache, to ask for them ahead costs more than it gains.
-template <std::size_t width, bool fetches = false>
-void add_up(std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot,
-            const float* radiosity, std::uint32_t slot0, std::vector<double>& sum, std::size_t bands = width,
-            std::size_t band0 = 0) {
-  const auto* const last = hit + slots.size() * per_slot - 1;
-  for (const auto slot : slots) {
-    std::array<double, width> own{};
-    for (std::uint32_t i = 0; i < per_slot; ++i, ++hit) {
-      if constexpr (fetches)
-        __builtin_prefetch(radiosity + bands * std::size_t{*std::min(hit + fetch_ahead, last)});
-      const auto* from = radiosity + bands * std::size_t{*hit} + band0;
-      for (std::size_t b = 0; b < width; ++b) own[b] += static_cast<double>(from[b]);
-    }
-    for (std::size_t b = 0; b < width; ++b) sum[bands * (slot - slot0) + band0 + b] += own[b];
-  }
-}
+constexpr std::size_t grain = 1 << 14;             // numbers per chunk
+constexpr std::size_t cached_elements = 1u << 16;  // whose radiosities stay near the processor: 1 MiB
+constexpr std::uint64_t batch_rays = std::uint64_t{1}
+                                     << 22;  // that are held at a time where hits are streamed
 
 }  // namespace
 
-SampledOperator::SampledOperator(const PatchSet& patches, GatherSides sides, const Tracer& tracer,
-                                 const SampledOperatorOptions& options)
-    : patches_(patches),
-      tracer_(tracer),
-      sides_(std::move(sides)),
-      options_(options),
-      shares_(options.ranks, gather_block_positions, sides_.position),
-      block_begins_(neighbour_begins(sides_, gather_block_positions)),
-      rays_a_slot_(sides_.size(), 0),
-      doublings_(sides_.size(), 0) {}
-
-std::uint32_t SampledOperator::element_of(const Hit& hit) const {
-  if (!hit) return static_cast<std::uint32_t>(escaped());
-  const auto slot = sides_.slot_of_side[side_of(hit.patch, hit.back)];
-  if (slot != GatherSides::none) return slot;
-  if (hit.back && !patches_.material_of(hit.patch).two_sided)
-    return static_cast<std::uint32_t>(absorbed(static_cast<std::size_t>(patches_.material[hit.patch])));
-  return static_cast<std::uint32_t>(dark());
+SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
+                                 const SampledOperatorOptions& options, const Workers& workers)
+    : patches_(patches), hits_(hits), options_(options) {
+  find_densities();
+  if (!hits_.is_streamed()) find_arrivals(workers);
+  find_row_sums(workers);
 }
 
-SampledOperator::Round SampledOperator::make_round(HitRound round) const {
-  auto begins = places_of(block_begins_, round.slots);
-  return {std::move(round), std::move(begins)};
-}
-
-void SampledOperator::make_room(Round& round) const {
-  round.hits =
-      std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * round.hits_a_replicate());
-}
-
-void SampledOperator::count(std::span<const std::uint32_t> slots, std::uint32_t per_replicate) {
-  for (const auto s : slots) {
-    rays_a_slot_[s] += per_replicate;
-    ++doublings_[s];
-  }
-}
-
-void SampledOperator::trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
-                            std::size_t end_row, std::span<std::uint32_t* const> to) const {
-  if (slots.empty()) return;
-  const auto n = round.per_replicate;
-  GatherRays rays(patches_, sides_, slots, {options_.seed, options_.low_discrepancy, options_.stratified},
-                  round.level, n);
-  std::array<GatherRays::Row, GatherRays::most_rows> rows;
-  while (begin_row < end_row) {
-    const auto count = std::min(end_row - begin_row, rows.size());
-    for (std::size_t i = 0; i < count; ++i, ++begin_row) {
-      const auto replicate = static_cast<std::uint32_t>(begin_row / n);
-      const auto sample = static_cast<std::uint32_t>(begin_row % n);
-      rows[i] = {replicate, sample, to[replicate] + sample};
-    }
-    rays.trace(tracer_, std::span(rows.data(), count), [this](const Hit& hit) { return element_of(hit); });
-  }
-}
-
-// A block with few rays a slot has too few that look the same way.
-std::vector<std::uint32_t> SampledOperator::traced_together(std::uint32_t per_replicate) const {
-  const std::size_t most =
-      options_.replicates * per_replicate > GatherRays::most_rows ? 1 : GatherRays::most_blocks;
-  std::vector<std::uint32_t> begins;
-  std::size_t first = 0;
-  for (std::size_t b = 0; b < blocks(); ++b)
-    if (b == 0 || b - first == most || block_begins_[b] == sides_.fronts) {
-      begins.push_back(block_begins_[b]);
-      first = b;
-    }
-  begins.push_back(static_cast<std::uint32_t>(sides_.size()));
-  return begins;
-}
-
-std::optional<std::uint64_t> SampledOperator::double_rays(std::vector<std::uint32_t> slots,
-                                                          std::uint32_t first, const Workers& workers,
-                                                          const Monitor& monitor) {
-  if (slots.empty()) return 0;
-  const auto so_far = rays_a_slot_[slots[0]];
-  const auto per_replicate = so_far > 0 ? so_far : first;
-  const auto level = doublings_[slots[0]];
-  const auto whole = std::uint64_t{options_.replicates} * per_replicate * slots.size();
-  const auto begin_time = Clock::now();
-  auto round = make_round({level, per_replicate, mine(slots), nullptr});
-  if (!is_streamed_) {
-    make_room(round);
-    // In turns, between which the monitor is asked: some tenths of a second each.
-    const auto rows = std::size_t{options_.replicates} * per_replicate;
-    const auto groups = places_of(traced_together(per_replicate), round.slots);
-    const auto jobs_a_group = (rows + rows_a_job - 1) / rows_a_job;
-    const auto jobs = (groups.size() - 1) * jobs_a_group;
-    const auto turn = 32 * static_cast<std::size_t>(workers.threads());
-    std::vector<double> seconds(jobs);
-    for (std::size_t from = 0; from < jobs; from += turn) {
-      const auto to = std::min(jobs, from + turn);
-      workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
-        std::vector<std::uint32_t*> places(options_.replicates);
-        for (auto job = from + begin; job < from + end; ++job) {
-          const auto job_begin = Clock::now();
-          const auto* group = &groups[job / jobs_a_group];
-          const auto row = job % jobs_a_group * rows_a_job;
-          for (std::uint32_t r = 0; r < options_.replicates; ++r) places[r] = round.hits_of(r, group[0]);
-          trace(round, std::span(round.slots).subspan(group[0], group[1] - group[0]), row,
-                std::min(rows, row + rows_a_job), places);
-          seconds[job] = std::chrono::duration<double>(Clock::now() - job_begin).count();
-        }
-      });
-      const auto share = static_cast<double>(to) / static_cast<double>(jobs);
-      const auto rays = static_cast<std::uint64_t>(share * static_cast<double>(whole));
-      if (tell(monitor, {"light", share, rays}) == Next::stop) return {};
-    }
-    learn_pace(round, groups, seconds, std::chrono::duration<double>(Clock::now() - begin_time).count());
-  }
-  count(slots, per_replicate);
-  rounds_.push_back(std::move(round));
-  return whole;
-}
-
-void SampledOperator::take_up(std::vector<HitRound> rounds) {
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw MismatchError(fmt::format("the kept rays do not belong to these patches: {}", what));
-  };
-  for (auto& given : rounds) {
-    auto round = make_round(std::move(given));
-    const auto& slots = round.slots;
-    require(std::is_sorted(slots.begin(), slots.end(), std::less_equal<>()) &&
-                (slots.empty() || slots.back() < sides_.size()),
-            "their sides are not in order");
-    require(std::has_single_bit(round.per_replicate), "a round's number of rays is no power of two");
-    for (const auto s : slots)
-      require(round.level == doublings_[s] && (round.level == 0 || round.per_replicate == rays_a_slot_[s]),
-              "a round is missing");
-    if (round.hits) {
-      const auto count = options_.replicates * round.hits_a_replicate();
-      require(std::all_of(round.hits.get(), round.hits.get() + count,
-                          [&](std::uint32_t element) { return element < elements(); }),
-              "a hit is on no element");
-    } else {
-      is_streamed_ = true;
-    }
-    count(slots, round.per_replicate);
-    rounds_.push_back(shares_.ranks() ? own_part(round) : std::move(round));
-  }
-  if (is_streamed_) stream();
-}
-
-void SampledOperator::stream() {
-  is_streamed_ = true;
-  for (auto& round : rounds_) round.hits.reset();
-}
+SampledOperator::~SampledOperator() = default;
 
 std::uint64_t SampledOperator::bytes() const {
-  std::uint64_t count = 0;
-  for (const auto& round : rounds_) count += options_.replicates * round.hits_a_replicate();
-  return is_streamed_ ? 0 : sizeof(std::uint32_t) * count;
+  std::uint64_t sum = 0;
+  for (const auto& a : arrivals_) sum += a.bytes();
+  return sum;
 }
 
-void SampledOperator::keep(const std::vector<std::uint8_t>& kept, const Workers& workers) {
-  SampledOperator smaller(patches_, kept_gather_sides(sides_, kept), tracer_, options_);
-  // What an old element is called now.
-  std::vector<std::uint32_t> name(elements());
-  for (std::size_t e = 0; e < name.size(); ++e)
-    name[e] = e >= sides_.size() ? static_cast<std::uint32_t>(e - sides_.size() + smaller.sides_.size())
-              : kept[e]          ? smaller.sides_.slot_of_side[sides_.side[e]]
-                                 : static_cast<std::uint32_t>(smaller.dark());
-  for (std::size_t s = 0; s < kept.size(); ++s)
-    if (kept[s]) {
-      smaller.rays_a_slot_[name[s]] = rays_a_slot_[s];
-      smaller.doublings_[name[s]] = doublings_[s];
-    }
-  for (const auto& round : rounds_) {
-    std::vector<std::uint32_t> slots;
-    for (const auto s : round.slots)
-      if (kept[s]) slots.push_back(name[s]);
-    auto fewer = smaller.make_round({round.level, round.per_replicate, std::move(slots), nullptr});
-    if (!is_streamed_) {
-      smaller.make_room(fewer);
-      const std::size_t n = round.per_replicate;
-      workers.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
-        for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
-          auto* to = fewer.hits_of(r, 0);
-          for (std::size_t i = 0; i < round.slots.size(); ++i)
-            if (kept[round.slots[i]])
-              for (std::size_t k = 0; k < n; ++k) *to++ = name[round.hits_of(r, i)[k]];
-        }
-      });
-    }
-    smaller.rounds_.push_back(std::move(fewer));
+void SampledOperator::find_densities() {
+  const auto slots = sides().size();
+  density_.resize(slots);
+  inverse_area_.resize(slots);
+  sent_density_.assign(elements(), 0.0f);
+  for (std::size_t s = 0; s < slots; ++s) {
+    const auto patch = sides().side[s] / 2;
+    inverse_area_[s] = 1.0 / static_cast<double>(patches_.area[patch]);
+    density_[s] = static_cast<float>(hits_.rays_per_slot()[s] * inverse_area_[s]);
+    // Rays leave a hole, but none ends there.
+    const bool has_holes = patches_.material_of(patch).textures.cutout.has_value();
+    if (options_.both_ways && !has_holes) sent_density_[s] = density_[s];
   }
-  sides_ = std::move(smaller.sides_);
-  block_begins_ = std::move(smaller.block_begins_);
-  rounds_ = std::move(smaller.rounds_);
-  rays_a_slot_ = std::move(smaller.rays_a_slot_);
-  doublings_ = std::move(smaller.doublings_);
 }
 
-void SampledOperator::Replicates::apply(std::span<const float> radiosity, std::span<float> irradiance,
-                                        std::size_t begin, std::size_t end, const Workers& workers) const {
-  const auto bands = whole_.patches_.band_count();
-  const auto& begins = whole_.block_begins_;
-  const auto block_at = [&](std::size_t row) {
-    return static_cast<std::size_t>(std::lower_bound(begins.begin(), begins.end(), row) - begins.begin());
+template <typename ForEachRound>
+Arrivals SampledOperator::arrivals_of(std::size_t first, std::size_t end, ForEachRound for_each_round) const {
+  const auto slots = sides().size();
+  const auto for_each_pair = [&](auto body) {
+    for (auto block = first; block < end; ++block)
+      for_each_round(block, [&](std::span<const std::uint32_t> senders, const std::uint32_t* hit,
+                                std::uint32_t per_slot) {
+        for (const auto sender : senders)
+          for (std::uint32_t i = 0; i < per_slot; ++i, ++hit)
+            if (sent_density_[sender] > 0.0f && sent_density_[*hit] > 0.0f) body(sender, *hit);
+      });
   };
-  const auto first = block_at(begin);
-  workers.for_chunks(block_at(end) - first, 1, [&](std::size_t b, std::size_t e, int) {
-    std::vector<double> sum;
-    for (auto block = first + b; block < first + e; ++block) {
-      const auto slot0 = begins[block];
-      if (!whole_.is_mine(slot0)) continue;
-      sum.assign((begins[block + 1] - slot0) * bands, 0.0);
-      const auto add = [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit,
-                           std::uint32_t per_slot) {
-        if (bands == 3) {  // the rule, and sums that stay in registers
-          const auto add_three = radiosity.size() > cached_numbers ? add_up<3, true> : add_up<3>;
-          add_three(slots, hit, per_slot, radiosity.data(), slot0, sum, bands, 0);
-          return;
+  if (!hits_.shares().ranks()) return Arrivals::sorted(slots, for_each_pair);
+  RayPairs own;
+  for_each_pair([&](std::uint32_t sender, std::uint32_t receiver) {
+    own.push_back(sender);
+    own.push_back(receiver);
+  });
+  const auto pairs = exchanged_pairs(own, hits_.shares(), sides());
+  return Arrivals::sorted(slots, [&](auto body) {
+    for (std::size_t i = 0; i < pairs.size(); i += 2) body(pairs[i], pairs[i + 1]);
+  });
+}
+
+void SampledOperator::find_arrivals(const Workers& workers) {
+  arrivals_.resize(hits_.replicates());
+  const auto find = [&](std::size_t r) {
+    arrivals_[r] = arrivals_of(0, hits_.blocks(), [&](std::size_t block, auto body) {
+      hits_.for_each_round(static_cast<std::uint32_t>(r), block, body);
+    });
+  };
+  if (hits_.shares().ranks())  // which meet, in order
+    for (std::size_t r = 0; r < arrivals_.size(); ++r) find(r);
+  else
+    workers.for_chunks(arrivals_.size(), 1, [&](std::size_t r, std::size_t, int) { find(r); });
+}
+
+// ---- Loops ----
+
+template <std::size_t known_width, typename Kernel, typename MakeRows>
+void SampledOperator::for_rows(std::uint32_t first, std::uint32_t end, std::size_t width,
+                               const Workers& workers, const Kernel& kernel,
+                               const MakeRows& make_rows) const {
+  if (hits_.is_streamed())
+    for_streamed_rows<known_width>(first, end, width, workers, kernel, make_rows);
+  else
+    for_stored_rows<known_width>(first, end, width, workers, kernel, make_rows);
+}
+
+template <std::size_t known_width, typename Kernel, typename MakeRows>
+void SampledOperator::for_stored_rows(std::uint32_t first, std::uint32_t end, std::size_t width,
+                                      const Workers& workers, const Kernel& kernel,
+                                      const MakeRows& make_rows) const {
+  const auto begins = hits_.block_begins();
+  workers.for_chunks(hits_.blocks(), 1, [&](std::size_t block, std::size_t, int) {
+    const auto slot0 = begins[block];
+    const auto slot1 = begins[block + 1];
+    if (!hits_.is_mine(slot0)) return;
+    auto rows = make_rows(slot0, slot1);
+    std::vector<double> own((slot1 - slot0) * width), arriving(own.size());
+    for (auto r = first; r < end; ++r) {
+      std::fill(own.begin(), own.end(), 0.0);
+      std::fill(arriving.begin(), arriving.end(), 0.0);
+      hits_.for_each_round(
+          r, block,
+          [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot) {
+            add_own_rays<known_width>(kernel, width, slots, hit, per_slot, slot0, own.data());
+          });
+      add_arrivals<known_width>(kernel, width, arrivals_[r], slot0, slot1, arriving.data());
+      rows.add(r, own.data(), arriving.data());
+    }
+    rows.finish();
+  });
+}
+
+// Traces some blocks at a time, and adds each ray at its both ends: in the order of blocks, as above.
+template <std::size_t known_width, typename Kernel, typename MakeRows>
+void SampledOperator::for_streamed_rows(std::uint32_t first, std::uint32_t end, std::size_t width,
+                                        const Workers& workers, const Kernel& kernel,
+                                        const MakeRows& make_rows) const {
+  const auto begins = hits_.block_begins();
+  const auto blocks = hits_.blocks();
+  const std::size_t replicates = end - first;
+  std::vector<std::vector<double>> own(replicates, std::vector<double>(sides().size() * width, 0.0));
+  auto arriving = own;
+  for (std::size_t from = 0; from < blocks;) {
+    auto to = from;
+    for (std::uint64_t rays = 0; to < blocks && rays < batch_rays; ++to)
+      for (auto s = begins[to]; s < begins[to + 1]; ++s) rays += replicates * hits_.rays_per_slot()[s];
+    // 1. The rays, and what they bring to their senders.
+    std::vector<BlockRays> batch((to - from) * replicates);
+    workers.for_chunks(batch.size(), 1, [&](std::size_t i, std::size_t, int) {
+      const auto block = from + i / replicates;
+      const auto k = i % replicates;
+      batch[i].trace(hits_, first + static_cast<std::uint32_t>(k), block);
+      batch[i].for_each_round(
+          [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot) {
+            add_own_rays<known_width>(kernel, width, slots, hit, per_slot, begins[block],
+                                      &own[k][begins[block] * width]);
+          });
+    });
+    // 2. What they bring to those that they meet.
+    std::vector<Arrivals> arrivals(replicates);
+    const auto find = [&](std::size_t k) {
+      arrivals[k] = arrivals_of(from, to, [&](std::size_t block, auto body) {
+        batch[(block - from) * replicates + k].for_each_round(body);
+      });
+    };
+    if (hits_.shares().ranks())
+      for (std::size_t k = 0; k < replicates; ++k) find(k);
+    else
+      workers.for_chunks(replicates, 1, [&](std::size_t k, std::size_t, int) { find(k); });
+    workers.for_chunks(blocks * replicates, 1, [&](std::size_t i, std::size_t, int) {
+      const auto block = i / replicates;
+      const auto k = i % replicates;
+      if (hits_.is_mine(begins[block]))
+        add_arrivals<known_width>(kernel, width, arrivals[k], begins[block], begins[block + 1],
+                                  &arriving[k][begins[block] * width]);
+    });
+    from = to;
+  }
+  workers.for_chunks(blocks, 1, [&](std::size_t block, std::size_t, int) {
+    if (!hits_.is_mine(begins[block])) return;
+    auto rows = make_rows(begins[block], begins[block + 1]);
+    const auto at = begins[block] * width;
+    for (std::size_t k = 0; k < replicates; ++k)
+      rows.add(first + static_cast<std::uint32_t>(k), &own[k][at], &arriving[k][at]);
+    rows.finish();
+  });
+}
+
+// ---- Sums of radiosity ----
+
+namespace {
+
+// Density and three radiosities of an element in one place of memory.
+struct PackedKernel {
+  const std::array<float, 4>* element;
+  const float* trusted;  // k d, [slot]
+  const float* mutual;   // [slot]: 1, or 0 where rays count one way
+  bool fetches;
+
+  void fetch(std::uint32_t e) const {
+    if (fetches) __builtin_prefetch(element + e);
+  }
+  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+    const auto& x = element[e];
+    const auto q = 1.0f / (trusted[slot] + mutual[slot] * x[0]);
+    for (std::size_t b = 0; b < 3; ++b) sum[b] += static_cast<double>(q * x[b + 1]);
+  }
+};
+
+struct ColumnsKernel {
+  const float* radiosity;
+  const float* sent_density;
+  const float* trusted;
+  const float* mutual;
+  std::size_t columns;
+
+  void fetch(std::uint32_t) const {}
+  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+    const auto q = 1.0f / (trusted[slot] + mutual[slot] * sent_density[e]);
+    const auto* R = radiosity + columns * e;
+    for (std::size_t c = 0; c < columns; ++c) sum[c] += static_cast<double>(q * R[c]);
+  }
+};
+
+}  // namespace
+
+template <typename MakeRows>
+void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns,
+                               std::span<const float> radiosity, const Workers& workers,
+                               const MakeRows& make_rows) const {
+  std::vector<float> trusted(density_.size()), mutual(density_.size());
+  for (std::size_t s = 0; s < density_.size(); ++s) {
+    trusted[s] = options_.own_trust * density_[s];
+    mutual[s] = sent_density_[s] > 0.0f ? 1.0f : 0.0f;
+  }
+  if (columns != 3) {
+    const ColumnsKernel kernel{radiosity.data(), sent_density_.data(), trusted.data(), mutual.data(),
+                               columns};
+    return for_rows<0>(first, end, columns, workers, kernel, make_rows);
+  }
+  std::vector<std::array<float, 4>> packed(elements());
+  workers.for_chunks(packed.size(), grain, [&](std::size_t from, std::size_t to, int) {
+    for (auto e = from; e < to; ++e)
+      packed[e] = {sent_density_[e], radiosity[3 * e], radiosity[3 * e + 1], radiosity[3 * e + 2]};
+  });
+  const PackedKernel kernel{packed.data(), trusted.data(), mutual.data(), packed.size() > cached_elements};
+  for_rows<3>(first, end, 3, workers, kernel, make_rows);
+}
+
+namespace {
+
+// Mean over replicates of the weighted rows of one block.
+class MeanRows {
+ public:
+  MeanRows(std::uint32_t slot0, std::uint32_t slot1, std::size_t columns, double trust, std::uint32_t count,
+           const std::vector<std::vector<float>>& factor, const std::vector<double>& inverse_area,
+           std::span<float> out)
+      : slot0_(slot0),
+        slot1_(slot1),
+        columns_(columns),
+        trust_(trust),
+        count_(count),
+        factor_(factor),
+        inverse_area_(inverse_area),
+        out_(out),
+        sum_((slot1 - slot0) * columns, 0.0) {}
+
+  void add(std::uint32_t replicate, const double* own, const double* arriving) {
+    for (auto s = slot0_; s < slot1_; ++s) {
+      const auto factor = static_cast<double>(factor_[replicate][s]);
+      for (auto i = (s - slot0_) * columns_; i < (s - slot0_ + 1) * columns_; ++i)
+        sum_[i] += factor * (trust_ * own[i] + arriving[i]);
+    }
+  }
+  void finish() {
+    for (auto s = slot0_; s < slot1_; ++s) {
+      const auto scale = inverse_area_[s] / count_;
+      for (std::size_t c = 0; c < columns_; ++c)
+        out_[s * columns_ + c] = static_cast<float>(scale * sum_[(s - slot0_) * columns_ + c]);
+    }
+  }
+
+ private:
+  std::uint32_t slot0_, slot1_;
+  std::size_t columns_;
+  double trust_;
+  std::uint32_t count_;
+  const std::vector<std::vector<float>>& factor_;
+  const std::vector<double>& inverse_area_;
+  std::span<float> out_;
+  std::vector<double> sum_;
+};
+
+// The rows of each replicate apart.
+class ReplicateRows {
+ public:
+  ReplicateRows(std::uint32_t slot0, std::uint32_t slot1, std::size_t columns, double trust,
+                std::uint32_t first, const std::vector<double>& inverse_area,
+                std::span<std::vector<float>> out)
+      : slot0_(slot0),
+        slot1_(slot1),
+        columns_(columns),
+        trust_(trust),
+        first_(first),
+        inverse_area_(inverse_area),
+        out_(out) {}
+
+  void add(std::uint32_t replicate, const double* own, const double* arriving) {
+    auto& out = out_[replicate - first_];
+    for (auto s = slot0_; s < slot1_; ++s)
+      for (std::size_t c = 0; c < columns_; ++c) {
+        const auto i = (s - slot0_) * columns_ + c;
+        out[s * columns_ + c] = static_cast<float>(inverse_area_[s] * (trust_ * own[i] + arriving[i]));
+      }
+  }
+  void finish() {}
+
+ private:
+  std::uint32_t slot0_, slot1_;
+  std::size_t columns_;
+  double trust_;
+  std::uint32_t first_;
+  const std::vector<double>& inverse_area_;
+  std::span<std::vector<float>> out_;
+};
+
+}  // namespace
+
+void SampledOperator::find_row_sums(const Workers& workers) {
+  const auto replicates = hits_.replicates();
+  const auto slots = sides().size();
+  row_sum_.assign(replicates, std::vector<float>(slots, 1.0f));
+  row_factor_ = row_sum_;
+  if (!options_.both_ways || slots == 0) return;
+  const std::vector<float> ones(elements(), 1.0f);
+  sum_rows(0, replicates, 1, ones, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return ReplicateRows(slot0, slot1, 1, options_.own_trust, 0, inverse_area_, row_sum_);
+  });
+  // g_r = 1 + sum over q != r of (1 - S_q) / (sum over p != q of S_p), within each half.
+  for (std::size_t half = 0; half < 2; ++half) {
+    const auto first = half_begin(half);
+    const auto end = half_begin(half + 1);
+    if (end - first < 2) continue;
+    workers.for_chunks(slots, grain, [&](std::size_t from, std::size_t to, int) {
+      std::vector<double> part(end - first);
+      for (auto s = from; s < to; ++s) {
+        double sum = 0.0;
+        for (auto r = first; r < end; ++r) sum += row_sum(r, s);
+        double parts = 0.0;
+        for (auto r = first; r < end; ++r)
+          parts += part[r - first] = (1.0 - row_sum(r, s)) / (sum - row_sum(r, s));
+        for (auto r = first; r < end; ++r)
+          row_factor_[r][s] = static_cast<float>(1.0 + parts - part[r - first]);
+      }
+    });
+  }
+}
+
+void SampledOperator::apply(std::size_t half, std::size_t columns, std::span<const float> radiosity,
+                            std::span<float> irradiance, const Workers& workers) const {
+  const auto first = half_begin(half);
+  const auto end = half_begin(half + 1);
+  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return MeanRows(slot0, slot1, columns, options_.own_trust, end - first, row_factor_, inverse_area_,
+                    irradiance);
+  });
+  hits_.share_slots(irradiance, columns);
+}
+
+std::vector<std::vector<float>> SampledOperator::replicate_rows(std::size_t half,
+                                                                std::span<const float> radiosity,
+                                                                const Workers& workers) const {
+  const auto first = half_begin(half);
+  const auto end = half_begin(half + 1);
+  const auto columns = radiosity.size() / elements();
+  std::vector<std::vector<float>> rows(end - first, std::vector<float>(sides().size() * columns));
+  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return ReplicateRows(slot0, slot1, columns, options_.own_trust, first, inverse_area_, rows);
+  });
+  if (end - first < 2 || !options_.both_ways) return rows;
+  workers.for_chunks(sides().size(), grain, [&](std::size_t from, std::size_t to, int) {
+    std::vector<double> row(rows.size());
+    for (auto s = from; s < to; ++s) {
+      double row_sums = 0.0;
+      for (auto r = first; r < end; ++r) row_sums += row_sum(r, s);
+      for (auto i = s * columns; i < (s + 1) * columns; ++i) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < rows.size(); ++k) sum += row[k] = static_cast<double>(rows[k][i]);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+          const auto S = row_sum(first + static_cast<std::uint32_t>(k), s);
+          rows[k][i] = static_cast<float>(row[k] + (1.0 - S) * (sum - row[k]) / (row_sums - S));
         }
-        std::size_t band = 0;
-        for (; band + 8 <= bands; band += 8)
-          add_up<8>(slots, hit, per_slot, radiosity.data(), slot0, sum, bands, band);
-        for (; band < bands; ++band)
-          add_up<1>(slots, hit, per_slot, radiosity.data(), slot0, sum, bands, band);
-      };
-      for (auto r = first_; r < end_; ++r) whole_.for_each_round(r, block, add);
-      for (auto slot = slot0; slot < begins[block + 1]; ++slot) {
-        const auto share =
-            1.0 / std::max(1.0, static_cast<double>(end_ - first_) * whole_.rays_a_slot_[slot]);
-        for (std::size_t i = 0; i < bands; ++i)
-          irradiance[bands * slot + i] = static_cast<float>(share * sum[bands * (slot - slot0) + i]);
       }
     }
   });
-  whole_.share_blocks(irradiance, bands, first, block_at(end));
+  return rows;
+}
+
+// ---- What a ray is worth ----
+
+namespace {
+
+// sum[0] the part of the slot's own row, sum[1] the part of the other's.
+struct WorthKernel {
+  const float* density;       // of own rays, [slot]
+  const float* sent_density;  // [element]
+  const float* importance;    // I / A², [element]
+  const float* radiosity;     // [element * bands + band]
+  const float* level;         // c, [element * bands + band]
+  std::size_t bands;
+
+  void fetch(std::uint32_t e) const { __builtin_prefetch(radiosity + bands * e); }
+  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+    double own = 0.0;
+    double other = 0.0;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto to_own = static_cast<double>(radiosity[bands * e + b] - level[bands * slot + b]);
+      const auto to_other = static_cast<double>(radiosity[bands * slot + b] - level[bands * e + b]);
+      own += to_own * to_own;
+      other += to_other * to_other;
+    }
+    const bool is_mutual = sent_density[slot] > 0.0f && sent_density[e] > 0.0f;
+    const auto d = static_cast<double>(density[slot] + (is_mutual ? sent_density[e] : 0.0f));
+    const auto weight = 1.0 / (d * d * d);
+    sum[0] += weight * own * static_cast<double>(importance[slot]);
+    if (is_mutual) sum[1] += weight * other * static_cast<double>(importance[e]);
+  }
+};
+
+}  // namespace
+
+SampledOperator::RayWorth SampledOperator::ray_worth(std::span<const float> importance,
+                                                     std::span<const float> radiosity,
+                                                     std::span<const float> level,
+                                                     const Workers& workers) const {
+  const auto slots = sides().size();
+  const auto bands = patches_.band_count();
+  std::vector<float> per_area2(elements(), 0.0f), levels(elements() * bands, 0.0f);
+  for (std::size_t s = 0; s < slots; ++s)
+    per_area2[s] = static_cast<float>(importance[s] * inverse_area_[s] * inverse_area_[s]);
+  std::copy(level.begin(), level.end(), levels.begin());
+  RayWorth worth{std::vector<float>(slots), std::vector<float>(slots)};
+  const WorthKernel kernel{density_.data(),  sent_density_.data(), per_area2.data(),
+                           radiosity.data(), levels.data(),        bands};
+  struct Rows {
+    std::uint32_t slot0, slot1;
+    const std::vector<double>& inverse_area;
+    RayWorth& worth;
+    std::vector<double> sum;
+    void add(std::uint32_t, const double* own, const double* arriving) {
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own[i] + arriving[i];
+    }
+    void finish() {
+      for (auto s = slot0; s < slot1; ++s) {
+        worth.own[s] = static_cast<float>(inverse_area[s] * sum[2 * (s - slot0)]);
+        worth.given[s] = static_cast<float>(inverse_area[s] * sum[2 * (s - slot0) + 1]);
+      }
+    }
+  };
+  for_rows<2>(0, hits_.replicates(), 2, workers, kernel, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return Rows{slot0, slot1, inverse_area_, worth, std::vector<double>(2 * (slot1 - slot0), 0.0)};
+  });
+  for (auto* part : {&worth.own, &worth.given}) hits_.share_slots(*part, 1);
+  return worth;
+}
+
+// ---- Halves ----
+
+CrossedHalves::CrossedHalves(const SampledOperator& whole, std::size_t bands)
+    : whole_(whole),
+      bands_(bands),
+      row_begins_{0, static_cast<std::uint32_t>(whole.sides().size()),
+                  static_cast<std::uint32_t>(2 * whole.sides().size())} {}
+
+std::vector<float> CrossedHalves::seen_by(std::size_t half, std::span<const float> radiosity) const {
+  const auto slots = whole_.sides().size() * bands_;
+  std::vector<float> seen(whole_.elements() * bands_);
+  const auto other = radiosity.subspan(half == 0 ? slots : 0, slots);
+  const auto sinks = radiosity.subspan(2 * slots, seen.size() - slots);
+  std::copy(sinks.begin(), sinks.end(), std::copy(other.begin(), other.end(), seen.begin()));
+  return seen;
+}
+
+void CrossedHalves::apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
+                          std::size_t end, const Workers& workers) const {
+  const auto slots = whole_.sides().size();
+  for (std::size_t half = 0; half < 2; ++half)
+    if (begin <= half * slots && (half + 1) * slots <= end && slots > 0)
+      whole_.apply(half, bands_, seen_by(half, radiosity),
+                   irradiance.subspan(half * slots * bands_, slots * bands_), workers);
 }
 
 }  // namespace luxel

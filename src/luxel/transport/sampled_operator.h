@@ -1,184 +1,178 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <span>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/report/progress.h"
-#include "luxel/solution/sample_state.h"
-#include "luxel/trace/tracer.h"
-#include "luxel/transport/gather_rays.h"
-#include "luxel/transport/gather_sides.h"
+#include "luxel/transport/arrivals.h"
+#include "luxel/transport/hit_store.h"
 #include "luxel/transport/operator.h"
-#include "luxel/transport/row_shares.h"
 
 namespace luxel {
 
 struct SampledOperatorOptions {
-  std::uint64_t seed = 1;
-  std::uint32_t replicates = 8;
-  bool low_discrepancy = true;  // else independent random numbers
-  bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
-  // Share the rows: each traces and keeps the hits of its own.
-  const Ranks* ranks = nullptr;
+  bool both_ways = true;  // else each ray counts for its sender alone
+  // How many times a side's own rays, which are stratified, are trusted more than those that arrive.
+  float own_trust = 3.0f;
 };
 
-// Transport as a sampled operator: each replicate has n cosine rays a side, from Owen-scrambled points, and
-// F_ij is the share of side i's rays whose first hit is side j. Rays are added in rounds, to all sides or to
-// some; earlier ones stay. Hits are stored, or streamed: traced again by every apply(), which needs no memory
-// and gives the same bits.
+// Transport F by rays that count at both their ends. A ray from side i that meets side j is a sample of F_ij,
+// and by reciprocity (A_i F_ij = A_j F_ji) one of F_ji. With d = n / A the density of a side's n rays and k
+// the trust in its own, one replicate estimates what arrives at i by the balance heuristic (Veach and Guibas
+// 1995):
 //
-// Elements are the slots of GatherSides. Rays that bring no light end in sinks, elements of their own after
-// the slots, whose radiosity is 0: escaped, dark (a side that does not gather), and one for each one-sided
-// material's back.
+//     Y_i = 1 / A_i ( k sum over own rays of R_j / (k d_i + d_j) + sum over arriving rays of R_j / (k d_i +
+//     d_j) )
 //
-// Memory: 4 bytes a stored ray. Cost of a round: one nearest hit a ray; of apply(): one look-up a ray. Not
-// safe to change while another call runs; all else may run at once.
+// which is unbiased for any counts. Sinks, sides with holes and sheets that rays do not see alike from both
+// ends have d_j = 0: rays to them count one way. Row sums S_i (Y of radiosity 1) are noisy about 1; they are
+// the control variate of the other replicates, left out one at a time:
+//
+//     h_r = Y_r + (1 - S_r) sum over q != r of Y_q / sum over q != r of S_q
+//
+// Its mean over the replicates has rows that sum to 1, so that B = E + rho F B converges for every rho < 1.
+//
+// The replicates are in two halves. A ray that goes out and comes back would show a bright side itself; so
+// light that one half gathered is sent on by the other, see CrossedHalves.
+//
+// Immutable, safe for any number of threads. References the patches and the hits, which must not change.
+// Memory: 4 bytes per stored ray, and 12 bytes per slot and replicate. Cost of an apply: two look-ups per
+// ray; where hits are streamed, tracing them.
 class SampledOperator {
  public:
-  // Keeps references to patches and tracer.
-  SampledOperator(const PatchSet& patches, GatherSides sides, const Tracer& tracer,
-                  const SampledOperatorOptions& options);
+  SampledOperator(const PatchSet& patches, const HitStore& hits, const SampledOperatorOptions& options,
+                  const Workers& workers);
+  ~SampledOperator();
 
-  const GatherSides& sides() const { return sides_; }
-  // Rays of each slot, of one replicate.
-  std::span<const std::uint32_t> rays_a_slot() const { return rays_a_slot_; }
+  const HitStore& hits() const { return hits_; }
+  const GatherSides& sides() const { return hits_.sides(); }
+  std::size_t elements() const { return hits_.elements(); }
+  std::uint64_t bytes() const;  // beside the hits
 
-  // Doubles the rays of these slots (rising; all with equally many so far); where there are none yet, gives
-  // them `first`, a power of two. Returns the rays traced, or none, with nothing added, if the monitor said
-  // stop.
-  std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> slots, std::uint32_t first,
-                                           const Workers& workers, const Monitor& monitor = {});
+  // Replicates [half_begin(h), half_begin(h + 1)) are half h.
+  std::uint32_t half_begin(std::size_t half) const {
+    return half == 0 ? 0 : half == 1 ? std::max(1u, hits_.replicates() / 2) : hits_.replicates();
+  }
+  std::size_t half_of(std::uint32_t replicate) const { return replicate < half_begin(1) ? 0 : 1; }
 
-  // Of several ranks, which call this together: gives rows, with their hits, away or gets some, where that
-  // lets all of them be done with more rays at once, by how long those before took. more_rays: [slot], of one
-  // replicate; other_seconds: of a thread, for work that ranks share out by what this returns. Knows nothing
-  // before there were rays: all are ready at once then.
-  RankTimes balance(std::span<const double> more_rays, double other_seconds);
+  // irradiance = F radiosity, F the mean of one half of the replicates. radiosity: [element * columns +
+  // column], irradiance: [slot * columns + column]. Of all ranks together.
+  void apply(std::size_t half, std::size_t columns, std::span<const float> radiosity,
+             std::span<float> irradiance, const Workers& workers) const;
 
-  // Forgets the hits, and those of later rounds: they are streamed from now on.
-  void stream();
-  bool is_streamed() const { return is_streamed_; }
-  std::uint64_t bytes() const;  // of the hits
+  // h_r for each replicate r of that half: [replicate - half_begin(half)][slot * bands + band]. Of several
+  // ranks, each knows its own rows alone: HitStore::share_slots().
+  std::vector<std::vector<float>> replicate_rows(std::size_t half, std::span<const float> radiosity,
+                                                 const Workers& workers) const;
 
-  // Leaves out the slots that are not kept: rays to them end in the dark.
-  void keep(const std::vector<std::uint8_t>& kept, const Workers& workers);
-
-  // All rounds so far; copies share the hits. Of several ranks the first has all hits, the others none.
-  std::vector<HitRound> rounds() const;
-  const RowShares& shares() const { return shares_; }
-  // Goes on where an operator over the same slots was, whose rounds these are. Throws MismatchError where
-  // they cannot be: slots and elements in range and rising, each slot's rounds one after the other.
-  void take_up(std::vector<HitRound> rounds);
-
-  // Sinks, from size() on.
-  std::size_t escaped() const { return sides_.size(); }
-  std::size_t dark() const { return sides_.size() + 1; }
-  std::size_t absorbed(std::size_t material) const { return sides_.size() + 2 + material; }
-  std::size_t elements() const { return sides_.size() + 2 + patches_.materials.size(); }
-
-  // F of the rays of some replicates together. radiosity is of elements(), sinks and all; irradiance of the
-  // slots.
-  class Replicates final : public TransportOperator {
-   public:
-    Replicates(const SampledOperator& whole, std::uint32_t first, std::uint32_t end)
-        : whole_(whole), first_(first), end_(end) {}
-    std::size_t size() const override { return whole_.sides_.size(); }
-    std::size_t bands() const override { return whole_.patches_.band_count(); }
-    void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-               std::size_t end, const Workers& workers) const override;
-    std::span<const std::uint32_t> row_begins() const override { return whole_.block_begins_; }
-
-   private:
-    const SampledOperator& whole_;
-    std::uint32_t first_, end_;
-  };
-  Replicates replicate(std::uint32_t index) const { return {*this, index, index + 1}; }
-  Replicates all_replicates() const { return {*this, 0, options_.replicates}; }
-
-  // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block; of several
-  // ranks, for this one's blocks alone.
-  std::size_t blocks() const { return block_begins_.size() - 1; }
-  template <typename Body>
-  void for_each_hit(std::uint32_t replicate, std::size_t block, Body body) const {
-    for_each_round(
-        replicate, block,
-        [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_replicate) {
-          for (const auto slot : slots)
-            for (std::uint32_t i = 0; i < per_replicate; ++i) body(slot, *hit++);
-        });
+  // What all rays of that replicate count in row `slot` for what they are in apply(): own rays to sinks have
+  // 1 / n, n rays of the slot, times this.
+  double row_factor(std::uint32_t replicate, std::size_t slot) const {
+    return static_cast<double>(row_factor_[replicate][slot]);
+  }
+  // Sum of row `slot` in one replicate.
+  double row_sum(std::uint32_t replicate, std::size_t slot) const {
+    return static_cast<double>(row_sum_[replicate][slot]);
   }
 
-  // Blocks whose rays are traced together where all slots get per_replicate rays: where they begin, slots,
-  // and at the end size().
-  std::vector<std::uint32_t> traced_together(std::uint32_t per_replicate) const;
+  // What a further ray of each slot is worth: minus the derivative of J = sum of importance * variance of
+  // irradiance by the slot's rays per area d. J is the sum over slots of d * worth. Two parts: the slot's own
+  // row (noisy: to be averaged over neighbours) and the rows of those that its rays meet.
+  //
+  //     worth_m = sum over j of F_mj [ I_m (R_j - c_m)^2 / A_m^2 + I_j (R_m - c_j)^2 / A_j^2 ] / (d_m +
+  //     d_j)^2
+  //
+  // importance: I, [slot]. radiosity: R, [element * bands + band]. level: c, what rows would gather if all
+  // they see were alike, [slot * bands + band]. Costs one apply. Known to all ranks.
+  struct RayWorth {
+    std::vector<float> own, given;  // [slot]
+  };
+  RayWorth ray_worth(std::span<const float> importance, std::span<const float> radiosity,
+                     std::span<const float> level, const Workers& workers) const;
 
  private:
-  struct Round : HitRound {
-    std::vector<std::uint32_t> begins;  // [block + 1], into slots
+  void find_densities();
+  void find_arrivals(const Workers& workers);
+  void find_row_sums(const Workers& workers);
+  // Arrivals of one replicate, of rays that the blocks [first, end) send.
+  template <typename ForEachRound>
+  Arrivals arrivals_of(std::size_t first, std::size_t end, ForEachRound for_each_round) const;
 
-    std::span<const std::uint32_t> slots_of(std::size_t block) const {
-      return std::span(slots).subspan(begins[block], begins[block + 1] - begins[block]);
-    }
-    std::uint32_t* hits_of(std::uint32_t replicate, std::size_t place) const {
-      return hits.get() + replicate * hits_a_replicate() + place * per_replicate;
-    }
-  };
-
-  Round make_round(HitRound round) const;
-  // Not zeroed: a thread that writes also gets the pages.
-  void make_room(Round& round) const;
-  // Counts the rays of a round with these slots.
-  void count(std::span<const std::uint32_t> slots, std::uint32_t per_replicate);
-  bool is_mine(std::uint32_t slot) const { return shares_.is_mine(sides_.position[slot]); }
-  std::vector<std::uint32_t> mine(std::vector<std::uint32_t> slots) const;
-  HitRound gathered(const HitRound& own) const;
-  // The numbers, `width` of them, of the slots of blocks [first, end) become known to all ranks.
-  void share_blocks(std::span<float> values, std::size_t width, std::size_t first, std::size_t end) const;
-  Round own_part(const Round& whole) const;
-  void move_rows(std::vector<std::uint32_t> owners);
-  // Of a round of its own that took so long: what each job did. groups: places of slots, [group + 1].
-  void learn_pace(const Round& own, std::span<const std::uint32_t> groups,
-                  std::span<const double> job_seconds, double seconds);
-  // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
-  // where the samples of the first slot go.
-  void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
-             std::size_t end_row, std::span<std::uint32_t* const> to) const;
-  // Calls body(slots, their hits, hits a slot) for each round that has slots in that block.
-  template <typename Body>
-  void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
-    std::vector<std::uint32_t> traced;
-    for (const auto& round : rounds_) {
-      const auto slots = round.slots_of(block);
-      if (slots.empty()) continue;
-      const std::size_t n = round.per_replicate;
-      if (is_streamed_) {
-        traced.resize(slots.size() * n);
-        std::vector<std::uint32_t*> to(options_.replicates);
-        to[replicate] = traced.data();
-        trace(round, slots, replicate * n, (replicate + 1) * n, to);
-      }
-      body(slots, is_streamed_ ? traced.data() : round.hits_of(replicate, round.begins[block]),
-           round.per_replicate);
-    }
-  }
-  std::uint32_t element_of(const Hit& hit) const;
+  // For each slot of this rank and each of the replicates [first, end): sums over its own rays and over those
+  // that arrive. kernel(slot, element, sum) adds a ray's numbers to sum[0, width). Calls, for each block,
+  // rows = make_rows(first slot, end slot), rows.add(replicate, own, arriving) in order of replicates, each
+  // [slot - first slot][width], and rows.finish(). width: known_width, or any where that is 0.
+  template <std::size_t known_width, typename Kernel, typename MakeRows>
+  void for_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
+                const Kernel& kernel, const MakeRows& make_rows) const;
+  template <std::size_t known_width, typename Kernel, typename MakeRows>
+  void for_stored_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
+                       const Kernel& kernel, const MakeRows& make_rows) const;
+  template <std::size_t known_width, typename Kernel, typename MakeRows>
+  void for_streamed_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
+                         const Kernel& kernel, const MakeRows& make_rows) const;
+  // Sums of radiosity: kernel and rows of apply() and replicate_rows().
+  template <typename MakeRows>
+  void sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns, std::span<const float> radiosity,
+                const Workers& workers, const MakeRows& make_rows) const;
 
   const PatchSet& patches_;
-  const Tracer& tracer_;
-  GatherSides sides_;
+  const HitStore& hits_;
   SampledOperatorOptions options_;
-  RowShares shares_;
-  // Of this rank, since it was balanced: seconds of its threads together, and of the clock.
-  double busy_seconds_ = 0.0, traced_seconds_ = 0.0;
-  std::vector<double> seconds_a_slot_;  // [block of shares_]: for one ray a replicate, as its owner measured
-  std::vector<std::uint32_t> block_begins_;
-  std::vector<Round> rounds_;
-  std::vector<std::uint32_t> rays_a_slot_, doublings_;
-  bool is_streamed_ = false;
+  // Rays of one replicate per area, 1/m²: [slot], of the slot's own rays; [element], of those that may arrive
+  // from it: 0 for sinks and what is seen one way.
+  std::vector<float> density_, sent_density_;
+  std::vector<double> inverse_area_;                      // [slot], 1/m²
+  std::vector<Arrivals> arrivals_;                        // [replicate]; none where hits are streamed
+  std::vector<std::vector<float>> row_sum_, row_factor_;  // [replicate][slot], of this rank's slots
+};
+
+// Both halves as one system: rows [0, n) are what the first half gathers of light that the second gathered,
+// rows [n, 2 n) the reverse, n slots each; then come the sinks. radiosity: [row or sink][band].
+class CrossedHalves final : public TransportOperator {
+ public:
+  // Keeps a reference.
+  explicit CrossedHalves(const SampledOperator& whole, std::size_t bands);
+  std::size_t size() const override { return 2 * whole_.sides().size(); }
+  std::size_t bands() const override { return bands_; }
+  std::span<const std::uint32_t> row_begins() const override { return row_begins_; }
+  void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
+             std::size_t end, const Workers& workers) const override;
+
+  // What half h of the rows sees: the other half's radiosities and the sinks', [element][band].
+  std::vector<float> seen_by(std::size_t half, std::span<const float> radiosity) const;
+
+ private:
+  const SampledOperator& whole_;
+  std::size_t bands_;
+  std::array<std::uint32_t, 3> row_begins_;
+};
+
+// One half alone, any number of columns in place of bands.
+class HalfOperator final : public TransportOperator {
+ public:
+  HalfOperator(const SampledOperator& whole, std::size_t half, std::size_t columns)
+      : whole_(whole),
+        half_(half),
+        columns_(columns),
+        row_begins_{0, static_cast<std::uint32_t>(whole.sides().size())} {}
+  std::size_t size() const override { return whole_.sides().size(); }
+  std::size_t bands() const override { return columns_; }
+  std::span<const std::uint32_t> row_begins() const override { return row_begins_; }
+  void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t, std::size_t,
+             const Workers& workers) const override {
+    whole_.apply(half_, columns_, radiosity, irradiance, workers);
+  }
+
+ private:
+  const SampledOperator& whole_;
+  std::size_t half_, columns_;
+  std::array<std::uint32_t, 2> row_begins_;
 };
 
 }  // namespace luxel

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <numeric>
 
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/transport/hit_store.h"
 
 namespace luxel {
 
-std::vector<std::uint32_t> SampledOperator::mine(std::vector<std::uint32_t> slots) const {
+std::vector<std::uint32_t> HitStore::mine(std::vector<std::uint32_t> slots) const {
   if (shares_.ranks()) std::erase_if(slots, [this](std::uint32_t s) { return !is_mine(s); });
   return slots;
 }
 
 // The round of all ranks, with its hits in the first one.
-HitRound SampledOperator::gathered(const HitRound& own) const {
+HitRound HitStore::gathered(const HitRound& own) const {
   const auto& ranks = *shares_.ranks();
   const auto slots = joined(ranks, own.slots);  // rank after rank
   std::vector<std::size_t> order(slots.size());
@@ -41,25 +41,24 @@ HitRound SampledOperator::gathered(const HitRound& own) const {
   return whole;
 }
 
-void SampledOperator::share_blocks(std::span<float> values, std::size_t width, std::size_t first,
-                                   std::size_t end) const {
+void HitStore::share_slots(std::span<float> values, std::size_t width) const {
   if (!shares_.ranks()) return;
   std::vector<RowShares::Run> runs;
-  for (auto b = first; b < end; ++b) {
+  for (std::size_t b = 0; b < blocks(); ++b) {
     const auto slot = block_begins_[b];
     runs.push_back({shares_.owner(sides_.position[slot]), slot, block_begins_[b + 1] - slot});
   }
   shares_.share_runs(values, width, runs);
 }
 
-std::vector<HitRound> SampledOperator::rounds() const {
+std::vector<HitRound> HitStore::rounds() const {
   if (!shares_.ranks()) return {rounds_.begin(), rounds_.end()};
   std::vector<HitRound> all;
   for (const auto& round : rounds_) all.push_back(gathered(round));
   return all;
 }
 
-SampledOperator::Round SampledOperator::own_part(const Round& whole) const {
+HitStore::Round HitStore::own_part(const Round& whole) const {
   auto own = make_round({whole.level, whole.per_replicate, mine(whole.slots), nullptr});
   if (!whole.hits) return own;
   make_room(own);
@@ -71,8 +70,8 @@ SampledOperator::Round SampledOperator::own_part(const Round& whole) const {
   return own;
 }
 
-void SampledOperator::learn_pace(const Round& own, std::span<const std::uint32_t> groups,
-                                 std::span<const double> job_seconds, double seconds) {
+void HitStore::learn_pace(const Round& own, std::span<const std::uint32_t> groups,
+                          std::span<const double> job_seconds, double seconds) {
   if (!shares_.ranks()) return;
   const auto jobs_a_group = groups.size() > 1 ? job_seconds.size() / (groups.size() - 1) : 0;
   double busy = 0.0;
@@ -95,7 +94,7 @@ void SampledOperator::learn_pace(const Round& own, std::span<const std::uint32_t
     if (slots[b] > 0.0) seconds_a_slot_[b] = cost[b] / (slots[b] * own.per_replicate);
 }
 
-RankTimes SampledOperator::balance(std::span<const double> more_rays, double other_seconds) {
+RankTimes HitStore::balance(std::span<const double> more_rays, double other_seconds) {
   if (!shares_.ranks()) return {{1.0}, {0.0}};
   const auto& ranks = *shares_.ranks();
   RankTimes times;
@@ -121,7 +120,7 @@ RankTimes SampledOperator::balance(std::span<const double> more_rays, double oth
 }
 
 // For each rank, of each round in turn: how many slots it gets, these, and their hits.
-void SampledOperator::move_rows(std::vector<std::uint32_t> owners) {
+void HitStore::move_rows(std::vector<std::uint32_t> owners) {
   const auto& ranks = *shares_.ranks();
   const auto rank = ranks.rank();
   const auto owner_of = [&](std::uint32_t slot) { return owners[shares_.block_of(sides_.position[slot])]; };
