@@ -27,7 +27,11 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
   while ((error2 > target || spent < least) && !queue.empty()) {
     const auto [worth, u] = queue.top();
     queue.pop();
-    if (doublings[u] == most_doublings) continue;
+    if (doublings[u] == most_doublings) {
+      // What remains is worth less than this one, which will be seen more clearly next time.
+      if (spent >= least) break;
+      continue;
+    }
     double left = units[u].error2;
     double cost = units[u].cost;
     for (int i = 0; i < doublings[u]; ++i) {
