@@ -7,7 +7,7 @@
 #include "luxel/patch/patch_tree.h"
 #include "luxel/random/address.h"
 #include "luxel/transport/gather_rays.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/transport/hit_store.h"
 
 namespace luxel::bench {
 namespace {
@@ -40,7 +40,7 @@ std::vector<Ray> gather_rays(const PatchSet& patches, const GatherSides& sides, 
                              RayOrder order) {
   const Tracer none(PatchSet{}, Workers(1));  // nothing is traced here
   const auto groups =
-      SampledOperator(patches, sides, none, {.replicates = round.replicates}).traced_together(round.per_slot);
+      HitStore(patches, sides, none, {.replicates = round.replicates}).traced_together(round.per_slot);
   std::vector<std::uint32_t> slots(sides.size());
   std::iota(slots.begin(), slots.end(), 0u);
   const auto all = slots.size() * round.replicates * round.per_slot;

@@ -43,28 +43,29 @@ Json sampled_against_embree(const Settings& settings) {
     std::iota(slots.begin(), slots.end(), 0u);
     const BareEmbree embree(patches);
     std::vector<float> irradiance(sides.size() * patches.band_count());
-    SampledOperator transport(patches, sides, tracer, {.replicates = replicates});
+    HitStore hits(patches, sides, tracer, {.replicates = replicates});
     const GatherRound round{.replicates = replicates, .per_slot = per_slot};
     const auto rays = gather_rays(patches, sides, round, RayOrder::traced);
     const auto shuffled = gather_rays(patches, sides, round, RayOrder::shuffled);
     const auto count = static_cast<double>(rays.size());
-    transport.double_rays(slots, per_slot, one);
-    const std::vector<float> radiosity(transport.elements() * patches.band_count(), 1.0f);
+    hits.double_rays(slots, per_slot, one);
+    const SampledOperator transport(patches, hits, {}, one);
+    const std::vector<float> radiosity(hits.elements() * patches.band_count(), 1.0f);
     const auto sweep_time = seconds([&] {
-      for (std::uint32_t r = 0; r < replicates; ++r)
-        transport.replicate(r).apply(radiosity, irradiance, 0, sides.size(), one);
+      for (const std::size_t half : {0, 1})
+        transport.apply(half, patches.band_count(), radiosity, irradiance, one);
     });
     double traced_time = 0.0;
     double embree_time = 0.0;
     const auto ratio = paired(
         3, [&] { embree_time = seconds([&] { embree.trace(rays, one); }); },
         [&] {
-          SampledOperator again(patches, sides, tracer, {.replicates = replicates});
+          HitStore again(patches, sides, tracer, {.replicates = replicates});
           traced_time = seconds([&] { again.double_rays(slots, per_slot, one); });
         });
     const auto shuffled_time = seconds([&] { embree.trace(shuffled, one); });
-    // A sweep reads the element that each ray hit, and its radiosity.
-    const auto bytes = sizeof(std::uint32_t) + sizeof(float) * patches.band_count();
+    // A sweep reads the element at the other end of each ray, its density and its radiosity, from both ends.
+    const auto bytes = 2 * (sizeof(std::uint32_t) + sizeof(float) * (1 + patches.band_count()));
     fmt::print(
         "{:>10} {:>8.2f} {:>12.0f} {:>10.0f} {:>8.2f} {:>8.2f} to {:.2f} {:>12.2f} x {:>12.2f} {:>12}\n",
         patches.size(), 1e-6 * count, 1e9 * embree_time / count, 1e9 * traced_time / count, ratio.median,

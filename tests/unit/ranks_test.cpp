@@ -84,19 +84,19 @@ TEST(Balance, pieces_go_to_who_is_free_first_as_fast_as_each_is) {
 
 class RanksTest : public testing::Test {
  protected:
-  SampledOperator make(const Ranks* ranks) const {
+  HitStore make(const Ranks* ranks) const {
     return {patches_,
             all_gather_sides(patches_, make_patch_tree(patches_, one_)),
             tracer_,
             {.replicates = 4, .ranks = ranks}};
   }
-  static std::vector<std::uint32_t> all_slots(const SampledOperator& transport) {
-    std::vector<std::uint32_t> slots(transport.sides().size());
+  static std::vector<std::uint32_t> all_slots(const HitStore& hits) {
+    std::vector<std::uint32_t> slots(hits.sides().size());
     std::iota(slots.begin(), slots.end(), 0u);
     return slots;
   }
-  static std::vector<std::uint32_t> every_third(const SampledOperator& transport) {
-    auto slots = all_slots(transport);
+  static std::vector<std::uint32_t> every_third(const HitStore& hits) {
+    auto slots = all_slots(hits);
     std::erase_if(slots, [](std::uint32_t s) { return s % 3 > 0; });
     return slots;
   }
@@ -128,7 +128,7 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
     EXPECT_GT(share_of_slow(), 0.3);
     const auto double_rays = [&](const std::vector<std::uint32_t>& slots) {
       std::vector<double> more(shared.sides().size(), 0.0);
-      for (const auto s : slots) more[s] = shared.rays_a_slot()[s];
+      for (const auto s : slots) more[s] = shared.rays_per_slot()[s];
       const auto times = shared.balance(more, 0.0);
       EXPECT_EQ(times.speed.size(), 3u);
       shared.double_rays(slots, 1, workers, monitor);
@@ -145,6 +145,35 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
       EXPECT_TRUE(std::equal(truth[k].hits.get(), truth[k].hits.get() + count, rounds[k].hits.get())) << k;
     }
   });
+}
+
+// Each rank holds the arrivals at its own rows, whoever sent the rays, and all get the sums of all.
+TEST_F(RanksTest, rows_that_count_both_ways_have_the_bits_of_one_rank) {
+  for (const bool is_streamed : {false, true}) {
+    const auto prepare = [&](HitStore& hits) {
+      if (is_streamed) hits.stream();
+      hits.double_rays(all_slots(hits), 2, one_);
+      hits.double_rays(every_third(hits), 0, one_);
+    };
+    const auto light = [&](const HitStore& hits) {
+      std::vector<float> radiosity(hits.elements() * patches_.band_count());
+      for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i] = 0.01f * static_cast<float>(i % 89);
+      return radiosity;
+    };
+    auto alone = make(nullptr);
+    prepare(alone);
+    std::vector<float> expected(alone.sides().size() * patches_.band_count());
+    SampledOperator(patches_, alone, {}, one_).apply(1, patches_.band_count(), light(alone), expected, one_);
+    ThreadRanks::run(3, [&](const Ranks& ranks) {
+      const Workers workers(2);
+      auto shared = make(&ranks);
+      prepare(shared);
+      std::vector<float> irradiance(expected.size());
+      SampledOperator(patches_, shared, {}, workers)
+          .apply(1, patches_.band_count(), light(shared), irradiance, workers);
+      EXPECT_EQ(irradiance, expected) << (is_streamed ? "streamed" : "stored");
+    });
+  }
 }
 
 // Nothing is known of the pace at first: half, a quarter and a quarter of each rank's pieces. Then a rank

@@ -2,8 +2,6 @@
 #include "luxel/solve/gather_errors.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace luxel {
 namespace {
@@ -62,7 +60,8 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
       areas += area(s);
     }
     for (auto s = first; s < end; ++s)
-      worth.own[s] = areas > 0.0 ? static_cast<float>(sum / areas * importance[s] / (rays(s) * rays(s))) : 0.0f;
+      worth.own[s] =
+          areas > 0.0 ? static_cast<float>(sum / areas * importance[s] / (rays(s) * rays(s))) : 0.0f;
   });
 
   // 3. Times the density of rays.
@@ -76,12 +75,6 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
     sum += error2[s];
   }
   if (!(sum > 0.0)) return error2;
-  if (getenv("DBG")) {
-    std::vector<std::size_t> o(slots);
-    for (std::size_t i = 0; i < slots; ++i) o[i] = i;
-    std::sort(o.begin(), o.end(), [&](auto a, auto b) { return error2[a] > error2[b]; });
-    for (int k : {0, 1, 2, 3, 10, 100, 1000, 10000}) if (k < (int)slots) { auto s = o[k]; fprintf(stderr, "#%d slot %zu part %g own %g given %g area %g I %g rays %u R %g c %g\n", k, s, error2[s] / sum, worth.own[s], worth.given[s], area(s), importance[s], transport.hits().rays_per_slot()[s], seen[s*bands], level[s*bands]); }
-  }
   for (std::size_t s = 0; s < slots; ++s) {
     const auto density = rays(s) / area(s);
     error2[s] = whole * ((1.0 - even_part) * error2[s] / sum + even_part * density / densities);

@@ -112,9 +112,9 @@ ReplicateLight solve_replicates(const SampledOperator& transport, std::span<cons
   for (std::size_t half = 0; half < 2 && !light.is_stopped; ++half) {
     const auto first = transport.half_begin(half);
     const auto count_of_half = transport.half_begin(half + 1) - first;
-    light.is_stopped = !add_influences(transport, half, direct.subspan(first, count_of_half), mean_direct,
-                                       reflectance, mean, std::span(light.gathered).subspan(first, count_of_half),
-                                       workers, monitor);
+    light.is_stopped =
+        !add_influences(transport, half, direct.subspan(first, count_of_half), mean_direct, reflectance, mean,
+                        std::span(light.gathered).subspan(first, count_of_half), workers, monitor);
   }
   if (light.is_stopped) return light;
   const auto middle = mean_of(light.gathered, workers);

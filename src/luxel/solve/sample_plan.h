@@ -14,8 +14,8 @@ struct SampleUnit {
 };
 
 // How often to double each unit's samples: whatever takes most off the error for its cost comes first, until
-// the sum of error2 is expected to be at most `target` and at least `least` is spent, or the next would be beyond
-// `budget`. A doubling takes half of a unit's squared error off, or a little more.
+// the sum of error2 is expected to be at most `target` and at least `least` is spent, or the next would be
+// beyond `budget`. A doubling takes half of a unit's squared error off, or a little more.
 std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double least,
                                          double budget);
 

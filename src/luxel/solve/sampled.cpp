@@ -247,12 +247,6 @@ class Run {
                       static_cast<double>(sampling_->hits().rays_per_slot()[s]) * options_.replicates};
     double sum = 0.0;
     for (const auto& u : units) sum += u.error2;
-    if (getenv("DBG")) {
-      double d = 0.0, g = 0.0;
-      for (std::size_t u = 0; u < n; ++u) d += units[u].error2;
-      for (std::size_t s = 0; s < slots(); ++s) g += units[n + s].error2;
-      fprintf(stderr, "direct %.4f gather %.4f (unshared mix), answer %.4f\n", std::sqrt(d / answer_.light2), std::sqrt(g / answer_.light2), error_);
-    }
     // Together they are the whole squared error.
     for (auto& u : units) u.error2 *= std::max(0.0, answer_.error2) / std::max(sum, 1e-300);
     return units;
