@@ -131,6 +131,7 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
     if (file.has_attribute("Luxel", name)) value = file.number<double>("Luxel", name);
   };
   later("error_95th", solution.error_95th);
+  later("seen_error", solution.seen_error);
   later("error_freedom", solution.error_freedom);
   later("predicted_bias", solution.predicted_bias);
   later("mesh_error", solution.mesh_error);
