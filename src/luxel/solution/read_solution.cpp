@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "luxel/solution/check_solution.h"
+#include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
@@ -166,6 +167,7 @@ Baked read_baked(const Hdf5Reader& file) {
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   patches.contacts = read_contacts(file);
+  read_focus(file, patches);
   if (const auto fault = fault_in(patches, solution); !fault.empty()) file.refuse_as_damaged(fault);
   return baked;
 }

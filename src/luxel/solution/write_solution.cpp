@@ -9,6 +9,7 @@
 #include "luxel/file/output_file.h"
 #include "luxel/report/error.h"
 #include "luxel/solution/check_solution.h"
+#include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_writer.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
@@ -137,6 +138,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   add_contacts(file, patches);
   add_surface(file, patches);
   add_point_lights(file, patches);
+  add_focus(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }
 

@@ -9,6 +9,7 @@
 #include "luxel/solve/own_lighting.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
+#include "luxel/solve/seen_measure.h"
 #include "luxel/solve/slot_light.h"
 
 namespace luxel {
@@ -79,6 +80,7 @@ struct Relighter::State {
   SampledOptions options;
   Sampling sampling;
   std::optional<SlotLight> slots;
+  std::optional<SeenMeasure> seen;  // where it ended the run
   std::vector<float> weight;
   bool reflects_as_in_run = true;  // so that the light the samples know of each group holds
 
@@ -93,6 +95,9 @@ struct Relighter::State {
         weight(patches.group_count() * patches.band_count(), 1.0f) {
     sampling.take_up(*samples);
     look_at_surfaces();
+    if (options.error_measure == ErrorMeasure::seen && !samples->sides.empty())
+      seen.emplace(patches, sampling.transport().sides(), sampling.units(), tracer, workers);
+    if (seen && !seen->has_views()) seen.reset();
     if (samples->gathered.empty()) {
       auto more = std::make_shared<SampleState>(*samples);
       more->gathered = solve_groups(patches, sampling.transport(), *samples, slots->reflectance(), workers);
@@ -143,9 +148,13 @@ Solution Relighter::light() const {
   } else {
     gathered = sum_of_groups(s.samples->gathered, groups, bands, s.weight, s.workers);
   }
-  const auto answer = s.slots->answer(direct, gathered, s.options.error, s.workers);
+  const auto enough = [&](const Spread& own) {
+    return (s.seen ? s.seen->error_of(own) : error_of(own)) <= s.options.error;
+  };
+  const auto answer = s.slots->answer(direct, gathered, enough, s.workers);
   Solution solution;
   s.slots->write(answer, solution, s.workers);
+  if (s.seen) solution.seen_error = s.seen->error_of(answer);
   solution.bands = s.patches.bands;
   solution.stop = StopReason::error_reached;
   solution.provenance.method = "sampled";
