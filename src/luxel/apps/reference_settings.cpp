@@ -20,7 +20,9 @@ void ReferenceSettings::check() const {
 
 void ReferenceSettings::declare(OptionSet& set) {
   set.heading("Light");
-  set.add({"error", "share", "go on until the standard error of the whole is this, such as 1% or 0.01",
+  set.add({"error", "share", 
+           "go on until the standard error is this, such as 1% or 0.01: RMS over all surfaces by area, or over "
+           "pixels; the seen error is reported beside it",
            [this](const std::string& text) {
              const auto share = parse_share(text);
              if (!share)

@@ -46,7 +46,7 @@ void ViewFactorSettings::declare(OptionSet& set) {
   set.add_texts("from", "NAME", from, "rows of these elements (with * and ?) alone");
   set.add(
       {"error", "factor",
-       "stop at this root mean square standard error of the listed factors; auto: 0.001, between patches 4 % "
+       "stop at this root mean square standard error of the listed view factors (not of light); auto: 0.001, between patches 4 % "
        "of a row, or none with --rays",
        [this](const std::string& text) {
          error = text == "auto" ? std::optional<double>() : parse_factor("error", text);

@@ -208,6 +208,7 @@ class Run {
     report_.streamed = sampling_->transport().is_streamed();
     report_.predicted_error = error_of(answer_);
     report_.seen_error = seen_ ? error_ : 0.0;
+    report_.error_uncertainty = uncertainty();
     light_->write(answer_, solution_, workers_);
     sign();
     return true;

@@ -47,6 +47,7 @@ struct SolveReport {
   double seen_error = 0.0;       // see Solution
   std::size_t views = 0;         // that state the seen error
   double places = 0.0;           // rooms and the outside, estimated from the views
+  double error_uncertainty = 0.0;  // of seen_error, relative: jackknife over replicates
   double error_95th = 0.0;       // see Solution
   EnergyBalance energy;
   std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
@@ -56,5 +57,10 @@ struct SolveReport {
   std::size_t ranks = 1;          // processes that shared the work
   RankTraffic traffic;            // of this one
 };
+
+// The error that a person reads first: the seen one where there is one.
+inline double error_of(const SolveReport& report) {
+  return report.seen_error > 0.0 ? report.seen_error : report.predicted_error;
+}
 
 }  // namespace luxel

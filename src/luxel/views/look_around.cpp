@@ -2,7 +2,6 @@
 #include "luxel/views/look_around.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
@@ -10,18 +9,9 @@
 namespace luxel {
 namespace {
 
-// atan(q) * 4 / pi for q in [0, 1], within 0.005: enough to find a cell, and the same bits on every host.
-float octant_share(float q) { return q * (1.0f + 0.3476f * (1.0f - q)); }
-
 double fraction(const Look& look, bool (*is_counted)(std::uint32_t)) {
   const auto count = std::count_if(look.side.begin(), look.side.end(), is_counted);
   return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(1, look.side.size()));
-}
-
-bool sees(const Look& from, const Vec3& to, const LookGrid& grid) {
-  const auto line = to - from.eye;
-  const auto distance = glm::length(line);
-  return !(distance > 0.0f) || distance < from.distance[grid.cell_of(line / distance)];
 }
 
 }  // namespace
@@ -33,23 +23,6 @@ Vec3 LookGrid::direction(std::size_t cell, float u1, float u2) const {
                               (static_cast<float>(in_hemisphere / n_) + u2) / n);
   if (cell >= n_ * n_) d.z = -d.z;
   return d;
-}
-
-std::size_t LookGrid::cell_of(const Vec3& direction) const {
-  const auto shrink = 1.0f / std::sqrt(1.0f + std::abs(direction.z));
-  const auto x = direction.x * shrink;
-  const auto y = direction.y * shrink;
-  const bool wide = std::abs(x) > std::abs(y);
-  const auto radius = std::copysign(std::sqrt(x * x + y * y), wide ? x : y);
-  const auto major = wide ? x : y;
-  const auto ratio = major == 0.0f ? 0.0f : (wide ? y : x) / major;
-  const auto minor = radius * std::copysign(octant_share(std::abs(ratio)), ratio);
-  const auto index = [&](float square) {
-    const auto i = static_cast<int>(0.5f * (square + 1.0f) * static_cast<float>(n_));
-    return static_cast<std::size_t>(std::clamp(i, 0, static_cast<int>(n_) - 1));
-  };
-  const auto in_hemisphere = index(wide ? minor : radius) * n_ + index(wide ? radius : minor);
-  return direction.z < 0.0f ? n_ * n_ + in_hemisphere : in_hemisphere;
 }
 
 double Look::surface_fraction() const {
@@ -87,10 +60,6 @@ Look look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye,
     look.distance.push_back(hit.distance);
   }
   return look;
-}
-
-float mutual_visibility(const Look& a, const Look& b, const LookGrid& grid) {
-  return (sees(a, b.eye, grid) ? 0.5f : 0.0f) + (sees(b, a.eye, grid) ? 0.5f : 0.0f);
 }
 
 }  // namespace luxel

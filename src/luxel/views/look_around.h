@@ -19,8 +19,6 @@ class LookGrid {
   std::size_t cells() const { return 2 * n_ * n_; }
   // A direction in a cell; u1, u2 uniform in [0, 1) give it the uniform density.
   Vec3 direction(std::size_t cell, float u1, float u2) const;
-  // The cell of a unit vector; near the border of two cells it may be the neighbour.
-  std::size_t cell_of(const Vec3& direction) const;
 
  private:
   std::size_t n_;
@@ -47,9 +45,5 @@ Look look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye,
 
 // The side that a ray met, with the codes of Look.
 std::uint32_t side_met(const PatchSet& patches, const Hit& hit);
-
-// Whether the open line between two eyes is free, as far as the rays of both looks can tell: 0, 1/2 or 1. Both
-// looks are of the same grid.
-float mutual_visibility(const Look& a, const Look& b, const LookGrid& grid);
 
 }  // namespace luxel

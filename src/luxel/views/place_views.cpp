@@ -45,7 +45,7 @@ class Placing {
 
   ViewSets place() {
     send_scouts();
-    const auto weights = place_weights(scouts_, scout_grid_, workers_);
+    const auto weights = place_weights(scouts_, tracer_, workers_);
     ViewSets sets;
     sets.places = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (const auto is_stating : {0u, 1u}) {

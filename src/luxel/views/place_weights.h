@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "luxel/parallel/workers.h"
+#include "luxel/trace/tracer.h"
 #include "luxel/views/look_around.h"
 
 namespace luxel {
@@ -16,7 +17,7 @@ namespace luxel {
 // With K(v, w) from 0 (apart) to 1 (in one place) the weights solve sum over w of K(v, w) weight(w) = 1, so a
 // convex room, and each of two that see little of each other, weigh 1 in all (the magnitude of a space:
 // Leinster 2013). A few steps of a multiplicative iteration (Lee and Seung 2001) keep them positive and smooth.
-// They add up to the number of places. Cost: about 30 ns per pair of looks.
-std::vector<float> place_weights(std::span<const Look> looks, const LookGrid& grid, const Workers& workers);
+// They add up to the number of places. Cost: an occlusion ray per pair of looks.
+std::vector<float> place_weights(std::span<const Look> looks, const Tracer& tracer, const Workers& workers);
 
 }  // namespace luxel
