@@ -83,8 +83,7 @@ TEST(SeenError, importance_times_squared_errors_adds_up_to_its_square) {
 }
 
 TEST(SeenError, light_of_a_side_is_radiance_with_its_own_emission) {
-  const auto patches =
-      make_patches(truth::cube({truth::Wall{0.5f, 2.0f}}), {.max_edge = no_max_edge});
+  const auto patches = make_patches(truth::cube({truth::Wall{0.5f, 2.0f}}), {.max_edge = no_max_edge});
   const std::vector<float> irradiance = {4.0f, 4.0f, 4.0f};
   const std::vector<double> squared_error = {0.04, 0.04, 0.04};
   const auto front = light_of_side(patches, 0, irradiance, squared_error, false);

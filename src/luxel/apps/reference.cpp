@@ -142,11 +142,11 @@ class Reference final : public Command {
     provenance.program_version = program_version;
     provenance.command_line = options().as_command(RunSettings::heading);
     provenance.options = options().used_values(RunSettings::heading);
-    console.say(fmt::format(
-        "{} paths a side; {}: standard error {:.2g} % (area-weighted relative RMS over "
-        "patches), below {:.2g} % for 95 % of the lit sides; seen error {:.2g} %",
-        traced.paths, stop_name(traced.stop), 100.0 * traced.predicted_error, 100.0 * traced.error_95th,
-        100.0 * baked.solution.seen_error));
+    console.say(
+        fmt::format("{} paths a side; {}: standard error {:.2g} % (area-weighted relative RMS over "
+                    "patches), below {:.2g} % for 95 % of the lit sides; seen error {:.2g} %",
+                    traced.paths, stop_name(traced.stop), 100.0 * traced.predicted_error,
+                    100.0 * traced.error_95th, 100.0 * baked.solution.seen_error));
     if (traced.stop == StopReason::stopped_by_user)
       warn(console.log(), "stopped: writing the light there is");
     SolveReport report;

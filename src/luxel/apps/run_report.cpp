@@ -283,7 +283,9 @@ std::string describe(const Baked& baked) {
                                               s.provenance.rays, s.provenance.seed)
                                 : s.provenance.method;
   text += fmt::format(": {}\n", stop_name(s.stop));
-  text += quality(error_kind_of(s.provenance.method), s.seen_error, s.predicted_error, s.error_95th, s.unshot_share) + "\n";
+  text += quality(error_kind_of(s.provenance.method), s.seen_error, s.predicted_error, s.error_95th,
+                  s.unshot_share) +
+          "\n";
   if (s.mesh_error > 0.0) text += fmt::format("mesh error {:.2g} %, apart from that\n", 100.0 * s.mesh_error);
   if (has_standard_errors(s))
     text += fmt::format("with the {} of every patch side\n",
@@ -330,8 +332,8 @@ std::string describe(const SolveReport& report) {
                     report.ranks, 1e-6 * static_cast<double>(report.traffic.bytes), report.traffic.seconds);
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", stop_name(report.stop),
-                            quality(report.error_kind, report.seen_error, report.predicted_error, report.error_95th,
-                                    report.unshot_share));
+                            quality(report.error_kind, report.seen_error, report.predicted_error,
+                                    report.error_95th, report.unshot_share));
 }
 
 }  // namespace luxel

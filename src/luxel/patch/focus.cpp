@@ -35,10 +35,10 @@ void set_focus(const Scene& scene, const std::string& focus, PatchSet& patches) 
   for (std::size_t p = 0; p < patches.size(); ++p)
     patches.focus[p] = is_called(scene, patches, p, focus) ? 1 : 0;
   if (std::none_of(patches.focus.begin(), patches.focus.end(), [](auto f) { return f != 0; }))
-    throw InputError(
-        fmt::format("--focus {}: no material, object or group is called so; expected all, camera or a name (* and "
-                    "? stand for any text and any letter)",
-                    focus));
+    throw InputError(fmt::format(
+        "--focus {}: no material, object or group is called so; expected all, camera or a name (* and "
+        "? stand for any text and any letter)",
+        focus));
 }
 
 }  // namespace luxel

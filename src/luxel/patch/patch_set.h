@@ -82,8 +82,8 @@ struct PatchSet {
   // it. `area` is that of what they leave.
   std::vector<float> reflectance_share, emittance_share;  // [patch][band]
 
-  // Where the error of the light matters beside the open space, see views/place_views.h. None of these changes
-  // what the light converges to.
+  // Where the error of the light matters beside the open space, see views/place_views.h. None of these
+  // changes what the light converges to.
   std::vector<Camera> cameras;      // as in Scene, or those that a person gave; often none
   bool focuses_on_cameras = false;  // what these see is all that matters
   std::vector<std::uint8_t> focus;  // [patch], 1 where it matters; empty: everywhere

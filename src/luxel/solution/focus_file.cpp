@@ -58,8 +58,7 @@ void read_focus(const Hdf5Reader& file, PatchSet& patches) {
     if (!std::all_of(patches.cameras.begin(), patches.cameras.end(), is_camera))
       file.refuse_as_damaged("a camera of it cannot be");
   }
-  if (file.has(group + "/patch"))
-    patches.focus = file.array<std::uint8_t>(group + "/patch", patches.size());
+  if (file.has(group + "/patch")) patches.focus = file.array<std::uint8_t>(group + "/patch", patches.size());
 }
 
 }  // namespace luxel

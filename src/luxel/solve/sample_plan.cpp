@@ -43,4 +43,12 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
   return doublings;
 }
 
+std::vector<std::uint8_t> plan_round(std::span<const SampleUnit> units, double target, double least,
+                                     double budget) {
+  const auto doublings = plan_doublings(units, target, budget);
+  double cost = 0.0;
+  for (std::size_t u = 0; u < units.size(); ++u) cost += units[u].cost * ((1 << doublings[u]) - 1);
+  return cost < least ? plan_doublings(units, 0.0, std::min(least, budget)) : doublings;
+}
+
 }  // namespace luxel

@@ -18,4 +18,8 @@ struct SampleUnit {
 // unit's squared error off, or a little more. None at all where even the first is beyond the budget.
 std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double budget);
 
+// The same, but with `least` spent at least, if that is not beyond the budget.
+std::vector<std::uint8_t> plan_round(std::span<const SampleUnit> units, double target, double least,
+                                     double budget);
+
 }  // namespace luxel

@@ -28,8 +28,9 @@ constexpr double tolerance = 1e-6;       // of the iteration
 constexpr double shadow_ray_cost = 0.6;  // of a gather ray and its share of the sweeps
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
-constexpr double min_growth = 0.5;      // of the cost so far, of a round that the seen error asks for
-constexpr double aim = 0.9;              // of the squared error asked for: another round costs more than that
+// Of the cost so far, of a round that the seen error ends: who looks often stops at the first lucky estimate.
+constexpr double min_growth = 0.5;
+constexpr double aim = 0.9;  // of the squared error asked for: another round costs more than that
 constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
 constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
 
@@ -84,7 +85,9 @@ class Run {
       if (is_stopped(tell(monitor_, progress(&solution_)))) return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
-      const auto doublings = doublings_of(units);
+      const auto so_far = total_cost(units);
+      const auto doublings =
+          plan_round(units, aimed_error2(), (seen_ ? min_growth : 0.0) * so_far, growth() * so_far);
       predict_memory(units);
       if (*std::max_element(doublings.begin(), doublings.end()) == 0)
         return finish(StopReason::error_reached);
@@ -265,16 +268,6 @@ class Run {
     return units;
   }
 
-  // A look at the seen error is worth half as many samples again: who looks often stops at the first lucky one.
-  std::vector<std::uint8_t> doublings_of(std::span<const SampleUnit> units) const {
-    const auto so_far = total_cost(units);
-    auto doublings = plan_doublings(units, aimed_error2(), growth() * so_far);
-    double cost = 0.0;
-    for (std::size_t u = 0; u < units.size(); ++u) cost += units[u].cost * ((1 << doublings[u]) - 1);
-    if (seen_ && cost < min_growth * so_far) doublings = plan_doublings(units, 0.0, min_growth * so_far);
-    return doublings;
-  }
-
   // The bound that those samples would break, if any.
   std::optional<StopReason> broken_bound(std::span<const SampleUnit> units,
                                          std::span<const std::uint8_t> doublings) const {
@@ -381,14 +374,15 @@ class Run {
   std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
   std::shared_ptr<const SampleState> kept_;
   std::optional<SlotLight> light_;
-  std::vector<float> radiosity_;  // reflected, and of the sky, W/m², [element][band]
+  std::vector<float> radiosity_;     // reflected, and of the sky, W/m², [element][band]
   std::optional<SeenMeasure> seen_;  // where it ends the run
   std::vector<float> one_each_;      // [slot]
   SlotLight::Answer answer_;
-  // [slot]: variances of direct and gathered light summed over bands, times the area where power is the measure.
+  // [slot]: variances of direct and gathered light summed over bands, times the area where power is the
+  // measure.
   std::vector<double> direct_error2_, gathered_error2_;
-  double error_ = 0.0;  // by the measure that ends the run
-  std::uint64_t begin_memory_ = resident_memory();       // bytes of the process
+  double error_ = 0.0;                              // by the measure that ends the run
+  std::uint64_t begin_memory_ = resident_memory();  // bytes of the process
   SolveReport report_;
 };
 

@@ -65,8 +65,8 @@ struct SampleKeeping {
 // doubled, all earlier ones kept, until the error asked for is reached. The equations are in docs/theory.md.
 //
 // The run ends when error_measure is below `error`; of the seen error, when it is so by the jackknife's
-// standard error too. Views come from PatchSet::cameras, focuses_on_cameras and focus. Without any view (no open
-// space is found) the power-weighted error takes the place of the seen one.
+// standard error too. Views come from PatchSet::cameras, focuses_on_cameras and focus. Without any view (no
+// open space is found) the power-weighted error takes the place of the seen one.
 //
 // A side's standard error is widened as Student's t is for so few replicates, so that 1.96 of it hold the
 // truth on these patches 95 times in 100; predicted_error, of the whole, is not. What the size of patches

@@ -42,8 +42,9 @@ class LeaveOneOut {
 
 }  // namespace
 
-SeenMeasure::SeenMeasure(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> units,
-                         const Tracer& tracer, const Workers& workers, const Ranks* ranks)
+SeenMeasure::SeenMeasure(const PatchSet& patches, const GatherSides& sides,
+                         std::span<const std::uint32_t> units, const Tracer& tracer, const Workers& workers,
+                         const Ranks* ranks)
     : patches_(patches),
       sides_(sides),
       ranks_(ranks),
@@ -105,8 +106,7 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
   workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     for (auto s = mine.begin() + from; s < mine.begin() + to; ++s)
       for (std::size_t b = 0; is_seen[s] && b < bands; ++b) {
-        const auto rho =
-            black ? 1.0 : static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b));
+        const auto rho = black ? 1.0 : static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b));
         leave_one_out.add(s * bands + b,
                           squared(static_cast<double>(answer.standard_error[s * bands + b]) / widening),
                           squared(rho / std::numbers::pi) / static_cast<double>(bands),
@@ -143,7 +143,9 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
   importance_.assign(sides_.size(), 0.0);
   double seen = 0.0;   // sum of importance * variance
   double whole = 0.0;  // sum of area * variance
-  const auto area = [&](std::size_t slot) { return static_cast<double>(patches_.area[sides_.side[slot] / 2]); };
+  const auto area = [&](std::size_t slot) {
+    return static_cast<double>(patches_.area[sides_.side[slot] / 2]);
+  };
   for (std::size_t u = 0; u + 1 < units_.size(); ++u) {
     double sum = 0.0;
     double unit_area = 0.0;

@@ -39,8 +39,8 @@ class SlotLight {
   struct Answer : Spread {
     std::vector<float> bias;  // what sharing may get wrong, squared; empty where nothing was shared
   };
-  Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered, const Enough& enough,
-                const Workers& workers, const Guide& guide = {}) const;
+  Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
+                const Enough& enough, const Workers& workers, const Guide& guide = {}) const;
 
   // Fills the light of the solution and all its errors.
   void write(const Answer& answer, Solution& solution, const Workers& workers) const;

@@ -42,13 +42,13 @@ struct SolveReport {
   std::vector<StepRecord> steps;    // shooting, and where Jacobi's iteration solves
   std::vector<RoundRecord> rounds;  // sampled
   std::uint64_t rays = 0;
-  double unshot_share = 0.0;     // power left over at the end: the stated bias
-  double predicted_error = 0.0;  // see Solution
-  double seen_error = 0.0;       // see Solution
-  std::size_t views = 0;         // that state the seen error
-  double places = 0.0;           // rooms and the outside, estimated from the views
+  double unshot_share = 0.0;       // power left over at the end: the stated bias
+  double predicted_error = 0.0;    // see Solution
+  double seen_error = 0.0;         // see Solution
+  std::size_t views = 0;           // that state the seen error
+  double places = 0.0;             // rooms and the outside, estimated from the views
   double error_uncertainty = 0.0;  // of seen_error, relative: jackknife over replicates
-  double error_95th = 0.0;       // see Solution
+  double error_95th = 0.0;         // see Solution
   EnergyBalance energy;
   std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
   bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory

@@ -6,8 +6,8 @@
 
 namespace luxel {
 
-Views collect_views(const PatchSet& patches, std::span<const Look> looks, std::span<const float> weight) {
-  const auto is_side = [](std::uint32_t s) { return s != Look::escaped && s != Look::absorbed; };
+Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight) {
+  const auto is_side = [](std::uint32_t s) { return s != Panorama::escaped && s != Panorama::absorbed; };
   const auto is_focused = [&](std::uint32_t side) {
     return patches.focus.empty() || patches.focus[side / 2] != 0;
   };
@@ -17,7 +17,7 @@ Views collect_views(const PatchSet& patches, std::span<const Look> looks, std::s
     const auto begin = views.seen.size();
     bool any = false;
     for (const auto side : looks[i].side) {
-      if (side == Look::escaped && patches.has_sky()) views.seen.push_back(Views::sky);
+      if (side == Panorama::escaped && patches.has_sky()) views.seen.push_back(Views::sky);
       if (!is_side(side)) continue;
       views.seen.push_back(is_focused(side) ? side : side | Views::unfocused);
       any |= is_focused(side);

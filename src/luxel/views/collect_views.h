@@ -12,6 +12,6 @@ namespace luxel {
 
 // Looks as views, with the sides they see listed once. weight: [look], scaled so that they add up to 1. Looks
 // that see no side in the focus are left out.
-Views collect_views(const PatchSet& patches, std::span<const Look> looks, std::span<const float> weight);
+Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight);
 
 }  // namespace luxel

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-double fraction(const Look& look, bool (*is_counted)(std::uint32_t)) {
+double fraction(const Panorama& look, bool (*is_counted)(std::uint32_t)) {
   const auto count = std::count_if(look.side.begin(), look.side.end(), is_counted);
   return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(1, look.side.size()));
 }
@@ -25,26 +25,26 @@ Vec3 LookGrid::direction(std::size_t cell, float u1, float u2) const {
   return d;
 }
 
-double Look::surface_fraction() const {
+double Panorama::surface_fraction() const {
   return fraction(*this, [](std::uint32_t s) { return s != escaped && s != absorbed; });
 }
 
-double Look::escaped_fraction() const {
+double Panorama::escaped_fraction() const {
   return fraction(*this, [](std::uint32_t s) { return s == escaped; });
 }
 
-float Look::clearance() const {
+float Panorama::clearance() const {
   return distance.empty() ? 0.0f : *std::min_element(distance.begin(), distance.end());
 }
 
 std::uint32_t side_met(const PatchSet& patches, const Hit& hit) {
-  if (!hit) return Look::escaped;
-  if (hit.back && !patches.material_of(hit.patch).two_sided) return Look::absorbed;
+  if (!hit) return Panorama::escaped;
+  if (hit.back && !patches.material_of(hit.patch).two_sided) return Panorama::absorbed;
   return 2 * hit.patch + (hit.back ? 1u : 0u);
 }
 
-Look look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye, const LookGrid& grid,
-                 std::uint64_t key) {
+Panorama look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye, const LookGrid& grid,
+                     std::uint64_t key) {
   std::vector<Ray> rays(grid.cells());
   for (std::size_t c = 0; c < rays.size(); ++c) {
     const auto u = uniform4(key, c);
@@ -52,7 +52,7 @@ Look look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye,
   }
   std::vector<Hit> hits(rays.size());
   tracer.nearest(rays, hits);
-  Look look{eye, {}, {}};
+  Panorama look{eye, {}, {}};
   look.side.reserve(hits.size());
   look.distance.reserve(hits.size());
   for (const auto& hit : hits) {

@@ -11,8 +11,8 @@
 
 namespace luxel {
 
-// The sphere of directions cut into cells of equal solid angle: n by n cells for each hemisphere, by the map of
-// equal areas of Shirley and Chiu 1997.
+// The sphere of directions cut into cells of equal solid angle: n by n cells for each hemisphere, by the map
+// of equal areas of Shirley and Chiu 1997.
 class LookGrid {
  public:
   explicit LookGrid(std::size_t n) : n_(n) {}
@@ -25,13 +25,13 @@ class LookGrid {
 };
 
 // What an eye sees all around, one ray per cell of the grid.
-struct Look {
+struct Panorama {
   static constexpr std::uint32_t escaped = 0xffffffffu;
   static constexpr std::uint32_t absorbed = 0xfffffffeu;  // the back of a one-sided surface
 
-  Vec3 eye{0.0f};                    // m
-  std::vector<std::uint32_t> side;   // [cell]: 2 * patch, + 1 for the back; or one of the above
-  std::vector<float> distance;       // [cell], m; infinite where the ray escapes
+  Vec3 eye{0.0f};                   // m
+  std::vector<std::uint32_t> side;  // [cell]: 2 * patch, + 1 for the back; or one of the above
+  std::vector<float> distance;      // [cell], m; infinite where the ray escapes
 
   // Fraction of directions that meet a side which can receive light; and that escape.
   double surface_fraction() const;
@@ -40,10 +40,10 @@ struct Look {
 };
 
 // key: of the random stream. About 0.1 us per ray in a simple scene, 1 us in one of a million patches.
-Look look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye, const LookGrid& grid,
-                 std::uint64_t key);
+Panorama look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye, const LookGrid& grid,
+                     std::uint64_t key);
 
-// The side that a ray met, with the codes of Look.
+// The side that a ray met, with the codes of Panorama.
 std::uint32_t side_met(const PatchSet& patches, const Hit& hit);
 
 }  // namespace luxel

@@ -10,14 +10,14 @@
 namespace luxel {
 namespace {
 
-// From a room whose window is a thousandth of its walls one path in twenty finds out, two looks in three of all
-// those in the room: enough to find the room.
+// From a room whose window is a thousandth of its walls one path in twenty finds out, two looks in three of
+// all those in the room: enough to find the room.
 constexpr std::uint32_t paths = 24;
 constexpr std::uint32_t path_rays = 48;
 
 bool is_light(const PatchSet& patches, std::uint32_t side) {
-  if (side == Look::escaped) return patches.has_sky();
-  return side != Look::absorbed && side % 2 == 0 && patches.material_of(side / 2).is_lamp();
+  if (side == Panorama::escaped) return patches.has_sky();
+  return side != Panorama::absorbed && side % 2 == 0 && patches.material_of(side / 2).is_lamp();
 }
 
 class Paths {
@@ -41,12 +41,13 @@ class Paths {
       const auto distance = glm::length(line);
       if (!(distance > 0.0f) || !tracer_.occluded({from, line / distance}, distance)) return true;
     }
-    return std::any_of(towards_.begin(), towards_.end(),
-                       [&](const Vec3& d) { return !tracer_.nearest({from, d}); });
+    return std::any_of(towards_.begin(), towards_.end(), [&](const Vec3& d) {
+      return !tracer_.nearest({from, d});
+    });
   }
 
   bool finds_light(std::uint32_t side, std::uint64_t key) const {
-    for (std::uint32_t i = 0; i < path_rays && side != Look::escaped && side != Look::absorbed; ++i) {
+    for (std::uint32_t i = 0; i < path_rays && side != Panorama::escaped && side != Panorama::absorbed; ++i) {
       const auto ray = ray_from_side(patches_, side, uniform4(key, i));
       if (has_points() && sees_point(ray.origin)) return true;
       side = side_met(patches_, tracer_.nearest(ray));
@@ -63,8 +64,8 @@ class Paths {
 
 }  // namespace
 
-bool is_open_space(const PatchSet& patches, const Tracer& tracer, const Look& look, std::span<const Vec3> eyes,
-                   std::uint64_t key) {
+bool is_open_space(const PatchSet& patches, const Tracer& tracer, const Panorama& look,
+                   std::span<const Vec3> eyes, std::uint64_t key) {
   if (std::any_of(look.side.begin(), look.side.end(), [&](auto side) { return is_light(patches, side); }))
     return true;
   const Paths walk(patches, tracer, eyes);

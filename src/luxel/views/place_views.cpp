@@ -60,7 +60,7 @@ class Placing {
   void send_scouts() {
     const StartSides starts(patches_, patches_.focus);
     if (starts.empty()) return;
-    std::vector<std::optional<Look>> found(options_.scouts);
+    std::vector<std::optional<Panorama>> found(options_.scouts);
     workers_.for_chunks(found.size(), 4, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto element = static_cast<std::uint32_t>(i);
@@ -68,8 +68,8 @@ class Placing {
         const auto side = starts.pick((static_cast<float>(i) + u[0]) / static_cast<float>(found.size()));
         auto look = look_near(side, stream_key(stream, scout_start, element),
                               stream_key(stream, scout_look, element), scout_grid_);
-        if (look && is_open_space(patches_, tracer_, *look, patches_.eyes(),
-                                  stream_key(stream, scout_path, element)))
+        if (look &&
+            is_open_space(patches_, tracer_, *look, patches_.eyes(), stream_key(stream, scout_path, element)))
           found[i] = std::move(look);
       }
     });
@@ -77,14 +77,14 @@ class Placing {
       if (look) scouts_.push_back(std::move(*look));
   }
 
-  // Looks around at a random point of a random cosine ray from the side; nothing if all tries end too near to a
-  // surface or see too few.
-  std::optional<Look> look_near(std::uint32_t side, std::uint64_t start_key, std::uint64_t look_key,
-                                const LookGrid& grid) const {
+  // Looks around at a random point of a random cosine ray from the side; nothing if all tries end too near to
+  // a surface or see too few.
+  std::optional<Panorama> look_near(std::uint32_t side, std::uint64_t start_key, std::uint64_t look_key,
+                                    const LookGrid& grid) const {
     for (std::uint32_t t = 0; t < tries; ++t) {
       const auto ray = ray_from_side(patches_, side, uniform4(start_key, 2 * t + 100));
       const auto hit = tracer_.nearest(ray);
-      if (side_met(patches_, hit) == Look::absorbed) continue;
+      if (side_met(patches_, hit) == Panorama::absorbed) continue;
       const auto length = std::min(hit.distance, 0.5f * extent_);
       const auto eye = ray.origin + uniform4(start_key, 2 * t + 101)[0] * length * ray.direction;
       if (!may_stand(eye)) continue;
@@ -98,41 +98,44 @@ class Placing {
 
   // A few rays that tell most places without clearance apart before the whole look is taken.
   bool may_stand(const Vec3& eye) const {
-    for (const auto& d : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1),
-                          Vec3(0, 0, -1)})
+    for (const auto& d :
+         {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
       if (tracer_.occluded({eye, d}, clearance_)) return false;
     return true;
   }
 
-  double focus_fraction(const Look& look) const {
+  double focus_fraction(const Panorama& look) const {
     if (patches_.focus.empty()) return 1.0;
     const auto count = std::count_if(look.side.begin(), look.side.end(), [&](std::uint32_t side) {
-      return side != Look::escaped && side != Look::absorbed && patches_.focus[side / 2] != 0;
+      return side != Panorama::escaped && side != Panorama::absorbed && patches_.focus[side / 2] != 0;
     });
     return static_cast<double>(count) / static_cast<double>(look.side.size());
   }
 
-  std::vector<Look> look_from(const std::vector<float>& weights, std::uint32_t is_stating, double places) {
+  std::vector<Panorama> look_from(const std::vector<float>& weights, std::uint32_t is_stating,
+                                  double places) {
     std::vector<double> sum(weights.size());
-    std::partial_sum(weights.begin(), weights.end(), sum.begin(),
-                     [](double a, double b) { return a + b; });
-    const auto wanted = options_.min_views + static_cast<std::size_t>(std::max(0.0, places - 1.0) *
-                                                                      static_cast<double>(options_.more_per_place));
+    std::partial_sum(weights.begin(), weights.end(), sum.begin(), [](double a, double b) { return a + b; });
+    const auto wanted =
+        options_.min_views +
+        static_cast<std::size_t>(std::max(0.0, places - 1.0) * static_cast<double>(options_.more_per_place));
     const auto count = scouts_.empty() ? 0 : std::min(options_.max_views, wanted);
-    std::vector<std::optional<Look>> found(count);
+    std::vector<std::optional<Panorama>> found(count);
     workers_.for_chunks(count, 4, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto element = 2 * static_cast<std::uint32_t>(i) + is_stating;
         const auto key = stream_key(stream, view_start, element);
         const auto u = uniform4(key, 0);
-        const auto at = (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count) * sum.back();
-        const auto scout = std::min<std::ptrdiff_t>(std::upper_bound(sum.begin(), sum.end(), at) - sum.begin(),
-                                                    static_cast<std::ptrdiff_t>(sum.size()) - 1);
+        const auto at =
+            (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count) * sum.back();
+        const auto scout =
+            std::min<std::ptrdiff_t>(std::upper_bound(sum.begin(), sum.end(), at) - sum.begin(),
+                                     static_cast<std::ptrdiff_t>(sum.size()) - 1);
         const auto side = side_seen(scouts_[static_cast<std::size_t>(scout)], u[1]);
         found[i] = look_near(side, key, stream_key(stream, view_look, element), grid_);
       }
     });
-    std::vector<Look> looks;
+    std::vector<Panorama> looks;
     for (auto& look : found)
       if (look) looks.push_back(std::move(*look));
     for (const auto& eye : patches_.eyes())
@@ -142,16 +145,16 @@ class Placing {
   }
 
   // One of the sides that a look meets, in the focus where there is one.
-  std::uint32_t side_seen(const Look& look, float u) const {
+  std::uint32_t side_seen(const Panorama& look, float u) const {
     std::vector<std::uint32_t> sides;
     for (const auto side : look.side)
-      if (side != Look::escaped && side != Look::absorbed &&
+      if (side != Panorama::escaped && side != Panorama::absorbed &&
           (patches_.focus.empty() || patches_.focus[side / 2] != 0))
         sides.push_back(side);
     return sides[std::min(sides.size() - 1, static_cast<std::size_t>(u * static_cast<float>(sides.size())))];
   }
 
-  std::vector<float> view_weights(const std::vector<Look>& looks, double places) const {
+  std::vector<float> view_weights(const std::vector<Panorama>& looks, double places) const {
     const auto eyes = patches_.eyes().size();
     const auto others = looks.size() - eyes;
     std::vector<float> weight(looks.size(), 1.0f);
@@ -167,11 +170,12 @@ class Placing {
   const ViewOptions& options_;
   LookGrid grid_, scout_grid_;
   float extent_ = 0.0f, clearance_ = 0.0f;  // m
-  std::vector<Look> scouts_;
+  std::vector<Panorama> scouts_;
 };
 
 // The picture's directions of equal solid angle, nearly: a grid on the picture plane.
-Look look_through(const PatchSet& patches, const Tracer& tracer, const Camera& camera, std::uint64_t key) {
+Panorama look_through(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
+                      std::uint64_t key) {
   constexpr std::size_t width = 72, height = 54;
   const auto forward = glm::normalize(camera.target - camera.eye);
   const auto right = glm::normalize(glm::cross(forward, camera.up));
@@ -186,7 +190,7 @@ Look look_through(const PatchSet& patches, const Tracer& tracer, const Camera& c
   }
   std::vector<Hit> hits(rays.size());
   tracer.nearest(rays, hits);
-  Look look{camera.eye, {}, {}};
+  Panorama look{camera.eye, {}, {}};
   for (const auto& hit : hits) {
     look.side.push_back(side_met(patches, hit));
     look.distance.push_back(hit.distance);
@@ -200,7 +204,7 @@ ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Worke
   ViewSets sets;
   sets.places = 1.0;
   for (const auto is_stating : {0u, 1u}) {
-    std::vector<Look> looks(patches.cameras.size());
+    std::vector<Panorama> looks(patches.cameras.size());
     workers.for_chunks(looks.size(), 1, [&](std::size_t i, std::size_t, int) {
       const auto element = 2 * static_cast<std::uint32_t>(i) + is_stating;
       looks[i] = look_through(patches, tracer, patches.cameras[i], stream_key(stream, eye_look, element));

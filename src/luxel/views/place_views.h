@@ -34,15 +34,16 @@ struct ViewSets {
   bool empty() const { return dealing.size() == 0 || stating.size() == 0; }
 };
 
-// Places viewpoints in the open space of a scene, in equal numbers for every room and for the outside, whatever
-// their size, and lets each look all around. Open space is where a lamp, a lit sky or an eye of PatchSet::eyes
-// reaches (open_space.h); insides of solids and sealed cavities get no views.
+// Places viewpoints in the open space of a scene, in equal numbers for every room and for the outside,
+// whatever their size, and lets each look all around. Open space is where a lamp, a lit sky or an eye of
+// PatchSet::eyes reaches (open_space.h); insides of solids and sealed cavities get no views.
 //
 // Scouts go out from surfaces, half by area and half by input triangle: a cosine ray, a random point along it
 // (cut at half the extent of the scene). They are weighted so that each place counts alike (place_weights.h).
-// Views start from surfaces that a scout sees, scouts taken by weight, in the same way. A viewpoint is at least
-// 3 % of the extent of the scene away from any surface, or 0.3 m if that is less, and meets surfaces in at least
-// a sixteenth of its directions. Each of PatchSet::eyes is a view as well; together they weigh as one place.
+// Views start from surfaces that a scout sees, scouts taken by weight, in the same way. A viewpoint is at
+// least 3 % of the extent of the scene away from any surface, or 0.3 m if that is less, and meets surfaces in
+// at least a sixteenth of its directions. Each of PatchSet::eyes is a view as well; together they weigh as
+// one place.
 //
 // PatchSet::focus: views start from surfaces in the focus, and only directions that meet those count.
 //
@@ -51,8 +52,8 @@ struct ViewSets {
 ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Workers& workers,
                      const ViewOptions& options = {});
 
-// What the cameras see, as the views of both sets: for PatchSet::focus_cameras. Each camera is one view of about
-// four thousand directions, evenly spread over the picture (4:3).
+// What the cameras see, as the views of both sets: for PatchSet::focus_cameras. Each camera is one view of
+// about four thousand directions, evenly spread over the picture (4:3).
 ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 
 }  // namespace luxel

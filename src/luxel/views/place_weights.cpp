@@ -6,7 +6,7 @@
 namespace luxel {
 namespace {
 
-constexpr int iterations = 6;         // equal to 5 % for two rooms of 30 and 1,000 views; more favour hidden corners
+constexpr int iterations = 6;  // equal to 5 % for two rooms of 30 and 1,000 views; more favour hidden corners
 constexpr float all_outside = 2.0f;  // half of the directions in the open: outside and nowhere else
 
 bool sees(const Tracer& tracer, const Vec3& from, const Vec3& to) {
@@ -17,7 +17,8 @@ bool sees(const Tracer& tracer, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-std::vector<float> place_weights(std::span<const Look> looks, const Tracer& tracer, const Workers& workers) {
+std::vector<float> place_weights(std::span<const Panorama> looks, const Tracer& tracer,
+                                 const Workers& workers) {
   const auto n = looks.size();
   std::vector<float> open(n);
   for (std::size_t v = 0; v < n; ++v) open[v] = static_cast<float>(looks[v].escaped_fraction());

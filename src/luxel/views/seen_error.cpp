@@ -39,8 +39,8 @@ bool reflects_nothing(const PatchSet& patches, const Views& views) {
   });
 }
 
-SideLight light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
-                        std::span<const double> squared_error, bool black) {
+SeenSide light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
+                       std::span<const double> squared_error, bool black) {
   const auto bands = patches.band_count();
   double light2 = 0.0;
   double error2 = 0.0;
@@ -120,7 +120,8 @@ std::vector<double> SeenError::importance() const {
   for (std::size_t v = 0; v < views_.size(); ++v) {
     const auto seen = views_.seen_by(v);
     const auto count = std::count_if(seen.begin(), seen.end(), [](auto s) { return s < Views::sky; });
-    const auto pressure = static_cast<double>(views_.weight[v]) * squared(squared(std::min(error_[v], worst)));
+    const auto pressure =
+        static_cast<double>(views_.weight[v]) * squared(squared(std::min(error_[v], worst)));
     sum += pressure * squared(error_[v]);
     for (const auto s : seen)
       if (s < Views::sky)

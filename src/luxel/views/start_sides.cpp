@@ -10,8 +10,9 @@ namespace luxel {
 
 StartSides::StartSides(const PatchSet& patches, const std::vector<std::uint8_t>& may_start)
     : patches_(patches), sum_(patches.size()) {
-  const auto triangles =
-      patches.triangle.empty() ? 0u : *std::max_element(patches.triangle.begin(), patches.triangle.end()) + 1u;
+  const auto triangles = patches.triangle.empty()
+                             ? 0u
+                             : *std::max_element(patches.triangle.begin(), patches.triangle.end()) + 1u;
   std::vector<double> area_of(triangles, 0.0);
   for (std::size_t p = 0; p < patches.size(); ++p)
     area_of[patches.triangle[p]] += static_cast<double>(patches.area[p]);

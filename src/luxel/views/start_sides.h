@@ -13,9 +13,9 @@ namespace luxel {
 // Random places on the surfaces of a scene, and cosine rays from there.
 class StartSides {
  public:
-  // Keeps a reference. Half of the places are dealt by area, half by input triangle, so that a house in a wide
-  // landscape gets its part. Patches where may_start is 0 get none; empty: all may. Two-sided surfaces give
-  // both of their sides.
+  // Keeps a reference. Half of the places are dealt by area, half by input triangle, so that a house in a
+  // wide landscape gets its part. Patches where may_start is 0 get none; empty: all may. Two-sided surfaces
+  // give both of their sides.
   StartSides(const PatchSet& patches, const std::vector<std::uint8_t>& may_start);
 
   bool empty() const { return !(total_ > 0.0); }
