@@ -110,6 +110,7 @@ std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, Sa
     // times.
     if (!runs.empty() && 4.0 * runs.back().wall_seconds > seconds) break;
     options.error = error;
+    options.error_measure = ErrorMeasure::power;
     runs.push_back(run(stage, reference, fmt::format("{:g} % asked for", 100.0 * error),
                        [&](Solution& solution, std::uint64_t seed) {
                          options.seed = seed;

@@ -53,7 +53,7 @@ Json row_of(const UncutScene& subject, const PointTruth& truth, std::size_t targ
   const auto patches = make_patches(subject.scene, {.target_count = target});
   const Tracer tracer(patches, workers);
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = error}, workers);
+  solve_sampled(patches, tracer, solution, {.error = error, .error_measure = ErrorMeasure::power}, workers);
   const auto bands = patches.band_count();
   const auto as_it_is = flat(solution);
   const auto by_means = mean_light(patches, solution);

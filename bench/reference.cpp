@@ -69,7 +69,7 @@ Reference by_sampling(const Stage& stage, double error, double seconds, const Wo
   Solution solution;
   const auto report =
       solve_sampled(stage.patches, stage.tracer, solution,
-                    {.error = error, .seconds = seconds, .seed = reference_seed, .share = false}, workers);
+                    {.error = error, .error_measure = ErrorMeasure::power, .seconds = seconds, .seed = reference_seed, .share = false}, workers);
   return taken(std::move(solution), report);
 }
 

@@ -30,7 +30,7 @@ Json measure(const char* name, const Scene& scene, const Workers& workers) {
   auto patches = make_patches(scene, {.max_edge = no_max_edge});
   set_light_groups(scene, {}, patches);
   const Tracer tracer(patches, workers);
-  const SampledOptions options = {.error = 0.01};
+  const SampledOptions options = {.error = 0.01, .error_measure = ErrorMeasure::power};
   Solution solution;
   std::shared_ptr<const SampleState> state;
   const SampleKeeping keeping{nullptr, [&](auto kept) { state = std::move(kept); }};

@@ -19,7 +19,7 @@ set(LUXEL_PUBLIC_HEADERS
     scene/scene.h scene/texture.h
     mesh/clean_triangles.h mesh/edges.h mesh/pieces.h mesh/rims.h mesh/t_junctions.h mesh/vertex_weld.h
     load/load_scene.h
-    patch/colour_patches.h patch/light_groups.h patch/make_patches.h patch/patch_set.h patch/patch_tree.h patch/uncut_faces.h
+    patch/colour_patches.h patch/focus.h patch/light_groups.h patch/make_patches.h patch/patch_set.h patch/patch_tree.h patch/uncut_faces.h
     trace/point_sight.h trace/tracer.h
     solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
     transport/dense_operator.h transport/form_factor_row.h transport/gather_sides.h transport/hemicube.h
@@ -27,7 +27,7 @@ set(LUXEL_PUBLIC_HEADERS
     transport/operator.h transport/row_operator.h
     check/diagnose.h check/fault_mesh.h check/finding.h check/light_walks.h check/openings.h check/scanned_mesh.h
     check/words.h
-    solve/bounces.h solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h
+    solve/bounces.h solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h solve/seen_solution.h
     solve/solve_light.h solve/solve_report.h solve/stochastic_jacobi.h
     viewfactors/check_view_factors.h viewfactors/enforce.h viewfactors/exact_view_factors.h
     viewfactors/sample_view_factors.h viewfactors/view_elements.h viewfactors/view_factors.h

@@ -53,7 +53,8 @@ std::vector<float> everything(const PatchSet& patches, const HitStore& hits, con
     for (const auto& rows : transport.replicate_rows(half, light, workers))
       all.insert(all.end(), rows.begin(), rows.end());
   }
-  const std::vector<float> importance(hits.sides().size(), 1.0f), level(numbers, 0.3f);
+  const std::vector<double> importance(hits.sides().size(), 1.0);
+  const std::vector<float> level(numbers, 0.3f);
   const auto worth = transport.ray_worth(importance, light, level, workers);
   all.insert(all.end(), worth.own.begin(), worth.own.end());
   all.insert(all.end(), worth.given.begin(), worth.given.end());

@@ -7,6 +7,7 @@
 #include "luxel/apps/outputs.h"
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/version.h"
+#include "luxel/patch/focus.h"
 #include "luxel/patch/uncut_faces.h"
 
 namespace luxel {
@@ -51,6 +52,7 @@ class Bake final : public Command {
       if (interrupted()) return stopped_before_light(console);
       if (settings_.refine.is_asked()) refine(baked, refined, workers, record, console);
       if (interrupted()) return stopped_before_light(console);
+      focus(scene, baked.patches);
       if (settings_.keep.groups_lamps()) set_groups(scene, baked.patches);
       sign(baked.solution);
     }
@@ -85,6 +87,16 @@ class Bake final : public Command {
     baked.solution.mesh_error = report.mesh_error;
     console.clear_bar();
     console.say(describe(report));
+  }
+
+  // A camera is found where the light begins.
+  void focus(const Scene& scene, PatchSet& patches) const {
+    if (settings_.light.focus == focus_on_camera) return;
+    try {
+      set_focus(scene, settings_.light.focus, patches);
+    } catch (const InputError& error) {
+      throw InputError(settings_.scene.file, error.what());
+    }
   }
 
   void set_groups(const Scene& scene, PatchSet& patches) const {

@@ -13,6 +13,7 @@
 #include "luxel/apps/quantity.h"
 #include "luxel/apps/run_report.h"
 #include "luxel/apps/step_pictures.h"
+#include "luxel/patch/focus.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/solve_light.h"
@@ -45,6 +46,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   if (interrupted()) return stopped_before_light(console_);
 
   // The light.
+  focus_on_picture(baked, tracer);
   foresee(baked.patches, tracer);
   const auto keeping = checkpoint.keeping(baked, std::move(from), console_);
   const auto solved = record_.stage("light", [&](auto& stage) {
@@ -103,6 +105,15 @@ SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vecto
   } catch (const InputError& error) {
     throw InputError(name_, error.what());  // it has no light; the solver knows no file
   }
+}
+
+// --focus camera: the picture's camera is the one that counts, where it was given or the scene has none.
+void LightRun::focus_on_picture(Baked& baked, const Tracer& tracer) const {
+  if (settings_.light.focus != focus_on_camera) return;
+  const auto& picture = settings_.picture;
+  if (picture.eye || picture.target || baked.patches.cameras.empty())
+    baked.patches.cameras = {camera_of(picture, settings_.look, baked, tracer, workers_)};
+  baked.patches.focuses_on_cameras = true;
 }
 
 // Says what a classical method is likely to take, and refuses what would take too much.
@@ -167,7 +178,9 @@ std::string LightRun::shortfall(const SolveReport& solved) const {
   if (!error_target() && solved.unshot_share == 1.0) return "no light had left the lamps yet";
   if (!error_target())
     return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_share);
-  auto text = fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);
+  auto text = solved.seen_error > 0.0
+                  ? fmt::format("seen error {:.2g} %", 100.0 * solved.seen_error)
+                  : fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);
   if (*error_target() > 0.0) text += fmt::format(", asked for {:.2g} %", 100.0 * *error_target());
   return text;
 }

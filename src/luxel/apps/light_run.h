@@ -33,6 +33,7 @@ class LightRun {
  private:
   SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
                     const Monitor& monitor, const SampleKeeping& keeping) const;
+  void focus_on_picture(Baked& baked, const Tracer& tracer) const;
   void foresee(const PatchSet& patches, const Tracer& tracer) const;
   void report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const;
   void report_light(const Baked& baked, const SolveReport& solved) const;

@@ -75,6 +75,10 @@ void LightSettings::declare_sampled(OptionSet& set) {
   set.heading("Light by --method sampled");
   set.only_with("method", by_sampling);
   declare_error_and_time(set);
+  set.add_text(
+      "focus", "all|camera|NAME", focus,
+      "where the seen error matters: everywhere; in the picture (of --eye, or of the file's cameras); or on "
+      "surfaces whose material, object or group has this name (with * and ?)");
   set.add_number("replicates", "count", sampled.replicates, 4u, 32u,
                  "independent answers whose spread is the error bar");
   declare_variance_reduction(set);
@@ -91,7 +95,9 @@ void LightSettings::declare_rays(OptionSet& set) {
 
 void LightSettings::declare_error_and_time(OptionSet& set) {
   set.add({"error", "share",
-           "stop at this standard error of the whole, such as 1% or 0.01; 0: never for that",
+           "stop at this standard error, such as 2% or 0.02: of the light seen from 95 % of viewpoints all "
+           "over the "
+           "scene, relative to the brightness there (or see --error-measure); 0 disables it",
            [this](const std::string& text) {
              const auto share = parse_share(text);
              if (!share)
@@ -100,6 +106,16 @@ void LightSettings::declare_error_and_time(OptionSet& set) {
              sampled.error = *share;
            },
            [this] { return sampled.error == 0.0 ? std::string("0") : as_share(sampled.error); }});
+  set.add({"error-measure", "seen|power",
+           "what --error measures and where rays go: seen, as above, each room and the outside count alike; "
+           "power, "
+           "the RMS over all surfaces by area, where bright ones count most",
+           [this](const std::string& text) {
+             if (text != "seen" && text != "power")
+               throw UsageError(fmt::format("--error-measure: expected seen or power, not '{}'", text));
+             sampled.error_measure = text == "seen" ? ErrorMeasure::seen : ErrorMeasure::power;
+           },
+           [this] { return std::string(sampled.error_measure == ErrorMeasure::seen ? "seen" : "power"); }});
   set.add(quantity("time", "duration", sampled.seconds, "none", parse_duration, as_duration,
                    "a time such as 30s, 5min or 2h", "solve no longer than this, such as 30s, 5min or 2h"));
 }

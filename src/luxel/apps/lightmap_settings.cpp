@@ -54,8 +54,8 @@ void LightmapSettings::declare_texels(OptionSet& set) {
   auto& texels = lightmap.texels;
   set.add(
       {"final-gather", "share",
-       "gather light anew, until a texel's standard error is this, where the solution's patches do not do; "
-       "none: nowhere",
+       "gather light anew where patches are too coarse, until a texel's standard error, relative to its own "
+       "irradiance, is this; 'none' disables it",
        [&texels](const std::string& text) { texels.error = parse_gather(text); },
        [&texels] { return texels.error == 0.0 ? std::string("none") : as_share(texels.error); }});
   set.add_number("gather-rays", "count", texels.most_rays, 64u, 1u << 20,

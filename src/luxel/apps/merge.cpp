@@ -7,6 +7,8 @@
 #include "luxel/apps/outputs.h"
 #include "luxel/apps/version.h"
 #include "luxel/solution/merge_solutions.h"
+#include "luxel/solve/seen_solution.h"
+#include "luxel/trace/tracer.h"
 
 namespace luxel {
 namespace {
@@ -34,10 +36,15 @@ class Merge final : public Command {
     });
     auto merged = record.stage("merge", [&](auto&) { return merge_solutions(std::move(solutions)); });
     merged.solution.provenance.program_version = program_version;
-    console.say(fmt::format("{} runs, {} rays, standard error {:.2g} %",
+    const Tracer tracer(merged.patches, workers);
+    record.stage("views", [&](auto&) {
+      merged.solution.seen_error = seen_error_of(merged.patches, tracer, merged.solution, workers);
+      return 0;
+    });
+    console.say(fmt::format("{} runs, {} rays, seen error {:.2g} %, standard error {:.2g} %",
                             merged.solution.provenance.merged.size(), merged.solution.provenance.rays,
-                            100.0 * merged.solution.predicted_error));
-    return write_and_finish(merged, nullptr, options(), run_, look_, picture_, workers, console, record);
+                            100.0 * merged.solution.seen_error, 100.0 * merged.solution.predicted_error));
+    return write_and_finish(merged, &tracer, options(), run_, look_, picture_, workers, console, record);
   }
 
  private:

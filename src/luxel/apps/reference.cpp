@@ -13,6 +13,7 @@
 #include "luxel/apps/version.h"
 #include "luxel/file/ending_of.h"
 #include "luxel/reference/path_picture.h"
+#include "luxel/solve/seen_solution.h"
 
 namespace luxel {
 namespace {
@@ -136,14 +137,16 @@ class Reference final : public Command {
       return result;
     });
     if (!traced.complete) return std::nullopt;
+    baked.solution.seen_error = seen_error_of(baked.patches, tracer, baked.solution, workers);
     auto& provenance = baked.solution.provenance;
     provenance.program_version = program_version;
     provenance.command_line = options().as_command(RunSettings::heading);
     provenance.options = options().used_values(RunSettings::heading);
-    console.say(fmt::format(
-        "{} paths a side; {}: standard error {:.2g} % (area-weighted relative RMS over "
-        "patches), below {:.2g} % for 95 % of the lit sides",
-        traced.paths, stop_name(traced.stop), 100.0 * traced.predicted_error, 100.0 * traced.error_95th));
+    console.say(
+        fmt::format("{} paths a side; {}: standard error {:.2g} % (area-weighted relative RMS over "
+                    "patches), below {:.2g} % for 95 % of the lit sides; seen error {:.2g} %",
+                    traced.paths, stop_name(traced.stop), 100.0 * traced.predicted_error,
+                    100.0 * traced.error_95th, 100.0 * baked.solution.seen_error));
     if (traced.stop == StopReason::stopped_by_user)
       warn(console.log(), "stopped: writing the light there is");
     SolveReport report;
@@ -151,6 +154,7 @@ class Reference final : public Command {
     report.rays = traced.rays;
     report.predicted_error = traced.predicted_error;
     report.error_95th = traced.error_95th;
+    report.seen_error = baked.solution.seen_error;
     report.energy.emitted = traced.emitted;
     report.energy.from_sky = traced.from_sky;
     report.energy.absorbed = traced.absorbed;

@@ -20,15 +20,18 @@ void ReferenceSettings::check() const {
 
 void ReferenceSettings::declare(OptionSet& set) {
   set.heading("Light");
-  set.add({"error", "share", "go on until the standard error of the whole is this, such as 1% or 0.01",
-           [this](const std::string& text) {
-             const auto share = parse_share(text);
-             if (!share)
-               throw UsageError(
-                   fmt::format("--error: expected a share below 1, such as 1% or 0.01, not '{}'", text));
-             limits.error = *share;
-           },
-           [this] { return limits.error == 0.0 ? std::string("0") : as_share(limits.error); }});
+  set.add(
+      {"error", "share",
+       "go on until the standard error is this, such as 1% or 0.01: RMS over all surfaces by area, or over "
+       "pixels; the seen error is reported beside it",
+       [this](const std::string& text) {
+         const auto share = parse_share(text);
+         if (!share)
+           throw UsageError(
+               fmt::format("--error: expected a share below 1, such as 1% or 0.01, not '{}'", text));
+         limits.error = *share;
+       },
+       [this] { return limits.error == 0.0 ? std::string("0") : as_share(limits.error); }});
   set.add({"samples", "count",
            "instead: so many paths a patch side, or a pixel, such as 2k; in batches of 16",
            [this](const std::string& text) {

@@ -91,8 +91,9 @@ class Relight final : public Command {
     Baked relit{relighter.patches(), std::move(solution)};
     join_light_groups(relit.patches);  // what was kept for each apart is not in the new file
     sign(relit, kept.baked.solution);
-    console.say(fmt::format("{} light groups, {} patches, standard error {:.2g} %", patches.group_count(),
-                            patches.size(), 100.0 * relit.solution.predicted_error));
+    console.say(fmt::format("{} light groups, {} patches, seen error {:.2g} %, standard error {:.2g} %",
+                            patches.group_count(), patches.size(), 100.0 * relit.solution.seen_error,
+                            100.0 * relit.solution.predicted_error));
 
     if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
       stand_still(camera_of(picture_, look_, kept.baked, tracer, workers), patches);

@@ -47,6 +47,7 @@ Json to_json(const Baked& baked) {
                {"command_line", s.provenance.command_line}};
   if (s.mesh_error > 0.0) json["mesh_error"] = s.mesh_error;
   if (s.error_95th > 0.0) json["error_95th"] = s.error_95th;
+  if (s.seen_error > 0.0) json["seen_error"] = s.seen_error;
   if (baked.patches.has_sky()) json["sky_W_per_m2_sr"] = baked.patches.sky;
   for (const auto& band : baked.patches.wavebands) {
     json["wavelengths_nm"].push_back(band.wavelength);
@@ -69,6 +70,8 @@ Json rounds_as_json(const SolveReport& report) {
                       {"shadow_rays", round.shadow_rays},
                       {"rays", round.rays},
                       {"error", round.error},
+                      {"power_error", round.power_error},
+                      {"uncertainty", round.uncertainty},
                       {"sweeps", round.sweeps},
                       {"residual", round.residual}});
   return rounds;
@@ -124,7 +127,15 @@ Json error_as_json(const SolveReport& report, const std::optional<double>& targe
   Json error = Json::object();
   if (target) error["target"] = *target;
   error["kind"] = name(report.error_kind);
-  if (report.error_kind != ErrorKind::unknown) error["reached"] = report.predicted_error;
+  if (!report.rounds.empty() || report.seen_error > 0.0)
+    error["measure"] = report.seen_error > 0.0 ? "seen" : "power";
+  if (report.error_kind != ErrorKind::unknown) error["reached"] = error_of(report);
+  if (report.seen_error > 0.0) {
+    error["uncertainty"] = report.error_uncertainty;
+    error["power"] = report.predicted_error;
+    error["views"] = report.views;
+    error["places"] = report.places;
+  }
   if (report.error_95th > 0.0) error["percentile_95"] = report.error_95th;
   error["ended_by"] = stop_name(report.stop);
   return error;
@@ -177,14 +188,16 @@ Json to_json(const PagesRecord& record) {
   return json;
 }
 
-// Noise and bias, for a person. The percentile and the unshot share stand there where there are such.
-std::string quality(ErrorKind kind, double error, double error_95th, double unshot_share) {
-  auto text =
-      kind == ErrorKind::unknown
-          ? std::string("this method knows no error of its own")
-          : fmt::format("{} {:.2g} % (area-weighted relative RMS over patches)",
-                        kind == ErrorKind::noise ? "standard error" : "error of the form factors below",
-                        100.0 * error);
+// Noise and bias, for a person. Those that are 0 are not estimated, and left out.
+std::string quality(ErrorKind kind, double seen_error, double error, double error_95th, double unshot_share) {
+  std::string text;
+  if (seen_error > 0.0)
+    text = fmt::format("seen error {:.2g} % (95 % of the views stay below)\n", 100.0 * seen_error);
+  text += kind == ErrorKind::unknown
+              ? std::string("this method knows no error of its own")
+              : fmt::format("{} {:.2g} % (area-weighted relative RMS over patches)",
+                            kind == ErrorKind::noise ? "standard error" : "error of the form factors below",
+                            100.0 * error);
   if (error_95th > 0.0) text += fmt::format(", below {:.2g} % for 95 % of the lit sides", 100.0 * error_95th);
   if (unshot_share > 0.0) text += fmt::format(", bias below {:.2g} % unshot", 100.0 * unshot_share);
   return text;
@@ -270,7 +283,9 @@ std::string describe(const Baked& baked) {
                                               s.provenance.rays, s.provenance.seed)
                                 : s.provenance.method;
   text += fmt::format(": {}\n", stop_name(s.stop));
-  text += quality(error_kind_of(s.provenance.method), s.predicted_error, s.error_95th, s.unshot_share) + "\n";
+  text += quality(error_kind_of(s.provenance.method), s.seen_error, s.predicted_error, s.error_95th,
+                  s.unshot_share) +
+          "\n";
   if (s.mesh_error > 0.0) text += fmt::format("mesh error {:.2g} %, apart from that\n", 100.0 * s.mesh_error);
   if (has_standard_errors(s))
     text += fmt::format("with the {} of every patch side\n",
@@ -317,8 +332,8 @@ std::string describe(const SolveReport& report) {
                     report.ranks, 1e-6 * static_cast<double>(report.traffic.bytes), report.traffic.seconds);
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", stop_name(report.stop),
-                            quality(report.error_kind, report.predicted_error, report.error_95th,
-                                    report.unshot_share));
+                            quality(report.error_kind, report.seen_error, report.predicted_error,
+                                    report.error_95th, report.unshot_share));
 }
 
 }  // namespace luxel

@@ -45,9 +45,10 @@ struct RefineSettings {
 };
 
 struct LightSettings : LightOptions {
-  bool joins_faces = false;  // dense
-  std::string each_step;     // folder for a picture after every step; empty: none
-  bool force = false;        // begins even what will take days
+  bool joins_faces = false;   // dense
+  std::string focus = "all";  // where the seen error matters, see patch/focus.h
+  std::string each_step;      // folder for a picture after every step; empty: none
+  bool force = false;         // begins even what will take days
   // Throws UsageError where nothing would end the run, or options contradict each other.
   void check() const;
   void declare(OptionSet& set);

@@ -75,6 +75,7 @@ class View final : public Command {
                       .refine = {.mesh_error = s.refine.mesh_error, .max_patches = s.refine.max_patches},
                       .light = s.light,
                       .joins_faces = s.light.joins_faces,
+                      .focus = s.light.focus,
                       .groups = s.keep.groups,
                       .smooth = s.look.smooth,
                       .threads = s.run.threads};

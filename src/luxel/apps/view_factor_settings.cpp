@@ -44,14 +44,14 @@ void ViewFactorSettings::declare(OptionSet& set) {
   set.add_choice("sides", {"front", "both"}, sides,
                  "fronts of surfaces; or backs of two-sided materials as well, as elements of their own");
   set.add_texts("from", "NAME", from, "rows of these elements (with * and ?) alone");
-  set.add(
-      {"error", "factor",
-       "stop at this root mean square standard error of the listed factors; auto: 0.001, between patches 4 % "
-       "of a row, or none with --rays",
-       [this](const std::string& text) {
-         error = text == "auto" ? std::optional<double>() : parse_factor("error", text);
-       },
-       [this] { return error ? fmt::format("{}", *error) : std::string("auto"); }});
+  set.add({"error", "factor",
+           "stop at this root mean square standard error of the listed view factors (not of light); auto: "
+           "0.001, between patches 4 % "
+           "of a row, or none with --rays",
+           [this](const std::string& text) {
+             error = text == "auto" ? std::optional<double>() : parse_factor("error", text);
+           },
+           [this] { return error ? fmt::format("{}", *error) : std::string("auto"); }});
   set.add({"rays", "count", "rays a patch side, at most (rounded down to a power of two a replicate)",
            [this](const std::string& text) { sampled.rays = text == "auto" ? 0 : parse_count("rays", text); },
            [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});

@@ -105,6 +105,7 @@ tinygltf::Value provenance_of(const Solution& solution, tinygltf::Value light) {
       {"rays", tinygltf::Value(static_cast<double>(from.rays))},
       {"seed", tinygltf::Value(fmt::format("{}", from.seed))},
       {"unshot_share", tinygltf::Value(solution.unshot_share)},
+      {"seen_error", tinygltf::Value(solution.seen_error)},
       {"predicted_error", tinygltf::Value(solution.predicted_error)},
       {"scene_fingerprint", tinygltf::Value(fmt::format("{:016x}", from.scene_fingerprint))},
   });

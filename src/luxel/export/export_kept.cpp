@@ -258,9 +258,9 @@ void KeptExport::describe(const char* form, const std::string& light) {
   const auto& from = input_.solution.provenance;
   copy_.put("/asset/extras/luxel",
             fmt::format(R"({{"made_for":"{}","as":"{}","light":{},"method":"{}","rays":{},"seed":"{}",)"
-                        R"("predicted_error":{},"scene_fingerprint":"{:016x}"}})",
+                        R"("seen_error":{},"predicted_error":{},"scene_fingerprint":"{:016x}"}})",
                         name(options_.program), form, light, from.method, from.rays, from.seed,
-                        input_.solution.predicted_error, from.scene_fingerprint));
+                        input_.solution.seen_error, input_.solution.predicted_error, from.scene_fingerprint));
 }
 
 std::string vertex_light(const ToneCurve& curve, const MeshHabits& habits) {

@@ -3,6 +3,7 @@
 
 #include "luxel/live/live_run.h"
 #include "luxel/load/load_scene.h"
+#include "luxel/patch/focus.h"
 #include "luxel/patch/uncut_faces.h"
 #include "luxel/report/error.h"
 #include "luxel/solution/solution_file.h"
@@ -38,6 +39,7 @@ void LiveRun::open_scene() {
       mesh_error_ = report.mesh_error;
       mesh_.geometry = 2;
     }
+    set_focus(*scene, settings_.focus, patches);
     group_lamps(*scene, patches);
   } catch (const InputError& error) {
     throw InputError(file_.string(), error.what());
@@ -74,7 +76,8 @@ void LiveRun::open_solution() {
     board_.current = light_;
     board_.status.method = settings_.options_of ? light_.method : solution.provenance.method;
     if (board_.status.method == LightOptions::by_sampling) board_.status.error_asked = light_.sampled.error;
-    board_.status.error = solution.predicted_error;
+    board_.status.is_seen = solution.seen_error > 0.0;
+    board_.status.error = solution.seen_error > 0.0 ? solution.seen_error : solution.predicted_error;
     board_.status.rays = solution.provenance.rays;
     board_.status.stop = solution.stop;
   }

@@ -134,6 +134,7 @@ void LiveRun::begin_solve(const SolveOrder& order, SampleKeeping& keeping) {
     board_.current = light_;
     status.method = light_.method;
     status.error_asked = is_sampled() ? light_.sampled.error : 0.0;
+    status.is_seen = is_sampled() && light_.sampled.error_measure == ErrorMeasure::seen;
     status.stop.reset();
     if (!keeping.from) {
       status.history.clear();
@@ -177,7 +178,7 @@ void LiveRun::solve(const SolveOrder& order) {
   {
     const std::lock_guard lock(board_.mutex);
     board_.status.rays = std::max(board_.status.rays, report.rays);
-    if (report.predicted_error > 0.0) board_.status.error = report.predicted_error;
+    if (const auto error = error_of(report); error > 0.0) board_.status.error = error;
     if (board_.solve || board_.error || is_to_be_lit_anew()) return;  // it is not the last
     board_.status.stop = stop;
   }

@@ -20,6 +20,7 @@ struct LiveSettings {
   RefineOptions refine = {.mesh_error = 0.0};  // 0: the patches stay; its light and smooth are those below
   LightOptions light = {};
   bool joins_faces = false;                 // dense: patches of one uncut face share a value
+  std::string focus = "all";                // where the seen error matters, see patch/focus.h
   bool keeps_transport = true;              // sampled: so that lamps and colours can be changed, and saved
   std::vector<LightGroupRule> groups = {};  // lamps that are dimmed together; the others go by material
   SmoothOptions smooth = {};

@@ -55,7 +55,7 @@ struct LiveLight {
 struct ConvergencePoint {
   double seconds = 0.0;    // of solving, pauses apart
   std::uint64_t rays = 0;  // traced by then
-  double error = 0.0;      // standard error of the whole, a share
+  double error = 0.0;      // standard error by the measure that ends the solve, a share
 };
 
 // What is going on, and what went before.
@@ -72,6 +72,7 @@ struct LiveStatus {
   std::string method;                     // of the solve
   double error_asked = 0.0;               // sampled
   double error = 0.0;                     // of the newest light; 0: not known
+  bool is_seen = false;                   // error and error_asked are the seen error, see ErrorMeasure
   std::uint64_t rays = 0;                 // traced so far
   double rays_per_second = 0.0;           // lately
   double seconds = 0.0;                   // of solving, pauses apart

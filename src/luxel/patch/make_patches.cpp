@@ -161,6 +161,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Wor
   set_bands(patches, scene);
   patches.scene_fingerprint = fingerprint(scene);
   patches.origin = scene.origin;
+  patches.cameras = scene.cameras;
 
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld, log).kept;

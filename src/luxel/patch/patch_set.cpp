@@ -20,6 +20,12 @@ bool any_above_zero(const std::vector<float>& bands) {
 
 bool BandMaterial::is_lamp() const { return any_above_zero(emittance); }
 
+std::vector<Vec3> PatchSet::eyes() const {
+  std::vector<Vec3> eyes;
+  for (const auto& camera : cameras) eyes.push_back(camera.eye);
+  return eyes;
+}
+
 bool PatchSet::has_colours() const {
   static const std::vector<std::string> rgb = {"red", "green", "blue"};
   return wavebands.empty() ? bands == rgb : wavebands.size() == bands.size();

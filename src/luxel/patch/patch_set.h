@@ -11,6 +11,7 @@
 #include "luxel/math/vector.h"
 #include "luxel/photometry/band_colours.h"
 #include "luxel/photometry/waveband.h"
+#include "luxel/scene/camera.h"
 #include "luxel/scene/material.h"
 #include "luxel/scene/point_light.h"
 #include "luxel/scene/texture.h"
@@ -81,7 +82,14 @@ struct PatchSet {
   // it. `area` is that of what they leave.
   std::vector<float> reflectance_share, emittance_share;  // [patch][band]
 
+  // Where the error of the light matters beside the open space, see views/place_views.h. None of these
+  // changes what the light converges to.
+  std::vector<Camera> cameras;      // as in Scene, or those that a person gave; often none
+  bool focuses_on_cameras = false;  // what these see is all that matters
+  std::vector<std::uint8_t> focus;  // [patch], 1 where it matters; empty: everywhere
+
   std::size_t size() const { return corners.size(); }
+  std::vector<Vec3> eyes() const;  // of the cameras
   std::size_t band_count() const { return bands.size(); }
   std::size_t group_count() const { return light_groups.empty() ? 1 : light_groups.size(); }
   bool has_sky() const;

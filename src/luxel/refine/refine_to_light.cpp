@@ -90,6 +90,7 @@ class Refinement {
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
+      how.error_measure = ErrorMeasure::power;  // as the mesh error is
       how.seed =
           stream_key(options_.light.seed, purpose, 2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
       auto& [solution, smooth] = level.answers[i];

@@ -16,7 +16,7 @@ struct Progress {
   std::string_view stage;  // "load", "patches", "hierarchy", "light", "picture", ...
   double done = 0.0;       // share of this stage, 0 to 1
   std::uint64_t rays = 0;  // traced so far in this stage
-  double error = 0.0;  // standard error of the whole so far (area-weighted relative RMS); 0: not known yet
+  double error = 0.0;      // standard error so far, by the measure that ends the run; 0: not known yet
   const Solution* light = nullptr;  // a new picture of the whole scene, alive during the call; or nothing
 };
 

@@ -120,7 +120,7 @@ std::string fault_in_errors(const Solution& solution, std::size_t length) {
   }
   for (const auto& [name, value] :
        {std::pair("mesh_error", solution.mesh_error), std::pair("error_95th", solution.error_95th),
-        std::pair("predicted_bias", solution.predicted_bias),
+        std::pair("predicted_bias", solution.predicted_bias), std::pair("seen_error", solution.seen_error),
         std::pair("error_freedom", solution.error_freedom)})
     if (!(value >= 0.0 && std::isfinite(value))) return fmt::format("{} is {}", name, value);
   return {};

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "luxel/solution/check_solution.h"
+#include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
@@ -131,6 +132,7 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
     if (file.has_attribute("Luxel", name)) value = file.number<double>("Luxel", name);
   };
   later("error_95th", solution.error_95th);
+  later("seen_error", solution.seen_error);
   later("error_freedom", solution.error_freedom);
   later("predicted_bias", solution.predicted_bias);
   later("mesh_error", solution.mesh_error);
@@ -165,6 +167,7 @@ Baked read_baked(const Hdf5Reader& file) {
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   patches.contacts = read_contacts(file);
+  read_focus(file, patches);
   if (const auto fault = fault_in(patches, solution); !fault.empty()) file.refuse_as_damaged(fault);
   return baked;
 }

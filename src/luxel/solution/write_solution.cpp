@@ -9,6 +9,7 @@
 #include "luxel/file/output_file.h"
 #include "luxel/report/error.h"
 #include "luxel/solution/check_solution.h"
+#include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_writer.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/provenance_file.h"
@@ -123,6 +124,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   file.add_number("Luxel", "unshot_share", solution.unshot_share);
   file.add_number("Luxel", "predicted_error", solution.predicted_error);
   if (solution.error_95th > 0.0) file.add_number("Luxel", "error_95th", solution.error_95th);
+  if (solution.seen_error > 0.0) file.add_number("Luxel", "seen_error", solution.seen_error);
   if (solution.error_freedom > 0.0) file.add_number("Luxel", "error_freedom", solution.error_freedom);
   if (solution.predicted_bias > 0.0) file.add_number("Luxel", "predicted_bias", solution.predicted_bias);
   if (solution.mesh_error > 0.0) file.add_number("Luxel", "mesh_error", solution.mesh_error);
@@ -136,6 +138,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   add_contacts(file, patches);
   add_surface(file, patches);
   add_point_lights(file, patches);
+  add_focus(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }
 

@@ -20,7 +20,7 @@ void for_units(std::span<const std::uint32_t> begins, const Workers& workers, Bo
 }  // namespace
 
 std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator& transport,
-                                  std::span<const std::uint32_t> begins, std::span<const float> importance,
+                                  std::span<const std::uint32_t> begins, std::span<const double> importance,
                                   std::span<const float> radiosity, std::span<const float> gathered,
                                   double whole, const Workers& workers) {
   const auto slots = transport.sides().size();
@@ -55,8 +55,8 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
     double sum = 0.0;
     double areas = 0.0;
     for (auto s = first; s < end; ++s) {
-      if (!(importance[s] > 0.0f)) continue;
-      sum += area(s) * static_cast<double>(worth.own[s] / importance[s]) * rays(s) * rays(s);
+      if (!(importance[s] > 0.0)) continue;
+      sum += area(s) * static_cast<double>(worth.own[s]) / importance[s] * rays(s) * rays(s);
       areas += area(s);
     }
     for (auto s = first; s < end; ++s)

@@ -20,7 +20,7 @@ namespace luxel {
 // begins: units of neighbouring slots, which are taken to see alike. importance: I, [slot]. radiosity: of
 // CrossedHalves. gathered: [slot * bands + band]. whole: the sum of the result. Cost: two look-ups per ray.
 std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator& transport,
-                                  std::span<const std::uint32_t> begins, std::span<const float> importance,
+                                  std::span<const std::uint32_t> begins, std::span<const double> importance,
                                   std::span<const float> radiosity, std::span<const float> gathered,
                                   double whole, const Workers& workers);
 

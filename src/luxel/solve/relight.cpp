@@ -9,6 +9,7 @@
 #include "luxel/solve/own_lighting.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
+#include "luxel/solve/seen_measure.h"
 #include "luxel/solve/slot_light.h"
 
 namespace luxel {
@@ -81,6 +82,7 @@ struct Relighter::State {
   Sampling sampling;
   std::optional<SampledOperator> transport;
   std::optional<SlotLight> slots;
+  std::optional<SeenMeasure> seen;  // where it ended the run
   std::vector<float> weight;
   bool reflects_as_in_run = true;  // so that the light the samples know of each group holds
 
@@ -97,6 +99,9 @@ struct Relighter::State {
     transport.emplace(patches, sampling.hits(), SampledOperatorOptions{.both_ways = options.both_ways},
                       workers);
     look_at_surfaces();
+    if (options.error_measure == ErrorMeasure::seen && !samples->sides.empty())
+      seen.emplace(patches, sampling.hits().sides(), sampling.units(), tracer, workers);
+    if (seen && !seen->has_views()) seen.reset();
     if (samples->gathered.empty()) {
       auto more = std::make_shared<SampleState>(*samples);
       more->gathered = solve_groups(patches, *transport, *samples, slots->reflectance(), workers);
@@ -146,9 +151,13 @@ Solution Relighter::light() const {
   } else {
     gathered = sum_of_groups(s.samples->gathered, groups, bands, s.weight, s.workers);
   }
-  const auto answer = s.slots->answer(direct, gathered, s.options.error, s.workers);
+  const auto enough = [&](const Spread& own) {
+    return (s.seen ? s.seen->error_of(own) : error_of(own)) <= s.options.error;
+  };
+  const auto answer = s.slots->answer(direct, gathered, enough, s.workers);
   Solution solution;
   s.slots->write(answer, solution, s.workers);
+  if (s.seen) solution.seen_error = s.seen->error_of(answer);
   solution.bands = s.patches.bands;
   solution.stop = StopReason::error_reached;
   solution.provenance.method = "sampled";

@@ -18,6 +18,7 @@
 #include "luxel/solve/sample_plan.h"
 #include "luxel/solve/sampled_energy.h"
 #include "luxel/solve/sampling.h"
+#include "luxel/solve/seen_measure.h"
 #include "luxel/solve/slot_light.h"
 #include "luxel/solve/stochastic_jacobi.h"
 
@@ -28,10 +29,11 @@ namespace {
 double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.01 * error, 1e-6, 1e-4) : 1e-4; }
 
 constexpr double shadow_ray_cost = 0.6;  // of a gather ray and its share of the sweeps
-constexpr double least_growth = 0.5;     // a round costs at least so many times all before it
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
-constexpr double aim = 0.9;              // of the squared error asked for: another round costs more than that
+// A round costs at least so many times all before it: who looks often stops at the first lucky estimate.
+constexpr double min_growth = 0.5;
+constexpr double aim = 0.9;  // of the squared error asked for: another round costs more than that
 constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
 constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
 
@@ -86,8 +88,8 @@ class Run {
       if (is_stopped(tell(monitor_, progress(&solution_)))) return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
-      const auto doublings = plan_doublings(units, aimed_error2(), least_growth * total_cost(units),
-                                            growth() * total_cost(units));
+      const auto so_far = total_cost(units);
+      const auto doublings = plan_doublings(units, aimed_error2(), min_growth * so_far, growth() * so_far);
       predict_memory(units);
       if (*std::max_element(doublings.begin(), doublings.end()) == 0)
         return finish(StopReason::error_reached);
@@ -161,6 +163,14 @@ class Run {
   void prepare() {
     const auto& sides = sampling_->hits().sides();
     light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_, ranks_);
+    if (options_.error_measure == ErrorMeasure::seen && sides.size() > 0) {
+      seen_.emplace(patches_, sides, sampling_->units(), tracer_, workers_, ranks_);
+      report_.views = seen_->views().stating.size();
+      report_.places = seen_->views().places;
+      if (!seen_->has_views()) seen_.reset();
+    }
+    one_each_.assign(sides.size(), 1.0f);
+    area_.assign(light_->area().begin(), light_->area().end());
     report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;
   }
@@ -184,11 +194,13 @@ class Run {
     direct_error2_.assign(slots(), 0.0);
     gathered_error2_.assign(slots(), 0.0);
     gathered_ = mean_of(gathered, workers_);
-    answer_ = light_->answer(direct, gathered, options_.error, workers_, [&](double weight) {
-      add_squared_errors(direct, bands_, light_->area(), weight, direct_error2_, workers_, ranks_);
-      add_squared_errors(gathered, bands_, light_->area(), weight, gathered_error2_, workers_, ranks_);
+    const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
+    answer_ = light_->answer(direct, gathered, enough, workers_, [&](double weight) {
+      add_squared_errors(direct, bands_, one_each_, weight, direct_error2_, workers_, ranks_);
+      add_squared_errors(gathered, bands_, one_each_, weight, gathered_error2_, workers_, ranks_);
     });
-    error_ = error_of(answer_);
+    if (seen_) seen_->take(answer_, direct, gathered, workers_);
+    error_ = seen_ ? seen_->error() : error_of(answer_);
 
     RoundRecord round;
     round.sweeps = static_cast<int>(solved.iteration.change.size());
@@ -199,9 +211,13 @@ class Run {
         static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_a_slot()));
     round.rays = rays();
     round.error = error_;
+    round.power_error = error_of(answer_);
+    round.uncertainty = uncertainty();
     report_.rounds.push_back(round);
     report_.streamed = sampling_->hits().is_streamed();
-    report_.predicted_error = error_;
+    report_.predicted_error = error_of(answer_);
+    report_.seen_error = seen_ ? error_ : 0.0;
+    report_.error_uncertainty = uncertainty();
     light_->write(answer_, solution_, workers_);
     sign();
     return true;
@@ -211,10 +227,20 @@ class Run {
 
   // An error of nothing after one round is an estimate that failed, or light that is exact.
   bool is_good_enough() const {
-    return options_.error > 0.0 && error_ <= options_.error &&
+    return options_.error > 0.0 && safe_error() <= options_.error &&
            (error_ > 0.0 || rounds_before_ + report_.rounds.size() > 1);
   }
-  double aimed_error2() const { return aim * options_.error * options_.error * answer_.light2; }
+  double error_by_measure(const Spread& answer) const {
+    return seen_ ? seen_->error_of(answer) : error_of(answer);
+  }
+  double uncertainty() const { return seen_ ? seen_->uncertainty() : 0.0; }
+  // With what may be wrong with it: luck must not end a run.
+  double safe_error() const { return error_ * (1.0 + uncertainty()); }
+  // What the squared errors of all units add up to, and what they should.
+  double whole_error2() const { return seen_ ? safe_error() * safe_error() : answer_.error2; }
+  double aimed_error2() const {
+    return aim * options_.error * options_.error * (seen_ ? 1.0 : answer_.light2);
+  }
 
   // The samples that are taken do not depend on where a bound is, so that a longer run goes the same way.
   double growth() const {
@@ -226,6 +252,8 @@ class Run {
     return sum;
   }
 
+  // Of the variance of each slot's irradiance, [slot].
+  std::span<const double> importance() const { return seen_ ? seen_->importance() : area_; }
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
 
   // What the shadow rays of each unit (first) and the gather rays of each slot (then) cost and leave to be
@@ -235,20 +263,21 @@ class Run {
     const auto n = direct_units();
     std::vector<SampleUnit> units(n + slots());
     for (std::size_t u = 0; u < n; ++u) {
-      for (auto s = begins[u]; s < begins[u + 1]; ++s) units[u].error2 += direct_error2_[s];
+      for (auto s = begins[u]; s < begins[u + 1]; ++s) units[u].error2 += importance()[s] * direct_error2_[s];
       units[u].cost = shadow_ray_cost * sampling_->direct().samples_a_slot()[begins[u]] *
                       options_.replicates * (begins[u + 1] - begins[u]);
     }
-    const auto gather_error2 =
-        gather_errors(patches_, *transport_, begins, light_->area(), radiosity_, gathered_,
-                      std::accumulate(gathered_error2_.begin(), gathered_error2_.end(), 0.0), workers_);
+    double gathered_error2 = 0.0;
+    for (std::size_t s = 0; s < slots(); ++s) gathered_error2 += importance()[s] * gathered_error2_[s];
+    const auto gather_error2 = gather_errors(patches_, *transport_, begins, importance(), radiosity_,
+                                             gathered_, gathered_error2, workers_);
     for (std::size_t s = 0; s < slots(); ++s)
       units[n + s] = {gather_error2[s],
                       static_cast<double>(sampling_->hits().rays_per_slot()[s]) * options_.replicates};
     double sum = 0.0;
     for (const auto& u : units) sum += u.error2;
     // Together they are the whole squared error.
-    for (auto& u : units) u.error2 *= std::max(0.0, answer_.error2) / std::max(sum, 1e-300);
+    for (auto& u : units) u.error2 *= std::max(0.0, whole_error2()) / std::max(sum, 1e-300);
     return units;
   }
 
@@ -319,6 +348,7 @@ class Run {
     solution_.bands = patches_.bands;
     solution_.unshot_share = report_.unshot_share;
     solution_.predicted_error = report_.predicted_error;
+    solution_.seen_error = report_.seen_error;
     solution_.provenance.method = "sampled";
     solution_.provenance.seed = options_.seed;
     solution_.provenance.rays = rays();
@@ -328,7 +358,8 @@ class Run {
   Progress progress(const Solution* light, std::uint64_t rays_now = 0) const {
     const auto total = static_cast<double>(std::max(rays(), rays_now));
     double done = 0.0;
-    if (options_.error > 0.0 && error_ > 0.0) done = options_.error * options_.error / (error_ * error_);
+    if (options_.error > 0.0 && error_ > 0.0)
+      done = options_.error * options_.error / (safe_error() * safe_error());
     if (options_.rays > 0) done = std::max(done, total / static_cast<double>(options_.rays));
     if (options_.seconds > 0.0) done = std::max(done, elapsed() / options_.seconds);
     // Samples beyond the last answer have not shown what they are worth, but they are.
@@ -356,12 +387,16 @@ class Run {
   std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
   std::shared_ptr<const SampleState> kept_;
   std::optional<SlotLight> light_;
-  std::vector<float> radiosity_;  // reflected, and of the sky, W/m², [element][band]
+  std::vector<float> radiosity_;     // reflected, and of the sky, W/m², [element][band]
+  std::optional<SeenMeasure> seen_;  // where it ends the run
+  std::vector<float> one_each_;      // [slot]
+  std::vector<double> area_;         // [slot], m²
   SlotLight::Answer answer_;
   std::vector<float> gathered_;  // before neighbours share, W/m², [slot * bands + band]
-  std::vector<double> direct_error2_, gathered_error2_;  // [slot]: parts of the squared error
-  double error_ = 0.0;                                   // of the whole
-  std::uint64_t begin_memory_ = resident_memory();       // bytes of the process
+  // [slot]: variances of direct and gathered light summed over bands.
+  std::vector<double> direct_error2_, gathered_error2_;
+  double error_ = 0.0;                              // by the measure that ends the run
+  std::uint64_t begin_memory_ = resident_memory();  // bytes of the process
   SolveReport report_;
 };
 

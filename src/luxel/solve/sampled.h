@@ -16,9 +16,16 @@
 
 namespace luxel {
 
+// What SampledOptions::error is, and what deals the rays.
+enum class ErrorMeasure {
+  seen,  // 95 % of the views, spread over the open space, stay below it (views/seen_error.h)
+  power  // area-weighted relative RMS of the irradiance: bright surfaces own it
+};
+
 struct SampledOptions {
   // When to stop: at the first of these.
-  double error = 0.01;     // standard error of the whole: area-weighted relative RMS; 0: never for that
+  double error = 0.02;  // standard error, by error_measure; 0: never for that
+  ErrorMeasure error_measure = ErrorMeasure::seen;
   std::uint64_t rays = 0;  // traced; 0: no bound
   double seconds = 0.0;    // wall clock; 0: no bound
   // Bytes the solver may hold. What does not fit is traced again instead of stored: slower, the same bytes.
@@ -58,6 +65,10 @@ struct SampleKeeping {
 // sampled operator, 2^k cosine rays a patch side whose first hits are stored; the reflected light R = rho (D
 // + F R) solved to 1e-6, B = E + R; every number with a standard error from independent replicates; samples
 // doubled, all earlier ones kept, until the error asked for is reached. The equations are in docs/theory.md.
+//
+// The run ends when error_measure is below `error`; of the seen error, when it is so by the jackknife's
+// standard error too. Views come from PatchSet::cameras, focuses_on_cameras and focus. Without any view (no
+// open space is found) the power-weighted error takes the place of the seen one.
 //
 // A side's standard error is widened as Student's t is for so few replicates, so that 1.96 of it hold the
 // truth on these patches 95 times in 100; predicted_error, of the whole, is not. What the size of patches

@@ -30,13 +30,13 @@ SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const Gathe
 }
 
 SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
-                                    std::span<std::vector<float>> gathered, double error,
+                                    std::span<std::vector<float>> gathered, const Enough& enough,
                                     const Workers& workers, const Guide& guide) const {
   const auto bands = patches_.band_count();
   std::vector<float> bias(reflectance_.size(), 0.0f);
   // Sharing only where it is needed: the patches' own rays make no assumption.
   const bool shares =
-      sharing_ && error_of(spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_)) > error;
+      sharing_ && !enough(spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_));
   if (!shares) {
     if (guide) guide(1.0);
     return {spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_), {}};

@@ -31,14 +31,16 @@ class SlotLight {
   // Called with the weight that the replicates as they are now have in what guides further samples.
   using Guide = std::function<void(double weight)>;
 
-  // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where the error of
-  // the whole is above `error`, neighbours share: both are replaced by what they share. The same bits on any
-  // number of threads.
+  // Whether the light of the slots' own rays is good enough, so that neighbours need not share.
+  using Enough = std::function<bool(const Spread&)>;
+
+  // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where that is not
+  // `enough`, neighbours share: both are replaced by what they share. The same bits on any number of threads.
   struct Answer : Spread {
     std::vector<float> bias;  // what sharing may get wrong, squared; empty where nothing was shared
   };
-  Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered, double error,
-                const Workers& workers, const Guide& guide = {}) const;
+  Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
+                const Enough& enough, const Workers& workers, const Guide& guide = {}) const;
 
   // Fills the light of the solution and all its errors.
   void write(const Answer& answer, Solution& solution, const Workers& workers) const;

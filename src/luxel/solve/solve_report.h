@@ -21,7 +21,9 @@ struct RoundRecord {
   std::uint32_t gather_rays = 0;  // a side that light reaches, all replicates together
   std::uint32_t shadow_rays = 0;  // likewise
   std::uint64_t rays = 0;         // of the whole run so far
-  double error = 0.0;             // predicted, of the whole scene
+  double error = 0.0;             // predicted, by the measure that ends the run
+  double power_error = 0.0;       // area-weighted relative RMS, see Solution::predicted_error
+  double uncertainty = 0.0;       // of the seen error, relative: jackknife over replicates
   int sweeps = 0;                 // of the iteration, for the round's answer
   double residual = 0.0;          // estimated distance to the fixed point over the whole radiosity
 };
@@ -40,9 +42,13 @@ struct SolveReport {
   std::vector<StepRecord> steps;    // shooting, and where Jacobi's iteration solves
   std::vector<RoundRecord> rounds;  // sampled
   std::uint64_t rays = 0;
-  double unshot_share = 0.0;     // power left over at the end: the stated bias
-  double predicted_error = 0.0;  // see Solution
-  double error_95th = 0.0;       // see Solution
+  double unshot_share = 0.0;       // power left over at the end: the stated bias
+  double predicted_error = 0.0;    // see Solution
+  double seen_error = 0.0;         // see Solution
+  std::size_t views = 0;           // that state the seen error
+  double places = 0.0;             // rooms and the outside, estimated from the views
+  double error_uncertainty = 0.0;  // of seen_error, relative: jackknife over replicates
+  double error_95th = 0.0;         // see Solution
   EnergyBalance energy;
   std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
   bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory
@@ -51,5 +57,10 @@ struct SolveReport {
   std::size_t ranks = 1;          // processes that shared the work
   RankTraffic traffic;            // of this one
 };
+
+// The error that a person reads first: the seen one where there is one.
+inline double error_of(const SolveReport& report) {
+  return report.seen_error > 0.0 ? report.seen_error : report.predicted_error;
+}
 
 }  // namespace luxel

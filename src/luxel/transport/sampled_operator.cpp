@@ -420,7 +420,7 @@ struct WorthKernel {
 
 }  // namespace
 
-SampledOperator::RayWorth SampledOperator::ray_worth(std::span<const float> importance,
+SampledOperator::RayWorth SampledOperator::ray_worth(std::span<const double> importance,
                                                      std::span<const float> radiosity,
                                                      std::span<const float> level,
                                                      const Workers& workers) const {

@@ -92,7 +92,7 @@ class SampledOperator {
   struct RayWorth {
     std::vector<float> own, given;  // [slot]
   };
-  RayWorth ray_worth(std::span<const float> importance, std::span<const float> radiosity,
+  RayWorth ray_worth(std::span<const double> importance, std::span<const float> radiosity,
                      std::span<const float> level, const Workers& workers) const;
 
  private:

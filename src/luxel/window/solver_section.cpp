@@ -64,7 +64,9 @@ void progress(const LiveStatus& status) {
   }
   const auto asked =
       status.error_asked > 0.0 ? fmt::format(" of {:.2g} % asked for", 100.0 * status.error_asked) : "";
-  if (status.error > 0.0) ImGui::Text("error %.2f %%%s", 100.0 * status.error, asked.c_str());
+  if (status.error > 0.0)
+    ImGui::Text("%s error %.2f %%%s", status.is_seen ? "seen" : "standard", 100.0 * status.error,
+                asked.c_str());
   if (status.seconds_left && !status.is_idle)
     ImGui::Text("about %s left", short_time(*status.seconds_left).c_str());
 }

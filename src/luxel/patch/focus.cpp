@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/patch/focus.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "luxel/report/error.h"
+#include "luxel/scene/name_pattern.h"
+
+namespace luxel {
+namespace {
+
+bool is_called(const Scene& scene, const PatchSet& patches, std::size_t patch, const std::string& pattern) {
+  const auto triangle = patches.triangle[patch];
+  return matches(pattern, patches.material_of(patch).name) ||
+         (triangle < scene.triangle_object.size() &&
+          matches(pattern, scene.objects[scene.triangle_object[triangle]])) ||
+         (triangle < scene.triangle_group.size() &&
+          matches(pattern, scene.groups[scene.triangle_group[triangle]]));
+}
+
+}  // namespace
+
+void set_focus(const Scene& scene, const std::string& focus, PatchSet& patches) {
+  patches.focus.clear();
+  patches.focuses_on_cameras = focus == focus_on_camera;
+  if (focus == focus_on_all) return;
+  if (patches.focuses_on_cameras) {
+    if (patches.cameras.empty())
+      throw InputError("--focus camera: the scene has no camera, give one with --eye and --target");
+    return;
+  }
+  patches.focus.resize(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    patches.focus[p] = is_called(scene, patches, p, focus) ? 1 : 0;
+  if (std::none_of(patches.focus.begin(), patches.focus.end(), [](auto f) { return f != 0; }))
+    throw InputError(fmt::format(
+        "--focus {}: no material, object or group is called so; expected all, camera or a name (* and "
+        "? stand for any text and any letter)",
+        focus));
+}
+
+}  // namespace luxel

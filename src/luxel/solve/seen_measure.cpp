@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/seen_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "luxel/math/student.h"
+
+namespace luxel {
+namespace {
+
+constexpr double share_by_area = 0.05;  // of the importance; see importance()
+
+double squared(double x) { return x * x; }
+
+// Squared errors of one slot with each replicate left out in turn, scaled to those of all replicates.
+class LeaveOneOut {
+ public:
+  LeaveOneOut(Replicates direct, Replicates gathered) : direct_(direct), gathered_(gathered) {}
+
+  // number: slot * bands + band. error2: of all replicates, with the bias. Adds weight times the results.
+  void add(std::size_t number, double error2, double weight, std::span<float> without) const {
+    const auto n = static_cast<double>(direct_.size());
+    const auto value = [&](std::size_t r) {
+      return static_cast<double>(direct_[r][number] + gathered_[r][number]);
+    };
+    double mean = 0.0;
+    for (std::size_t r = 0; r < direct_.size(); ++r) mean += value(r) / n;
+    double sum = 0.0;
+    for (std::size_t r = 0; r < direct_.size(); ++r) sum += squared(value(r) - mean);
+    const auto bias2 = std::max(0.0, error2 - sum / (n * (n - 1.0)));
+    for (std::size_t r = 0; r < direct_.size(); ++r) {
+      const auto left = std::max(0.0, sum - squared(value(r) - mean) * n / (n - 1.0));
+      without[r] += static_cast<float>(weight * (left / (n * (n - 2.0)) + bias2));
+    }
+  }
+
+ private:
+  Replicates direct_, gathered_;
+};
+
+}  // namespace
+
+SeenMeasure::SeenMeasure(const PatchSet& patches, const GatherSides& sides,
+                         std::span<const std::uint32_t> units, const Tracer& tracer, const Workers& workers,
+                         const Ranks* ranks)
+    : patches_(patches),
+      sides_(sides),
+      ranks_(ranks),
+      units_(units.begin(), units.end()),
+      views_(place_views(patches, tracer, workers)) {}
+
+double SeenMeasure::error_of(const Spread& answer) const {
+  const auto light = light_of(views_.stating, answer);
+  return SeenError(views_.stating, light).percentile_95();
+}
+
+SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const {
+  const auto bands = patches_.band_count();
+  const auto widening = student_widening(answer.freedom);
+  SeenLight light{std::vector<float>(views.sides.size()), std::vector<float>(views.sides.size()),
+                  sky_radiance(patches_)};
+  const bool black = reflects_nothing(patches_, views_.stating);
+  const std::vector<float> no_light(bands, 0.0f);
+  std::vector<double> error2(bands);
+  for (std::size_t i = 0; i < views.sides.size(); ++i) {
+    const auto slot = sides_.slot_of_side[views.sides[i]];
+    std::span<const float> irradiance = no_light;
+    std::fill(error2.begin(), error2.end(), 0.0);
+    if (slot != GatherSides::none) {
+      irradiance = std::span(answer.mean).subspan(slot * bands, bands);
+      for (std::size_t b = 0; b < bands; ++b)
+        error2[b] = squared(static_cast<double>(answer.standard_error[slot * bands + b]) / widening);
+    }
+    const auto side = light_of_side(patches_, views.sides[i], irradiance, error2, black);
+    light.radiance[i] = side.radiance;
+    light.squared_error[i] = side.squared_error;
+  }
+  return light;
+}
+
+void SeenMeasure::take(const Spread& answer, Replicates direct, Replicates gathered, const Workers& workers) {
+  const auto light = light_of(views_.stating, answer);
+  const SeenError stating(views_.stating, light);
+  error_ = stating.percentile_95();
+  estimate_uncertainty(stating, light, answer, direct, gathered, workers);
+  const auto dealing = light_of(views_.dealing, answer);
+  spread_importance(SeenError(views_.dealing, dealing).importance(), answer);
+}
+
+void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
+                                       Replicates direct, Replicates gathered, const Workers& workers) {
+  const auto bands = patches_.band_count();
+  const auto n = direct.size();
+  const auto widening = student_widening(answer.freedom);
+  const auto slots = sides_.size();
+  const bool black = reflects_nothing(patches_, views_.stating);
+  // By slot, because ranks hold the replicates of ranges of slots.
+  std::vector<std::uint8_t> is_seen(slots, 0);
+  for (const auto side : views_.stating.sides)
+    if (sides_.slot_of_side[side] != GatherSides::none) is_seen[sides_.slot_of_side[side]] = 1;
+  std::vector<float> without(slots * n, 0.0f);
+  const auto mine = spread_share(ranks_, slots);
+  const LeaveOneOut leave_one_out(direct, gathered);
+  workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
+    for (auto s = mine.begin() + from; s < mine.begin() + to; ++s)
+      for (std::size_t b = 0; is_seen[s] && b < bands; ++b) {
+        const auto rho = black ? 1.0 : static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b));
+        leave_one_out.add(s * bands + b,
+                          squared(static_cast<double>(answer.standard_error[s * bands + b]) / widening),
+                          squared(rho / std::numbers::pi) / static_cast<double>(bands),
+                          std::span(without).subspan(s * n, n));
+      }
+  });
+  mine.share(std::span(without), n);
+  std::vector<double> errors(n);
+  workers.for_chunks(n, 1, [&](std::size_t r, std::size_t, int) {
+    std::vector<float> squared_error(light.squared_error.size(), 0.0f);
+    for (std::size_t i = 0; i < squared_error.size(); ++i) {
+      const auto slot = sides_.slot_of_side[views_.stating.sides[i]];
+      if (slot != GatherSides::none) squared_error[i] = without[slot * n + r];
+    }
+    errors[r] = seen.percentile_95(squared_error);
+  });
+  double mean = 0.0;
+  for (const auto e : errors) mean += e / static_cast<double>(n);
+  double sum = 0.0;
+  for (const auto e : errors) sum += squared(e - mean);
+  const auto jackknife = std::sqrt(sum * static_cast<double>(n - 1) / static_cast<double>(n));
+  uncertainty_ = error_ > 0.0 ? jackknife / error_ : 0.0;
+}
+
+void SeenMeasure::spread_importance(std::span<const double> of_seen, const Spread& answer) {
+  const auto bands = patches_.band_count();
+  const auto scale = 1.0 / (squared(std::numbers::pi) * static_cast<double>(bands));
+  const bool black = reflects_nothing(patches_, views_.stating);
+  std::vector<double> own(sides_.size(), 0.0);
+  for (std::size_t i = 0; i < of_seen.size(); ++i) {
+    const auto slot = sides_.slot_of_side[views_.dealing.sides[i]];
+    if (slot != GatherSides::none) own[slot] = of_seen[i];
+  }
+  importance_.assign(sides_.size(), 0.0);
+  double seen = 0.0;   // sum of importance * variance
+  double whole = 0.0;  // sum of area * variance
+  const auto area = [&](std::size_t slot) {
+    return static_cast<double>(patches_.area[sides_.side[slot] / 2]);
+  };
+  for (std::size_t u = 0; u + 1 < units_.size(); ++u) {
+    double sum = 0.0;
+    double unit_area = 0.0;
+    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
+      sum += own[s];
+      unit_area += area(s);
+    }
+    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
+      double rho2 = 0.0;
+      double variance = 0.0;
+      for (std::size_t b = 0; b < bands; ++b) {
+        rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b)));
+        variance += squared(static_cast<double>(answer.standard_error[s * bands + b]));
+      }
+      importance_[s] = scale * rho2 / static_cast<double>(bands) * sum / unit_area * area(s);
+      seen += importance_[s] * variance;
+      whole += area(s) * variance;
+    }
+  }
+  const auto by_area = whole > 0.0 ? share_by_area * seen / whole : 0.0;
+  for (std::size_t s = 0; s < importance_.size(); ++s)
+    importance_[s] = (1.0 - share_by_area) * importance_[s] + by_area * area(s);
+}
+
+}  // namespace luxel
