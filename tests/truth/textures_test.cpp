@@ -263,7 +263,7 @@ TEST(Textures, ComeBackFromASolutionFile) {
 
 TEST(Textures, ShowFinerThanPatches) {
   const auto patches = make_patches(chequered_box(true), {.max_edge = no_max_edge, .contacts = false});
-  const FineColours fine(patches);
+  const FineColours fine(patches, Workers());
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (patches.material_of(p).textures.reflectance) continue;
     EXPECT_EQ(fine.reflectance(p, 0.4f, 0.3f), Vec3(1.0f));
