@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <numeric>
 
 namespace luxel {
 namespace {
 
-constexpr std::int64_t block = 8;       // pixels; 4 bytes per pixel for the table, 4 look-ups per sum
 constexpr std::size_t rows_grain = 16;  // rows of a table that a thread takes at a time
 constexpr double most_repeats = 24.0;   // of the picture, along a side of a triangle
 constexpr double farthest_place = 1e9;  // in repeats; beyond, floats know no pixels
@@ -33,93 +32,121 @@ Range extent(const std::array<glm::dvec2, 3>& t, int axis) {
 
 TexelSums::TexelSums(std::shared_ptr<const Raster> raster, std::array<Wrap, 2> wrap,
                      std::optional<float> threshold, const Workers& workers)
-    : raster_(std::move(raster)),
-      wrap_(wrap),
-      threshold_(threshold),
-      blocks_(static_cast<std::size_t>(raster_->width / block + 1)) {
+    : raster_(std::move(raster)), wrap_(wrap) {
+  while (first_solid_ < 256 && threshold && static_cast<float>(first_solid_) / 255.0f < *threshold)
+    ++first_solid_;
+  if (raster_->codes.empty() && threshold) first_solid_ = 1.0f < *threshold ? 256 : 0;
+  for (std::size_t code = 0; code < decoded_.size(); ++code)
+    decoded_[code] = static_cast<double>(srgb_decode(static_cast<float>(code) / 255.0f));
   const auto height = static_cast<std::size_t>(raster_->height);
   const auto width = static_cast<std::size_t>(raster_->width);
-  before_.resize(height * (blocks_ + 1));
+  table_.resize((width / block + 1) * height);
+  std::vector<Sum> all_of_row(height);
   std::vector<Vec3d> plain(height, Vec3d(0.0));  // with the colours of holes
   workers.for_chunks(height, rows_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto y = begin; y < end; ++y) {
-      const auto table = std::span(before_).subspan(y * (blocks_ + 1), blocks_ + 1);
       Sum sum(0.0);
       for (std::size_t x = 0; x < width; ++x) {
-        if (x % block == 0) table[x / block] = sum;
-        sum += value(y * width + x);
-        plain[y] += Vec3d(raster_->colour(y * width + x));
+        auto& here = table_[x / block * height + y];
+        if (x % block == 0) here.before = sum;
+        const auto pixel = y * width + x;
+        if (!raster_->codes.empty()) here.codes[x % block] = raster_->codes[pixel];
+        sum += raster_->codes.empty() ? value(raster_->linear[pixel]) : value(raster_->codes[pixel]);
+        plain[y] += Vec3d(raster_->colour(pixel));
       }
-      std::fill(table.begin() + static_cast<std::ptrdiff_t>((width - 1) / block + 1), table.end(), sum);
+      if (width % block == 0) table_[width / block * height + y].before = sum;
+      all_of_row[y] = sum;
     }
   });
-  Sum all(0.0);
-  Vec3d all_plain(0.0);
-  for (std::size_t y = 0; y < height; ++y) {
-    all += before_[(y + 1) * (blocks_ + 1) - 1];
-    all_plain += plain[y];
-  }
+  const auto all = std::accumulate(all_of_row.begin(), all_of_row.end(), Sum(0.0));
+  const auto all_plain = std::accumulate(plain.begin(), plain.end(), Vec3d(0.0));
   const auto area = static_cast<double>(width * height);
   whole_ = mean_of(all, area, {Vec3(all_plain / area), 0.0f});
 }
 
-TexelSums::Sum TexelSums::value(std::size_t index) const {
-  if (threshold_ && raster_->alpha(index) < *threshold_) return Sum(0.0);
-  return {Vec3d(raster_->colour(index)), 1.0};
+TexelSums::Sum TexelSums::value(const Raster::Code& code) const {
+  if (code[3] < first_solid_) return Sum(0.0);
+  return {decoded_[code[0]], decoded_[code[1]], decoded_[code[2]], 1.0};
 }
 
-// row: of the picture; x: any.
-TexelSums::Sum TexelSums::pixel(std::int64_t x, std::int64_t row) const {
-  const std::int64_t width = raster_->width;
-  if (x < 0 || x >= width) x = wrapped(x, width, wrap_[0]);
-  return value(static_cast<std::size_t>(row * width + x));
+TexelSums::Sum TexelSums::value(const Vec3& colour) const {
+  return first_solid_ > 255 ? Sum(0.0) : Sum(colour, 1.0);
 }
 
-// Sum of the row's pixels from column 0 to before x, from 0 to the width.
-TexelSums::Sum TexelSums::before_within(std::int64_t x, std::int64_t row) const {
-  auto sum = before_[static_cast<std::size_t>(row) * (blocks_ + 1) + static_cast<std::size_t>(x / block)];
-  const auto first = static_cast<std::size_t>(row * raster_->width);
-  for (auto i = x / block * block; i < x; ++i) sum += value(first + static_cast<std::size_t>(i));
-  return sum;
-}
+// A row of the picture, which goes on without end.
+class TexelSums::Row {
+ public:
+  Row(const TexelSums& sums, std::size_t row)
+      : sums_(sums),
+        width_(sums.raster_->width),
+        table_(&sums.table_[row]),
+        height_(sums.raster_->height),
+        linear_(sums.raster_->codes.empty() ? &sums.raster_->linear[row * static_cast<std::size_t>(width_)]
+                                            : nullptr) {}
 
-// Likewise for any x; negative sums left of column 0.
-TexelSums::Sum TexelSums::before(std::int64_t x, std::int64_t row) const {
-  const std::int64_t width = raster_->width;
-  if (x >= 0 && x <= width) return before_within(x, row);
-  if (wrap_[0] == Wrap::clamp) {
-    const auto inside = x < 0 ? std::int64_t{0} : width;
-    return before_within(inside, row) + static_cast<double>(x - inside) * pixel(x, row);
+  Sum pixel(std::int64_t x) const {
+    return within(x >= 0 && x < width_ ? x : wrapped(x, width_, sums_.wrap_[0]));
   }
-  const auto all = before_within(width, row);
-  const auto periods = x >= 0 ? x / width : -((-x + width - 1) / width);
-  const auto rest = x - periods * width;
-  const bool is_mirrored = wrap_[0] == Wrap::mirror && periods % 2 != 0;
-  const auto last = is_mirrored ? all - before_within(width - rest, row) : before_within(rest, row);
-  return last + static_cast<double>(periods) * all;
-}
 
-// The mean of before(x), linear between pixels, over x between two places.
-TexelSums::Sum TexelSums::mean_before(double from, double to, std::int64_t row) const {
-  const auto [left, right] = std::minmax(from, to);
-  auto column = floored(left);
-  auto start = before(column, row);
-  auto slope = pixel(column, row);
-  const auto until = [&](double l, double r) {
-    return start + (0.5 * (l + r) - static_cast<double>(column)) * slope;
-  };
-  auto border = static_cast<double>(column + 1);
-  if (right <= border) return until(left, right);
-  auto sum = (border - left) * until(left, border);
-  for (;;) {
-    start += slope;
-    slope = pixel(++column, row);
-    border = static_cast<double>(column + 1);
-    if (right <= border) break;
-    sum += until(border - 1.0, border);
+  // Sum of the pixels from column 0 to before x; negative sums left of column 0.
+  Sum before(std::int64_t x) const {
+    if (x >= 0 && x <= width_) return before_within(x);
+    if (sums_.wrap_[0] == Wrap::clamp) {
+      const auto inside = x < 0 ? std::int64_t{0} : width_;
+      return before_within(inside) + static_cast<double>(x - inside) * pixel(x);
+    }
+    const auto all = before_within(width_);
+    const auto periods = x >= 0 ? x / width_ : -((-x + width_ - 1) / width_);
+    const auto rest = x - periods * width_;
+    const bool is_mirrored = sums_.wrap_[0] == Wrap::mirror && periods % 2 != 0;
+    const auto last = is_mirrored ? all - before_within(width_ - rest) : before_within(rest);
+    return last + static_cast<double>(periods) * all;
   }
-  sum += (right - (border - 1.0)) * until(border - 1.0, right);
-  return sum / (right - left);
+
+  // The mean of before(x), which is linear between pixels, over x between two places.
+  Sum mean_before(double from, double to) const {
+    const auto [left, right] = std::minmax(from, to);
+    auto column = floored(left);
+    auto start = before(column);
+    auto slope = pixel(column);
+    auto border = static_cast<double>(column + 1);
+    const auto within = [&](double l, double r) { return start + (0.5 * (l + r) - (border - 1.0)) * slope; };
+    if (right <= border) return within(left, right);
+    auto sum = (border - left) * within(left, border);
+    for (;;) {
+      start += slope;
+      slope = pixel(++column);
+      border += 1.0;
+      if (right <= border) break;
+      sum += start + 0.5 * slope;
+    }
+    sum += (right - (border - 1.0)) * within(border - 1.0, right);
+    return (1.0 / (right - left)) * sum;
+  }
+
+ private:
+  const Block& block_of(std::int64_t x) const { return table_[x / block * height_]; }
+  // x: a column of the picture.
+  Sum within(std::int64_t x) const {
+    return linear_ ? sums_.value(linear_[x]) : sums_.value(block_of(x).codes[x % block]);
+  }
+  // x: from 0 to the width.
+  Sum before_within(std::int64_t x) const {
+    auto sum = block_of(x).before;
+    for (auto i = x / block * block; i < x; ++i) sum += within(i);
+    return sum;
+  }
+
+  const TexelSums& sums_;
+  std::int64_t width_;
+  const Block* table_;
+  std::int64_t height_;
+  const Vec3* linear_;  // where the raster has no codes
+};
+
+TexelSums::Row TexelSums::row_at(std::int64_t y) const {
+  const std::int64_t height = raster_->height;
+  return {*this, static_cast<std::size_t>(y >= 0 && y < height ? y : wrapped(y, height, wrap_[1]))};
 }
 
 // The integral of before(x) over y, along an edge; the same but for its sign the other way.
@@ -133,7 +160,7 @@ TexelSums::Sum TexelSums::along_edge(const Point& a, const Point& b) const {
   for (auto y = floored(top.y); from.y < bottom.y; ++y) {
     const auto end = static_cast<double>(y + 1);
     const auto to = end < bottom.y ? Point(top.x + slope * (end - top.y), end) : bottom;
-    sum += (to.y - from.y) * mean_before(from.x, to.x, row_of(y));
+    sum += (to.y - from.y) * row_at(y).mean_before(from.x, to.x);
     from = to;
   }
   return is_down ? sum : -sum;
@@ -148,7 +175,7 @@ TexelSums::Sum TexelSums::along_side(const Triangle& t) const {
   Sum sum(0.0);
   for (int i = 0; i < samples_along; ++i) {
     const auto place = from + (i + 0.5) / samples_along * (to - from);
-    sum += pixel(floored(place.x), row_of(floored(place.y)));
+    sum += row_at(floored(place.y)).pixel(floored(place.x));
   }
   return sum;
 }
@@ -168,10 +195,12 @@ TexelSums::Mean TexelSums::over(const std::array<Vec2, 3>& places) const {
   }
   const auto columns = extent(t, 0), rows = extent(t, 1);
   if (columns.size() > most_repeats * size.x || rows.size() > most_repeats * size.y) return whole_;
-  // Nearer the first column, sums are shorter.
-  if (wrap_[0] != Wrap::clamp) {
-    const auto period = wrap_[0] == Wrap::mirror ? 2.0 * size.x : size.x;
-    for (auto& p : t) p.x -= std::floor(columns.low / period) * period;
+  // On the picture itself, if it can be, sums are shorter and pixels are found without a division.
+  const std::array extents = {columns, rows};
+  for (int axis = 0; axis < 2; ++axis) {
+    if (wrap_[static_cast<std::size_t>(axis)] == Wrap::clamp) continue;
+    const auto period = wrap_[static_cast<std::size_t>(axis)] == Wrap::mirror ? 2.0 * size[axis] : size[axis];
+    for (auto& p : t) p[axis] -= std::floor(extents[static_cast<std::size_t>(axis)].low / period) * period;
   }
   const auto ab = t[1] - t[0], ac = t[2] - t[0];
   const auto area = 0.5 * (ab.x * ac.y - ab.y * ac.x);

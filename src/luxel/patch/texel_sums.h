@@ -14,12 +14,12 @@ namespace luxel {
 
 // The mean of a texture over a triangle, in linear light: exact for pixels of even colour, but for the
 // rounding of doubles, whatever the triangle's size. Immutable once made, and then safe to use from many
-// threads. Memory: 4 bytes per pixel.
+// threads. Memory: 8 bytes per pixel.
 //
-// The integral over the triangle is, by Green's theorem, that of the row's sum from column 0 to the edge, along
-// the three edges (dy). These sums come from a table per row (a summed-area table in one direction; F. C. Crow,
-// "Summed-Area Tables for Texture Mapping", SIGGRAPH 1984). So the cost grows with the triangle's outline in
-// pixels, not with its area.
+// The integral over the triangle is, by Green's theorem, that of the row's sum from column 0 to the edge,
+// along the three edges (dy). These sums come from a table per row (a summed-area table in one direction; F.
+// C. Crow, "Summed-Area Tables for Texture Mapping", SIGGRAPH 1984). So the cost grows with the triangle's
+// outline in pixels, not with its area.
 class TexelSums {
  public:
   // threshold: pixels of less alpha are holes, and have no part in the mean colour. Cost: 5 ns per pixel and
@@ -42,21 +42,26 @@ class TexelSums {
   using Point = glm::dvec2;  // pixels: x to the right, y down
   using Triangle = std::array<Point, 3>;
 
-  Sum value(std::size_t index) const;
-  std::int64_t row_of(std::int64_t y) const { return wrapped(y, raster_->height, wrap_[1]); }
-  Sum pixel(std::int64_t x, std::int64_t row) const;
-  Sum before(std::int64_t x, std::int64_t row) const;
-  Sum before_within(std::int64_t x, std::int64_t row) const;
-  Sum mean_before(double from, double to, std::int64_t row) const;
+  // What a row needs of some of its pixels, in one line of the processor's cache.
+  static constexpr std::int64_t block = 8;  // pixels
+  struct alignas(64) Block {
+    Sum before{0.0};                        // of the row's pixels before the block
+    std::array<Raster::Code, block> codes;  // where the raster has codes
+  };
+  class Row;
+
+  Sum value(const Raster::Code& code) const;
+  Sum value(const Vec3& colour) const;
+  Row row_at(std::int64_t y) const;
   Sum along_edge(const Point& a, const Point& b) const;
   Sum along_side(const Triangle& triangle) const;
   static Mean mean_of(const Sum& sum, double area, const Mean& otherwise);
 
   std::shared_ptr<const Raster> raster_;
   std::array<Wrap, 2> wrap_;
-  std::optional<float> threshold_;
-  std::size_t blocks_ = 0;   // per row
-  std::vector<Sum> before_;  // [row][block]: sum of the row's pixels before the block; the last: all of them
+  int first_solid_ = 0;                // smallest alpha code that is no hole; 256 where all are
+  std::array<double, 256> decoded_{};  // linear sRGB of an 8-bit code, as Raster::colour has it
+  std::vector<Block> table_;           // [block][row]: edges mostly go down
   Mean whole_;
 };
 
