@@ -89,6 +89,78 @@ TEST(TexelSums, AgreeWithCountingPoints) {
     }
 }
 
+// The part of a convex polygon where sign * p[axis] >= sign * at.
+std::vector<glm::dvec2> clipped(const std::vector<glm::dvec2>& polygon, int axis, double at, double sign) {
+  std::vector<glm::dvec2> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const auto from = sign * (a[axis] - at), to = sign * (b[axis] - at);
+    if (from >= 0.0) part.push_back(a);
+    if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0))
+      part.push_back(a + from / (from - to) * (b - a));
+  }
+  return part;
+}
+
+double area(const std::vector<glm::dvec2>& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const auto a = polygon[i - 1] - polygon[0], b = polygon[i] - polygon[0];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * std::fabs(twice);
+}
+
+// Weighs each pixel by the area that the triangle has in it.
+TexelSums::Mean by_clipping(const Raster& raster, const std::array<Wrap, 2>& wrap, const Places& t,
+                            float threshold) {
+  std::vector<glm::dvec2> triangle;
+  for (const auto& p : t) triangle.emplace_back(double{p.x} * raster.width, double{p.y} * raster.height);
+  glm::dvec2 low = triangle[0], high = triangle[0];
+  for (const auto& p : triangle) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  Vec3d sum(0.0);
+  double covered = 0.0;
+  for (auto y = std::floor(low.y); y < high.y; y += 1.0)
+    for (auto x = std::floor(low.x); x < high.x; x += 1.0) {
+      const auto row = clipped(clipped(triangle, 1, y, 1.0), 1, y + 1.0, -1.0);
+      const auto share = area(clipped(clipped(row, 0, x, 1.0), 0, x + 1.0, -1.0));
+      const auto pixel =
+          raster.index(static_cast<int>(wrapped(static_cast<std::int64_t>(x), raster.width, wrap[0])),
+                       static_cast<int>(wrapped(static_cast<std::int64_t>(y), raster.height, wrap[1])));
+      if (raster.alpha(pixel) < threshold) continue;
+      covered += share;
+      sum += share * Vec3d(raster.colour(pixel));
+    }
+  return {Vec3(sum / covered), static_cast<float>(covered / area(triangle))};
+}
+
+TEST(TexelSums, AreExact) {
+  const auto raster = noise(43, 29);
+  auto linear = std::make_shared<Raster>(*raster);
+  linear->codes.clear();
+  for (std::size_t i = 0; i < raster->codes.size(); ++i) linear->linear.push_back(raster->colour(i));
+  std::mt19937 random(9);
+  for (const auto& wrap : all_wraps) {
+    const TexelSums with_holes(raster, wrap, 0.4f), of_numbers(linear, wrap);
+    for (int i = 0; i < 40; ++i) {
+      // From a hundredth of a pixel to two pictures; some corners on borders of pixels.
+      auto t = triangle(random, 2.0f);
+      const auto size = std::array{2e-4f, 0.02f, 0.3f, 1.0f}[static_cast<std::size_t>(i % 4)];
+      for (std::size_t k = 1; k < 3; ++k) t[k] = t[0] + size * (t[k] - t[0]);
+      if (i % 5 == 0) t[1] = {1.0f, t[0].y};
+      const auto found = with_holes.over(t), clipped = by_clipping(*raster, wrap, t, 0.4f);
+      EXPECT_NEAR(found.covered, clipped.covered, 1e-6);
+      for (int c = 0; c < 3 && clipped.covered > 0.0f; ++c)
+        EXPECT_NEAR(found.colour[c], clipped.colour[c], 1e-6) << i;
+      const auto numbers = of_numbers.over(t), expected = by_clipping(*linear, wrap, t, 0.0f);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(numbers.colour[c], expected.colour[c], 1e-6) << i;
+    }
+  }
+}
+
 TEST(TexelSums, OfPartsAddUp) {
   const auto raster = noise(64, 50);
   std::mt19937 random(8);
@@ -228,6 +300,15 @@ TEST(Textures, LightAsMaterialsOfTheSameColoursDo) {
     light2 += area * double{one.irradiance_front[i]} * double{one.irradiance_front[i]};
   }
   EXPECT_LT(std::sqrt(off2 / light2), 1.3 * std::hypot(one.predicted_error, other.predicted_error));
+}
+
+TEST(Textures, ColourAlikeOnAnyNumberOfThreads) {
+  const auto scene = chequered_box(true);
+  const auto one = make_patches(scene, {.max_edge = 0.02f}, Workers(1));
+  const auto four = make_patches(scene, {.max_edge = 0.02f}, Workers(4));
+  EXPECT_EQ(one.reflectance_share, four.reflectance_share);
+  EXPECT_EQ(one.emittance_share, four.emittance_share);
+  EXPECT_EQ(one.uv_sets, four.uv_sets);
 }
 
 TEST(Textures, AreColouredAnewWhenPatchesAreCut) {
