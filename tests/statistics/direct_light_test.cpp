@@ -343,5 +343,39 @@ TEST(DirectLight, the_same_call_gives_the_same_bits_in_any_order) {
   }
 }
 
+// A sphere of 20 x 10 quads that shine outwards, none at the poles.
+void add_bulb(truth::SceneBuilder& b, const Vec3& centre, float radius) {
+  const auto point = [&](int ring, int column) {
+    const auto up = pi * (static_cast<float>(ring) + 0.5f) / 11.0f;
+    const auto round = 2.0f * pi * static_cast<float>(column % 20) / 20.0f;
+    return centre +
+           radius * Vec3(std::sin(up) * std::cos(round), std::sin(up) * std::sin(round), std::cos(up));
+  };
+  for (int ring = 0; ring < 10; ++ring)
+    for (int column = 0; column < 20; ++column)
+      b.quad(point(ring, column), point(ring + 1, column), point(ring + 1, column + 1),
+             point(ring, column + 1));
+}
+
+// Facets are sampled by the sphere around a bulb, but where the patch is too near.
+TEST(DirectLight, of_bulbs_with_many_facets_is_unbiased) {
+  truth::SceneBuilder b;
+  b.material("floor", 0.5f, 0.0f).triangle({0, 0, 0}, {0.3f, 0, 0}, {0, 0.3f, 0});
+  b.material("near", 0.5f, 0.0f).triangle({0.9f, 0.9f, 0.78f}, {1.1f, 0.9f, 0.78f}, {1, 1.1f, 0.78f});
+  b.material("shade", 0.5f, 0.0f)
+      .quad({0.5f, 0.5f, 0.6f}, {0.5f, 0.9f, 0.6f}, {0.9f, 0.9f, 0.6f}, {0.9f, 0.5f, 0.6f});
+  b.material("lamp", 0.5f, 10.0f);
+  add_bulb(b, {1, 1, 1}, 0.2f);
+  add_bulb(b, {0.2f, 1.5f, 0.1f}, 0.15f);  // half of it below the floor's plane
+  const Room room(b.scene());
+  const std::vector<DirectOptions> chosen = {{.replicates = replicates},
+                                             {.replicates = replicates, .importance = false},
+                                             {.replicates = replicates, .control_variate = false},
+                                             {.replicates = replicates, .multiple_importance = true}};
+  for (const auto* name : {"floor", "near", "shade"})
+    for (const bool back : {false, true})
+      for (const auto& options : chosen) room.expect_truth(side_of(room.first_of(name), back), options);
+}
+
 }  // namespace
 }  // namespace luxel

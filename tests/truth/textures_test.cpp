@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures on surfaces: means over triangles against laws and brute force; rooms whose colours are textures
-// against the same rooms whose colours are materials; holes.
+// Textures on surfaces: rooms whose colours are textures against the same rooms whose colours are materials;
+// holes. Means over triangles have tests/unit/texel_sums_test.cpp.
 //
 // Risk. Seeds are fixed. With other random numbers the root mean square of some thousand errors of two rooms
 // lies above 1.3 of the predicted with a chance below one in a thousand; the sheet with holes is held to six
@@ -9,135 +9,18 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/refine_patches.h"
-#include "luxel/patch/texel_sums.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/sampled.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
 namespace {
-
-using Places = std::array<Vec2, 3>;
-
-std::shared_ptr<const Raster> noise(int width, int height) {
-  std::mt19937 random(5);
-  auto raster = std::make_shared<Raster>();
-  raster->width = width;
-  raster->height = height;
-  for (int i = 0; i < width * height; ++i) {
-    const auto bits = random();
-    raster->codes.push_back({static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
-                             static_cast<std::uint8_t>(bits >> 16), static_cast<std::uint8_t>(bits >> 24)});
-  }
-  return raster;
-}
-
-double area(const Places& t) {
-  return 0.5 * std::fabs(double{t[1].x - t[0].x} * double{t[2].y - t[0].y} -
-                         double{t[2].x - t[0].x} * double{t[1].y - t[0].y});
-}
-
-Places triangle(std::mt19937& random, float reach) {
-  std::uniform_real_distribution<float> place(-reach, reach);
-  Places t;
-  for (auto& p : t) p = {place(random), place(random)};
-  return t;
-}
-
-constexpr std::array all_wraps = {std::array{Wrap::repeat, Wrap::repeat},
-                                  std::array{Wrap::mirror, Wrap::clamp},
-                                  std::array{Wrap::clamp, Wrap::mirror}};
-
-// Counts points of a fine grid.
-TexelSums::Mean by_force(const Raster& raster, const TextureUse& use, const Places& t, float threshold) {
-  constexpr int steps = 1200;
-  Vec3d sum(0.0);
-  double covered = 0.0, all = 0.0;
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; i + j < steps; ++j) {
-      const auto u = (static_cast<float>(i) + 1.0f / 3.0f) / steps,
-                 v = (static_cast<float>(j) + 1.0f / 3.0f) / steps;
-      const auto pixel = pixel_at(raster, use, (1.0f - u - v) * t[0] + u * t[1] + v * t[2]);
-      all += 1.0;
-      if (raster.alpha(pixel) < threshold) continue;
-      covered += 1.0;
-      sum += Vec3d(raster.colour(pixel));
-    }
-  return {Vec3(sum / covered), static_cast<float>(covered / all)};
-}
-
-TEST(TexelSums, AgreeWithCountingPoints) {
-  const auto raster = noise(37, 21);
-  std::mt19937 random(7);
-  for (const auto& wrap : all_wraps)
-    for (int i = 0; i < 6; ++i) {
-      const auto t = triangle(random, 1.7f);
-      TextureUse use;
-      use.wrap = wrap;
-      const auto found = TexelSums(raster, wrap, 0.4f).over(t);
-      const auto counted = by_force(*raster, use, t, 0.4f);
-      // A grid errs on the pixels' borders: one point in its 1200 along each, a fraction of which differ.
-      EXPECT_NEAR(found.covered, counted.covered, 2e-3);
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(found.colour[c], counted.colour[c], 2e-3);
-    }
-}
-
-TEST(TexelSums, OfPartsAddUp) {
-  const auto raster = noise(64, 50);
-  std::mt19937 random(8);
-  for (const auto& wrap : all_wraps)
-    for (int i = 0; i < 30; ++i) {
-      const TexelSums sums(raster, wrap, 0.3f);
-      const auto t = triangle(random, i < 15 ? 0.02f : 3.0f);
-      const auto middle = 0.3f * t[0] + 0.2f * t[1] + 0.5f * t[2];
-      const auto whole = sums.over(t);
-      double covered = 0.0, parts = 0.0;
-      Vec3d colour(0.0);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Places part = {t[k], t[(k + 1) % 3], middle};
-        const auto mean = sums.over(part);
-        covered += area(part) * double{mean.covered};
-        colour += area(part) * double{mean.covered} * Vec3d(mean.colour);
-        parts += area(part);
-      }
-      EXPECT_NEAR(covered, parts * double{whole.covered}, 1e-4 * parts);
-      for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(colour[c], parts * double{whole.covered} * double{whole.colour[c]}, 1e-4 * parts);
-    }
-}
-
-TEST(TexelSums, OfTheWholePictureIsItsMean) {
-  const auto raster = noise(33, 65);
-  const TexelSums sums(raster, {});
-  const auto mean = mean_color(as_image(*raster));
-  const auto lower = sums.over({Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)});
-  const auto upper = sums.over({Vec2(0, 0), Vec2(0, 1), Vec2(1, 1)});
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(sums.whole().colour[c], mean[c], 1e-6);
-    EXPECT_NEAR(0.5f * (lower.colour[c] + upper.colour[c]), mean[c], 1e-6);
-  }
-  EXPECT_EQ(sums.over({Vec2(0, 0), Vec2(500, 0), Vec2(0, 900)}).colour, sums.whole().colour);
-  EXPECT_EQ(sums.over({Vec2(NAN, 0), Vec2(1, 0), Vec2(1, 1)}).colour, sums.whole().colour);
-}
-
-TEST(TexelSums, OfALineIsTheMeanAlongIt) {
-  auto raster = std::make_shared<Raster>();
-  raster->width = 2;
-  raster->height = 1;
-  raster->codes = {{255, 255, 255, 255}, {0, 0, 0, 255}};
-  const TexelSums sums(raster, {Wrap::clamp, Wrap::clamp});
-  EXPECT_NEAR(sums.over({Vec2(0.25f, 0.5f), Vec2(1.0f, 0.5f), Vec2(0.5f, 0.5f)}).colour.r, 1.0 / 3.0, 0.01);
-  EXPECT_EQ(sums.over({Vec2(0.1f, 0.2f), Vec2(0.1f, 0.2f), Vec2(0.1f, 0.2f)}).colour.r, 1.0f);
-}
-
-// ---- Rooms ----
 
 constexpr int squares = 4;  // along a side of the floor and of the lamp
 
@@ -230,6 +113,15 @@ TEST(Textures, LightAsMaterialsOfTheSameColoursDo) {
   EXPECT_LT(std::sqrt(off2 / light2), 1.3 * std::hypot(one.predicted_error, other.predicted_error));
 }
 
+TEST(Textures, ColourAlikeOnAnyNumberOfThreads) {
+  const auto scene = chequered_box(true);
+  const auto one = make_patches(scene, {.max_edge = 0.02f}, Workers(1));
+  const auto four = make_patches(scene, {.max_edge = 0.02f}, Workers(4));
+  EXPECT_EQ(one.reflectance_share, four.reflectance_share);
+  EXPECT_EQ(one.emittance_share, four.emittance_share);
+  EXPECT_EQ(one.uv_sets, four.uv_sets);
+}
+
 TEST(Textures, AreColouredAnewWhenPatchesAreCut) {
   const auto coarse = make_patches(chequered_box(true), {.max_edge = 1.0f, .contacts = false});
   const auto fine = refine_patches(coarse, std::vector<std::uint8_t>(coarse.size(), 1));
@@ -263,7 +155,7 @@ TEST(Textures, ComeBackFromASolutionFile) {
 
 TEST(Textures, ShowFinerThanPatches) {
   const auto patches = make_patches(chequered_box(true), {.max_edge = no_max_edge, .contacts = false});
-  const FineColours fine(patches);
+  const FineColours fine(patches, Workers());
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (patches.material_of(p).textures.reflectance) continue;
     EXPECT_EQ(fine.reflectance(p, 0.4f, 0.3f), Vec3(1.0f));

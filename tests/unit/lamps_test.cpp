@@ -192,7 +192,7 @@ TEST(LightTree, a_lamp_is_chosen_with_the_probability_that_is_said) {
   std::vector<LampBranch> whole;
   const Vec3 x(0.5f, 0, 0);
   const Vec3 n(0, 0, 1);
-  tree.cut(x, 0.0f, n, 1, whole);
+  tree.cut(x, 0.0f, n, 1, false, whole);
   ASSERT_EQ(whole.size(), 1u);
   for (const bool by_area : {false, true}) {
     std::vector<double> said(lamps.size(), 0.0);
@@ -223,7 +223,7 @@ TEST(LightTree, a_cut_holds_every_lamp_that_may_light_the_patch_once) {
   std::vector<LampBranch> branches;
   const Vec3 x(0.5f, 0, 0);
   const Vec3 n(0, 0, 1);
-  tree.cut(x, 0.1f, n, 10'000, branches);
+  tree.cut(x, 0.1f, n, 10'000, false, branches);
   std::vector<int> times(lamps.size(), 0);
   for (const auto& branch : branches) {
     ASSERT_TRUE(branch.single);
@@ -238,7 +238,7 @@ TEST(LightTree, a_cut_holds_every_lamp_that_may_light_the_patch_once) {
         EXPECT_EQ(times[i], 1) << i;
       }
   }
-  tree.cut(x, 0.1f, n, 20, branches);
+  tree.cut(x, 0.1f, n, 20, false, branches);
   EXPECT_LE(branches.size(), 20u);
 }
 

@@ -47,7 +47,7 @@ Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const 
         fmt::format("samples_per_side must be at least 1, but it is {}", options.samples_per_side));
 
   const Pinhole pinhole(camera, options.width, options.height);
-  const FineColours fine(patches);
+  const FineColours fine(patches, workers);
   const auto colours = patches.colours();
   const Shot shot{patches, lightmap, fine, colours};
   const auto side = options.samples_per_side;

@@ -20,7 +20,7 @@ std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& light
   check_is_of(patches, lightmap);
   const auto places = find_texel_places(lightmap.atlas, workers, monitor);
   if (places.empty()) return {};
-  const FineColours fine(patches);
+  const FineColours fine(patches, workers);
   const auto colours = patches.colours();
   auto shining = lightmap;
   for (std::size_t p = 0; p < shining.pages.size(); ++p) {

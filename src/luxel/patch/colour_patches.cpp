@@ -12,6 +12,7 @@
 namespace luxel {
 namespace {
 
+constexpr std::size_t patches_grain = 1024;  // patches that a thread takes at a time
 constexpr float smallest_coverage = 1e-4f;  // a patch of holes alone is next to nothing, but it is a patch
 constexpr Vec3 darkest_mean(1e-6f);         // below it a texture is black, and no finer than its patch
 
@@ -24,39 +25,81 @@ T between(const std::array<T, 3>& corners, const Vec3d& weight) {
 // Values at the corners of wholes, at the corners of their parts.
 template <typename T, typename PointsOf>
 std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& wholes, const PatchSet& parts,
-                                       std::span<const std::uint32_t> whole_of, const PointsOf& points_of) {
+                                       std::span<const std::uint32_t> whole_of, const PointsOf& points_of,
+                                       const Workers& workers) {
   std::vector<std::array<T, 3>> result(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const auto whole = whole_of[p];
-    const auto triangle = points_of(whole);
-    const auto corners = parts.points(p);
-    for (std::size_t k = 0; k < 3; ++k)
-      result[p][k] = between(wholes[whole], barycentric(triangle, corners[k]));
-  }
+  workers.for_chunks(parts.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p) {
+      const auto whole = whole_of[p];
+      const auto triangle = points_of(whole);
+      const auto corners = parts.points(p);
+      for (std::size_t k = 0; k < 3; ++k)
+        result[p][k] = between(wholes[whole], barycentric(triangle, corners[k]));
+    }
+  });
   return result;
 }
 
-// The sums of each texture as it is used, made once.
-class SumsOfUses {
+// Means of the textures of patches: one table for each texture as materials of the patches use it.
+class PatchMeans {
  public:
-  explicit SumsOfUses(const PatchSet& patches) : patches_(patches) {}
+  PatchMeans(const PatchSet& patches, const Workers& workers)
+      : patches_(patches), of_material_(patches.materials.size()) {
+    std::vector<std::uint8_t> is_used(patches.materials.size(), 0);
+    for (const auto m : patches.material) is_used[static_cast<std::size_t>(m)] = 1;
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+      if (!is_used[m]) continue;
+      const auto& t = patches.materials[m].textures;
+      of_material_[m] = {sums(t.reflectance, t, workers), sums(t.emittance, t, workers),
+                         sums(t.cutout, t, workers)};
+    }
+  }
 
-  // With holes where the same texture lies the same way as the cut-out's.
-  TexelSums::Mean mean(std::size_t patch, const TextureUse& use, const MaterialTextures& material) {
-    const bool has_holes = material.cutout && *material.cutout == use;
-    const auto threshold = has_holes ? std::optional(material.cutout_threshold) : std::nullopt;
-    const auto key = std::tuple(use.texture, use.wrap, threshold);
-    auto found = sums_.find(key);
-    if (found == sums_.end())
-      found = sums_.emplace(key, TexelSums(patches_.textures[use.texture].raster, use.wrap, threshold)).first;
-    std::array<Vec2, 3> places;
-    for (std::size_t k = 0; k < 3; ++k) places[k] = use.place(patches_.uv_sets[use.uv_set][patch][k]);
-    return found->second.over(places);
+  // Of textures that the patch's material has.
+  Vec3 reflectance(std::size_t p) const {
+    return over(p, *of(p).reflectance, *patches_.material_of(p).textures.reflectance).colour;
+  }
+  Vec3 emittance(std::size_t p) const {
+    return over(p, *of(p).emittance, *patches_.material_of(p).textures.emittance).colour;
+  }
+  float covered(std::size_t p) const {
+    return over(p, *of(p).cutout, *patches_.material_of(p).textures.cutout).covered;
   }
 
  private:
+  struct OfMaterial {
+    const TexelSums* reflectance = nullptr;
+    const TexelSums* emittance = nullptr;
+    const TexelSums* cutout = nullptr;
+  };
+
+  // With holes where the same texture lies the same way as the cut-out's.
+  const TexelSums* sums(const std::optional<TextureUse>& use, const MaterialTextures& material,
+                        const Workers& workers) {
+    if (!use) return nullptr;
+    const bool has_holes = material.cutout && *material.cutout == *use;
+    const auto threshold = has_holes ? std::optional(material.cutout_threshold) : std::nullopt;
+    const auto key = std::tuple(use->texture, use->wrap, threshold);
+    auto found = made_.find(key);
+    if (found == made_.end())
+      found = made_
+                  .emplace(key, TexelSums(patches_.textures[use->texture].raster, use->wrap, threshold,
+                                          workers))
+                  .first;
+    return &found->second;
+  }
+  const OfMaterial& of(std::size_t p) const {
+    return of_material_[static_cast<std::size_t>(patches_.material[p])];
+  }
+  TexelSums::Mean over(std::size_t p, const TexelSums& sums, const TextureUse& use) const {
+    std::array<Vec2, 3> places;
+    for (std::size_t k = 0; k < 3; ++k) places[k] = use.place(patches_.uv_sets[use.uv_set][p][k]);
+    return sums.over(places);
+  }
+
   const PatchSet& patches_;
-  std::map<std::tuple<std::uint32_t, std::array<Wrap, 2>, std::optional<float>>, TexelSums> sums_;
+  std::map<std::tuple<std::uint32_t, std::array<Wrap, 2>, std::optional<float>>, TexelSums> made_;
+  std::vector<OfMaterial> of_material_;  // [material]
 };
 
 // From colours to the patches' bands.
@@ -84,40 +127,44 @@ void set_shares(std::vector<float>& shares, std::size_t patch, const std::vector
 
 Vec3 mean_of(const std::array<Vec3, 3>& corners) { return (corners[0] + corners[1] + corners[2]) / 3.0f; }
 
-void colour_patches(PatchSet& patches) {
+void colour_patch(PatchSet& patches, std::size_t p, const PatchMeans& means, const BandsOfColours& bands) {
+  const auto has_corners = !patches.corner_colours.empty();
+  const auto& material = patches.material_of(p);
+  const auto& t = material.textures;
+  if (t.cutout) patches.area[p] *= std::max(smallest_coverage, means.covered(p));
+  if (t.reflectance || has_corners) {
+    auto colour = t.reflectance_factor;
+    if (t.reflectance) colour *= means.reflectance(p);
+    if (has_corners) colour *= mean_of(patches.corner_colours[p]);
+    set_shares(patches.reflectance_share, p,
+               bands.reflectance(glm::clamp(colour, Vec3(0.0f), Vec3(t.most_reflectance))),
+               material.reflectance);
+  }
+  if (t.emittance)
+    set_shares(patches.emittance_share, p, bands.light(t.emittance_factor * means.emittance(p)),
+               material.emittance);
+}
+
+void colour_patches(PatchSet& patches, const Workers& workers) {
   const auto any = [&](const auto& has) {
     return std::any_of(patches.materials.begin(), patches.materials.end(),
                        [&](const BandMaterial& m) { return has(m.textures); });
   };
   const auto values = patches.size() * patches.band_count();
-  const auto has_corners = !patches.corner_colours.empty();
-  if (has_corners || any([](const auto& t) { return t.reflectance.has_value(); }))
+  if (!patches.corner_colours.empty() || any([](const auto& t) { return t.reflectance.has_value(); }))
     patches.reflectance_share.assign(values, 1.0f);
   if (any([](const auto& t) { return t.emittance.has_value(); }))
     patches.emittance_share.assign(values, 1.0f);
-  SumsOfUses sums(patches);
+  const PatchMeans means(patches, workers);
   const BandsOfColours bands(patches);
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto& material = patches.material_of(p);
-    const auto& t = material.textures;
-    if (t.cutout) patches.area[p] *= std::max(smallest_coverage, sums.mean(p, *t.cutout, t).covered);
-    if (t.reflectance || has_corners) {
-      auto colour = t.reflectance_factor;
-      if (t.reflectance) colour *= sums.mean(p, *t.reflectance, t).colour;
-      if (has_corners) colour *= mean_of(patches.corner_colours[p]);
-      set_shares(patches.reflectance_share, p,
-                 bands.reflectance(glm::clamp(colour, Vec3(0.0f), Vec3(t.most_reflectance))),
-                 material.reflectance);
-    }
-    if (t.emittance)
-      set_shares(patches.emittance_share, p,
-                 bands.light(t.emittance_factor * sums.mean(p, *t.emittance, t).colour), material.emittance);
-  }
+  workers.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p) colour_patch(patches, p, means, bands);
+  });
 }
 
 }  // namespace
 
-void lay_textures(PatchSet& patches, const Scene& scene) {
+void lay_textures(PatchSet& patches, const Scene& scene, const Workers& workers) {
   const bool has_textures = std::any_of(scene.materials.begin(), scene.materials.end(),
                                         [](const Material& m) { return m.textures.any(); });
   if (!has_textures && scene.corner_colours.empty()) return;
@@ -128,35 +175,42 @@ void lay_textures(PatchSet& patches, const Scene& scene) {
   if (has_textures) {
     patches.textures = scene.textures;
     for (const auto& set : scene.uv_sets)
-      patches.uv_sets.push_back(at_parts(set, patches, patches.triangle, points_of));
+      patches.uv_sets.push_back(at_parts(set, patches, patches.triangle, points_of, workers));
   }
   if (!scene.corner_colours.empty())
-    patches.corner_colours = at_parts(scene.corner_colours, patches, patches.triangle, points_of);
-  colour_patches(patches);
+    patches.corner_colours = at_parts(scene.corner_colours, patches, patches.triangle, points_of, workers);
+  colour_patches(patches, workers);
 }
 
-void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent) {
+void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent,
+                      const Workers& workers) {
   if (whole.uv_sets.empty() && whole.corner_colours.empty()) return;
   const auto points_of = [&](std::uint32_t patch) { return whole.points(patch); };
   parts.textures = whole.textures;
-  for (const auto& set : whole.uv_sets) parts.uv_sets.push_back(at_parts(set, parts, parent, points_of));
+  for (const auto& set : whole.uv_sets)
+    parts.uv_sets.push_back(at_parts(set, parts, parent, points_of, workers));
   if (!whole.corner_colours.empty())
-    parts.corner_colours = at_parts(whole.corner_colours, parts, parent, points_of);
-  colour_patches(parts);
+    parts.corner_colours = at_parts(whole.corner_colours, parts, parent, points_of, workers);
+  colour_patches(parts, workers);
 }
 
-FineColours::FineColours(const PatchSet& patches) : patches_(patches) {
-  SumsOfUses sums(patches);
-  const auto fill = [&](std::vector<Vec3>& means, const auto& use_of) {
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const auto& textures = patches.material_of(p).textures;
-      if (!use_of(textures)) continue;
-      if (means.empty()) means.assign(patches.size(), Vec3(0.0f));
-      means[p] = sums.mean(p, *use_of(textures), textures).colour;
-    }
+FineColours::FineColours(const PatchSet& patches, const Workers& workers) : patches_(patches) {
+  const PatchMeans means(patches, workers);
+  const auto fill = [&](std::vector<Vec3>& filled, const auto& use_of, const auto& mean) {
+    const auto has = [&](const BandMaterial& m) { return use_of(m.textures).has_value(); };
+    if (std::none_of(patches.materials.begin(), patches.materials.end(), has)) return;
+    filled.assign(patches.size(), Vec3(0.0f));
+    workers.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto p = begin; p < end; ++p)
+        if (has(patches.material_of(p))) filled[p] = mean(p);
+    });
   };
-  fill(reflectance_mean_, [](const MaterialTextures& t) { return t.reflectance; });
-  fill(emittance_mean_, [](const MaterialTextures& t) { return t.emittance; });
+  fill(
+      reflectance_mean_, [](const auto& t) { return t.reflectance; },
+      [&](std::size_t p) { return means.reflectance(p); });
+  fill(
+      emittance_mean_, [](const auto& t) { return t.emittance; },
+      [&](std::size_t p) { return means.emittance(p); });
 }
 
 Vec3 FineColours::reflectance(std::size_t patch, float u, float v) const {

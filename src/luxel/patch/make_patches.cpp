@@ -197,7 +197,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Wor
     say_what_was_cut(lines, before, patches, log);
   }
   patches.vertices = weld.take();
-  lay_textures(patches, scene);
+  lay_textures(patches, scene, workers);
   return patches;
 }
 

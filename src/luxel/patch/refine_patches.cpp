@@ -192,9 +192,10 @@ class Refiner {
 
 }  // namespace
 
-RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked) {
+RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked,
+                              const Workers& workers) {
   auto refined = Refiner(patches, is_marked).take();
-  inherit_textures(refined.patches, patches, refined.parent);
+  inherit_textures(refined.patches, patches, refined.parent, workers);
   return refined;
 }
 

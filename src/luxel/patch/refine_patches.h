@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {
@@ -22,6 +23,7 @@ struct RefinedPatches {
 // is_marked: [patch]. Patches that nothing touches keep their place in the order; parts stand where the whole
 // one stood. Contacts are inherited by the halves of their edge. Cost: a sort of the edges, about half a
 // second a million patches.
-RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked);
+RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked,
+                              const Workers& workers = Workers());
 
 }  // namespace luxel

@@ -3,212 +3,212 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace luxel {
 namespace {
 
-constexpr std::int64_t block = 32;      // pixels
+constexpr std::size_t rows_grain = 16;  // rows of a table that a thread takes at a time
 constexpr double most_repeats = 24.0;   // of the picture, along a side of a triangle
 constexpr double farthest_place = 1e9;  // in repeats; beyond, floats know no pixels
 constexpr int samples_along = 256;
 
-using Polygon = std::vector<std::array<double, 2>>;
-
-// The part of a convex polygon where sign * p[axis] >= sign * at.
-Polygon clipped(const Polygon& polygon, std::size_t axis, double at, double sign) {
-  Polygon part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto& a = polygon[i];
-    const auto& b = polygon[(i + 1) % polygon.size()];
-    const auto from = sign * (a[axis] - at), to = sign * (b[axis] - at);
-    if (from >= 0.0) part.push_back(a);
-    if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0)) {
-      const auto t = from / (from - to);
-      std::array<double, 2> crossing;
-      crossing[axis] = at;
-      crossing[1 - axis] = a[1 - axis] + t * (b[1 - axis] - a[1 - axis]);
-      part.push_back(crossing);
-    }
-  }
-  return part;
-}
-
-Polygon between(const Polygon& polygon, std::size_t axis, double low, double high) {
-  return clipped(clipped(polygon, axis, low, 1.0), axis, high, -1.0);
-}
-
-double area_of(const Polygon& polygon) {
-  double twice = 0.0;
-  for (std::size_t i = 2; i < polygon.size(); ++i)
-    twice += (polygon[i - 1][0] - polygon[0][0]) * (polygon[i][1] - polygon[0][1]) -
-             (polygon[i][0] - polygon[0][0]) * (polygon[i - 1][1] - polygon[0][1]);
-  return 0.5 * std::fabs(twice);
+std::int64_t floored(double x) {
+  const auto whole = static_cast<std::int64_t>(x);
+  return whole - (static_cast<double>(whole) > x ? 1 : 0);
 }
 
 struct Range {
   double low, high;
+  double size() const { return high - low; }
+  double reach() const { return std::fabs(low) + std::fabs(high) + 1.0; }
 };
-Range extent(const Polygon& polygon, std::size_t axis) {
-  const auto by_axis = [&](const auto& a, const auto& b) { return a[axis] < b[axis]; };
-  const auto [low, high] = std::minmax_element(polygon.begin(), polygon.end(), by_axis);
-  return {(*low)[axis], (*high)[axis]};
+Range extent(const std::array<glm::dvec2, 3>& t, int axis) {
+  const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+  return {low, high};
 }
-
-// Where a polygon that was cut to a row touches the row's border at y: from the lowest to the highest x.
-std::optional<Range> on_border(const Polygon& part, double y) {
-  std::optional<Range> found;
-  for (const auto& p : part) {
-    if (p[1] != y) continue;
-    if (!found) found = Range{p[0], p[0]};
-    found->low = std::min(found->low, p[0]);
-    found->high = std::max(found->high, p[0]);
-  }
-  return found;
-}
-
-template <typename Sum>
-Sum combined(const Sum& a, double factor, const Sum& b) {
-  return {a.colour + factor * b.colour, a.covered + factor * b.covered, a.area + factor * b.area};
-}
-
-std::int64_t floored(double x) { return static_cast<std::int64_t>(std::floor(x)); }
 
 }  // namespace
 
 TexelSums::TexelSums(std::shared_ptr<const Raster> raster, std::array<Wrap, 2> wrap,
-                     std::optional<float> threshold)
-    : raster_(std::move(raster)),
-      wrap_(wrap),
-      threshold_(threshold),
-      blocks_(static_cast<std::size_t>(raster_->width / block + 1)) {
+                     std::optional<float> threshold, const Workers& workers)
+    : raster_(std::move(raster)), wrap_(wrap) {
+  while (first_solid_ < 256 && threshold && static_cast<float>(first_solid_) / 255.0f < *threshold)
+    ++first_solid_;
+  if (raster_->codes.empty() && threshold) first_solid_ = 1.0f < *threshold ? 256 : 0;
+  for (std::size_t code = 0; code < decoded_.size(); ++code)
+    decoded_[code] = static_cast<double>(srgb_decode(static_cast<float>(code) / 255.0f));
   const auto height = static_cast<std::size_t>(raster_->height);
-  before_.reserve(height * (blocks_ + 1));
-  Sum all;
-  Vec3d plain(0.0);
-  for (std::size_t y = 0; y < height; ++y) {
-    Sum row;
-    for (std::int64_t x = 0; x < raster_->width; ++x) {
-      if (x % block == 0) before_.push_back(row);
-      row = combined(row, 1.0, pixel(x, static_cast<std::int64_t>(y)));
-      plain += Vec3d(raster_->colour(raster_->index(static_cast<int>(x), static_cast<int>(y))));
+  const auto width = static_cast<std::size_t>(raster_->width);
+  table_.resize((width / block + 1) * height);
+  std::vector<Sum> all_of_row(height);
+  std::vector<Vec3d> plain(height, Vec3d(0.0));  // with the colours of holes
+  workers.for_chunks(height, rows_grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto y = begin; y < end; ++y) {
+      Sum sum(0.0);
+      for (std::size_t x = 0; x < width; ++x) {
+        auto& here = table_[x / block * height + y];
+        if (x % block == 0) here.before = sum;
+        const auto pixel = y * width + x;
+        if (!raster_->codes.empty()) here.codes[x % block] = raster_->codes[pixel];
+        sum += raster_->codes.empty() ? value(raster_->linear[pixel]) : value(raster_->codes[pixel]);
+        plain[y] += Vec3d(raster_->colour(pixel));
+      }
+      if (width % block == 0) table_[width / block * height + y].before = sum;
+      all_of_row[y] = sum;
     }
-    while (before_.size() < (y + 1) * (blocks_ + 1)) before_.push_back(row);
-    all = combined(all, 1.0, row);
+  });
+  const auto all = std::accumulate(all_of_row.begin(), all_of_row.end(), Sum(0.0));
+  const auto all_plain = std::accumulate(plain.begin(), plain.end(), Vec3d(0.0));
+  const auto area = static_cast<double>(width * height);
+  whole_ = mean_of(all, area, {Vec3(all_plain / area), 0.0f});
+}
+
+TexelSums::Sum TexelSums::value(const Raster::Code& code) const {
+  if (code[3] < first_solid_) return Sum(0.0);
+  return {decoded_[code[0]], decoded_[code[1]], decoded_[code[2]], 1.0};
+}
+
+TexelSums::Sum TexelSums::value(const Vec3& colour) const {
+  return first_solid_ > 255 ? Sum(0.0) : Sum(colour, 1.0);
+}
+
+// A row of the picture, which goes on without end.
+class TexelSums::Row {
+ public:
+  Row(const TexelSums& sums, std::size_t row)
+      : sums_(sums),
+        width_(sums.raster_->width),
+        table_(&sums.table_[row]),
+        height_(sums.raster_->height),
+        linear_(sums.raster_->codes.empty() ? &sums.raster_->linear[row * static_cast<std::size_t>(width_)]
+                                            : nullptr) {}
+
+  Sum pixel(std::int64_t x) const {
+    return within(x >= 0 && x < width_ ? x : wrapped(x, width_, sums_.wrap_[0]));
   }
-  whole_ = mean_of(all, {Vec3(plain / all.area), 0.0f});
-}
 
-TexelSums::Sum TexelSums::pixel(std::int64_t x, std::int64_t y) const {
-  const auto index = raster_->index(static_cast<int>(wrapped(x, raster_->width, wrap_[0])),
-                                    static_cast<int>(wrapped(y, raster_->height, wrap_[1])));
-  if (threshold_ && raster_->alpha(index) < *threshold_) return {Vec3d(0.0), 0.0, 1.0};
-  return {Vec3d(raster_->colour(index)), 1.0, 1.0};
-}
-
-// x: from 0 to the width.
-TexelSums::Sum TexelSums::within(std::size_t row, std::int64_t x) const {
-  auto sum = before_[row * (blocks_ + 1) + static_cast<std::size_t>(x / block)];
-  for (auto i = x / block * block; i < x; ++i)
-    sum = combined(sum, 1.0, pixel(i, static_cast<std::int64_t>(row)));
-  return sum;
-}
-
-TexelSums::Sum TexelSums::run(std::int64_t row, std::int64_t x) const {
-  const auto y = static_cast<std::size_t>(wrapped(row, raster_->height, wrap_[1]));
-  const std::int64_t width = raster_->width;
-  const auto all = within(y, width);
-  if (wrap_[0] == Wrap::clamp) {
-    const auto inside = std::clamp<std::int64_t>(x, 0, width);
-    return combined(within(y, inside), static_cast<double>(x - inside), pixel(x < 0 ? 0 : width - 1, row));
-  }
-  const auto periods = x >= 0 ? x / width : -((-x + width - 1) / width);
-  const auto rest = x - periods * width;
-  const bool is_mirrored = wrap_[0] == Wrap::mirror && periods % 2 != 0;
-  const auto last = is_mirrored ? combined(all, -1.0, within(y, width - rest)) : within(y, rest);
-  return combined(last, static_cast<double>(periods), all);
-}
-
-// part: of the triangle, cut to the row.
-TexelSums::Sum TexelSums::of_row(const Polygon& part, std::int64_t row) const {
-  Sum sum;
-  const auto [left, right] = extent(part, 0);
-  // Pixels from `first` to before `last` are covered from border to border.
-  auto first = floored(right) + 1, last = first;
-  const auto top = on_border(part, static_cast<double>(row));
-  const auto bottom = on_border(part, static_cast<double>(row + 1));
-  if (top && bottom) {
-    const auto begin = static_cast<std::int64_t>(std::ceil(std::max(top->low, bottom->low)));
-    const auto end = floored(std::min(top->high, bottom->high));
-    if (begin < end) {
-      first = begin;
-      last = end;
-      sum = combined(run(row, last), -1.0, run(row, first));
+  // Sum of the pixels from column 0 to before x; negative sums left of column 0.
+  Sum before(std::int64_t x) const {
+    if (x >= 0 && x <= width_) return before_within(x);
+    if (sums_.wrap_[0] == Wrap::clamp) {
+      const auto inside = x < 0 ? std::int64_t{0} : width_;
+      return before_within(inside) + static_cast<double>(x - inside) * pixel(x);
     }
+    const auto all = before_within(width_);
+    const auto periods = x >= 0 ? x / width_ : -((-x + width_ - 1) / width_);
+    const auto rest = x - periods * width_;
+    const bool is_mirrored = sums_.wrap_[0] == Wrap::mirror && periods % 2 != 0;
+    const auto last = is_mirrored ? all - before_within(width_ - rest) : before_within(rest);
+    return last + static_cast<double>(periods) * all;
   }
-  for (auto x = floored(left); static_cast<double>(x) < right; ++x) {
-    if (x == first && first < last) x = last;
-    const auto inside = between(part, 0, static_cast<double>(x), static_cast<double>(x + 1));
-    if (inside.size() > 2) sum = combined(sum, area_of(inside), pixel(x, row));
+
+  // The mean of before(x), which is linear between pixels, over x between two places.
+  Sum mean_before(double from, double to) const {
+    const auto [left, right] = std::minmax(from, to);
+    auto column = floored(left);
+    auto start = before(column);
+    auto slope = pixel(column);
+    auto border = static_cast<double>(column + 1);
+    const auto within = [&](double l, double r) { return start + (0.5 * (l + r) - (border - 1.0)) * slope; };
+    if (right <= border) return within(left, right);
+    auto sum = (border - left) * within(left, border);
+    for (;;) {
+      start += slope;
+      slope = pixel(++column);
+      border += 1.0;
+      if (right <= border) break;
+      sum += start + 0.5 * slope;
+    }
+    sum += (right - (border - 1.0)) * within(border - 1.0, right);
+    return (1.0 / (right - left)) * sum;
   }
-  return sum;
+
+ private:
+  const Block& block_of(std::int64_t x) const { return table_[x / block * height_]; }
+  // x: a column of the picture.
+  Sum within(std::int64_t x) const {
+    return linear_ ? sums_.value(linear_[x]) : sums_.value(block_of(x).codes[x % block]);
+  }
+  // x: from 0 to the width.
+  Sum before_within(std::int64_t x) const {
+    auto sum = block_of(x).before;
+    for (auto i = x / block * block; i < x; ++i) sum += within(i);
+    return sum;
+  }
+
+  const TexelSums& sums_;
+  std::int64_t width_;
+  const Block* table_;
+  std::int64_t height_;
+  const Vec3* linear_;  // where the raster has no codes
+};
+
+TexelSums::Row TexelSums::row_at(std::int64_t y) const {
+  const std::int64_t height = raster_->height;
+  return {*this, static_cast<std::size_t>(y >= 0 && y < height ? y : wrapped(y, height, wrap_[1]))};
 }
 
-TexelSums::Sum TexelSums::over_area(const Polygon& triangle) const {
-  Sum sum;
-  const auto [top, bottom] = extent(triangle, 1);
-  auto rest = triangle;
-  for (auto row = floored(top); static_cast<double>(row) < bottom; ++row) {
-    const auto end = static_cast<double>(row + 1);
-    const auto part = clipped(rest, 1, end, -1.0);
-    if (part.size() > 2) sum = combined(sum, 1.0, of_row(part, row));
-    rest = clipped(rest, 1, end, 1.0);
-    if (rest.size() < 3) break;
+// The integral of before(x) over y, along an edge; the same but for its sign the other way.
+TexelSums::Sum TexelSums::along_edge(const Point& a, const Point& b) const {
+  const bool is_down = a.y < b.y;
+  const auto& top = is_down ? a : b;
+  const auto& bottom = is_down ? b : a;
+  const auto slope = (bottom.x - top.x) / (bottom.y - top.y);
+  Sum sum(0.0);
+  auto from = top;
+  for (auto y = floored(top.y); from.y < bottom.y; ++y) {
+    const auto end = static_cast<double>(y + 1);
+    const auto to = end < bottom.y ? Point(top.x + slope * (end - top.y), end) : bottom;
+    sum += (to.y - from.y) * row_at(y).mean_before(from.x, to.x);
+    from = to;
   }
-  return sum;
+  return is_down ? sum : -sum;
 }
 
-TexelSums::Sum TexelSums::along(const Polygon& triangle) const {
-  std::array<double, 2> from{}, to{};
-  double longest = -1.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& a = triangle[i];
-    const auto& b = triangle[(i + 1) % 3];
-    const auto length = std::hypot(b[0] - a[0], b[1] - a[1]);
-    if (length <= longest) continue;
-    longest = length;
-    from = a;
-    to = b;
-  }
-  Sum sum;
+TexelSums::Sum TexelSums::along_side(const Triangle& t) const {
+  const auto length = [&](std::size_t i) { return glm::distance(t[i], t[(i + 1) % 3]); };
+  std::size_t longest = 0;
+  for (const std::size_t i : {1, 2})
+    if (length(i) > length(longest)) longest = i;
+  const auto from = t[longest], to = t[(longest + 1) % 3];
+  Sum sum(0.0);
   for (int i = 0; i < samples_along; ++i) {
-    const auto t = (i + 0.5) / samples_along;
-    sum = combined(sum, 1.0,
-                   pixel(floored(from[0] + t * (to[0] - from[0])), floored(from[1] + t * (to[1] - from[1]))));
+    const auto place = from + (i + 0.5) / samples_along * (to - from);
+    sum += row_at(floored(place.y)).pixel(floored(place.x));
   }
   return sum;
 }
 
-TexelSums::Mean TexelSums::mean_of(const Sum& sum, const Mean& otherwise) {
-  if (!(sum.covered > 0.0)) return {otherwise.colour, 0.0f};
-  return {glm::max(Vec3(sum.colour / sum.covered), Vec3(0.0f)),
-          static_cast<float>(std::clamp(sum.covered / sum.area, 0.0, 1.0))};
+TexelSums::Mean TexelSums::mean_of(const Sum& sum, double area, const Mean& otherwise) {
+  if (!(sum.w > 0.0)) return {otherwise.colour, 0.0f};
+  return {glm::max(Vec3(Vec3d(sum) / sum.w), Vec3(0.0f)),
+          static_cast<float>(std::clamp(sum.w / area, 0.0, 1.0))};
 }
 
 TexelSums::Mean TexelSums::over(const std::array<Vec2, 3>& places) const {
-  Polygon triangle;
-  for (const auto& place : places) {
-    if (!(std::fabs(place.x) < farthest_place && std::fabs(place.y) < farthest_place)) return whole_;
-    triangle.push_back(
-        {static_cast<double>(place.x) * raster_->width, static_cast<double>(place.y) * raster_->height});
+  const Point size(raster_->width, raster_->height);
+  Triangle t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(std::fabs(places[k].x) < farthest_place && std::fabs(places[k].y) < farthest_place)) return whole_;
+    t[k] = Point(places[k]) * size;
   }
-  const auto columns = extent(triangle, 0), rows = extent(triangle, 1);
-  if (columns.high - columns.low > most_repeats * raster_->width ||
-      rows.high - rows.low > most_repeats * raster_->height)
-    return whole_;
+  const auto columns = extent(t, 0), rows = extent(t, 1);
+  if (columns.size() > most_repeats * size.x || rows.size() > most_repeats * size.y) return whole_;
+  // On the picture itself, if it can be, sums are shorter and pixels are found without a division.
+  const std::array extents = {columns, rows};
+  for (int axis = 0; axis < 2; ++axis) {
+    if (wrap_[static_cast<std::size_t>(axis)] == Wrap::clamp) continue;
+    const auto period = wrap_[static_cast<std::size_t>(axis)] == Wrap::mirror ? 2.0 * size[axis] : size[axis];
+    for (auto& p : t) p[axis] -= std::floor(extents[static_cast<std::size_t>(axis)].low / period) * period;
+  }
+  const auto ab = t[1] - t[0], ac = t[2] - t[0];
+  const auto area = 0.5 * (ab.x * ac.y - ab.y * ac.x);
   // Of a sliver that floats cannot tell from a line, areas are mostly rounding.
-  const auto rounding = 1e-12 * (std::fabs(columns.low) + std::fabs(columns.high) + 1.0) *
-                        (std::fabs(rows.low) + std::fabs(rows.high) + 1.0);
-  return mean_of(area_of(triangle) > rounding ? over_area(triangle) : along(triangle), whole_);
+  if (!(std::fabs(area) > 1e-12 * columns.reach() * rows.reach()))
+    return mean_of(along_side(t), samples_along, whole_);
+  const auto sum = along_edge(t[0], t[1]) + along_edge(t[1], t[2]) + along_edge(t[2], t[0]);
+  return mean_of(area > 0.0 ? sum : -sum, std::fabs(area), whole_);
 }
 
 }  // namespace luxel

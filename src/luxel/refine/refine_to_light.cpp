@@ -212,7 +212,7 @@ class Refinement {
     for (; count > 0; count = count * 3 / 4) {
       std::vector<std::uint8_t> chosen(size, 0);
       for (std::size_t i = 0; i < count; ++i) chosen[order[i]] = 1;
-      auto refined = refine_patches(now_.patches, chosen);
+      auto refined = refine_patches(now_.patches, chosen, workers_);
       if (refined.patches.size() <= options_.max_patches) return refined;
     }
     return std::nullopt;

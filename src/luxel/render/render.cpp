@@ -83,7 +83,7 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
   const Pinhole pinhole(camera, options.width, options.height);
   const auto colours = patches.colours();
   const auto& sky = patches.sky;
-  const FineColours fine(patches);
+  const FineColours fine(patches, workers);
   const Shot shot{patches, light,   tracer, pinhole,
                   options, colours, fine,   sky.empty() ? Vec3d(0.0) : colours.rgb(sky)};
   Image picture(options.width, options.height);

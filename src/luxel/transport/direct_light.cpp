@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "luxel/math/trig.h"
 #include "luxel/random/address.h"
 #include "luxel/random/sobol.h"
 #include "luxel/trace/point_sight.h"
@@ -142,7 +143,8 @@ void DirectLight::choose_lamps(LampChoices& choices, const Side& side, std::uint
   choices.make(lamps_, tree_, side.emitter.corners(), side.emitter.normal(),
                {.most = branches_for(samples),
                 .importance = options_.importance,
-                .closed_form = options_.control_variate && !options_.multiple_importance});
+                .closed_form = options_.control_variate && !options_.multiple_importance,
+                .balls = !options_.multiple_importance});
 }
 
 template <typename Body>
@@ -269,6 +271,8 @@ DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& cho
   const auto& normal = side.emitter.normal();
   const auto [choice, chosen] = choices.choose(tree_, from, normal, static_cast<double>(u[0]));
   if (!(chosen.probability > 0.0)) return {};
+  if (chosen.lamp == Lamps::no_lamp)
+    return ask_ball(side, choices, choice, from, chosen.rest, static_cast<double>(u[1]), ends);
   const auto sample =
       sample_lamp(lamps_.triangles()[chosen.lamp], Vec3d(from), chosen.rest, static_cast<double>(u[1]));
   const auto cosine = glm::dot(Vec3d(normal), sample.direction);
@@ -277,6 +281,32 @@ DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& cho
   const bool seen = visible(from, to, chosen.lamp, side.lift);
   if (ends != nullptr) *ends = {from, Vec3(to)};
   return {choice, chosen.lamp, given(cosine, sample.density * chosen.probability), seen, 1};
+}
+
+// Towards the bounding sphere of a bulb, uniform in solid angle: what is met tells the facet.
+DirectLight::Term DirectLight::ask_ball(const Side& side, const LampChoices& choices, std::size_t choice,
+                                        const Vec3& from, double u1, double u2, Ends* ends) const {
+  const auto& branch = choices.branch(choice);
+  const auto ball = tree_.sphere(branch);
+  const auto to = Vec3d(ball.centre) - Vec3d(from);
+  const auto sine2 = static_cast<double>(ball.radius) * ball.radius / glm::dot(to, to);
+  const auto width = sine2 / (1.0 + std::sqrt(1.0 - sine2));  // 1 - cosine of the cone's half angle
+  const auto away = u1 * width;
+  const auto sine = std::sqrt(away * (2.0 - away));
+  const auto turn = sin_cos(2.0 * std::numbers::pi * u2);
+  const Frame frame(Vec3(glm::normalize(to)));
+  const auto direction = glm::normalize(
+      frame.to_world(Vec3(static_cast<float>(sine * turn.cosine), static_cast<float>(sine * turn.sine),
+                          static_cast<float>(1.0 - away))));
+  const auto cosine = static_cast<double>(glm::dot(side.emitter.normal(), direction));
+  if (!(cosine > 0.0)) return {};
+  const auto hit = tracer_.nearest({from, direction});
+  const auto lamp =
+      hit && !hit.back ? lamps_.lamp_at(hit.patch, from + hit.distance * direction) : Lamps::no_lamp;
+  if (lamp == Lamps::no_lamp || !tree_.holds(branch, lamp)) return {.rays = 1};
+  if (ends != nullptr) *ends = {from, from + hit.distance * direction};
+  const auto density = choices.probability(choice) / (2.0 * std::numbers::pi * width);
+  return {choice, lamp, given(cosine, density), true, 1};
 }
 
 // Along a cosine ray, which may meet a lamp.

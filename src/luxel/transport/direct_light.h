@@ -45,7 +45,9 @@ struct DirectOptions {
 // of what it multiplies and the estimate is unbiased but for the error of U, about 1e-3; a side that sees
 // all of its lamps has U without noise, and one that sees none has 0. A single replicate borrows beta from
 // itself, which biases it by the order of 1 / samples. A replicate may come out slightly below zero where
-// little is seen; the mean over replicates is an unbiased estimate all the same.
+// little is seen; the mean over replicates is an unbiased estimate all the same. Of many lamps those that
+// fill a sphere, the facets of a bulb, are sampled as one: a ray goes towards the sphere, uniform in solid
+// angle, and counts for the facet that it meets.
 class DirectLight {
  public:
   // Keeps references to patches, tracer and lamps.
@@ -91,6 +93,8 @@ class DirectLight {
                      std::uint32_t round, std::uint32_t per_replicate, Ends* ends, Body body) const;
   Term ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from, const std::array<float, 4>& u,
                 Ends* ends) const;
+  Term ask_ball(const Side& side, const LampChoices& choices, std::size_t choice, const Vec3& from, double u1,
+                double u2, Ends* ends) const;
   Term look_round(const Side& side, const LampChoices& choices, const Ray& ray, Ends* ends) const;
   double given(double cosine, double lamp_density) const;
   bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const;

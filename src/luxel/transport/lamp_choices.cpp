@@ -25,7 +25,7 @@ void LampChoices::make(const Lamps& lamps, const LightTree& tree, const std::arr
     const auto centre = (corners[0] + corners[1] + corners[2]) / 3.0f;
     const auto radius = std::max({glm::distance(corners[0], centre), glm::distance(corners[1], centre),
                                   glm::distance(corners[2], centre)});
-    tree.cut(centre, 1.0001f * radius, n, options.most, branches_);
+    tree.cut(centre, 1.0001f * radius, n, options.most, options.balls, branches_);
     std::erase_if(branches_, [&](const LampBranch& branch) {
       if (branch.single) single_.push_back(branch.index);
       return branch.single;
@@ -59,6 +59,7 @@ std::size_t LampChoices::choose(double& u) const {
 LampChoices::Lamp LampChoices::choose(const LightTree& tree, const Vec3& x, const Vec3& n, double u) const {
   const auto i = choose(u);
   if (i < lamps_.size()) return {i, {lamps_[i].lamp, probability(i), u}};
+  if (branch(i).ball) return {i, {Lamps::no_lamp, probability(i), u}};
   auto lamp = tree.choose(branches_[i - lamps_.size()], x, n, u, by_area_);
   lamp.probability *= probability(i);
   return {i, lamp};

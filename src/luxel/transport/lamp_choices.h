@@ -16,6 +16,7 @@ struct LampChoiceOptions {
   std::size_t most = 48;     // lamps and branches told apart, up to 48
   bool importance = true;    // by what they may give the patch; else by area
   bool closed_form = false;  // lamps that stand alone with their mean over the patch; else roughly
+  bool balls = true;         // bulbs of many facets as one choice, sampled by their bounding sphere
 };
 
 // Whom the samples of one side of a patch may ask: the lamps that matter most alone, the others in branches
@@ -39,8 +40,12 @@ class LampChoices {
   };
   // One lamp for the point x of the side. u: uniform in [0, 1); what is left of it goes on as the first
   // number of the point on the lamp, so that the two best dimensions cover all lamps at once.
+  // Of a ball no lamp is chosen (Lamps::no_lamp); its probability is that of the choice.
   Lamp choose(const LightTree& tree, const Vec3& x, const Vec3& n, double u) const;
-  // The probability with which choose() gives this lamp at x, and the choice it hangs in. 0: never.
+  // The branch of a choice that does not stand alone.
+  const LampBranch& branch(std::size_t choice) const { return branches_[choice - lamps_.size()]; }
+  // The probability with which choose() gives this lamp at x, and the choice it hangs in. 0: never. Without
+  // balls.
   Lamp find(const LightTree& tree, std::uint32_t lamp, const Vec3& x, const Vec3& n) const;
 
  private:

@@ -117,6 +117,7 @@ Lamps::Lamps(const PatchSet& patches)
     for (std::size_t i = 2; i < lamp.corners.size(); ++i) {
       add({lamp.corners[0], lamp.corners[i - 1], lamp.corners[i]}, emittance,
           groups_ > 1 ? patches.material_of(first).light_group : 0);
+      triangles_.back().has_holes = patches.material_of(first).textures.cutout.has_value();
       triangles_.back().fan_goes_on = i + 1 < lamp.corners.size();
     }
   }

@@ -18,6 +18,7 @@ struct LampTriangle {
   double area = 0.0;           // m²
   double longest_edge = 0.0;   // m
   double weight = 0.0;         // radiance summed over bands, W/(m² sr)
+  bool has_holes = false;      // a cut-out texture: radiance is the mean over holes and surface
   bool fan_goes_on = false;    // the next triangle is of the same polygon, between the same first corner and
                                // this one's third
 };

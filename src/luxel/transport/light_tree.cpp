@@ -14,7 +14,15 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t bins = 16;
-constexpr float rounding = 1e-4f;      // of the cosines, generously
+constexpr float rounding = 1e-4f;          // of the cosines, generously
+constexpr float sphere_margin = 1.00001f;  // of a bounding sphere's radius, for the rounding of floats
+constexpr float nearest_ball = 1.02f;      // distance over radius; nearer, facets are told apart
+// Area of lamps over that of their bounding sphere. A convex bulb shows on average a quarter of its area, and
+// the sphere shows a quarter of its own: so this is the share of rays towards the sphere that meet the bulb.
+constexpr float least_fill = 0.5f;
+// Facets of a ball. Variance times cost of a bulb of 20 was 0.7 of what its facets took one by one, of a bulb
+// of 8, whose closed form then counts, 1.5 times (40 lamps close to walls, 16 samples per replicate).
+constexpr std::ptrdiff_t fewest_facets = 16;
 constexpr float least_cosine = 0.05f;  // a lamp at the rim is asked seldom, not never: bounded weights
 
 // What a split is judged by, additive over lamps.
@@ -129,8 +137,12 @@ void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* beg
       made.radius = std::max(made.radius, glm::distance(v, made.centre));
     made.spread = std::min(made.spread, glm::dot(made.axis, Vec3(triangles[*i].normal)));
   }
+  made.radius *= sphere_margin;
   made.spread_sine = sine_of(made.spread);
   made.leaf = end - begin == 1;
+  made.round = end - begin >= fewest_facets &&
+               made.area >= least_fill * 4.0f * pi * made.radius * made.radius &&
+               std::none_of(begin, end, [&](std::uint32_t i) { return triangles[i].has_holes; });
   made.next = made.leaf ? *begin : static_cast<std::uint32_t>(nodes_.size());
   made.parent = nodes_[node].parent;
   nodes_[node] = made;
@@ -168,7 +180,7 @@ float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n, floa
   return node.power * std::max(here, least_cosine) * std::max(there, least_cosine) * (inverse * inverse);
 }
 
-void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most,
+void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most, bool balls,
                     std::vector<LampBranch>& branches) const {
   branches.clear();
   if (nodes_.empty()) return;
@@ -184,7 +196,11 @@ void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t
     const auto value = importance(node, centre, n, radius);
     if (!(value > 0.0f)) return;
     if (node.leaf) {
-      branches.push_back({node.next, true, node.power, node.area, value});
+      branches.push_back({node.next, true, false, node.power, node.area, value});
+      return;
+    }
+    if (balls && node.round && glm::distance(node.centre, centre) - radius > nearest_ball * node.radius) {
+      branches.push_back({index, false, true, node.power, node.area, value});
       return;
     }
     // A cluster's lamps differ the more, the larger it is seen.
@@ -202,7 +218,7 @@ void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t
   }
   for (const auto& open : heap) {
     const auto& node = nodes_[open.node];
-    branches.push_back({open.node, false, node.power, node.area, open.importance});
+    branches.push_back({open.node, false, false, node.power, node.area, open.importance});
   }
 }
 

@@ -14,6 +14,7 @@ namespace luxel {
 struct LampBranch {
   std::uint32_t index = 0;  // of the lamp, or of the node
   bool single = false;
+  bool ball = false;        // many that fill their bounding sphere, which does not touch the patch's own
   double power = 0.0;       // W/sr before the front, summed over bands: area times radiance
   double area = 0.0;        // m²
   double irradiance = 0.0;  // a rough bound of what it may give the patch, W/m²
@@ -34,9 +35,17 @@ class LightTree {
 
   // The lamps that may light something within `radius` of `centre`, which faces n, as at most `most`
   // branches: those are opened first that are near for their size and strong, so that what matters stands
-  // alone.
-  void cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most,
+  // alone. balls: whether a bulb of many facets becomes one branch that is sampled by its bounding sphere.
+  void cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most, bool balls,
            std::vector<LampBranch>& branches) const;
+  struct Sphere {
+    Vec3 centre{0.0f};
+    float radius = 0.0f;  // m
+  };
+  // Holds all lamps of the branch.
+  Sphere sphere(const LampBranch& branch) const {
+    return {nodes_[branch.index].centre, nodes_[branch.index].radius};
+  }
 
   // One lamp of a branch with many, in proportion to what it may give x; or, by_area, to its area. u: uniform
   // in [0, 1); rescaled at each step down, so that even numbers make even choices.
@@ -59,6 +68,7 @@ class LightTree {
     std::uint32_t next = 0;    // first of two children, or the lamp
     std::uint32_t parent = 0;  // of the root: itself
     bool leaf = false;
+    bool round = false;  // fills its sphere
   };
   std::array<double, 2> values_of(const Node* children, const Vec3& x, const Vec3& n, bool by_area) const;
   void build(std::uint32_t node, const Lamps& lamps, std::uint32_t* begin, std::uint32_t* end);
