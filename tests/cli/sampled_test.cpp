@@ -85,7 +85,7 @@ TEST(Sampled, with_the_power_as_measure_stops_at_its_error) {
 TEST(Sampled, may_focus_on_what_a_camera_sees_or_on_a_material) {
   const auto folder = fresh_folder("sampled_focus");
   const std::string coarse = bake + "--error 10% -o a.vtkhdf --json ";
-  const auto seen = [](const Run& run) {
+  const auto seen = [](const Outcome& run) {
     return Json::parse(run.out)["solution"]["seen_error"].get<double>();
   };
   const auto camera = cli::run(folder, coarse + "--focus camera --eye 0,0.27,1.1 --target 0,0.27,-0.28");
