@@ -44,9 +44,9 @@ class SeenMeasure {
 
   // Importance of each slot, (m² / W)²: importance times the variance of the slot's irradiance, summed over
   // bands (not averaged), summed over slots, is about the square of error(). The views' importance of sides
-  // is pooled over each unit and dealt to its slots by area and squared reflectance, because some hundred looks
-  // per view are sparse for a million sides; a twentieth goes by area alone, for light that comes to the
-  // views by surfaces which they do not see.
+  // is pooled over each unit and dealt to its slots by area and squared reflectance, because some hundred
+  // looks per view are sparse for a million sides; a twentieth goes by area alone, for light that comes to
+  // the views by surfaces which they do not see.
   std::span<const double> importance() const { return importance_; }  // [slot]
 
  private:
