@@ -127,7 +127,8 @@ class Comparison {
   Row of(const char* how, const PatchSet& patches) const {
     const Tracer tracer(patches, workers_);
     Solution solution;
-    solve_sampled(patches, tracer, solution, {.error = settings_.small ? 0.1 : 0.004, .error_measure = ErrorMeasure::power}, workers_);
+    solve_sampled(patches, tracer, solution,
+                  {.error = settings_.small ? 0.1 : 0.004, .error_measure = ErrorMeasure::power}, workers_);
     const auto smooth = make_smooth_light(patches, solution, {}, workers_);
     const auto field = drawn_field(smooth, patches.band_count());
     const auto held_to = [&](const PointTruth& truth, std::size_t count) -> Measured {

@@ -45,11 +45,12 @@ FirstLight first_light(const PatchSet& patches, const Workers& workers) {
   const Tracer tracer(patches, workers);
   result.hierarchy = since();
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = 0.2, .error_measure = ErrorMeasure::power}, workers, [&](const Progress& progress) {
-    if (!progress.light) return Next::go_on;
-    result.light = since();
-    return Next::stop;
-  });
+  solve_sampled(patches, tracer, solution, {.error = 0.2, .error_measure = ErrorMeasure::power}, workers,
+                [&](const Progress& progress) {
+                  if (!progress.light) return Next::go_on;
+                  result.light = since();
+                  return Next::stop;
+                });
   return result;
 }
 

@@ -101,8 +101,10 @@ void write_cornell_box(const fs::path& file) {
 const Case cases[] = {
     {"reading room, 2 %", [](const fs::path& file) { showpiece::write_reading_room(file, 1); },
      "--max-edge 0 --error-measure power --error 2%", "--max-edge 0 --error-measure power --error 20%"},
-    {"Cornell box, 0.3 %", write_cornell_box, "--max-edge 0.02 --error-measure power --error 0.3%", "--max-edge 0.1 --error-measure power --error 10%"},
-    {"Cornell box, 1 %", write_cornell_box, "--max-edge 0.008 --error-measure power --error 1%", "--max-edge 0.1 --error-measure power --error 10%"},
+    {"Cornell box, 0.3 %", write_cornell_box, "--max-edge 0.02 --error-measure power --error 0.3%",
+     "--max-edge 0.1 --error-measure power --error 10%"},
+    {"Cornell box, 1 %", write_cornell_box, "--max-edge 0.008 --error-measure power --error 1%",
+     "--max-edge 0.1 --error-measure power --error 10%"},
 };
 
 }  // namespace

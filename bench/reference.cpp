@@ -67,9 +67,13 @@ Reference taken(Solution&& solution, const SolveReport& report) {
 
 Reference by_sampling(const Stage& stage, double error, double seconds, const Workers& workers) {
   Solution solution;
-  const auto report =
-      solve_sampled(stage.patches, stage.tracer, solution,
-                    {.error = error, .error_measure = ErrorMeasure::power, .seconds = seconds, .seed = reference_seed, .share = false}, workers);
+  const auto report = solve_sampled(stage.patches, stage.tracer, solution,
+                                    {.error = error,
+                                     .error_measure = ErrorMeasure::power,
+                                     .seconds = seconds,
+                                     .seed = reference_seed,
+                                     .share = false},
+                                    workers);
   return taken(std::move(solution), report);
 }
 

@@ -202,8 +202,9 @@ const codeOf = (linear) => '#' + linear.map((c) => {
 }).join('');
 
 function madeText({ about, triangleCount }) {
-  const { luxel, method, rays, error, meshError } = about.made;
+  const { luxel, method, rays, error, seenError, meshError } = about.made;
   const parts = [`Made with Luxel ${luxel}`, `method ${method}`];
+  if (seenError > 0) parts.push(`seen error ${percent(seenError)}`);
   if (error > 0) parts.push(`standard error of the whole ${percent(error)}`);
   if (meshError > 0) parts.push(`of the mesh about ${percent(meshError)}`);
   if (rays > 0) parts.push(`${rays.toLocaleString('en')} rays`);

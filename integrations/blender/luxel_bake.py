@@ -1185,8 +1185,9 @@ class LuxelSettings(bpy.types.PropertyGroup):
                             ("LOOK", "Look", "What a display shows, after Luxel's tone curve: colours and "
                                              "emission in it")],
         default="LIGHT")
-    error: bpy.props.FloatProperty(name="Error", subtype="PERCENTAGE", default=1.0, min=0.05, max=50.0, precision=2,
-                                   description="Stop at this standard error of the whole")
+    error: bpy.props.FloatProperty(name="Error", subtype="PERCENTAGE", default=2.0, min=0.05, max=50.0, precision=2,
+                                   description="Stop when the light seen from 95 % of viewpoints all over the scene has "
+                                               "this standard error, relative to the brightness there")
     max_edge: bpy.props.FloatProperty(name="Longest edge", default=0.0, min=0.0, precision=3,
                                       description="Longest edge of a patch in Blender units; 0: chosen by Luxel")
     mesh_error: bpy.props.FloatProperty(

@@ -41,7 +41,8 @@ Solution lit(const Scene& scene) {
   const auto patches = make_patches(scene, {.max_edge = 0.1f});
   const Tracer tracer(patches, workers);
   Solution light;
-  solve_sampled(patches, tracer, light, {.error = 0.0, .rays = 100'000}, workers);
+  solve_sampled(patches, tracer, light, {.error = 0.0, .error_measure = ErrorMeasure::power, .rays = 100'000},
+                workers);
   return light;
 }
 

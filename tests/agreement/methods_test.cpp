@@ -96,7 +96,9 @@ class Room {
 
   Answer sampled() {
     Solution s;
-    const auto report = solve_sampled(patches_, tracer_, s, {.error = 0.004, .replicates = 32}, workers_);
+    const auto report =
+        solve_sampled(patches_, tracer_, s,
+                      {.error = 0.004, .error_measure = ErrorMeasure::power, .replicates = 32}, workers_);
     auto answer = with_stated_errors("sampled", s, report.energy);
     for (std::size_t i = 0; i < answer.error.size(); ++i) {
       answer.error[i] = std::hypot(answer.error[i], 0.001 * answer.irradiance[i]);

@@ -15,7 +15,7 @@ TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
   const auto folder = fresh_folder("sampled_error");
   const auto run = cli::run(folder, bake + "--error 3% -o a.vtkhdf --json --seed 3");
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.err.find("error reached: standard error"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("error reached: seen error"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("first light"), std::string::npos) << run.err;
   const auto json = Json::parse(run.out);
   EXPECT_EQ(json["solution"]["method"], "sampled");
@@ -26,7 +26,13 @@ TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
   const auto& solve = json["solve"];
   EXPECT_EQ(solve["error"]["target"], 0.03);
   EXPECT_EQ(solve["error"]["ended_by"], "error reached");
+  EXPECT_EQ(solve["error"]["measure"], "seen");
   const auto reached = solve["error"]["reached"].get<double>();
+  EXPECT_EQ(json["solution"]["seen_error"], reached);
+  EXPECT_LE(reached * (1.0 + solve["error"]["uncertainty"].get<double>()), 0.03);
+  EXPECT_EQ(solve["error"]["power"], json["solution"]["predicted_error"]);
+  EXPECT_GE(solve["error"]["views"], 100);
+  EXPECT_GT(solve["error"]["places"], 0.9);
   EXPECT_GT(reached, 0.0);
   EXPECT_LE(reached, 0.03);
   EXPECT_GT(solve["error"]["percentile_95"], 0.0);
@@ -58,10 +64,53 @@ TEST(Sampled, says_which_limit_ended_it_before_it_was_good_enough) {
     const auto json = Json::parse(run.out);
     EXPECT_EQ(json["solve"]["error"]["ended_by"], name);
     EXPECT_GT(json["solve"]["error"]["reached"], 1e-5);
-    EXPECT_NE(run.err.find(std::string("stopped by the ") + name + ": standard error"), std::string::npos)
+    EXPECT_NE(run.err.find(std::string("stopped by the ") + name + ": seen error"), std::string::npos)
         << run.err;
     EXPECT_NE(run.err.find("asked for 0.001 %"), std::string::npos) << run.err;
   }
+}
+
+TEST(Sampled, with_the_power_as_measure_stops_at_its_error) {
+  const auto folder = fresh_folder("sampled_power");
+  const auto run = cli::run(folder, bake + "--error 3% --error-measure power -o a.vtkhdf --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("error reached: standard error"), std::string::npos) << run.err;
+  const auto json = Json::parse(run.out);
+  EXPECT_EQ(json["solve"]["error"]["measure"], "power");
+  EXPECT_LE(json["solution"]["predicted_error"], 0.03);
+  EXPECT_EQ(json["solve"]["error"]["reached"], json["solution"]["predicted_error"]);
+  EXPECT_EQ(cli::run(folder, bake + "--error-measure eye -o a.vtkhdf").code, 2);
+}
+
+TEST(Sampled, may_focus_on_what_a_camera_sees_or_on_a_material) {
+  const auto folder = fresh_folder("sampled_focus");
+  const std::string coarse = bake + "--error 10% -o a.vtkhdf --json ";
+  const auto seen = [](const Outcome& run) {
+    return Json::parse(run.out)["solution"]["seen_error"].get<double>();
+  };
+  const auto camera = cli::run(folder, coarse + "--focus camera --eye 0,0.27,1.1 --target 0,0.27,-0.28");
+  ASSERT_EQ(camera.code, 0) << camera.err;
+  EXPECT_GT(seen(camera), 0.0);
+  // The file keeps the camera.
+  EXPECT_EQ(cli::run(folder, "$LUXEL resume a.vtkhdf -o b.png").code, 1) << "no samples were kept";
+  const auto floor = cli::run(folder, coarse + "--focus 'whi*'");
+  EXPECT_EQ(floor.code, 0) << floor.err;
+  const auto nothing = cli::run(folder, coarse + "--focus sofa");
+  EXPECT_EQ(nothing.code, 1);
+  EXPECT_NE(nothing.err.find("no material, object or group is called so"), std::string::npos) << nothing.err;
+}
+
+// Without --focus camera a picture's camera must not change the light.
+TEST(Sampled, a_camera_changes_no_byte_of_the_light) {
+  const auto folder = fresh_folder("sampled_camera");
+  const auto json = [&](const std::string& more) {
+    auto run = Json::parse(cli::run(folder, bake + "--error 5% -o a.vtkhdf --json " + more).out);
+    return run["solution"];
+  };
+  const auto one = json("");
+  const auto other = json("--eye 0.1,0.3,0.2 --target 0,0.1,-0.2");
+  for (const char* key : {"seen_error", "predicted_error", "error_95th", "rays"})
+    EXPECT_EQ(one[key], other[key]);
 }
 
 TEST(Sampled, without_a_target_a_limit_is_what_was_asked_for) {
@@ -104,7 +153,7 @@ TEST(Sampled, that_is_interrupted_writes_what_it_has_and_says_so) {
                                         "do grep -q lamp stderr.txt && break; sleep 0.05; done; sleep 1; "
                                         "kill -INT $pid; wait $pid");
   EXPECT_EQ(run.code, 3) << run.err;
-  EXPECT_NE(run.err.find("warning: stopped: standard error"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("warning: stopped: seen error"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
 }
 

@@ -52,7 +52,7 @@ class ErrorBars : public testing::TestWithParam<RoomMaker> {
 };
 
 TEST_P(ErrorBars, hold_the_truth_as_often_as_they_say) {
-  const auto runs = solve_with_seeds(room_, {.error = 0.03}, 40);
+  const auto runs = solve_with_seeds(room_, {.error = 0.03, .error_measure = ErrorMeasure::power}, 40);
   ASSERT_TRUE(has_error_bars(room_, runs[0]));
   const auto verdict = judge(room_, runs);
 
@@ -75,7 +75,7 @@ TEST_P(ErrorBars, hold_the_truth_as_often_as_they_say) {
 // The whole's figures are those of its sides, run by run. The sides' may be wider by up to a quarter: as
 // Student's t is for eight replicates, 2.365 / 1.96, which the whole with its many sides does not need.
 TEST_P(ErrorBars, of_the_whole_are_made_of_those_of_the_sides) {
-  const auto runs = solve_with_seeds(room_, {.error = 0.03}, 4);
+  const auto runs = solve_with_seeds(room_, {.error = 0.03, .error_measure = ErrorMeasure::power}, 4);
   const auto bands = room_.patches.band_count();
   for (const auto& run : runs) {
     ASSERT_TRUE(has_error_bars(room_, run));
@@ -113,7 +113,7 @@ TEST_P(ErrorAskedFor, is_the_error_there_is) {
   const auto room = GetParam().make();
   std::vector<double> true_square, predicted_square, rays;
   for (const double target : {0.04, 0.01, 0.003}) {
-    const auto runs = solve_with_seeds(room, {.error = target}, 16);
+    const auto runs = solve_with_seeds(room, {.error = target, .error_measure = ErrorMeasure::power}, 16);
     const auto verdict = judge(room, runs);
     EXPECT_LT(verdict.ratio.standard_error, 0.06) << target;
     EXPECT_NEAR(verdict.ratio.value, 1.0, 0.1 + 3.0 * verdict.ratio.standard_error) << target;

@@ -22,7 +22,8 @@ NamedSolution run(const truth::KnownRoom& room, std::uint64_t seed, double error
   const Workers workers;
   const Tracer tracer(room.patches, workers);
   NamedSolution result{"seed " + std::to_string(seed), {room.patches, {}}};
-  solve_sampled(room.patches, tracer, result.baked.solution, {.error = error, .seed = seed}, workers);
+  solve_sampled(room.patches, tracer, result.baked.solution,
+                {.error = error, .error_measure = ErrorMeasure::power, .seed = seed}, workers);
   return result;
 }
 

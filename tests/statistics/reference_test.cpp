@@ -23,7 +23,8 @@ Both both(const truth::KnownRoom& room, double error) {
   Both both{{room.patches, {}}, {room.patches, {}}};
   trace_light(room.patches, tracer, both.traced.solution,
               {.limits = {.error = error}, .bounces_from = BouncesFrom::patches}, workers);
-  solve_sampled(room.patches, tracer, both.solved.solution, {.error = error}, workers);
+  solve_sampled(room.patches, tracer, both.solved.solution,
+                {.error = error, .error_measure = ErrorMeasure::power}, workers);
   return both;
 }
 

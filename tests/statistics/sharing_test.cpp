@@ -25,8 +25,9 @@ KnownRoom room_without_sharing(const std::string& name, const Scene& scene, floa
   const Workers workers;
   const Tracer tracer(room.patches, workers);
   Solution solution;
-  const auto report = solve_sampled(room.patches, tracer, solution,
-                                    {.error = target / 5.0, .seed = 1000, .share = false}, workers);
+  const auto report = solve_sampled(
+      room.patches, tracer, solution,
+      {.error = target / 5.0, .error_measure = ErrorMeasure::power, .seed = 1000, .share = false}, workers);
   EXPECT_EQ(report.stop, StopReason::error_reached);
   room.truth.irradiance_front.assign(solution.irradiance_front.begin(), solution.irradiance_front.end());
   room.truth.irradiance_back.assign(solution.irradiance_back.begin(), solution.irradiance_back.end());
@@ -43,11 +44,14 @@ void expect_honest(const KnownRoom& room) {
   std::vector<Solution> runs(12);
   for (std::size_t s = 0; s < runs.size(); ++s) {
     const auto report =
-        solve_sampled(room.patches, tracer, runs[s], {.error = target, .seed = s + 1}, workers);
+        solve_sampled(room.patches, tracer, runs[s],
+                      {.error = target, .error_measure = ErrorMeasure::power, .seed = s + 1}, workers);
     EXPECT_EQ(report.stop, StopReason::error_reached);
   }
   Solution alone;
-  const auto without = solve_sampled(room.patches, tracer, alone, {.error = target, .share = false}, workers);
+  const auto without =
+      solve_sampled(room.patches, tracer, alone,
+                    {.error = target, .error_measure = ErrorMeasure::power, .share = false}, workers);
   EXPECT_LT(3 * runs[0].provenance.rays, 2 * without.rays)
       << "sharing saves a third of the rays, or it is not at work";
 

@@ -38,7 +38,8 @@ LitScene bake(const Scene& scene, float max_edge, double error = 0.02) {
   LitScene baked{make_patches(scene, {.max_edge = max_edge}), {}};
   const Workers workers;
   const Tracer tracer(baked.patches, workers);
-  solve_sampled(baked.patches, tracer, baked.light, {.error = error}, workers);
+  solve_sampled(baked.patches, tracer, baked.light, {.error = error, .error_measure = ErrorMeasure::power},
+                workers);
   return baked;
 }
 

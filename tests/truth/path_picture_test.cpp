@@ -97,7 +97,7 @@ TEST(FinalGather, agrees_with_paths_and_counts_lamps_once) {
   const Workers workers;
   const Tracer tracer(patches, workers);
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = 0.005}, workers);
+  solve_sampled(patches, tracer, solution, {.error = 0.005, .error_measure = ErrorMeasure::power}, workers);
   const auto gathered = gather_picture(patches, solution, tracer, inside,
                                        {.width = small.width, .height = small.height, .rays = 400}, workers);
   const auto traced = trace(patches, {.limits = {.samples = 1024}});

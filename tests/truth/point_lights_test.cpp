@@ -45,7 +45,8 @@ Answer solved(const Scene& scene, float edge, double error = 0.01) {
   a.patches = make_patches(scene, {.max_edge = edge});
   const Workers workers(2);
   const Tracer tracer(a.patches, workers);
-  a.report = solve_sampled(a.patches, tracer, a.light, {.error = error}, workers);
+  a.report = solve_sampled(a.patches, tracer, a.light, {.error = error, .error_measure = ErrorMeasure::power},
+                           workers);
   return a;
 }
 

@@ -63,8 +63,9 @@ TEST(Relight, with_nothing_changed_is_the_light_of_the_run) {
   group_by_material(patches);
   const Workers workers;
   const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.02}, workers);
-  const Relighter relighter(patches, tracer, kept.state, {.error = 0.02}, workers);
+  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+  const Relighter relighter(patches, tracer, kept.state,
+                            {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
   const auto again = relighter.light();
   // The two iterations begin elsewhere and end within 1e-6 of the whole each.
   EXPECT_LT(difference(kept.solution.irradiance_front, again.irradiance_front), 1e-4);
@@ -80,8 +81,9 @@ TEST(Relight, is_linear_in_the_lamps) {
   ASSERT_EQ(patches.light_groups.size(), 2u);
   const Workers workers;
   const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.02}, workers);
-  Relighter relighter(patches, tracer, kept.state, {.error = 0.02}, workers);
+  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+  Relighter relighter(patches, tracer, kept.state, {.error = 0.02, .error_measure = ErrorMeasure::power},
+                      workers);
   const auto lit = [&](std::vector<float> weight) {
     relighter.set_lamps(std::move(weight));
     return relighter.light().irradiance_front;
@@ -118,7 +120,7 @@ TEST(Relight, lamps_and_reflectances_give_the_light_of_the_changed_room_with_hon
   const Tracer tracer(before.patches, workers);
   std::vector<Solution> runs;
   for (std::size_t s = 0; s < seeds; ++s) {
-    const SampledOptions options = {.error = 0.02, .seed = s + 1};
+    const SampledOptions options = {.error = 0.02, .error_measure = ErrorMeasure::power, .seed = s + 1};
     const auto kept = solve(before.patches, tracer, options, workers);
     Relighter relighter(before.patches, tracer, kept.state, options, workers);
     relighter.set_lamps(weight);
@@ -145,15 +147,17 @@ TEST(Relight, the_sky_is_a_group_of_its_own) {
   ASSERT_EQ(patches.light_groups, (std::vector<std::string>{"lamp", "sky"}));
   const Workers workers;
   const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.01}, workers);
-  Relighter relighter(patches, tracer, kept.state, {.error = 0.01}, workers);
+  const auto kept = solve(patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, workers);
+  Relighter relighter(patches, tracer, kept.state, {.error = 0.01, .error_measure = ErrorMeasure::power},
+                      workers);
 
   const auto expect_fresh = [&](const std::vector<float>& weight) {
     auto changed = scene;
     changed.materials[1].emittance *= weight[0];
     changed.sky *= weight[3];
     const auto fresh_patches = make_patches(changed, {.max_edge = 0.25f});
-    const auto fresh = solve(fresh_patches, tracer, {.error = 0.01}, workers);
+    const auto fresh =
+        solve(fresh_patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, workers);
     relighter.set_lamps(weight);
     const auto relit = relighter.light();
     // The same seed, so the same rays: only the lamps' choice of samples could differ.
@@ -171,8 +175,9 @@ TEST(Relight, same_bytes_for_any_number_of_threads) {
   const auto relit = [&](int threads) {
     const Workers workers(threads);
     const Tracer tracer(patches, workers);
-    const auto kept = solve(patches, tracer, {.error = 0.02}, workers);
-    Relighter relighter(patches, tracer, kept.state, {.error = 0.02}, workers);
+    const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+    Relighter relighter(patches, tracer, kept.state, {.error = 0.02, .error_measure = ErrorMeasure::power},
+                        workers);
     relighter.set_lamps({0.5f, 0.6f, 0.7f});
     auto lamps = relighter.light();
     relighter.set_reflectance(std::vector(3 * patches.materials.size(), 0.25f));
@@ -190,8 +195,9 @@ TEST(Relight, numbers_that_cannot_be_are_refused) {
   auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
   const Workers workers;
   const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.1}, workers);
-  Relighter relighter(patches, tracer, kept.state, {.error = 0.1}, workers);
+  const auto kept = solve(patches, tracer, {.error = 0.1, .error_measure = ErrorMeasure::power}, workers);
+  Relighter relighter(patches, tracer, kept.state, {.error = 0.1, .error_measure = ErrorMeasure::power},
+                      workers);
   EXPECT_THROW(relighter.set_lamps({1.0f}), InputError);
   EXPECT_THROW(relighter.set_lamps({1.0f, -1.0f, 1.0f}), InputError);
   EXPECT_THROW(relighter.set_reflectance({0.5f}), InputError);

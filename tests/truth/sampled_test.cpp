@@ -61,7 +61,7 @@ truth::Measured measure(const std::vector<Solution>& runs, const std::function<d
 
 // Means over parts of the continuous room; tolerances are those of the patches.
 void expect_means(const PatchSet& patches, const std::map<std::string, double>& exact, double tolerance) {
-  const auto runs = solve_with_seeds(patches, {.error = 0.03});
+  const auto runs = solve_with_seeds(patches, {.error = 0.03, .error_measure = ErrorMeasure::power});
   for (const auto& [name, value] : exact) {
     const auto& material = name;
     const auto mean = measure(runs, [&](const Solution& run) {
@@ -123,7 +123,7 @@ TEST(SampledEnclosures, a_furnace_is_exact) {
   const auto patches =
       make_patches(truth::furnace({0.8f, 0.5f, 0.2f}, {0.14f, 0.45f, 0.091f}), {.max_edge = 0.1f});
   expect_means(patches, {{"walls", 1.0}, {"block", 1.0}}, 0.0005);
-  const auto solved = solve(patches, {.error = 0.01});
+  const auto solved = solve(patches, {.error = 0.01, .error_measure = ErrorMeasure::power});
   double worst = 0.0;
   for (std::size_t i = 0; i < solved.solution.irradiance_front.size(); ++i) {
     const double H = solved.solution.irradiance_front[i];
@@ -145,6 +145,7 @@ class SampledSwitch : public testing::TestWithParam<Switch> {
  protected:
   static void expect_truth(const truth::KnownRoom& room, SampledOptions options) {
     options.error = 0.03;
+    options.error_measure = ErrorMeasure::power;
     options.*(GetParam().option) = !(options.*(GetParam().option));
     const auto runs = solve_with_seeds(room.patches, options);
     for (const bool back : {false, true})
@@ -227,7 +228,7 @@ TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed)
     }
   }
 
-  const auto [solution, report] = solve(room.patches, {.error = 0.005});
+  const auto [solution, report] = solve(room.patches, {.error = 0.005, .error_measure = ErrorMeasure::power});
   EXPECT_LT(truth::true_error(room, solution), 0.01);
   for (std::size_t p = 0; p < room.patches.size(); ++p)
     if (!room.patches.material_of(p).two_sided) {
@@ -246,7 +247,8 @@ TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed)
 // What shadow rays bring from a lamp and what gather rays carry away are estimates of their own: they agree
 // to the error of the light.
 TEST(SampledSides, emitted_equals_absorbed_escaped_lost_and_unshot) {
-  const auto [solution, report] = solve(leaky_room().patches, {.error = 0.02});
+  const auto [solution, report] =
+      solve(leaky_room().patches, {.error = 0.02, .error_measure = ErrorMeasure::power});
   const double emitted[3] = {1.0, 0.1, 3.0};  // W: one square metre
   for (std::size_t band = 0; band < 3; ++band) {
     const auto& e = report.energy;
@@ -259,7 +261,7 @@ TEST(SampledSides, emitted_equals_absorbed_escaped_lost_and_unshot) {
 
 TEST(SampledSides, radiosity_is_emittance_and_what_is_reflected) {
   const auto room = truth::hung_plate();
-  const auto [solution, report] = solve(room.patches, {.error = 0.03});
+  const auto [solution, report] = solve(room.patches, {.error = 0.03, .error_measure = ErrorMeasure::power});
   for (std::size_t p = 0; p < room.patches.size(); ++p)
     for (std::size_t band = 0; band < 3; ++band) {
       const auto& m = room.patches.material_of(p);
@@ -279,7 +281,7 @@ TEST(SampledSides, a_lamp_seen_from_its_back_lights_nothing) {
   b.material("lamp", 0.5f, 1.0f).quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
   b.material("ceiling", 0.5f, 0.0f).quad({0, 1, 2}, {1, 1, 2}, {1, 0, 2}, {0, 0, 2});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.3f});
-  const auto [solution, report] = solve(patches, {.error = 0.02});
+  const auto [solution, report] = solve(patches, {.error = 0.02, .error_measure = ErrorMeasure::power});
   EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance_front, "floor"), 0.0);
   EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance_back, "lamp"), 0.0);
   EXPECT_EQ(truth::mean_irradiance(patches, solution.standard_error_front, "floor"), 0.0);
@@ -291,7 +293,7 @@ TEST(SampledSides, a_two_sided_patch_is_lit_on_its_back) {
   b.material("lower", 0.5f, 1.0f).quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
   b.material("upper", 0.5f, 0.0f).quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.1f});
-  const auto [solution, report] = solve(patches, {.error = 0.01});
+  const auto [solution, report] = solve(patches, {.error = 0.01, .error_measure = ErrorMeasure::power});
   EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance_back, "upper"), 0.20189437848, 0.001);
   EXPECT_NEAR(truth::mean_irradiance(patches, solution.radiosity_back, "upper"), 0.10094718924, 0.0005);
   EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance_front, "upper"), 0.0);

@@ -34,7 +34,9 @@ using Solve = Answer (*)(const PatchSet&, const Tracer&, const Workers&);
 
 Answer sampled(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
   Answer a;
-  a.energy = solve_sampled(patches, tracer, a.light, {.error = 0.01, .replicates = 32}, workers).energy;
+  a.energy = solve_sampled(patches, tracer, a.light,
+                           {.error = 0.01, .error_measure = ErrorMeasure::power, .replicates = 32}, workers)
+                 .energy;
   return a;
 }
 Answer shooting(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {

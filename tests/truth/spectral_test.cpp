@@ -144,9 +144,9 @@ TEST(Spectral, paints_that_look_alike_make_rooms_that_do_not) {
 TEST(Spectral, a_grey_room_has_the_light_of_plain_colour) {
   auto scene = truth::cube_a();
   scene.materials[2].reflectance = Vec3(0.2f);
-  const auto plain = solve_sampled(scene, {.error = 0.05});
+  const auto plain = solve_sampled(scene, {.error = 0.05, .error_measure = ErrorMeasure::power});
   scene.wavelengths = wavelengths(10.0);
-  const auto spectral = solve_sampled(scene, {.error = 0.05});
+  const auto spectral = solve_sampled(scene, {.error = 0.05, .error_measure = ErrorMeasure::power});
   EXPECT_EQ(plain.solution.provenance.rays, spectral.solution.provenance.rays);
   EXPECT_NEAR(plain.solution.predicted_error / spectral.solution.predicted_error, 1.0, 1e-3);
   for (std::size_t p = 0; p < plain.patches.size(); ++p) {
@@ -184,9 +184,9 @@ TEST(Spectral, every_number_of_threads_gives_the_same_bytes) {
   auto scene = truth::l_room();
   scene.materials[0].reflectance_spectrum = paint;
   scene.wavelengths = wavelengths(12.5);
-  const auto one = solve_sampled(scene, {.error = 0.1}, 1);
+  const auto one = solve_sampled(scene, {.error = 0.1, .error_measure = ErrorMeasure::power}, 1);
   for (const int threads : {2, 5}) {
-    const auto many = solve_sampled(scene, {.error = 0.1}, threads);
+    const auto many = solve_sampled(scene, {.error = 0.1, .error_measure = ErrorMeasure::power}, threads);
     EXPECT_EQ(one.solution.irradiance_front, many.solution.irradiance_front);
     EXPECT_EQ(one.solution.standard_error_front, many.solution.standard_error_front);
   }

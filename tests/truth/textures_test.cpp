@@ -88,7 +88,7 @@ Solution solved(const PatchSet& patches) {
   const Workers workers(2);
   const Tracer tracer(patches, workers);
   Solution light;
-  solve_sampled(patches, tracer, light, {.error = 0.01}, workers);
+  solve_sampled(patches, tracer, light, {.error = 0.01, .error_measure = ErrorMeasure::power}, workers);
   return light;
 }
 

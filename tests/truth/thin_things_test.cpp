@@ -96,7 +96,9 @@ Lit solve(const Scene& scene, By by, std::uint64_t seed = 1, float max_edge = 2.
   const Tracer tracer(lit.patches, workers);
   auto& [patches, solution, energy] = lit;
   if (by == By::sampling)
-    energy = solve_sampled(patches, tracer, solution, {.error = 0.02, .seed = seed}, workers).energy;
+    energy = solve_sampled(patches, tracer, solution,
+                           {.error = 0.02, .error_measure = ErrorMeasure::power, .seed = seed}, workers)
+                 .energy;
   if (by == By::shooting)
     energy =
         solve_stochastic_jacobi(patches, tracer, solution, {.rays = 100'000, .seed = seed}, workers).energy;

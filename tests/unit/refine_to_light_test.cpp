@@ -51,7 +51,7 @@ double irradiance_at(const Vec3& place, const Tracer& tracer) {
 // Area-weighted relative RMS of the light reconstructed on the floor against the truth, by random places.
 double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = 0.002}, workers);
+  solve_sampled(patches, tracer, solution, {.error = 0.002, .error_measure = ErrorMeasure::power}, workers);
   const auto smooth = make_smooth_light(patches, solution, {}, workers);
   double error2 = 0.0;
   double light2 = 0.0;

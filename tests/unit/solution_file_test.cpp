@@ -67,6 +67,27 @@ TEST(SolutionFile, arrays_of_several_compressed_chunks_are_read_to_the_bit) {
   }
 }
 
+TEST(SolutionFile, cameras_focus_and_seen_error_are_read_to_the_bit) {
+  auto sample = sample::baked(6, 3);
+  auto& patches = sample.patches;
+  patches.cameras = {{.eye = {1, 2, 3}, .target = {0.5f, 0, 1}, .up = {0, 0, 1}, .vertical_fov = 35.0f},
+                     {.eye = {-1, 2, 3}}};
+  patches.focuses_on_cameras = true;
+  patches.focus = {1, 0, 0, 1, 1, 0};
+  sample.solution.seen_error = 0.0125;
+  const auto read = read_solution(write("focus.vtkhdf", sample));
+  ASSERT_EQ(read.patches.cameras.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.patches.cameras[i].eye, patches.cameras[i].eye);
+    EXPECT_EQ(read.patches.cameras[i].target, patches.cameras[i].target);
+    EXPECT_EQ(read.patches.cameras[i].up, patches.cameras[i].up);
+    EXPECT_EQ(read.patches.cameras[i].vertical_fov, patches.cameras[i].vertical_fov);
+  }
+  EXPECT_TRUE(read.patches.focuses_on_cameras);
+  EXPECT_EQ(read.patches.focus, patches.focus);
+  EXPECT_EQ(read.solution.seen_error, 0.0125);
+}
+
 TEST(SolutionFile, standard_errors_are_read_to_the_bit) {
   for (const std::size_t bands : {1, 3, 7}) {
     SCOPED_TRACE(bands);

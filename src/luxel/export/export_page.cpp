@@ -57,9 +57,9 @@ std::string parts_of(const PageMesh& mesh) {
 
 std::string made_by(const Solution& solution) {
   const auto& from = solution.provenance;
-  return fmt::format(R"({{"luxel":{},"method":{},"rays":{},"error":{},"meshError":{}}})",
+  return fmt::format(R"({{"luxel":{},"method":{},"rays":{},"error":{},"seenError":{},"meshError":{}}})",
                      page_string(from.program_version), page_string(from.method), from.rays,
-                     solution.predicted_error, solution.mesh_error);
+                     solution.predicted_error, solution.seen_error, solution.mesh_error);
 }
 
 std::string camera_of(const Camera& camera) {

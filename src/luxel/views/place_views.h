@@ -21,8 +21,8 @@ struct ViewOptions {
   std::size_t max_views = 512;
   std::size_t grid = 16;  // directions of a view: 2 * grid², 512
 
-  std::size_t scouts = 384;     // looks by which the places are found
-  std::size_t scout_grid = 8;   // directions of a scout: 128
+  std::size_t scouts = 384;    // looks by which the places are found
+  std::size_t scout_grid = 8;  // directions of a scout: 128
 };
 
 // Two sets of views, each spread over the open space of the scene.
