@@ -106,6 +106,7 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   const auto widening = student_widening(result.freedom);
   result.mean.resize(bias.size());
   result.standard_error.resize(bias.size());
+  result.squared_error.resize(bias.size());
   struct Sums {
     double variance = 0.0, bias2 = 0.0, light2 = 0.0;
   };
@@ -134,6 +135,7 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
           const auto error2 = widening * widening * (variance + std::max(0.0, bias2));
           result.mean[i] = static_cast<float>(mean);
           result.standard_error[i] = static_cast<float>(std::sqrt(error2));
+          result.squared_error[i] = static_cast<float>(variance + bias2);
           light += mean * mean;
           variance_sum += variance;
           bias_sum += bias2;
@@ -150,6 +152,7 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   });
   mine.share(std::span(result.mean), bands);
   mine.share(std::span(result.standard_error), bands);
+  mine.share(std::span(result.squared_error), bands);
   mine.share(std::span(relative), 1);
   mine.share_chunks(std::span(sums));
   Sums whole;

@@ -16,6 +16,9 @@ struct Spread {
   // [slot][band]: of the mean, from the spread and the bias; widened as Student's t is for so few replicates,
   // so that 1.96 of them hold the truth 95 times in 100.
   std::vector<float> standard_error;
+  // [slot][band]: of the mean, not widened: variance and bias, which is an estimate and may be below 0. Sums
+  // over many slots are honest; where every slot counts as at least its variance, they are too large.
+  std::vector<float> squared_error;
   double error2 = 0.0;   // sum of area * variance of the mean, and of area * squared bias if that is above 0
   double bias2 = 0.0;    // the second part of it
   double freedom = 0.0;  // degrees of, of the variance

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "luxel/math/student.h"
-
 namespace luxel {
 namespace {
 
@@ -29,7 +27,7 @@ class LeaveOneOut {
     for (std::size_t r = 0; r < direct_.size(); ++r) mean += value(r) / n;
     double sum = 0.0;
     for (std::size_t r = 0; r < direct_.size(); ++r) sum += squared(value(r) - mean);
-    const auto bias2 = std::max(0.0, error2 - sum / (n * (n - 1.0)));
+    const auto bias2 = error2 - sum / (n * (n - 1.0));
     for (std::size_t r = 0; r < direct_.size(); ++r) {
       const auto left = std::max(0.0, sum - squared(value(r) - mean) * n / (n - 1.0));
       without[r] += static_cast<float>(weight * (left / (n * (n - 2.0)) + bias2));
@@ -58,7 +56,6 @@ double SeenMeasure::error_of(const Spread& answer) const {
 
 SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const {
   const auto bands = patches_.band_count();
-  const auto widening = student_widening(answer.freedom);
   SeenLight light{std::vector<float>(views.sides.size()), std::vector<float>(views.sides.size()),
                   sky_radiance(patches_)};
   const bool black = reflects_nothing(patches_, views_.stating);
@@ -71,7 +68,7 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
     if (slot != GatherSides::none) {
       irradiance = std::span(answer.mean).subspan(slot * bands, bands);
       for (std::size_t b = 0; b < bands; ++b)
-        error2[b] = squared(static_cast<double>(answer.standard_error[slot * bands + b]) / widening);
+        error2[b] = static_cast<double>(answer.squared_error[slot * bands + b]);
     }
     const auto side = light_of_side(patches_, views.sides[i], irradiance, error2, black);
     light.radiance[i] = side.radiance;
@@ -93,7 +90,6 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
                                        Replicates direct, Replicates gathered, const Workers& workers) {
   const auto bands = patches_.band_count();
   const auto n = direct.size();
-  const auto widening = student_widening(answer.freedom);
   const auto slots = sides_.size();
   const bool black = reflects_nothing(patches_, views_.stating);
   // By slot, because ranks hold the replicates of ranges of slots.
@@ -107,8 +103,7 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
     for (auto s = mine.begin() + from; s < mine.begin() + to; ++s)
       for (std::size_t b = 0; is_seen[s] && b < bands; ++b) {
         const auto rho = black ? 1.0 : static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b));
-        leave_one_out.add(s * bands + b,
-                          squared(static_cast<double>(answer.standard_error[s * bands + b]) / widening),
+        leave_one_out.add(s * bands + b, static_cast<double>(answer.squared_error[s * bands + b]),
                           squared(rho / std::numbers::pi) / static_cast<double>(bands),
                           std::span(without).subspan(s * n, n));
       }

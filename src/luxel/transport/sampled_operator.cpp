@@ -198,6 +198,7 @@ struct PackedKernel {
   }
 };
 
+template <std::size_t known_columns>
 struct ColumnsKernel {
   const float* radiosity;
   const float* sent_density;
@@ -208,8 +209,9 @@ struct ColumnsKernel {
   void fetch(std::uint32_t) const {}
   void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
     const auto q = 1.0f / (trusted[slot] + mutual[slot] * sent_density[e]);
-    const auto* R = radiosity + columns * e;
-    for (std::size_t c = 0; c < columns; ++c) sum[c] += static_cast<double>(q * R[c]);
+    const auto width = known_columns ? known_columns : columns;
+    const auto* R = radiosity + width * e;
+    for (std::size_t c = 0; c < width; ++c) sum[c] += static_cast<double>(q * R[c]);
   }
 };
 
@@ -224,11 +226,13 @@ void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size
     trusted[s] = options_.own_trust * density_[s];
     mutual[s] = sent_density_[s] > 0.0f ? 1.0f : 0.0f;
   }
-  if (columns != 3) {
-    const ColumnsKernel kernel{radiosity.data(), sent_density_.data(), trusted.data(), mutual.data(),
-                               columns};
-    return for_rows<0>(first, end, columns, workers, kernel, make_rows);
-  }
+  const auto add_columns = [&]<std::size_t known>() {
+    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), trusted.data(), mutual.data(),
+                                      columns};
+    for_rows<known>(first, end, columns, workers, kernel, make_rows);
+  };
+  if (columns == 12) return add_columns.template operator()<12>();
+  if (columns != 3) return add_columns.template operator()<0>();
   std::vector<std::array<float, 4>> packed(elements());
   workers.for_chunks(packed.size(), grain, [&](std::size_t from, std::size_t to, int) {
     for (auto e = from; e < to; ++e)

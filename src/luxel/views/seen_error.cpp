@@ -90,7 +90,7 @@ std::vector<double> SeenError::errors(std::span<const float> squared_error) cons
       sum += static_cast<double>(squared_error[s]) *
              sensitivity(static_cast<double>(light_.radiance[s]), adaptation_[v]);
     }
-    result[v] = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+    result[v] = count > 0 ? std::sqrt(std::max(0.0, sum) / static_cast<double>(count)) : 0.0;
   }
   return result;
 }

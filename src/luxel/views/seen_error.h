@@ -11,9 +11,11 @@ namespace luxel {
 
 // Light as an eye receives it: root mean squares over bands.
 struct SeenLight {
-  std::vector<float> radiance;       // [index in Views::sides], W/(m² sr), emission included
-  std::vector<float> squared_error;  // likewise, of the radiance: spread and bias, not widened by Student's t
-  float sky = 0.0f;                  // radiance of the sky
+  std::vector<float> radiance;  // [index in Views::sides], W/(m² sr), emission included
+  // Likewise, of the radiance: spread and bias, not widened by Student's t. The bias is an estimate and may
+  // be below 0: what counts is the sum over a view.
+  std::vector<float> squared_error;
+  float sky = 0.0f;  // radiance of the sky
 };
 
 // One side's part of SeenLight.
