@@ -13,8 +13,8 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t patches_grain = 1024;  // patches that a thread takes at a time
-constexpr float smallest_coverage = 1e-4f;  // a patch of holes alone is next to nothing, but it is a patch
-constexpr Vec3 darkest_mean(1e-6f);         // below it a texture is black, and no finer than its patch
+constexpr float smallest_coverage = 1e-4f;   // a patch of holes alone is next to nothing, but it is a patch
+constexpr Vec3 darkest_mean(1e-6f);          // below it a texture is black, and no finer than its patch
 
 template <typename T>
 T between(const std::array<T, 3>& corners, const Vec3d& weight) {
@@ -82,10 +82,9 @@ class PatchMeans {
     const auto key = std::tuple(use->texture, use->wrap, threshold);
     auto found = made_.find(key);
     if (found == made_.end())
-      found = made_
-                  .emplace(key, TexelSums(patches_.textures[use->texture].raster, use->wrap, threshold,
-                                          workers))
-                  .first;
+      found =
+          made_.emplace(key, TexelSums(patches_.textures[use->texture].raster, use->wrap, threshold, workers))
+              .first;
     return &found->second;
   }
   const OfMaterial& of(std::size_t p) const {

@@ -13,8 +13,8 @@
 namespace luxel {
 
 // Lays the scene's textures and the colours of its corners on patches that were cut from its triangles
-// (PatchSet::triangle), and colours them. Nothing is done where the scene has neither. Cost: that of a mean per
-// patch and texture (TexelSums). The same bits for any number of threads.
+// (PatchSet::triangle), and colours them. Nothing is done where the scene has neither. Cost: that of a mean
+// per patch and texture (TexelSums). The same bits for any number of threads.
 void lay_textures(PatchSet& patches, const Scene& scene, const Workers& workers);
 
 // The same for patches that are parts of others, which `parent` names. Their areas are those of the whole
