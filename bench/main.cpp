@@ -26,6 +26,7 @@ constexpr Section sections[] = {
     {"gather", "sampled_over_embree", sampled_against_embree},
     {"polygons", "time_against_polygons", against_polygons},
     {"lamps", "time_against_lamps", against_lamps},
+    {"facets", "shadow_rays_to_facets", against_facets},
     {"threads", "thread_scaling", against_threads},
     {"error", "error_against_time", error_against_time},
     {"variance", "variance_reduction", variance_reduction},

@@ -20,6 +20,7 @@ Json against_embree(const Settings& settings);          // the solver against it
 Json sampled_against_embree(const Settings& settings);  // the sampled operator against its limit
 Json against_polygons(const Settings& settings);        // time against polygons at a fixed number of rays
 Json against_lamps(const Settings& settings);           // many lamps against one
+Json against_facets(const Settings& settings);          // shadow rays to bulbs of many triangles
 Json against_threads(const Settings& settings);         // threads
 Json error_against_time(const Settings& settings);      // each method on each scene
 Json variance_reduction(const Settings& settings);      // each switch of the sampled solver turned
