@@ -71,7 +71,7 @@ TEST_F(View, lamps_colours_and_bounces_change_the_light_and_can_be_undone) {
 TEST_F(View, keys_and_the_mouse_do_what_they_say) {
   const auto done =
       run("s.txt",
-          "set panel off\nwait finished\nsnapshot 0.png\n"
+          "set panel off\nwait finished\nwait 300 frames\nsnapshot 0.png\n"  // exposure takes its time
           "key tab\nhold W 0.3\nmove 10 10\nmove 60 10\nwait 5 frames\nkey tab\nsnapshot 1.png\n"
           "key H\nwait 30 frames\nsnapshot 2.png\n"
           "wheel 4\nwait 60 frames\nsnapshot 3.png\nwheel -4\n"

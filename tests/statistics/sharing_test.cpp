@@ -16,7 +16,7 @@ namespace {
 
 // Rooms of so many patches that neighbours share their rays. What they should come to is found without
 // sharing, to a fifth of the error that is judged: its square adds a twenty-fifth.
-constexpr double target = 0.025;
+constexpr double target = 0.02;
 
 KnownRoom room_without_sharing(const std::string& name, const Scene& scene, float max_edge) {
   KnownRoom room;

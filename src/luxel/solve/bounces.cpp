@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/bounces.h"
 
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -23,7 +24,7 @@ struct Bounces::State {
   SampledOptions options;
   std::uint64_t rays;
   Sampling sampling;
-  std::optional<SampledOperator> transport;
+  std::unique_ptr<const SampledOperator> transport;
   std::vector<float> direct;      // D, [slot * bands + band], W/m²
   std::vector<float> irradiance;  // H
   std::vector<float>
@@ -40,8 +41,7 @@ struct Bounces::State {
         rays(state.rays + state.first_rays),
         sampling(of_run, tracer, run_options, run_workers) {
     sampling.take_up(state);
-    transport.emplace(patches, sampling.hits(), SampledOperatorOptions{.both_ways = options.both_ways},
-                      workers);
+    transport = sampling.transport();
     direct = mean_of(sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers),
                      workers);
     const SlotLight slots(patches, sampling.tree(), sampling.hits().sides(), false, workers);

@@ -2,6 +2,7 @@
 #include "luxel/solve/relight.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -66,9 +67,9 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
   Sampling sampling(patches, tracer, options, workers);
   sampling.take_up(*state);
   const SlotLight slots(patches, sampling.tree(), sampling.hits().sides(), false, workers);
-  const SampledOperator transport(patches, sampling.hits(), {.both_ways = options.both_ways}, workers);
+  const auto transport = sampling.transport();
   auto more = std::make_shared<SampleState>(*state);
-  more->gathered = solve_groups(patches, transport, *state, slots.reflectance(), workers, monitor);
+  more->gathered = solve_groups(patches, *transport, *state, slots.reflectance(), workers, monitor);
   if (more->gathered.empty()) return nullptr;
   return more;
 }
@@ -80,7 +81,7 @@ struct Relighter::State {
   std::shared_ptr<const SampleState> samples;
   SampledOptions options;
   Sampling sampling;
-  std::optional<SampledOperator> transport;
+  std::unique_ptr<const SampledOperator> transport;
   std::optional<SlotLight> slots;
   std::optional<SeenMeasure> seen;  // where it ended the run
   std::vector<float> weight;
@@ -96,8 +97,7 @@ struct Relighter::State {
         sampling(patches, tracer, run_options, run_workers),
         weight(patches.group_count() * patches.band_count(), 1.0f) {
     sampling.take_up(*samples);
-    transport.emplace(patches, sampling.hits(), SampledOperatorOptions{.both_ways = options.both_ways},
-                      workers);
+    transport = sampling.transport();
     look_at_surfaces();
     if (options.error_measure == ErrorMeasure::seen && !samples->sides.empty())
       seen.emplace(patches, sampling.hits().sides(), sampling.units(), tracer, workers);

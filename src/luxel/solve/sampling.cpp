@@ -12,6 +12,7 @@
 #include "luxel/report/memory.h"
 #include "luxel/solve/dark_sides.h"
 #include "luxel/solve/slot_light.h"
+#include "luxel/transport/one_way_sides.h"
 
 namespace luxel {
 namespace {
@@ -78,6 +79,7 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   if (!traced) return false;
   rays_ = direct_->share(all, direct_rays) + *traced;
   leave_out_dark_sides(first_picture);
+  if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, workers_);
   check_memory(bytes_of_state(), resident_memory());
   units_ = neighbour_begins(hits_->sides(), unit_positions);
   return true;
@@ -124,6 +126,7 @@ void Sampling::take_up(const SampleState& state) {
   if (hits_->sides().side != state.sides)
     throw MismatchError("the kept samples are not of these patches: their sides stand in another order");
   hits_->take_up(state.rounds);
+  if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, workers_);
   direct_->take_up(state.direct, state.direct_samples, state.direct_doublings);
   if (bytes_of_state() + bytes_of_hits() > memory_) hits_->stream();
   rays_ = state.rays;

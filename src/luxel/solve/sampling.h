@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "luxel/solve/sampled.h"
 #include "luxel/transport/direct_light.h"
 #include "luxel/transport/hit_store.h"
+#include "luxel/transport/sampled_operator.h"
 
 namespace luxel {
 
@@ -37,6 +39,12 @@ class Sampling {
 
   const PatchTree& tree() const { return tree_; }
   const HitStore& hits() const { return *hits_; }
+  // Transport by the rays so far. References this; not valid after more rays.
+  std::unique_ptr<const SampledOperator> transport() const {
+    return std::make_unique<const SampledOperator>(
+        patches_, *hits_, SampledOperatorOptions{.both_ways = options_.both_ways, .one_way = one_way_},
+        workers_);
+  }
   const DirectSamples& direct() const { return *direct_; }
   std::uint64_t dark_sides() const { return dark_sides_; }
   std::uint64_t rays() const { return rays_; }  // traced
@@ -79,6 +87,7 @@ class Sampling {
   DirectLight direct_light_;
   PatchTree tree_;
   std::optional<HitStore> hits_;
+  std::vector<std::uint8_t> one_way_;  // [slot]
   std::optional<DirectSamples> direct_;
   std::vector<std::uint32_t> units_;
   std::uint64_t dark_sides_ = 0;

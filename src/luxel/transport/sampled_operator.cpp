@@ -19,8 +19,11 @@ SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
                                  const SampledOperatorOptions& options, const Workers& workers)
     : patches_(patches), hits_(hits), options_(options) {
   find_densities();
-  if (!hits_.is_streamed()) find_arrivals(workers);
-  find_row_sums(workers);
+  do {
+    if (!hits_.is_streamed()) find_arrivals(workers);
+    find_row_sums(workers);
+  } while (find_one_way_sides());
+  find_row_factors(workers);
 }
 
 SampledOperator::~SampledOperator() = default;
@@ -40,9 +43,8 @@ void SampledOperator::find_densities() {
     const auto patch = sides().side[s] / 2;
     inverse_area_[s] = 1.0 / static_cast<double>(patches_.area[patch]);
     density_[s] = static_cast<float>(hits_.rays_per_slot()[s] * inverse_area_[s]);
-    // Rays leave a hole, but none ends there.
-    const bool has_holes = patches_.material_of(patch).textures.cutout.has_value();
-    if (options_.both_ways && !has_holes) sent_density_[s] = density_[s];
+    const bool is_one_way = !options_.one_way.empty() && options_.one_way[s] > 0;
+    if (options_.both_ways && !is_one_way) sent_density_[s] = density_[s];
   }
 }
 
@@ -179,6 +181,15 @@ void SampledOperator::for_streamed_rows(std::uint32_t first, std::uint32_t end, 
 
 // ---- Sums of radiosity ----
 
+SampledOperator::RayWeights SampledOperator::weights() const {
+  RayWeights weight;
+  for (std::size_t s = 0; s < density_.size(); ++s) {
+    weight.trusted.push_back(options_.own_trust * density_[s]);
+    weight.mutual.push_back(sent_density_[s] > 0.0f ? 1.0f : 0.0f);
+  }
+  return weight;
+}
+
 namespace {
 
 // Density and three radiosities of an element in one place of memory.
@@ -221,14 +232,10 @@ template <typename MakeRows>
 void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns,
                                std::span<const float> radiosity, const Workers& workers,
                                const MakeRows& make_rows) const {
-  std::vector<float> trusted(density_.size()), mutual(density_.size());
-  for (std::size_t s = 0; s < density_.size(); ++s) {
-    trusted[s] = options_.own_trust * density_[s];
-    mutual[s] = sent_density_[s] > 0.0f ? 1.0f : 0.0f;
-  }
+  const auto weight = weights();
   const auto add_columns = [&]<std::size_t known>() {
-    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), trusted.data(), mutual.data(),
-                                      columns};
+    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), weight.trusted.data(),
+                                      weight.mutual.data(), columns};
     for_rows<known>(first, end, columns, workers, kernel, make_rows);
   };
   if (columns == 12) return add_columns.template operator()<12>();
@@ -238,7 +245,8 @@ void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size
     for (auto e = from; e < to; ++e)
       packed[e] = {sent_density_[e], radiosity[3 * e], radiosity[3 * e + 1], radiosity[3 * e + 2]};
   });
-  const PackedKernel kernel{packed.data(), trusted.data(), mutual.data(), packed.size() > cached_elements};
+  const PackedKernel kernel{packed.data(), weight.trusted.data(), weight.mutual.data(),
+                            packed.size() > cached_elements};
   for_rows<3>(first, end, 3, workers, kernel, make_rows);
 }
 
@@ -321,16 +329,90 @@ class ReplicateRows {
 
 }  // namespace
 
+namespace {
+
+// Row sums, and the sums of squared weights.
+struct UnitKernel {
+  const float* sent_density;
+  const float* trusted;
+  const float* mutual;
+
+  void fetch(std::uint32_t) const {}
+  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+    const auto q = static_cast<double>(1.0f / (trusted[slot] + mutual[slot] * sent_density[e]));
+    sum[0] += q;
+    sum[1] += q * q;
+  }
+};
+
+}  // namespace
+
 void SampledOperator::find_row_sums(const Workers& workers) {
-  const auto replicates = hits_.replicates();
   const auto slots = sides().size();
-  row_sum_.assign(replicates, std::vector<float>(slots, 1.0f));
-  row_factor_ = row_sum_;
+  row_sum_.assign(hits_.replicates(), std::vector<float>(slots, 1.0f));
+  row_sum_variance_.assign(slots, 0.0f);
   if (!options_.both_ways || slots == 0) return;
-  const std::vector<float> ones(elements(), 1.0f);
-  sum_rows(0, replicates, 1, ones, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
-    return ReplicateRows(slot0, slot1, 1, options_.own_trust, 0, inverse_area_, row_sum_);
+  const auto weight = weights();
+  const UnitKernel kernel{sent_density_.data(), weight.trusted.data(), weight.mutual.data()};
+  struct Rows {
+    std::uint32_t slot0, slot1;
+    SampledOperator& whole;
+    void add(std::uint32_t replicate, const double* own, const double* arriving) {
+      const double k = whole.options_.own_trust;
+      for (auto s = slot0; s < slot1; ++s) {
+        const auto i = 2 * (s - slot0);
+        const auto per_area = whole.inverse_area_[s];
+        whole.row_sum_[replicate][s] = static_cast<float>(per_area * (k * own[i] + arriving[i]));
+        whole.row_sum_variance_[s] +=
+            static_cast<float>(per_area * per_area * (k * k * own[i + 1] + arriving[i + 1]));
+      }
+    }
+    void finish() {}
+  };
+  for_rows<2>(0, hits_.replicates(), 2, workers, kernel, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return Rows{slot0, slot1, *this};
   });
+}
+
+bool SampledOperator::find_one_way_sides() {
+  constexpr std::uint32_t unit_positions = 64;
+  constexpr double most_deviations = 5.0;
+  constexpr double most_off = 0.02;  // less is not worth it: row sums are made 1 all the same
+  if (!options_.both_ways) return false;
+  std::vector<float> one_way(sides().size(), 0.0f);
+  // Row sums of slots [first, end) together.
+  const auto test = [&](std::uint32_t first, std::uint32_t end) {
+    double off = 0.0;
+    double variance = 0.0;
+    double rows = 0.0;
+    for (auto s = first; s < end; ++s) {
+      if (!(sent_density_[s] > 0.0f)) continue;
+      for (std::uint32_t r = 0; r < hits_.replicates(); ++r) off += row_sum(r, s) - 1.0;
+      variance += static_cast<double>(row_sum_variance_[s]);
+      rows += hits_.replicates();
+    }
+    if (std::abs(off) > std::max(most_deviations * std::sqrt(variance), most_off * rows))
+      std::fill(one_way.begin() + first, one_way.begin() + end, 1.0f);
+  };
+  const auto begins = neighbour_begins(sides(), unit_positions);
+  for (std::size_t u = 0; u + 1 < begins.size(); ++u) {
+    if (!hits_.is_mine(begins[u])) continue;
+    test(begins[u], begins[u + 1]);
+    for (auto s = begins[u]; s < begins[u + 1]; ++s) test(s, s + 1);
+  }
+  hits_.share_slots(one_way, 1);
+  bool is_new = false;
+  for (std::size_t s = 0; s < one_way.size(); ++s) {
+    is_new |= one_way[s] > 0.0f && sent_density_[s] > 0.0f;
+    if (one_way[s] > 0.0f) sent_density_[s] = 0.0f;
+  }
+  return is_new;
+}
+
+void SampledOperator::find_row_factors(const Workers& workers) {
+  const auto slots = sides().size();
+  row_factor_.assign(hits_.replicates(), std::vector<float>(slots, 1.0f));
+  if (!options_.both_ways || slots == 0) return;
   // g_r = 1 + sum over q != r of (1 - S_q) / (sum over p != q of S_p), within each half.
   for (std::size_t half = 0; half < 2; ++half) {
     const auto first = half_begin(half);

@@ -19,6 +19,8 @@ struct SampledOperatorOptions {
   bool both_ways = true;  // else each ray counts for its sender alone
   // How many times a side's own rays, which are stratified, are trusted more than those that arrive.
   float own_trust = 3.0f;
+  // Sides whose rays count one way, see one_way_sides(): [slot], or empty. Read while the operator is made.
+  std::span<const std::uint8_t> one_way = {};
 };
 
 // Transport F by rays that count at both their ends. A ray from side i that meets side j is a sample of F_ij,
@@ -29,9 +31,10 @@ struct SampledOperatorOptions {
 //     Y_i = 1 / A_i ( k sum over own rays of R_j / (k d_i + d_j) + sum over arriving rays of R_j / (k d_i +
 //     d_j) )
 //
-// which is unbiased for any counts. Sinks, sides with holes and sheets that rays do not see alike from both
-// ends have d_j = 0: rays to them count one way. Row sums S_i (Y of radiosity 1) are noisy about 1; they are
-// the control variate of the other replicates, left out one at a time:
+// which is unbiased for any counts. Sinks and one_way_sides() have d_j = 0: rays to and from them count one
+// way. So do sides, or 64 neighbours, whose row sums are off 1 by more than chance allows. Row sums S_i (Y of
+// radiosity 1) are noisy about 1; they are the control variate of the other replicates, left out one at a
+// time:
 //
 //     h_r = Y_r + (1 - S_r) sum over q != r of Y_q / sum over q != r of S_q
 //
@@ -98,10 +101,18 @@ class SampledOperator {
  private:
   void find_densities();
   void find_arrivals(const Workers& workers);
+  void find_row_factors(const Workers& workers);
   void find_row_sums(const Workers& workers);
+  // Lets sides whose row sums are off 1 count one way. Returns whether there are any new ones.
+  bool find_one_way_sides();
   // Arrivals of one replicate, of rays that the blocks [first, end) send.
   template <typename ForEachRound>
   Arrivals arrivals_of(std::size_t first, std::size_t end, ForEachRound for_each_round) const;
+
+  struct RayWeights {
+    std::vector<float> trusted, mutual;  // [slot]: k d; 1, or 0 where rays count one way
+  };
+  RayWeights weights() const;
 
   // For each slot of this rank and each of the replicates [first, end): sums over its own rays and over those
   // that arrive. kernel(slot, element, sum) adds a ray's numbers to sum[0, width). Calls, for each block,
@@ -130,6 +141,8 @@ class SampledOperator {
   std::vector<double> inverse_area_;                      // [slot], 1/m²
   std::vector<Arrivals> arrivals_;                        // [replicate]; none where hits are streamed
   std::vector<std::vector<float>> row_sum_, row_factor_;  // [replicate][slot], of this rank's slots
+  // [slot]: sum over replicates of the variances that row sums would have if all rays were independent.
+  std::vector<float> row_sum_variance_;
 };
 
 // Both halves as one system: rows [0, n) are what the first half gathers of light that the second gathered,
