@@ -17,6 +17,7 @@
 #include "luxel/solve/gather_errors.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sample_plan.h"
+#include "luxel/solve/sample_units.h"
 #include "luxel/solve/sampled_energy.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/seen_measure.h"
@@ -30,7 +31,6 @@ namespace {
 // not so much that light after a change of lamps would differ visibly from light solved with them.
 double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 1e-5; }
 
-constexpr double shadow_ray_cost = 0.6;  // of a gather ray and its share of the sweeps
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
 // A round costs at least so many times all before it: who looks often stops at the first lucky estimate.
@@ -258,29 +258,12 @@ class Run {
   std::span<const double> importance() const { return seen_ ? seen_->importance() : area_; }
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
 
-  // What the shadow rays of each unit (first) and the gather rays of each slot (then) cost and leave to be
-  // desired.
   std::vector<SampleUnit> sample_units() const {
-    const auto begins = sampling_->units();
-    const auto n = direct_units();
-    std::vector<SampleUnit> units(n + slots());
-    for (std::size_t u = 0; u < n; ++u) {
-      for (auto s = begins[u]; s < begins[u + 1]; ++s) units[u].error2 += importance()[s] * direct_error2_[s];
-      units[u].cost = shadow_ray_cost * sampling_->direct().samples_a_slot()[begins[u]] *
-                      options_.replicates * (begins[u + 1] - begins[u]);
-    }
-    double gathered_error2 = 0.0;
-    for (std::size_t s = 0; s < slots(); ++s) gathered_error2 += importance()[s] * gathered_error2_[s];
-    const auto gather_error2 = gather_errors(patches_, *transport_, begins, importance(), radiosity_,
-                                             gathered_, gathered_error2, workers_);
-    for (std::size_t s = 0; s < slots(); ++s)
-      units[n + s] = {gather_error2[s],
-                      static_cast<double>(sampling_->hits().rays_per_slot()[s]) * options_.replicates};
-    double sum = 0.0;
-    for (const auto& u : units) sum += u.error2;
-    // Together they are the whole squared error.
-    for (auto& u : units) u.error2 *= std::max(0.0, whole_error2()) / std::max(sum, 1e-300);
-    return units;
+    const auto gather_error2 =
+        gather_errors(patches_, *transport_, sampling_->units(), importance(), radiosity_, gathered_,
+                      weighted_sum(importance(), gathered_error2_), workers_);
+    return make_sample_units(*sampling_, options_.replicates, importance(), direct_error2_, gather_error2,
+                             std::max(0.0, whole_error2()));
   }
 
   // The bound that those samples would break, if any.

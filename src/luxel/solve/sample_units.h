@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "luxel/solve/sample_plan.h"
+#include "luxel/solve/sampling.h"
+
+namespace luxel {
+
+// Cost of a shadow ray, in that of a gather ray with its part of the sweeps. Chosen when rays counted one
+// way, and not measured since.
+constexpr double shadow_ray_cost = 0.6;
+
+// What the shadow rays of each unit (first) and the gather rays of each slot (then) cost, and their parts of
+// the squared error: importance times that of the slots' direct light, and gathered_error2, scaled so that
+// all together are `whole`. All [slot].
+std::vector<SampleUnit> make_sample_units(const Sampling& sampling, std::uint32_t replicates,
+                                          std::span<const double> importance,
+                                          std::span<const double> direct_error2,
+                                          std::span<const double> gathered_error2, double whole);
+
+// Sum of the products.
+double weighted_sum(std::span<const double> weights, std::span<const double> values);
+
+}  // namespace luxel
