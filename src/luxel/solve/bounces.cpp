@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <vector>
 
 #include "luxel/solve/replicate_solve.h"

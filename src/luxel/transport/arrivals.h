@@ -39,9 +39,6 @@ class Arrivals {
   std::span<const std::uint32_t> at(std::size_t slot) const {
     return {senders_.get() + begins_[slot], begins_[slot + 1] - begins_[slot]};
   }
-  std::uint64_t bytes() const {
-    return begins_.empty() ? 0 : sizeof(std::uint32_t) * (begins_.size() + begins_.back());
-  }
 
  private:
   std::vector<std::uint32_t> begins_;  // [slot + 1]

@@ -32,8 +32,7 @@ void SampledOperator::find_row_sums(const Workers& workers) {
   row_sum_.assign(hits_.replicates(), std::vector<float>(slots, 1.0f));
   row_sum_variance_.assign(slots, 0.0f);
   if (!options_.both_ways || slots == 0) return;
-  const auto weight = weights();
-  const UnitKernel kernel{sent_density_.data(), weight.trusted.data(), weight.mutual.data()};
+  const UnitKernel kernel{sent_density_.data(), trusted_.data(), mutual_.data()};
   struct Rows {
     std::uint32_t slot0, slot1;
     SampledOperator& whole;

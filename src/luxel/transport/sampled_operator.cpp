@@ -13,6 +13,7 @@ SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
     : patches_(patches), hits_(hits), options_(options) {
   find_densities();
   do {
+    find_weights();
     if (!hits_.is_streamed()) find_arrivals(workers);
     find_row_sums(workers);
   } while (find_one_way_sides());
@@ -20,12 +21,6 @@ SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
 }
 
 SampledOperator::~SampledOperator() = default;
-
-std::uint64_t SampledOperator::bytes() const {
-  std::uint64_t sum = 0;
-  for (const auto& a : arrivals_) sum += a.bytes();
-  return sum;
-}
 
 void SampledOperator::find_densities() {
   const auto slots = sides().size();
@@ -56,13 +51,13 @@ void SampledOperator::find_arrivals(const Workers& workers) {
 
 // ---- Sums of radiosity ----
 
-SampledOperator::RayWeights SampledOperator::weights() const {
-  RayWeights weight;
+void SampledOperator::find_weights() {
+  trusted_.resize(density_.size());
+  mutual_.resize(density_.size());
   for (std::size_t s = 0; s < density_.size(); ++s) {
-    weight.trusted.push_back(options_.own_trust * density_[s]);
-    weight.mutual.push_back(sent_density_[s] > 0.0f ? 1.0f : 0.0f);
+    trusted_[s] = options_.own_trust * density_[s];
+    mutual_[s] = sent_density_[s] > 0.0f ? 1.0f : 0.0f;
   }
-  return weight;
 }
 
 namespace {
@@ -107,10 +102,9 @@ template <typename MakeRows>
 void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns,
                                std::span<const float> radiosity, const Workers& workers,
                                const MakeRows& make_rows) const {
-  const auto weight = weights();
   const auto add_columns = [&]<std::size_t known>() {
-    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), weight.trusted.data(),
-                                      weight.mutual.data(), columns};
+    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), trusted_.data(), mutual_.data(),
+                                      columns};
     for_rows<known>(first, end, columns, workers, kernel, make_rows);
   };
   if (columns == 12) return add_columns.template operator()<12>();
@@ -120,8 +114,7 @@ void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size
     for (auto e = from; e < to; ++e)
       packed[e] = {sent_density_[e], radiosity[3 * e], radiosity[3 * e + 1], radiosity[3 * e + 2]};
   });
-  const PackedKernel kernel{packed.data(), weight.trusted.data(), weight.mutual.data(),
-                            packed.size() > cached_elements};
+  const PackedKernel kernel{packed.data(), trusted_.data(), mutual_.data(), packed.size() > cached_elements};
   for_rows<3>(first, end, 3, workers, kernel, make_rows);
 }
 

@@ -55,7 +55,6 @@ class SampledOperator {
   const HitStore& hits() const { return hits_; }
   const GatherSides& sides() const { return hits_.sides(); }
   std::size_t elements() const { return hits_.elements(); }
-  std::uint64_t bytes() const;  // beside the hits
 
   // Replicates [half_begin(h), half_begin(h + 1)) are half h.
   std::uint32_t half_begin(std::size_t half) const {
@@ -108,11 +107,7 @@ class SampledOperator {
   // Arrivals of one replicate, of rays that the blocks [first, end) send.
   template <typename ForEachRound>
   Arrivals arrivals_of(std::size_t first, std::size_t end, ForEachRound for_each_round) const;
-
-  struct RayWeights {
-    std::vector<float> trusted, mutual;  // [slot]: k d; 1, or 0 where rays count one way
-  };
-  RayWeights weights() const;
+  void find_weights();
 
   // For each slot of this rank and each of the replicates [first, end): sums over its own rays and over those
   // that arrive. kernel(slot, element, sum) adds a ray's numbers to sum[0, width). Calls, for each block,
@@ -138,6 +133,7 @@ class SampledOperator {
   // Rays of one replicate per area, 1/m²: [slot], of the slot's own rays; [element], of those that may arrive
   // from it: 0 for sinks and what is seen one way.
   std::vector<float> density_, sent_density_;
+  std::vector<float> trusted_, mutual_;                   // [slot]: k d; 1, or 0 where rays count one way
   std::vector<double> inverse_area_;                      // [slot], 1/m²
   std::vector<Arrivals> arrivals_;                        // [replicate]; none where hits are streamed
   std::vector<std::vector<float>> row_sum_, row_factor_;  // [replicate][slot], of this rank's slots
