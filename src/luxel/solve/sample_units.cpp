@@ -5,6 +5,12 @@
 #include <numeric>
 
 namespace luxel {
+namespace {
+
+// Smoothing is never believed to leave less of the variance: what no ray has found yet looks smooth.
+constexpr double min_noise_left = 0.02;
+
+}  // namespace
 
 std::vector<SampleUnit> make_sample_units(const Sampling& sampling, std::uint32_t replicates,
                                           std::span<const double> importance,
@@ -24,6 +30,24 @@ std::vector<SampleUnit> make_sample_units(const Sampling& sampling, std::uint32_
   for (const auto& u : units) sum += u.error2;
   for (auto& u : units) u.error2 *= whole / std::max(sum, 1e-300);
   return units;
+}
+
+std::vector<double> importance_of_own_noise(std::span<const std::uint32_t> begins,
+                                            std::span<const double> importance,
+                                            std::span<const double> own_error2,
+                                            std::span<const double> smoothed_error2) {
+  std::vector<double> result(importance.begin(), importance.end());
+  for (std::size_t u = 0; u + 1 < begins.size(); ++u) {
+    double own = 0.0;
+    double smoothed = 0.0;
+    for (auto s = begins[u]; s < begins[u + 1]; ++s) {
+      own += importance[s] * own_error2[s];
+      smoothed += importance[s] * smoothed_error2[s];
+    }
+    const auto left = own > 0.0 ? std::clamp(smoothed / own, min_noise_left, 1.0) : 1.0;
+    for (auto s = begins[u]; s < begins[u + 1]; ++s) result[s] *= left;
+  }
+  return result;
 }
 
 double weighted_sum(std::span<const double> weights, std::span<const double> values) {

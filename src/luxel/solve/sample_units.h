@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,13 @@ std::vector<SampleUnit> make_sample_units(const Sampling& sampling, std::uint32_
                                           std::span<const double> importance,
                                           std::span<const double> direct_error2,
                                           std::span<const double> gathered_error2, double whole);
+
+// What a variance of 1 of each slot's own light, before smoothing, does to the error: importance times the
+// part of the variance that smoothing leaves, in the mean over each unit. All [slot]; begins: of units.
+std::vector<double> importance_of_own_noise(std::span<const std::uint32_t> begins,
+                                            std::span<const double> importance,
+                                            std::span<const double> own_error2,
+                                            std::span<const double> smoothed_error2);
 
 // Sum of the products.
 double weighted_sum(std::span<const double> weights, std::span<const double> values);

@@ -193,13 +193,12 @@ class Run {
                          workers_, [this](const Progress&) { return tell(monitor_, progress(nullptr)); });
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
-    direct_error2_.assign(slots(), 0.0);
-    gathered_error2_.assign(slots(), 0.0);
     gathered_ = mean_of(gathered, workers_);
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
-    answer_ = light_->answer(direct, gathered, enough, workers_, [&](double weight) {
-      add_squared_errors(direct, bands_, one_each_, weight, direct_error2_, workers_, ranks_);
-      add_squared_errors(gathered, bands_, one_each_, weight, gathered_error2_, workers_, ranks_);
+    answer_ = light_->answer(direct, gathered, enough, workers_, [&](bool is_smoothed) {
+      direct_error2_ = squared_errors(direct);
+      gathered_error2_ = squared_errors(gathered);
+      if (!is_smoothed) own_gathered_error2_ = gathered_error2_;
     });
     if (seen_) seen_->take(answer_, direct, gathered, workers_);
     error_ = seen_ ? seen_->error() : error_of(answer_);
@@ -223,6 +222,13 @@ class Run {
     light_->write(answer_, solution_, workers_);
     sign();
     return true;
+  }
+
+  // Variances of the mean, summed over bands: [slot].
+  std::vector<double> squared_errors(std::span<const std::vector<float>> replicates) const {
+    std::vector<double> result(slots(), 0.0);
+    add_squared_errors(replicates, bands_, one_each_, 1.0, result, workers_, ranks_);
+    return result;
   }
 
   // ---- Whether it is good enough, and what would make it better ----
@@ -259,8 +265,10 @@ class Run {
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
 
   std::vector<SampleUnit> sample_units() const {
+    const auto of_own_noise =
+        importance_of_own_noise(sampling_->units(), importance(), own_gathered_error2_, gathered_error2_);
     const auto gather_error2 =
-        gather_errors(patches_, *transport_, sampling_->units(), importance(), radiosity_, gathered_,
+        gather_errors(patches_, *transport_, sampling_->units(), of_own_noise, radiosity_, gathered_,
                       weighted_sum(importance(), gathered_error2_), workers_);
     return make_sample_units(*sampling_, options_.replicates, importance(), direct_error2_, gather_error2,
                              std::max(0.0, whole_error2()));
@@ -378,8 +386,8 @@ class Run {
   std::vector<double> area_;         // [slot], m²
   SlotLight::Answer answer_;
   std::vector<float> gathered_;  // before neighbours share, W/m², [slot * bands + band]
-  // [slot]: variances of direct and gathered light summed over bands.
-  std::vector<double> direct_error2_, gathered_error2_;
+  // [slot]: variances of direct and gathered light summed over bands; of the last, before smoothing too.
+  std::vector<double> direct_error2_, gathered_error2_, own_gathered_error2_;
   double error_ = 0.0;                              // by the measure that ends the run
   std::uint64_t begin_memory_ = resident_memory();  // bytes of the process
   SolveReport report_;

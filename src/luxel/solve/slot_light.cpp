@@ -9,45 +9,39 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t grain = 4096;  // slots a chunk
-constexpr double weight_before_sharing = 0.3;
-// With fewer there are few fits, so the estimate of their bias is too noisy, and there is little to gain.
-constexpr std::size_t least_shared_slots = 4096;
+// With fewer there are few windows, so the estimate of their bias is too noisy, and there is little to gain.
+constexpr std::size_t min_smoothed_slots = 4096;
 
 }  // namespace
 
-SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool shares,
+SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool smooths,
                      const Workers& workers, const Ranks* ranks)
     : patches_(patches), sides_(sides), ranks_(ranks) {
   const auto bands = patches.band_count();
   area_.resize(sides.size());
   reflectance_.resize(sides.size() * bands);
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const auto patch = sides.side[s] / 2;
-    area_[s] = patches.area[patch];
-    for (std::size_t b = 0; b < bands; ++b) reflectance_[s * bands + b] = patches.reflectance(patch, b);
-  }
-  if (shares && sides.size() >= least_shared_slots) sharing_.emplace(patches, tree, sides, workers);
+  workers.for_chunks(sides.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto s = begin; s < end; ++s) {
+      const auto patch = sides.side[s] / 2;
+      area_[s] = patches.area[patch];
+      for (std::size_t b = 0; b < bands; ++b) reflectance_[s * bands + b] = patches.reflectance(patch, b);
+    }
+  });
+  if (smooths && sides.size() >= min_smoothed_slots) smoothing_.emplace(patches, tree, sides);
 }
 
 SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
                                     std::span<std::vector<float>> gathered, const Enough& enough,
-                                    const Workers& workers, const Guide& guide) const {
+                                    const Workers& workers, const Observer& observe) const {
   const auto bands = patches_.band_count();
   std::vector<float> bias(reflectance_.size(), 0.0f);
-  // Sharing only where it is needed: the patches' own rays make no assumption.
-  const bool shares =
-      sharing_ && !enough(spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_));
-  if (!shares) {
-    if (guide) guide(1.0);
-    return {spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_), {}};
-  }
-  // What guides the next samples: the spread after sharing, and some of the spread before, which knows more
-  // degrees of freedom. Not the bias: its estimate is so noisy that to go by it would spoil it.
-  if (guide) guide(weight_before_sharing);
+  if (observe) observe(false);
+  // Smoothing only where it is needed: the patches' own rays make no assumption.
+  auto own = spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_);
+  if (!smoothing_ || enough(own)) return {std::move(own), {}};
   const auto mine = spread_share(ranks_, area_.size());
-  sharing_->share(direct, bias, workers, mine);
-  sharing_->share(gathered, bias, workers, mine);
-  if (guide) guide(1.0 - weight_before_sharing);
+  smoothing_->smooth(direct, gathered, bias, workers, mine);
+  if (observe) observe(true);
   constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
   auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families, ranks_);
   mine.share(std::span(bias), bands);

@@ -12,7 +12,7 @@
 #include "luxel/patch/patch_tree.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/replicate_spread.h"
-#include "luxel/solve/share_light.h"
+#include "luxel/solve/smoothing.h"
 #include "luxel/transport/gather_sides.h"
 
 namespace luxel {
@@ -20,27 +20,27 @@ namespace luxel {
 // The slots of a sampled solve as surfaces, and how what replicates say of them becomes an answer.
 class SlotLight {
  public:
-  // Keeps references to all three. shares: neighbours may share rays (from 4,096 slots on). ranks: that all
-  // ask for the same answers and share the work.
-  SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool shares,
+  // Keeps references to all three. smooths: the light is smoothed where its noise needs it (from 4,096 slots
+  // on). ranks: that all call for the same answers and share the work.
+  SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool smooths,
             const Workers& workers, const Ranks* ranks = nullptr);
 
   std::span<const float> area() const { return area_; }                // [slot], m²
   std::span<const float> reflectance() const { return reflectance_; }  // [slot * bands + band]
 
-  // Called with the weight that the replicates as they are now have in what guides further samples.
-  using Guide = std::function<void(double weight)>;
+  // Called with the replicates as they are: first as they were given, then, if they are smoothed, smoothed.
+  using Observer = std::function<void(bool is_smoothed)>;
 
-  // Whether the light of the slots' own rays is good enough, so that neighbours need not share.
+  // Whether the light of the slots' own rays is good enough without smoothing.
   using Enough = std::function<bool(const Spread&)>;
 
   // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where that is not
-  // `enough`, neighbours share: both are replaced by what they share. The same bits on any number of threads.
+  // `enough`, both are replaced by what smoothing makes of them. The same bits on any number of threads.
   struct Answer : Spread {
-    std::vector<float> bias;  // what sharing may get wrong, squared; empty where nothing was shared
+    std::vector<float> bias;  // squared bias of the smoothing; empty where nothing was smoothed
   };
   Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-                const Enough& enough, const Workers& workers, const Guide& guide = {}) const;
+                const Enough& enough, const Workers& workers, const Observer& observe = {}) const;
 
   // Fills the light of the solution and all its errors.
   void write(const Answer& answer, Solution& solution, const Workers& workers) const;
@@ -50,7 +50,7 @@ class SlotLight {
   const GatherSides& sides_;
   const Ranks* ranks_;
   std::vector<float> area_, reflectance_;
-  std::optional<LightSharing> sharing_;
+  std::optional<Smoothing> smoothing_;
 };
 
 // Of the whole: area-weighted relative RMS.

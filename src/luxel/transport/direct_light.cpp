@@ -12,6 +12,7 @@
 #include "luxel/random/address.h"
 #include "luxel/random/sobol.h"
 #include "luxel/trace/point_sight.h"
+#include "luxel/transport/gather_sides.h"
 #include "luxel/transport/lamp_choices.h"
 #include "luxel/transport/lamp_sample.h"
 #include "luxel/transport/patch_emitter.h"
@@ -41,10 +42,9 @@ class Numbers {
       : key_(stream_key(mix64(options.seed + stream), round,
                         2 * replicate + static_cast<std::uint32_t>(side % 2))),
         low_discrepancy_(options.low_discrepancy) {
-    if (options.stratified && low_discrepancy_)
-      first_ = position * samples;  // may wrap round: the sequence has 2^32 points
-    else
-      key_ = stream_key(key_, 0, static_cast<std::uint32_t>(side));
+    const bool is_shared = options.stratified && low_discrepancy_;
+    if (is_shared) first_ = position % sequence_positions * samples;
+    key_ = stream_key(key_, 0, is_shared ? position / sequence_positions : static_cast<std::uint32_t>(side));
     sobol_ = OwenSobol(key_);
   }
   std::array<float, 4> at(std::uint32_t sample) const {

@@ -98,15 +98,19 @@ void GatherRays::make(std::span<const Row> rows) {
   sort(rows.size());
 }
 
-// The four numbers of a ray: of one sequence over all sides that face the same way, or one a side, or plain
-// random ones.
+// The four numbers of a ray: of one sequence per block of neighbouring sides that face the same way, or one
+// per side, or plain random ones.
 void GatherRays::draw(const Row& row, std::size_t at) {
   const auto key = key_of(row.replicate);
   if (points_.low_discrepancy && points_.stratified) {
-    const OwenSobol sequence(key);
-    for (std::size_t i = 0; i < 4; ++i)
-      sobol_numbers(raw_[i].data(), OwenSobol::raw(row.sample, dimension[i]), sequence.seed(dimension[i]),
-                    slots_.size(), &numbers_[i][at]);
+    for (std::size_t begin = 0, end = 0; begin < slots_.size(); begin = end) {
+      const auto block = sides_.position[slots_[begin]] / sequence_positions;
+      while (end < slots_.size() && sides_.position[slots_[end]] / sequence_positions == block) ++end;
+      const OwenSobol sequence(stream_key(key, 0, block));
+      for (std::size_t i = 0; i < 4; ++i)
+        sobol_numbers(raw_[i].data() + begin, OwenSobol::raw(row.sample, dimension[i]),
+                      sequence.seed(dimension[i]), end - begin, &numbers_[i][at + begin]);
+    }
     return;
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "luxel/solve/light_sheets.h"
+#include "luxel/solve/window_fit.h"
+
+namespace luxel {
+
+// Runs body(begin, end) over [0, count): on one thread or on many, in chunks that do not depend on it.
+using LoopRunner =
+    std::function<void(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)>;
+
+// Local polynomial regression over one sheet, from fine windows to coarse ones.
+//
+// At each scale every window of a WindowGrid fits a polynomial (linear in the finest, else quadratic) to the
+// values as the finer scales left them, and moves the values of its slots towards the fit by the fraction
+//
+//     a = -C / (V + 2 max(0, D)),
+//
+// which minimises the estimated risk: D the squared bias of the fit, V the variance of fit - value, C its
+// covariance with the value, all summed over the window in units of the error that is seen. D is estimated
+// without bias from products of different replicates, in which independent noise cancels. Windows overlap
+// and their weights add up to 1, so that there are no seams; the spacing doubles from scale to scale up to
+// the whole sheet. A shadow's edge or a corner makes D large, and its values stay. Each half of the
+// replicates is moved by the fractions that the other half chose, so that the choice does not depend on the
+// noise that it is applied to, and the spread of replicates stays an honest error. The mean over the sheet by
+// area stays as it is. See docs/theory.md.
+//
+// Sources: local polynomial regression with a bandwidth chosen by the data, Fan and Gijbels 1995; from fine
+// to coarse, Lepski 1991 and Katkovnik 1999; partition of unity, Shepard 1968; unbiased risk, Mallows 1973;
+// choice by independent buffers, Rousselle, Knaus and Zwicker 2012.
+//
+// values: [index * columns.size() + column], is replaced; at least 4 replicates. risk_weight: [index], 1 over
+// the square of the light relative to which an error is seen, (m²/W)². squared_bias: [index * bands + band],
+// is written: an estimate of what the smoothing gets wrong, smoothed over the same windows; it may be below
+// 0. Cost: 1 to 3 us per slot of 8 replicates and 3 bands; about 500 bytes per slot at a time.
+void smooth_sheet(const LightSheet& sheet, WindowColumns columns, std::span<const float> risk_weight,
+                  std::vector<float>& values, std::vector<float>& squared_bias, const LoopRunner& run);
+
+}  // namespace luxel
