@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "luxel/solve/light_sheets.h"
@@ -15,12 +14,21 @@ namespace luxel {
 using LoopRunner =
     std::function<void(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)>;
 
+// What the choices of smooth_sheet() go by. [index]
+struct SmoothingWeights {
+  // 1 over the square of the light relative to which an error is seen, (m²/W)².
+  std::vector<float> risk;
+  // The variance of the values, less what is too little to be smoothed; any unit. Windows in which the mean
+  // of it is not above 0 keep their values.
+  std::vector<float> noise;
+};
+
 // Local polynomial regression over one sheet, from fine windows to coarse ones.
 //
 // At each scale every window of a WindowGrid fits a polynomial (linear in the finest, else quadratic) to the
 // values as the finer scales left them, and moves the values of its slots towards the fit by the fraction
 //
-//     a = -C / (V + 2 max(0, D)),
+//     a = -C / (V + 4 max(0, D - 0.3 V)),
 //
 // which minimises the estimated risk: D the squared bias of the fit, V the variance of fit - value, C its
 // covariance with the value, all summed over the window in units of the error that is seen. D is estimated
@@ -35,11 +43,10 @@ using LoopRunner =
 // to coarse, Lepski 1991 and Katkovnik 1999; partition of unity, Shepard 1968; unbiased risk, Mallows 1973;
 // choice by independent buffers, Rousselle, Knaus and Zwicker 2012.
 //
-// values: [index * columns.size() + column], is replaced; at least 4 replicates. risk_weight: [index], 1 over
-// the square of the light relative to which an error is seen, (m²/W)². squared_bias: [index * bands + band],
-// is written: an estimate of what the smoothing gets wrong, smoothed over the same windows; it may be below
-// 0. Cost: 1 to 3 us per slot of 8 replicates and 3 bands; about 500 bytes per slot at a time.
-void smooth_sheet(const LightSheet& sheet, WindowColumns columns, std::span<const float> risk_weight,
+// values: [index * columns.size() + column], is replaced; at least 4 replicates. squared_bias: [index * bands
+// + band], is written: an estimate of what the smoothing gets wrong, smoothed over the same windows; it may
+// be below 0. Cost: 1 to 3 us per slot of 8 replicates and 3 bands; about 500 bytes per slot at a time.
+void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
                   std::vector<float>& values, std::vector<float>& squared_bias, const LoopRunner& run);
 
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #include "luxel/solve/smoothing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "luxel/solve/smooth_sheet.h"
 
@@ -13,23 +14,33 @@ constexpr std::size_t slot_grain = 4096;
 constexpr std::size_t large_sheet = 8192;
 constexpr std::size_t sheet_grain = 8;    // small sheets per chunk
 constexpr std::size_t window_grain = 64;  // windows or cells of a large sheet per chunk
+// Noise of direct or gathered light that is not worth a fit, over the variance of both: a hundredth of what
+// smoothing leaves of it where it works best.
+constexpr float quiet_part = 1e-4f;
 // The light beside which errors do not count, over the mean irradiance: that of the seen error.
 constexpr double dim_part = 0.05;
 
-bool is_constant(std::span<const std::vector<float>> replicates, const LightSheet& sheet, std::size_t bands) {
-  for (const auto slot : sheet.slots)
-    for (std::size_t b = 0; b < bands; ++b)
-      for (const auto& values : replicates)
-        if (values[slot * bands + b] != replicates[0][slot * bands + b]) return false;
-  return true;
+using Replicates = std::span<std::vector<float>>;
+
+// Variances over replicates, summed over bands: [i] of sheet.slots[i].
+std::vector<float> noise_of(const LightSheet& sheet, Replicates replicates, std::size_t bands) {
+  std::vector<float> noise(sheet.size(), 0.0f);
+  const auto share = 1.0f / static_cast<float>(replicates.size());
+  for (std::size_t i = 0; i < sheet.size(); ++i)
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto at = sheet.slots[i] * bands + b;
+      float mean = 0.0f;
+      for (const auto& values : replicates) mean += share * values[at];
+      for (const auto& values : replicates) noise[i] += (values[at] - mean) * (values[at] - mean);
+    }
+  return noise;
 }
 
-void smooth_values(const LightSheet& sheet, std::span<std::vector<float>> replicates, std::size_t bands,
-                   std::span<const float> risk_weight, std::span<float> squared_bias, const LoopRunner& run) {
-  if (is_constant(replicates, sheet, bands)) return;  // no noise
+void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t bands,
+                   const SmoothingWeights& weights, std::span<float> squared_bias, const LoopRunner& run) {
+  if (std::none_of(weights.noise.begin(), weights.noise.end(), [](float x) { return x > 0.0f; })) return;
   const WindowColumns columns{replicates.size(), bands};
   std::vector<float> values(sheet.size() * columns.size(), 0.0f);
-  std::vector<float> weights(sheet.size());
   const auto for_values = [&](auto body) {
     for (std::size_t i = 0; i < sheet.size(); ++i)
       for (std::size_t r = 0; r < replicates.size(); ++r)
@@ -38,12 +49,30 @@ void smooth_values(const LightSheet& sheet, std::span<std::vector<float>> replic
                replicates[r][sheet.slots[i] * bands + b]);
   };
   for_values([](float& value, const float& of_slot) { value = of_slot; });
-  for (std::size_t i = 0; i < sheet.size(); ++i) weights[i] = risk_weight[sheet.slots[i]];
   std::vector<float> bias(sheet.size() * bands);
   smooth_sheet(sheet, columns, weights, values, bias, run);
   for_values([](const float& value, float& of_slot) { of_slot = value; });
   for (std::size_t i = 0; i < sheet.size(); ++i)
     for (std::size_t b = 0; b < bands; ++b) squared_bias[sheet.slots[i] * bands + b] += bias[i * bands + b];
+}
+
+// risk_weight: [slot].
+void smooth_both(const LightSheet& sheet, Replicates direct, Replicates gathered, std::size_t bands,
+                 std::span<const float> risk_weight, std::span<float> squared_bias, const LoopRunner& run) {
+  auto direct_noise = noise_of(sheet, direct, bands);
+  auto gathered_noise = noise_of(sheet, gathered, bands);
+  SmoothingWeights weights;
+  for (std::size_t i = 0; i < sheet.size(); ++i) {
+    const auto risk = risk_weight[sheet.slots[i]];
+    weights.risk.push_back(risk);
+    const auto quiet = quiet_part * (direct_noise[i] + gathered_noise[i]);
+    direct_noise[i] = risk * (direct_noise[i] - quiet);
+    gathered_noise[i] = risk * (gathered_noise[i] - quiet);
+  }
+  weights.noise = std::move(direct_noise);
+  smooth_values(sheet, direct, bands, weights, squared_bias, run);
+  weights.noise = std::move(gathered_noise);
+  smooth_values(sheet, gathered, bands, weights, squared_bias, run);
 }
 
 }  // namespace
@@ -60,8 +89,7 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
     return at != sheet.slots.end() && *at < mine.end();
   };
   const auto smooth_one = [&](const LightSheet& sheet, const LoopRunner& run) {
-    smooth_values(sheet, direct, bands, weights, squared_bias, run);
-    smooth_values(sheet, gathered, bands, weights, squared_bias, run);
+    smooth_both(sheet, direct, gathered, bands, weights, squared_bias, run);
   };
   const LoopRunner on_all_threads = [&](std::size_t count, const auto& body) {
     workers.for_chunks(count, window_grain,

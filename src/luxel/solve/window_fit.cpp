@@ -2,6 +2,9 @@
 #include "luxel/solve/window_fit.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "luxel/math/wide.h"
 
 namespace luxel {
 namespace {
@@ -34,22 +37,126 @@ struct Factors {
   }
 };
 
-// known: the number of columns where it is known beforehand, else 0.
+// The kernels. known: the number of columns where it is known beforehand, else 0.
+
 template <std::size_t known>
-void fit_columns(const std::vector<WindowMember>& members, std::size_t terms, const float* values,
-                 std::size_t columns, float* coefficients) {
+LUXEL_INLINE void add_members(std::span<const WindowMember> members, std::size_t terms,
+                              const float* __restrict values, std::size_t columns, float* __restrict right) {
   const auto n = known ? known : columns;
-  Gram gram{};
-  std::fill_n(coefficients, terms * n, 0.0f);
   for (const auto& m : members) {
     const auto power = WindowFit::powers(m);
-    const auto* value = values + m.index * n;
+    const auto* __restrict value = values + m.index * n;
     for (std::size_t i = 0; i < terms; ++i) {
       const auto factor = m.area * power[i];
-      for (std::size_t j = 0; j <= i; ++j) gram[i][j] += static_cast<double>(factor * power[j]);
-      auto* right = coefficients + i * n;
-      for (std::size_t c = 0; c < n; ++c) right[c] += factor * value[c];
+      for (std::size_t c = 0; c < n; ++c) right[i * n + c] += factor * value[c];
     }
+  }
+}
+
+template <std::size_t known>
+LUXEL_INLINE void subtract_from_fit(const WindowFit::Powers& powers, std::size_t terms,
+                                    const float* __restrict coefficients, const float* __restrict value,
+                                    std::size_t columns, float* __restrict difference) {
+  const auto n = known ? known : columns;
+  for (std::size_t c = 0; c < n; ++c) difference[c] = coefficients[c] - value[c];
+  for (std::size_t i = 1; i < terms; ++i)
+    for (std::size_t c = 0; c < n; ++c) difference[c] += powers[i] * coefficients[i * n + c];
+}
+
+// Four bands at a time.
+using Group = std::array<float, 4>;
+
+struct HalfSums {
+  Group bias{}, variance{}, covariance{};
+
+  // Adds what `replicates` replicates say of one member in four bands.
+  LUXEL_INLINE void add(const float* __restrict value, const float* __restrict difference, std::size_t stride,
+                        std::size_t replicates, float weight) {
+    Group sum_d{}, sum_dd{}, sum_v{}, sum_vd{};
+    for (std::size_t r = 0; r < replicates; ++r) {
+      const auto* d = difference + r * stride;
+      const auto* v = value + r * stride;
+      for (std::size_t b = 0; b < 4; ++b) {
+        sum_d[b] += d[b];
+        sum_dd[b] += d[b] * d[b];
+        sum_v[b] += v[b];
+        sum_vd[b] += v[b] * d[b];
+      }
+    }
+    const auto count = static_cast<float>(replicates);
+    const auto inverse = 1.0f / count;
+    weight /= count * (count - 1.0f);
+    for (std::size_t b = 0; b < 4; ++b) {
+      bias[b] += weight * (sum_d[b] * sum_d[b] - sum_dd[b]);
+      variance[b] += weight * (sum_dd[b] - inverse * sum_d[b] * sum_d[b]);
+      covariance[b] += weight * (sum_vd[b] - inverse * sum_v[b] * sum_d[b]);
+    }
+  }
+  WindowRisk risk() const {
+    const auto sum = [](const Group& g) {
+      return static_cast<double>(g[0]) + static_cast<double>(g[1]) + static_cast<double>(g[2]) +
+             static_cast<double>(g[3]);
+    };
+    return {sum(bias), sum(variance), sum(covariance)};
+  }
+};
+
+template <std::size_t known>
+LUXEL_INLINE void add_risks(std::span<const WindowMember> members, std::size_t terms,
+                            const float* __restrict values, WindowColumns columns,
+                            const float* __restrict coefficients, const float* __restrict risk_weight,
+                            float* __restrict difference, std::array<HalfSums, 2>& sums) {
+  const auto n = known ? known : columns.size();
+  const auto stride = known ? 4 : columns.stride();
+  const auto replicates = known ? known / 4 : columns.replicates;
+  const auto half = replicates / 2;
+  for (const auto& m : members) {
+    const auto* __restrict value = values + m.index * n;
+    subtract_from_fit<known>(WindowFit::powers(m), terms, coefficients, value, n, difference);
+    const auto weight = m.area * risk_weight[m.index];
+    for (std::size_t group = 0; group < stride; group += 4) {
+      sums[0].add(value + group, difference + group, stride, half, weight);
+      sums[1].add(value + half * stride + group, difference + half * stride + group, stride,
+                  replicates - half, weight);
+    }
+  }
+}
+
+LUXEL_WIDE void add_usual_members(std::span<const WindowMember> members, std::size_t terms,
+                                  const float* values, float* right) {
+  add_members<usual_columns>(members, terms, values, usual_columns, right);
+}
+LUXEL_WIDE void subtract_from_usual_fit(const WindowFit::Powers& powers, std::size_t terms,
+                                        const float* coefficients, const float* value, float* difference) {
+  subtract_from_fit<usual_columns>(powers, terms, coefficients, value, usual_columns, difference);
+}
+LUXEL_WIDE void add_usual_risks(std::span<const WindowMember> members, std::size_t terms, const float* values,
+                                const float* coefficients, const float* risk_weight,
+                                std::array<HalfSums, 2>& sums) {
+  std::array<float, usual_columns> difference;
+  add_risks<usual_columns>(members, terms, values, {}, coefficients, risk_weight, difference.data(), sums);
+}
+
+bool is_usual(const WindowColumns& columns) {
+  return columns.size() == usual_columns && columns.stride() == 4;
+}
+
+}  // namespace
+
+void WindowFit::fit(std::span<const WindowMember> members, std::size_t terms, const float* values,
+                    WindowColumns columns, float* coefficients) {
+  const auto n = columns.size();
+  Gram gram{};
+  for (const auto& m : members) {
+    const auto power = powers(m);
+    for (std::size_t i = 0; i < terms; ++i)
+      for (std::size_t j = 0; j <= i; ++j) gram[i][j] += static_cast<double>(m.area * power[i] * power[j]);
+  }
+  std::fill_n(coefficients, terms * n, 0.0f);
+  if (is_usual(columns)) {
+    add_usual_members(members, terms, values, coefficients);
+  } else {
+    add_members<0>(members, terms, values, n, coefficients);
   }
   const Factors factors(gram, terms);
   const auto subtract = [&](std::size_t from, std::size_t what, double times) {
@@ -66,88 +173,23 @@ void fit_columns(const std::vector<WindowMember>& members, std::size_t terms, co
   }
 }
 
-template <std::size_t known>
-void subtract_from_fit(const WindowFit::Powers& powers, std::size_t terms, const float* coefficients,
-                       const float* value, std::size_t columns, float* difference) {
-  const auto n = known ? known : columns;
-  for (std::size_t c = 0; c < n; ++c) difference[c] = coefficients[c] - value[c];
-  for (std::size_t i = 1; i < terms; ++i)
-    for (std::size_t c = 0; c < n; ++c) difference[c] += powers[i] * coefficients[i * n + c];
+void WindowFit::subtract(const Powers& powers, std::size_t terms, const float* coefficients,
+                         const float* value, WindowColumns columns, float* difference) {
+  if (is_usual(columns)) return subtract_from_usual_fit(powers, terms, coefficients, value, difference);
+  subtract_from_fit<0>(powers, terms, coefficients, value, columns.size(), difference);
 }
 
-// Four bands at a time.
-using Group = std::array<float, 4>;
-
-struct HalfSums {
-  Group bias{}, variance{}, covariance{};
-
-  // Adds what `replicates` replicates say of one member in four bands.
-  void add(const float* value, const float* difference, std::size_t stride, std::size_t replicates,
-           float weight) {
-    Group sum_d{}, sum_dd{}, sum_v{}, sum_vd{};
-    for (std::size_t r = 0; r < replicates; ++r) {
-      const auto* d = difference + r * stride;
-      const auto* v = value + r * stride;
-      for (std::size_t b = 0; b < 4; ++b) {
-        sum_d[b] += d[b];
-        sum_dd[b] += d[b] * d[b];
-        sum_v[b] += v[b];
-        sum_vd[b] += v[b] * d[b];
-      }
-    }
-    const auto count = static_cast<float>(replicates);
-    const auto share = 1.0f / count;
-    weight /= count * (count - 1.0f);
-    for (std::size_t b = 0; b < 4; ++b) {
-      bias[b] += weight * (sum_d[b] * sum_d[b] - sum_dd[b]);
-      variance[b] += weight * (sum_dd[b] - share * sum_d[b] * sum_d[b]);
-      covariance[b] += weight * (sum_vd[b] - share * sum_v[b] * sum_d[b]);
-    }
-  }
-  WindowRisk risk() const {
-    const auto sum = [](const Group& g) {
-      return static_cast<double>(g[0]) + static_cast<double>(g[1]) + static_cast<double>(g[2]) +
-             static_cast<double>(g[3]);
-    };
-    return {sum(bias), sum(variance), sum(covariance)};
-  }
-};
-
-}  // namespace
-
-std::array<WindowRisk, 2> window_risk(const std::vector<WindowMember>& members, std::size_t terms,
+std::array<WindowRisk, 2> window_risk(std::span<const WindowMember> members, std::size_t terms,
                                       const float* values, WindowColumns columns, const float* coefficients,
                                       const float* risk_weight) {
-  const auto n = columns.size();
-  const auto stride = columns.stride();
-  const auto half = columns.replicates / 2;
   std::array<HalfSums, 2> sums;
-  std::vector<float> difference(n);
-  for (const auto& m : members) {
-    const auto* value = values + m.index * n;
-    fit_minus_value(WindowFit::powers(m), terms, coefficients, value, n, difference.data());
-    const auto weight = m.area * risk_weight[m.index];
-    for (std::size_t group = 0; group < stride; group += 4) {
-      sums[0].add(value + group, difference.data() + group, stride, half, weight);
-      sums[1].add(value + half * stride + group, difference.data() + half * stride + group, stride,
-                  columns.replicates - half, weight);
-    }
+  if (is_usual(columns)) {
+    add_usual_risks(members, terms, values, coefficients, risk_weight, sums);
+  } else {
+    std::vector<float> difference(columns.size());
+    add_risks<0>(members, terms, values, columns, coefficients, risk_weight, difference.data(), sums);
   }
   return {sums[0].risk(), sums[1].risk()};
-}
-
-void fit_minus_value(const WindowFit::Powers& powers, std::size_t terms, const float* coefficients,
-                     const float* value, std::size_t columns, float* difference) {
-  if (columns == usual_columns)
-    return subtract_from_fit<usual_columns>(powers, terms, coefficients, value, columns, difference);
-  subtract_from_fit<0>(powers, terms, coefficients, value, columns, difference);
-}
-
-void WindowFit::fit(const std::vector<WindowMember>& members, std::size_t terms, const float* values,
-                    std::size_t columns, float* coefficients) {
-  if (columns == usual_columns)
-    return fit_columns<usual_columns>(members, terms, values, columns, coefficients);
-  fit_columns<0>(members, terms, values, columns, coefficients);
 }
 
 }  // namespace luxel

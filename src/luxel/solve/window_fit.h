@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <span>
 
 namespace luxel {
 
@@ -36,10 +36,14 @@ class WindowFit {
   }
   static Powers powers(const WindowMember& m) { return {1.0f, m.u, m.v, m.u * m.u, m.u * m.v, m.v * m.v}; }
 
-  // values: [index * columns + column]. coefficients: [term * columns + column], is written. A term that the
-  // members cannot tell from those before it (all of them lie on a line, say) is left out.
-  static void fit(const std::vector<WindowMember>& members, std::size_t terms, const float* values,
-                  std::size_t columns, float* coefficients);
+  // values: [index * columns.size() + column]. coefficients: [term * columns.size() + column], is written. A
+  // term that the members cannot tell from those before it (all of them lie on a line, say) is left out.
+  static void fit(std::span<const WindowMember> members, std::size_t terms, const float* values,
+                  WindowColumns columns, float* coefficients);
+
+  // difference[column] = polynomial - value, of one member.
+  static void subtract(const Powers& powers, std::size_t terms, const float* coefficients, const float* value,
+                       WindowColumns columns, float* difference);
 };
 
 // Sums over a window's members and all bands, of one half of the replicates: weight, area and risk weight
@@ -51,12 +55,8 @@ struct WindowRisk {
 };
 
 // Of the first replicates / 2 replicates, and of the others. risk_weight: [index].
-std::array<WindowRisk, 2> window_risk(const std::vector<WindowMember>& members, std::size_t terms,
+std::array<WindowRisk, 2> window_risk(std::span<const WindowMember> members, std::size_t terms,
                                       const float* values, WindowColumns columns, const float* coefficients,
                                       const float* risk_weight);
-
-// difference[column] = polynomial - value, of one member.
-void fit_minus_value(const WindowFit::Powers& powers, std::size_t terms, const float* coefficients,
-                     const float* value, std::size_t columns, float* difference);
 
 }  // namespace luxel

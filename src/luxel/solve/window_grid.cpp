@@ -2,8 +2,6 @@
 #include "luxel/solve/window_grid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace luxel {
 namespace {
@@ -35,11 +33,6 @@ WindowGrid::WindowGrid(const LightSheet& sheet, float spacing, const Vec3& offse
   if (sheet.is_flat()) offset_.z = 0.0f;
   sort_into_cells();
   make_nodes();
-}
-
-float WindowGrid::weight(const Vec3& from_node) {
-  const auto hat = [](float x) { return std::max(0.0f, 1.0f - std::abs(x)); };
-  return hat(from_node.x) * hat(from_node.y) * hat(from_node.z);
 }
 
 void WindowGrid::sort_into_cells() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,7 +43,10 @@ class WindowGrid {
   // Of a slot relative to a node, in spacings.
   Vec3 from_node(std::size_t node, std::uint32_t index) const { return scaled(index) - node_place_[node]; }
   // The weight of a slot that is so far from a node.
-  static float weight(const Vec3& from_node);
+  static float weight(const Vec3& from_node) {
+    const auto hat = [](float x) { return std::max(0.0f, 1.0f - std::abs(x)); };
+    return hat(from_node.x) * hat(from_node.y) * hat(from_node.z);
+  }
 
  private:
   Vec3 scaled(std::uint32_t index) const {

@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "luxel/math/wide.h"
 #include "luxel/random/address.h"
 #include "luxel/random/sobol.h"
 #include "luxel/random/warp.h"
@@ -15,14 +16,6 @@ constexpr std::uint32_t purpose = 0x67617468u;  // keeps these streams apart fro
 // Point on the patch (two), direction (two): directions matter more, and the first two dimensions are the
 // best.
 constexpr std::array<int, 4> dimension = {2, 3, 0, 1};
-
-// Eight at a time where the processor can: integers, and float operations that are exact to the last bit
-// whatever their width, so every host gets the same.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LUXEL_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define LUXEL_WIDE
-#endif
 
 LUXEL_WIDE void sobol_numbers(const std::uint32_t* __restrict raw, std::uint32_t more, std::uint32_t seed,
                               std::size_t count, float* __restrict out) {
