@@ -29,7 +29,7 @@ constexpr float half = 2.0f, height = 2.5f;  // m, of the room: x and y from -ha
 constexpr float light = 100.0f;              // W/m² of a lamp
 constexpr float millimetre = 0x1p-10f;       // m; as powers of two every scale and place has the same bits
 constexpr float tenth = 0x1p-13f;            // of a millimetre
-constexpr int runs = 6;
+constexpr int runs = 8;
 constexpr double most_errors = 15.0;
 
 // x and y from low to high at height z, front down.

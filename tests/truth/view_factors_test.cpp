@@ -159,7 +159,8 @@ TEST(ViewFactors, between_patches_agree_with_closed_forms_and_keep_the_laws) {
       const auto a = factor(counted, i, j), b = factor(exact, i, j);
       squares += (a.value - b.value) * (a.value - b.value);
       expected += a.standard_error * a.standard_error;
-      EXPECT_NEAR(a.value, b.value, 6.0 * a.standard_error + 3.0 / 4096 + 1e-4) << i << ' ' << j;
+      // 8 replicates of 512 rays count whole rays: all may be off by one alike, and their spread be 0.
+      EXPECT_NEAR(a.value, b.value, 6.0 * a.standard_error + 1.0 / 512 + 1e-4) << i << ' ' << j;
     }
   }
   // Over some thousand factors: 1 within a few per cent.

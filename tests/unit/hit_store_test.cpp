@@ -48,7 +48,8 @@ TEST_F(HitStoreTest, a_hit_is_that_of_the_ray_made_and_traced_alone) {
     for (std::size_t i = 0; i < met.size(); i += 5) {
       const auto slot = i / n;
       const auto back = slot >= sides.fronts ? 1u : 0u;
-      const OwenSobol points(mix64(stream_key(7, 0x67617468u, 2 * replicate + back)));
+      const auto key = mix64(stream_key(7, 0x67617468u, 2 * replicate + back));
+      const OwenSobol points(stream_key(key, 0, sides.position[slot] / sequence_positions));
       const auto x = points.first4(sides.position[slot] * n + static_cast<std::uint32_t>(i % n));
       const std::array<float, 4> u = {x[2], x[3], x[0], x[1]};
       const auto hit = tracer_.nearest(PatchEmitter(patches_, sides.side[slot]).ray(u));

@@ -27,9 +27,11 @@
 namespace luxel {
 namespace {
 
-// Of the iteration: a thousandth of the error so far, of the whole, is less than a hundredth anywhere; and
-// not so much that light after a change of lamps would differ visibly from light solved with them.
-double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 1e-5; }
+// Tolerance of the iteration: a thousandth of the error that the run aims at, of the whole, is less than a
+// hundredth anywhere; and not so much that light after a change of lamps would differ visibly from light
+// solved with them. It is the same for every answer, so that a resumed run repeats the one that never
+// stopped.
+double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 3e-6; }
 
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
 constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
@@ -188,9 +190,9 @@ class Run {
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
     transport_.reset();
     transport_ = sampling_->transport();
-    auto solved =
-        solve_replicates(*transport_, direct, light_->reflectance(), radiosity_, tolerance_for(error_),
-                         workers_, [this](const Progress&) { return tell(monitor_, progress(nullptr)); });
+    auto solved = solve_replicates(*transport_, direct, light_->reflectance(), radiosity_,
+                                   tolerance_for(options_.error), workers_,
+                                   [this](const Progress&) { return tell(monitor_, progress(nullptr)); });
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, workers_);

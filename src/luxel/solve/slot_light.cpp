@@ -5,18 +5,22 @@
 #include <array>
 #include <cmath>
 
+#include "luxel/solve/keep_hue.h"
+
 namespace luxel {
 namespace {
 
 constexpr std::size_t grain = 4096;  // slots a chunk
-// With fewer there are few windows, so the estimate of their bias is too noisy, and there is little to gain.
+constexpr std::uint32_t hue_positions = 64;  // neighbours whose mean colour stands in for that of one of them
+// With fewer slots there are few windows, so the estimate of their bias is too noisy, and there is little to
+// gain.
 constexpr std::size_t min_smoothed_slots = 4096;
 
 }  // namespace
 
 SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool smooths,
                      const Workers& workers, const Ranks* ranks)
-    : patches_(patches), sides_(sides), ranks_(ranks) {
+    : patches_(patches), sides_(sides), ranks_(ranks), units_(neighbour_begins(sides, hue_positions)) {
   const auto bands = patches.band_count();
   area_.resize(sides.size());
   reflectance_.resize(sides.size() * bands);
@@ -38,13 +42,17 @@ SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
   if (observe) observe(false);
   // Smoothing only where it is needed: the patches' own rays make no assumption.
   auto own = spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_);
-  if (!smoothing_ || enough(own)) return {std::move(own), {}};
+  if (!smoothing_ || enough(own)) {
+    keep_hue(own.mean, bands, area_, units_);
+    return {std::move(own), {}};
+  }
   const auto mine = spread_share(ranks_, area_.size());
   smoothing_->smooth(direct, gathered, bias, workers, mine);
   if (observe) observe(true);
   constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
   auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families, ranks_);
   mine.share(std::span(bias), bands);
+  keep_hue(spread.mean, bands, area_, units_);
   return {std::move(spread), std::move(bias)};
 }
 

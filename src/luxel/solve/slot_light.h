@@ -35,7 +35,8 @@ class SlotLight {
   using Enough = std::function<bool(const Spread&)>;
 
   // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where that is not
-  // `enough`, both are replaced by what smoothing makes of them. The same bits on any number of threads.
+  // `enough`, both are replaced by what smoothing makes of them. The means are not below 0, see keep_hue().
+  // The same bits on any number of threads.
   struct Answer : Spread {
     std::vector<float> bias;  // squared bias of the smoothing; empty where nothing was smoothed
   };
@@ -49,6 +50,7 @@ class SlotLight {
   const PatchSet& patches_;
   const GatherSides& sides_;
   const Ranks* ranks_;
+  std::vector<std::uint32_t> units_;  // see keep_hue()
   std::vector<float> area_, reflectance_;
   std::optional<Smoothing> smoothing_;
 };
