@@ -17,6 +17,7 @@
 #include "luxel/report/memory.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/solve_light.h"
+#include "luxel/transport/choose_portals.h"
 
 namespace luxel {
 
@@ -39,6 +40,8 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   // Who sees whom, and what the lamps see.
   console_.announce("hierarchy");
   const auto tracer = record_.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers_); });
+  if (scene != nullptr && from == nullptr && settings_.light.method == LightSettings::by_sampling)
+    set_portals(*scene, tracer, baked.patches, workers_);
   console_.announce("lamps");
   const auto views =
       record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, workers_); });
