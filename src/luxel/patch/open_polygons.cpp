@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "luxel/math/disjoint_sets.h"
 #include "luxel/math/triangle.h"
@@ -14,6 +15,7 @@ namespace luxel {
 namespace {
 
 constexpr double plane_tolerance = 2e-4;  // of the extent: how far apart triangles of one pane may lie
+constexpr double narrow_side = 0.1;       // of the largest face of the same object of glass, area
 constexpr double rim_flatness = 0.02;     // of a loop's extent: how far from a plane its corners may lie
 constexpr double parallel = 0.9;          // cosine: a triangle in the plane of the loop that it ends at
 
@@ -63,25 +65,49 @@ OpenPolygon flat_hull(const std::vector<Vec3>& points, Vec3d& normal) {
 
 }  // namespace
 
+namespace {
+
+// Triangles that share corners, by their first one, [triangle].
+std::vector<std::uint32_t> connected(std::span<const Triangle3> triangles,
+                                     std::span<const std::uint32_t> members) {
+  std::map<std::array<float, 3>, std::uint32_t> first_at;
+  DisjointSets sets(members.size());
+  for (std::uint32_t i = 0; i < members.size(); ++i)
+    for (const auto& v : triangles[members[i]])
+      sets.join(i, first_at.try_emplace(std::array<float, 3>{v.x, v.y, v.z}, i).first->second);
+  std::vector<std::uint32_t> of;
+  for (std::uint32_t i = 0; i < members.size(); ++i) of.push_back(sets.of(i));
+  return of;
+}
+
+}  // namespace
+
 // Triangles of one plane that share corners are one pane; it may be drawn larger than it is, by its convex
-// hull: any set of portals is right.
+// hull: any set of portals is right. Of a thin box of glass the narrow sides are none.
 std::vector<OpenPolygon> find_panes(std::span<const Triangle3> glass, double extent) {
-  std::vector<OpenPolygon> panes;
+  std::vector<std::uint32_t> all(glass.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const auto object = connected(glass, all);
+  std::vector<std::pair<std::uint32_t, OpenPolygon>> panes;  // with their objects
+  std::vector<double> largest(glass.size(), 0.0);            // [object], m²
   for (const auto& plane : group_by_plane(glass, plane_tolerance * extent)) {
-    std::map<std::array<float, 3>, std::uint32_t> first_at;
-    DisjointSets sets(plane.size());
-    for (std::uint32_t i = 0; i < plane.size(); ++i)
-      for (const auto& v : glass[plane[i]])
-        sets.join(i, first_at.try_emplace(std::array<float, 3>{v.x, v.y, v.z}, i).first->second);
-    std::map<std::uint32_t, std::vector<std::array<double, 2>>> points;
+    const auto set = connected(glass, plane);
     const auto frame = frame_of(glass, plane);
+    std::map<std::uint32_t, std::vector<std::array<double, 2>>> points;
     for (std::uint32_t i = 0; i < plane.size(); ++i)
-      for (const auto& v : glass[plane[i]]) points[sets.of(i)].push_back(frame.flat(v));
-    for (auto& [set, flat] : points)
-      if (const auto hull = convex_hull(std::move(flat)); hull.size() >= 3)
-        panes.push_back(in_space(frame, hull));
+      for (const auto& v : glass[plane[i]]) points[set[i]].push_back(frame.flat(v));
+    for (auto& [first, flat] : points) {
+      const auto hull = convex_hull(std::move(flat));
+      if (hull.size() < 3) continue;
+      const auto of = object[plane[first]];
+      largest[of] = std::max(largest[of], area_of(hull));
+      panes.emplace_back(of, in_space(frame, hull));
+    }
   }
-  return panes;
+  std::vector<OpenPolygon> wide;
+  for (auto& [of, pane] : panes)
+    if (area_of(pane) >= narrow_side * largest[of]) wide.push_back(std::move(pane));
+  return wide;
 }
 
 // A loop whose triangles stand on its plane: the rim of a box without a lid. (Where they lie in it, it is the

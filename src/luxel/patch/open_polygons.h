@@ -19,7 +19,7 @@ using OpenPolygon = std::vector<Vec3>;
 // for rays to find out. At most `max_count`, the largest first. The same on every host.
 //
 // Cost: about 0.5 s for a million triangles, and at most 0.1 s for the holes.
-std::vector<OpenPolygon> find_open_polygons(const Scene& scene, std::size_t max_count = 2048);
+std::vector<OpenPolygon> find_open_polygons(const Scene& scene, std::size_t max_count = 8192);
 
 // The parts of it, for tests. extent: diagonal of the scene, m.
 std::vector<OpenPolygon> find_panes(std::span<const Triangle3> glass, double extent);

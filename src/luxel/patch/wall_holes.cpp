@@ -18,6 +18,7 @@ constexpr std::size_t max_planes = 512;                          // the largest
 constexpr std::size_t all_cells = 1 << 23;                       // of all pictures together: some 0.1 s
 constexpr std::size_t min_cells = 1 << 12, max_cells = 1 << 18;  // of one picture
 constexpr std::size_t least_cells = 8;                           // of a hole
+constexpr std::size_t least_width = 3;                           // of a hole, cells
 constexpr double least_fill = 0.4;                               // area of a hole over that of its polygon
 constexpr double least_hull = 0.95;      // area of the hull of corners over that of the cells
 constexpr std::size_t max_corners = 12;  // else its upright rectangle stands for it
@@ -142,6 +143,8 @@ class Picture {
   }
 
   OpenPolygon polygon_of(Hole& hole) const {
+    for (std::size_t i = 0; i < 2; ++i)
+      if (hole.high[i] - hole.low[i] + 1 < least_width) return {};
     const auto area = static_cast<double>(hole.cells) * cell_ * cell_;
     auto hull = convex_hull(std::move(hole.corners));
     if (hull.size() < 3 || hull.size() > max_corners || area_of(hull) < least_hull * area) {

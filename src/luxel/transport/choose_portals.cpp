@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::uint32_t stream = 0x706f7274u;  // apart from other users of random numbers
 constexpr std::uint32_t first_lines = 16, all_lines = 64;
+constexpr std::size_t compared_lines = 16;  // with other polygons
+constexpr double share_classes = 4.0;
 constexpr std::uint32_t looks = 2;  // cosine rays from each point that is lit
 constexpr float least_lift = 4.0f;  // of origins, in bounds on rounding
 
@@ -25,14 +27,22 @@ struct LitLine {
 
 struct Trial {
   Vec3d normal{0.0};
-  double area = 0.0;                                 // m²
+  double area = 0.0;  // m²
+  Vec3d centre{0.0};
+  double radius = 0.0;                               // m
   std::array<std::uint32_t, 2> lit{};                // lines that light something before it, and behind it
   std::array<std::uint32_t, 2> looked{}, escaped{};  // from there
   std::vector<LitLine> lines;
   std::array<bool, 2> pays{};
 
-  double flux() const {
-    return area * ((pays[0] ? lit[0] : 0) + (pays[1] ? lit[1] : 0)) / static_cast<double>(all_lines);
+  // Of its lines, that light something of which a cosine ray would seldom find the sky.
+  double share() const {
+    return ((pays[0] ? lit[0] : 0) + (pays[1] ? lit[1] : 0)) / static_cast<double>(all_lines);
+  }
+  // Those first that few lines miss: a window before a plane that cuts through many rooms; of alike ones the
+  // brighter. A plain product would do the opposite.
+  std::pair<int, double> rank() const {
+    return {-static_cast<int>(share_classes * share()), -area * share()};
   }
 };
 
@@ -52,6 +62,9 @@ class Trials {
     trial.area = 0.5 * glm::length(area2);
     if (!(trial.area > 0.0)) return trial;
     trial.normal = glm::normalize(area2);
+    for (const auto& corner : polygon) trial.centre += Vec3d(corner) / static_cast<double>(polygon.size());
+    for (const auto& corner : polygon)
+      trial.radius = std::max(trial.radius, glm::length(Vec3d(corner) - trial.centre));
     const auto key = stream_key(0, stream, number);
     for (std::uint32_t i = 0; i < all_lines; ++i) {
       if (i == first_lines && trial.lit[0] + trial.lit[1] == 0) break;
@@ -103,6 +116,8 @@ class Trials {
 
 // Whether a line goes through a convex polygon.
 bool crosses(const OpenPolygon& polygon, const Trial& trial, const LitLine& line) {
+  const auto aside = glm::cross(trial.centre - line.from, line.direction);
+  if (glm::dot(aside, aside) > trial.radius * trial.radius) return false;
   const auto slope = glm::dot(trial.normal, line.direction);
   const auto along = glm::dot(trial.normal, Vec3d(polygon[0]) - line.from);
   if (!(along * slope > 0.0)) return false;
@@ -128,17 +143,18 @@ std::vector<Portal> choose_portals(const PatchSet& patches, const Tracer& tracer
   std::vector<std::size_t> order(polygons.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return trials[a].flux() > trials[b].flux(); });
+                   [&](std::size_t a, std::size_t b) { return trials[a].rank() < trials[b].rank(); });
   std::vector<std::size_t> kept;
   for (const auto i : order) {
-    if (!(trials[i].flux() > 0.0) || kept.size() == options.max_polygons) break;
-    const auto& lines = trials[i].lines;
+    if (!(trials[i].share() > 0.0)) continue;
+    const auto lines = std::span(trials[i].lines).first(std::min(compared_lines, trials[i].lines.size()));
     const auto known = std::count_if(lines.begin(), lines.end(), [&](const LitLine& line) {
       return std::any_of(kept.begin(), kept.end(),
                          [&](std::size_t k) { return crosses(polygons[k], trials[k], line); });
     });
-    if (static_cast<double>(known) <= options.same_lines * static_cast<double>(lines.size()))
-      kept.push_back(i);
+    if (static_cast<double>(known) > options.same_lines * static_cast<double>(lines.size())) continue;
+    if (kept.size() == options.max_polygons) return {};
+    kept.push_back(i);
   }
   std::vector<Portal> portals;
   for (const auto i : kept)
@@ -154,6 +170,10 @@ void set_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches, co
   patches.portals.clear();
   if (patches.has_sky())
     patches.portals = choose_portals(patches, tracer, find_open_polygons(scene), {}, workers);
+}
+
+void set_portals(const Scene& scene, PatchSet& patches, const Workers& workers) {
+  if (patches.has_sky()) set_portals(scene, Tracer(patches, workers), patches, workers);
 }
 
 }  // namespace luxel
