@@ -9,6 +9,7 @@
 #include "luxel/apps/version.h"
 #include "luxel/patch/focus.h"
 #include "luxel/patch/uncut_faces.h"
+#include "luxel/transport/choose_portals.h"
 
 namespace luxel {
 namespace {
@@ -50,6 +51,7 @@ class Bake final : public Command {
         return make_patches(scene, patches, workers, console.log(), console.monitor());
       });
       if (interrupted()) return stopped_before_light(console);
+      if (settings_.refine.is_asked()) set_portals(scene, baked.patches, workers);
       if (settings_.refine.is_asked()) refine(baked, refined, workers, record, console);
       if (interrupted()) return stopped_before_light(console);
       focus(scene, baked.patches);

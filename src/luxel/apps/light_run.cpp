@@ -17,6 +17,7 @@
 #include "luxel/report/memory.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/solve_light.h"
+#include "luxel/transport/choose_portals.h"
 
 namespace luxel {
 
@@ -39,6 +40,8 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   // Who sees whom, and what the lamps see.
   console_.announce("hierarchy");
   const auto tracer = record_.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers_); });
+  if (scene != nullptr && from == nullptr)  // else the samples belong to the portals of the file
+    find_portals(*scene, tracer, baked.patches);
   console_.announce("lamps");
   const auto views =
       record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, workers_); });
@@ -94,6 +97,18 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
           .record = &record_},
          settings_.run, console_);
   return written.stopped || fell_short(solved) ? exit_stopped_early : exit_fine;
+}
+
+void LightRun::find_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches) {
+  console_.announce("portals");
+  record_.stage("portals", [&](auto&) {
+    set_portals(scene, tracer, patches, workers_);
+    return 0;
+  });
+  if (!patches.portals.empty())
+    console_.say(
+        fmt::format("{} triangles of windows, doors and other openings: the sky is sampled through them",
+                    patches.portals.size()));
 }
 
 SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,

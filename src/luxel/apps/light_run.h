@@ -31,6 +31,7 @@ class LightRun {
           std::shared_ptr<const SampleState> from, const Scene* scene);
 
  private:
+  void find_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches);
   SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
                     const Monitor& monitor, const SampleKeeping& keeping) const;
   void focus_on_picture(Baked& baked, const Tracer& tracer) const;

@@ -7,6 +7,7 @@
 #include "luxel/patch/uncut_faces.h"
 #include "luxel/report/error.h"
 #include "luxel/solution/solution_file.h"
+#include "luxel/transport/choose_portals.h"
 
 // The beginning of a live scene: from the file to a mesh with its tracer.
 
@@ -31,6 +32,7 @@ void LiveRun::open_scene() {
   show_mesh();
   try {
     if (refines) {
+      set_portals(*scene, patches, workers_);
       auto options = settings_.refine;
       options.light = light_.sampled;
       options.smooth = settings_.smooth;
@@ -94,6 +96,12 @@ void LiveRun::build_tracer() {
   begin_stage("hierarchy");
   mesh_.tree = std::make_shared<const PatchTree>(make_patch_tree(*mesh_.patches, workers_));
   mesh_.tracer = std::make_shared<const Tracer>(*mesh_.patches, workers_);
+  if (mesh_.scene) {
+    auto patches = *mesh_.patches;
+    set_portals(*mesh_.scene, *mesh_.tracer, patches, workers_);
+    if (patches.portals != mesh_.patches->portals)
+      mesh_.patches = std::make_shared<const PatchSet>(std::move(patches));
+  }
   show_mesh();
 }
 

@@ -51,6 +51,15 @@ struct Contact {
   bool operator==(const Contact&) const = default;
 };
 
+// A triangle of open space through which the sky lights a dim place: a part of a window, a door, a pane of
+// glass. It is no surface. Rays towards it are shadow rays whose light is the sky's, see transport/portals.h.
+struct Portal {
+  std::array<Vec3, 3> corner{};  // m; counter-clockwise seen from the place that it lights
+  bool both_ways = false;        // lights what lies behind it, too
+
+  bool operator==(const Portal&) const = default;
+};
+
 // The surfaces cut into patches of constant radiosity. Parallel arrays: entry i of each is patch i. Patches
 // stand in the order of their input triangles. Vertices at the same place are one vertex, so neighbours share
 // indices.
@@ -68,6 +77,9 @@ struct PatchSet {
   std::vector<BandMaterial> materials;
   std::vector<BandPointLight> point_lights;
   std::vector<float> sky;  // [band], W/(m² sr): radiance of what lies around the scene; empty: dark
+  // Any set of triangles gives the same light; a good one gives it with less noise. Without a sky they have
+  // no effect. The samples of a run belong to its portals, so a solution file keeps them.
+  std::vector<Portal> portals;
   // Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
   // sky. Empty: all light is one.
   std::vector<std::string> light_groups;

@@ -131,6 +131,7 @@ class Refiner {
     set.origin = old.origin;
     set.sky = old.sky;
     set.point_lights = old.point_lights;
+    set.portals = old.portals;
     for (std::uint32_t p = 0; p < old.size(); ++p) cut(p);
     inherit_contacts();
   }

@@ -12,6 +12,7 @@
 #include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/places_file.h"
+#include "luxel/solution/portals_file.h"
 #include "luxel/solution/provenance_file.h"
 #include "luxel/solution/sample_file.h"
 #include "luxel/solution/solution_file.h"
@@ -164,6 +165,7 @@ Baked read_baked(const Hdf5Reader& file) {
   if (file.has("Luxel/sky")) patches.sky = file.array<float>("Luxel/sky", patches.band_count());
   read_surface(file, patches);
   read_point_lights(file, patches);
+  read_portals(file, patches);
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   patches.contacts = read_contacts(file);

@@ -12,6 +12,7 @@
 #include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_writer.h"
 #include "luxel/solution/places_file.h"
+#include "luxel/solution/portals_file.h"
 #include "luxel/solution/provenance_file.h"
 #include "luxel/solution/sample_file.h"
 #include "luxel/solution/solution_file.h"
@@ -138,6 +139,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   add_contacts(file, patches);
   add_surface(file, patches);
   add_point_lights(file, patches);
+  add_portals(file, patches);
   add_focus(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }

@@ -41,6 +41,7 @@ std::vector<std::uint8_t> lit_slots(const PatchSet& patches, const HitStore& hit
     }
   });
   lit[hits.escaped()] = patches.has_sky() ? 1 : 0;
+  if (hits.has_portals()) lit[hits.through_portal()] = lit[hits.escaped()];
   const auto groups = neighbour_begins(sides, neighbours);
   // Light goes on from slot to slot. Each pass reads the one before, so threads do not matter.
   for (bool changed = true; changed;) {

@@ -39,9 +39,9 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
         hits.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
           if (element < sides.size() || element == hits.dark()) return;
           const auto counts = weight * transport.row_factor(r, slot);
-          const auto sink = element == hits.escaped() ? 1 : 2 + element - hits.absorbed(0);
+          const auto sink = hits.is_escape(element) ? 1 : 2 + element - hits.absorbed(0);
           for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += counts * carried[slot * bands + b];
-          if (element == hits.escaped()) sum[width - 1] += counts * area_per_ray[slot];
+          if (hits.is_escape(element)) sum[width - 1] += counts * area_per_ray[slot];
         });
       }
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -120,7 +121,7 @@ void add_radiance(double* sum, double value, const Lamps& lamps, std::uint32_t l
 
 DirectLight::DirectLight(const PatchSet& patches, const Tracer& tracer, const Lamps& lamps,
                          const DirectOptions& options)
-    : patches_(patches), tracer_(tracer), lamps_(lamps), options_(options), tree_(lamps) {
+    : patches_(patches), tracer_(tracer), lamps_(lamps), options_(options), tree_(lamps), portals_(patches) {
   for (const auto& lamp : lamps.triangles()) lift_.push_back(origin_lift(lamp.corner));
   for (const auto& light : patches.point_lights)
     point_weight_.push_back(std::accumulate(light.intensity.begin(), light.intensity.end(), 0.0));
@@ -129,10 +130,22 @@ DirectLight::DirectLight(const PatchSet& patches, const Tracer& tracer, const La
 // Both ends are lifted off their planes by the bound on rounding, which so keeps the lamp's own triangle
 // behind the end however flat the ray comes in, and however near the lamp is.
 bool DirectLight::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const {
+  if (const auto& triangle = lamps_.triangles()[lamp]; triangle.is_portal())
+    return sky_is_visible(from, to, triangle.portal);
   const auto lift = static_cast<double>(std::max(least_lift, lift_[lamp]));
   const auto way = to + lift * lamps_.triangles()[lamp].normal - Vec3d(from);
   const auto distance = glm::length(way);
   return !(distance > 0.0) || !tracer_.occluded({from, Vec3(way / distance)}, static_cast<float>(distance));
+}
+
+// Of a line through several portals only the first one counts: each line counts once.
+bool DirectLight::sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const {
+  const auto way = to - Vec3d(from);
+  const auto distance = glm::length(way);
+  if (!(distance > 0.0)) return false;
+  const Ray ray{from, Vec3(way / distance)};
+  return !tracer_.occluded(ray, std::numeric_limits<float>::infinity()) &&
+         portals_.first_crossed(ray) == portal_side;
 }
 
 DirectLight::Side DirectLight::side_of_index(std::size_t side) const {
@@ -313,14 +326,16 @@ DirectLight::Term DirectLight::ask_ball(const Side& side, const LampChoices& cho
 DirectLight::Term DirectLight::look_round(const Side& side, const LampChoices& choices, const Ray& ray,
                                           Ends* ends) const {
   const auto hit = tracer_.nearest(ray);
-  const auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, ray.origin + hit.distance * ray.direction)
-                                     : Lamps::no_lamp;
+  auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, ray.origin + hit.distance * ray.direction)
+                               : Lamps::no_lamp;
+  if (!hit && !portals_.empty()) lamp = lamps_.lamp_of_portal(portals_.first_crossed(ray));
   const auto& normal = side.emitter.normal();
   const auto cosine = static_cast<double>(glm::dot(normal, ray.direction));
   if (lamp == Lamps::no_lamp || !(cosine > 0.0)) return {.rays = 1};
   const auto found = choices.find(tree_, lamp, ray.origin, normal);
   const auto density = lamp_density(lamps_.triangles()[lamp], Vec3d(ray.origin), Vec3d(ray.direction));
-  if (ends != nullptr) *ends = {ray.origin, ray.origin + hit.distance * ray.direction};
+  const auto length = hit ? hit.distance : portals_.distance(ray);
+  if (ends != nullptr) *ends = {ray.origin, ray.origin + length * ray.direction};
   return {found.choice, lamp, given(cosine, density * found.lamp.probability), true, 1};
 }
 

@@ -10,6 +10,7 @@
 #include "luxel/trace/tracer.h"
 #include "luxel/transport/lamps.h"
 #include "luxel/transport/light_tree.h"
+#include "luxel/transport/portals.h"
 
 namespace luxel {
 
@@ -36,9 +37,11 @@ struct DirectOptions {
   bool multiple_importance = false;
 };
 
-// Irradiance of one side of a patch straight from the lamps, by shadow rays. Lamps without a surface are
-// sampled apart, one for each ray, in proportion to what they would give the very point. Of all others: The
-// radiance of lamps is constant, so only what is hidden needs samples: the estimate is
+// Irradiance of one side of a patch straight from the lamps, by shadow rays. The sky seen through a portal is
+// a lamp whose rays go on behind the portal until they meet a surface, which hides the sky, or none. Lamps
+// without a surface are sampled apart, one for each ray, in proportion to what they would give the very
+// point. Of all others: The radiance of lamps is constant, so only what is hidden needs samples: the estimate
+// is
 //   sum over lamps of mean(c V) + beta (U - mean(c)),
 // c the unshadowed sample, V its visibility, U the closed form of its mean, beta the visibility met by the
 // other replicates (of that lamp, drawn to that of all lamps while samples are few). So beta is independent
@@ -97,6 +100,7 @@ class DirectLight {
                 double u2, Ends* ends) const;
   Term look_round(const Side& side, const LampChoices& choices, const Ray& ray, Ends* ends) const;
   double given(double cosine, double lamp_density) const;
+  bool sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const;
   bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const;
 
   const PatchSet& patches_;
@@ -104,6 +108,7 @@ class DirectLight {
   const Lamps& lamps_;
   DirectOptions options_;
   LightTree tree_;
+  Portals portals_;
   std::vector<float> lift_;           // [triangle], m
   std::vector<double> point_weight_;  // [point light]: intensity summed over bands
 };

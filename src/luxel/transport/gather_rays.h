@@ -43,14 +43,14 @@ class GatherRays {
   GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> slots,
              const GatherPoints& points, std::uint32_t level, std::uint32_t per_slot);
 
-  // element(hit): what stands for it. rows: at most most_rows.
+  // element(hit, ray): what stands for it. rows: at most most_rows.
   template <typename Element>
   void trace(const Tracer& tracer, std::span<const Row> rows, Element element) {
     std::array<Hit, batch> hits;
     for_each_batch(rows, [&](std::span<const Ray> rays, std::span<const std::uint16_t> ids) {
       tracer.nearest(rays, std::span(hits.data(), rays.size()));
       for (std::size_t i = 0; i < rays.size(); ++i)
-        rows[ids[i] >> shift_].to[per_slot_ * place_of(ids[i])] = element(hits[i]);
+        rows[ids[i] >> shift_].to[per_slot_ * place_of(ids[i])] = element(hits[i], rays[i]);
     });
   }
 

@@ -34,6 +34,7 @@ HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tra
                    const HitStoreOptions& options)
     : patches_(patches),
       tracer_(tracer),
+      portals_(patches),
       sides_(std::move(sides)),
       options_(options),
       shares_(options.ranks, gather_block_positions, sides_.position),
@@ -41,8 +42,10 @@ HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tra
       rays_per_slot_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
 
-std::uint32_t HitStore::element_of(const Hit& hit) const {
-  if (!hit) return static_cast<std::uint32_t>(escaped());
+std::uint32_t HitStore::element_of(const Hit& hit, const Ray& ray) const {
+  if (!hit)
+    return static_cast<std::uint32_t>(portals_.first_crossed(ray) == Portals::none ? escaped()
+                                                                                   : through_portal());
   const auto slot = sides_.slot_of_side[side_of(hit.patch, hit.back)];
   if (slot != GatherSides::none) return slot;
   if (hit.back && !patches_.material_of(hit.patch).two_sided)
@@ -81,7 +84,8 @@ void HitStore::trace(const Round& round, std::span<const std::uint32_t> slots, s
       const auto sample = static_cast<std::uint32_t>(begin_row % n);
       rows[i] = {replicate, sample, to[replicate] + sample};
     }
-    rays.trace(tracer_, std::span(rows.data(), count), [this](const Hit& hit) { return element_of(hit); });
+    rays.trace(tracer_, std::span(rows.data(), count),
+               [this](const Hit& hit, const Ray& ray) { return element_of(hit, ray); });
   }
 }
 

@@ -12,6 +12,7 @@
 #include "luxel/trace/tracer.h"
 #include "luxel/transport/gather_rays.h"
 #include "luxel/transport/gather_sides.h"
+#include "luxel/transport/portals.h"
 #include "luxel/transport/row_shares.h"
 
 namespace luxel {
@@ -31,7 +32,8 @@ struct HitStoreOptions {
 //
 // Elements are the slots of GatherSides. Rays that bring no light end in sinks, elements of their own after
 // the slots, whose radiosity is 0 or the sky's: escaped, dark (a side that does not gather), and one for each
-// one-sided material's back.
+// one-sided material's back; where there are portals also one for rays that escape through a portal, whose
+// light is direct light.
 //
 // Memory: 4 bytes per stored ray. Cost of a round: one nearest hit per ray. Not safe to change while another
 // call runs; any number of threads may read.
@@ -76,7 +78,13 @@ class HitStore {
   std::size_t escaped() const { return sides_.size(); }
   std::size_t dark() const { return sides_.size() + 1; }
   std::size_t absorbed(std::size_t material) const { return sides_.size() + 2 + material; }
-  std::size_t elements() const { return sides_.size() + 2 + patches_.materials.size(); }
+  // Escaped through a portal; where there is none, no element.
+  std::size_t through_portal() const { return absorbed(patches_.materials.size()); }
+  bool has_portals() const { return !portals_.empty(); }
+  bool is_escape(std::size_t element) const {
+    return element == escaped() || (has_portals() && element == through_portal());
+  }
+  std::size_t elements() const { return through_portal() + (has_portals() ? 1 : 0); }
 
   // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block; of several
   // ranks, for this one's blocks alone.
@@ -148,10 +156,11 @@ class HitStore {
   // where the samples of the first slot go.
   void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
              std::size_t end_row, std::span<std::uint32_t* const> to) const;
-  std::uint32_t element_of(const Hit& hit) const;
+  std::uint32_t element_of(const Hit& hit, const Ray& ray) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;
+  Portals portals_;
   GatherSides sides_;
   HitStoreOptions options_;
   RowShares shares_;

@@ -123,6 +123,22 @@ Lamps::Lamps(const PatchSet& patches)
   }
   for (std::size_t i = 0; i < found.patches.size(); ++i)
     lamp_of_patch_[found.patches[i]] = lamp_of_piece[found.piece[i]];
+  if (patches.has_sky()) add_portals(patches);
+}
+
+void Lamps::add_portals(const PatchSet& patches) {
+  std::vector<float> emittance;
+  for (std::size_t b = 0; b < bands_; ++b) emittance.push_back(static_cast<float>(patches.sky_radiosity(b)));
+  lamp_of_portal_.assign(2 * patches.portals.size(), no_lamp);
+  for (std::size_t side = 0; side < lamp_of_portal_.size(); ++side) {
+    const auto& portal = patches.portals[side / 2];
+    const auto [a, b, c] = portal.corner;
+    const bool is_back = side % 2 == 1;
+    if ((is_back && !portal.both_ways) || !(triangle_area(a, b, c) > 0.0)) continue;
+    lamp_of_portal_[side] = static_cast<std::uint32_t>(triangles_.size());
+    add({a, is_back ? c : b, is_back ? b : c}, emittance, static_cast<std::uint32_t>(groups_ - 1));
+    triangles_.back().portal = static_cast<std::uint32_t>(side);
+  }
 }
 
 std::uint32_t Lamps::lamp_at(std::size_t patch, const Vec3& point) const {

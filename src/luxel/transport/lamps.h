@@ -11,21 +11,26 @@
 
 namespace luxel {
 
-// A triangle that shines from its front, evenly and by Lambert's law.
+// A triangle that shines from its front, evenly and by Lambert's law: a surface, or a portal of the sky.
 struct LampTriangle {
-  std::array<Vec3, 3> corner;  // m, counter-clockwise seen from the front
-  Vec3d normal;                // unit, front
-  double area = 0.0;           // m²
-  double longest_edge = 0.0;   // m
-  double weight = 0.0;         // radiance summed over bands, W/(m² sr)
-  bool has_holes = false;      // a cut-out texture: radiance is the mean over holes and surface
-  bool fan_goes_on = false;    // the next triangle is of the same polygon, between the same first corner and
-                               // this one's third
+  static constexpr std::uint32_t no_portal = 0xffffffffu;
+
+  bool is_portal() const { return portal != no_portal; }
+  std::array<Vec3, 3> corner;        // m, counter-clockwise seen from the front
+  Vec3d normal;                      // unit, front
+  double area = 0.0;                 // m²
+  double longest_edge = 0.0;         // m
+  double weight = 0.0;               // radiance summed over bands, W/(m² sr)
+  bool has_holes = false;            // a cut-out texture: radiance is the mean over holes and surface
+  std::uint32_t portal = no_portal;  // the side of a portal (see Portals) that the sky shines through
+  bool fan_goes_on = false;  // the next triangle is of the same polygon, between the same first corner and
+                             // this one's third
 };
 
 // The lamps of a scene as they were before they were cut into patches and meshed: flat convex ones as a few
 // large triangles, so that little has to be chosen and what they give has a closed form. Read-only after it
-// was made; memory about 150 bytes a triangle and 4 a patch.
+// was made; memory about 150 bytes a triangle and 4 a patch. Behind them stand the portals of the sky, where
+// there is a sky: lamps of its radiance and of its light group, the last.
 class Lamps {
  public:
   // Joins the patches of each emitting input triangle, where they fill it, and what join_lamps() can.
@@ -38,6 +43,10 @@ class Lamps {
   // The triangle that a point of a patch is part of, or no_lamp.
   static constexpr std::uint32_t no_lamp = 0xffffffffu;
   std::uint32_t lamp_at(std::size_t patch, const Vec3& point) const;
+  // The lamp that stands for this side of a portal, or no_lamp.
+  std::uint32_t lamp_of_portal(std::uint32_t portal_side) const {
+    return portal_side < lamp_of_portal_.size() ? lamp_of_portal_[portal_side] : no_lamp;
+  }
   // Of one triangle's front, W/(m² sr), [band].
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
@@ -50,9 +59,11 @@ class Lamps {
 
  private:
   void add(const std::array<Vec3, 3>& corner, std::span<const float> emittance, std::uint32_t group);
+  void add_portals(const PatchSet& patches);
 
   std::vector<LampTriangle> triangles_;
-  std::vector<std::uint32_t> lamp_of_patch_;  // the first of its polygon
+  std::vector<std::uint32_t> lamp_of_patch_;   // the first of its polygon
+  std::vector<std::uint32_t> lamp_of_portal_;  // [side of a portal]
   std::size_t bands_ = 0;
   std::size_t groups_ = 1;
   std::vector<float> radiance_;       // [triangle][band]

@@ -140,9 +140,10 @@ void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* beg
   made.radius *= sphere_margin;
   made.spread_sine = sine_of(made.spread);
   made.leaf = end - begin == 1;
-  made.round = end - begin >= fewest_facets &&
-               made.area >= least_fill * 4.0f * pi * made.radius * made.radius &&
-               std::none_of(begin, end, [&](std::uint32_t i) { return triangles[i].has_holes; });
+  made.round =
+      end - begin >= fewest_facets && made.area >= least_fill * 4.0f * pi * made.radius * made.radius &&
+      std::none_of(begin, end,
+                   [&](std::uint32_t i) { return triangles[i].has_holes || triangles[i].is_portal(); });
   made.next = made.leaf ? *begin : static_cast<std::uint32_t>(nodes_.size());
   made.parent = nodes_[node].parent;
   nodes_[node] = made;

@@ -60,7 +60,8 @@ void ElementRays::trace(std::span<const std::uint32_t> slots, std::uint32_t repl
   for (std::uint32_t sample = 0; sample < per_slot;) {
     const auto count = std::min<std::size_t>(per_slot - sample, rows.size());
     for (std::size_t i = 0; i < count; ++i, ++sample) rows[i] = {replicate, sample, met.data() + sample};
-    rays.trace(tracer_, std::span(rows.data(), count), [this](const Hit& hit) { return number_of(hit); });
+    rays.trace(tracer_, std::span(rows.data(), count),
+               [this](const Hit& hit, const Ray&) { return number_of(hit); });
   }
 }
 

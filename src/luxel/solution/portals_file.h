@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/hdf5_reader.h"
+#include "luxel/solution/hdf5_writer.h"
+
+namespace luxel {
+
+// The portals that a run's samples belong to: the group Luxel/portals, which is there only where there are
+// any. Reading refuses what is not finite as damaged.
+void add_portals(Hdf5Writer& file, const PatchSet& patches);
+void read_portals(const Hdf5Reader& file, PatchSet& patches);
+
+}  // namespace luxel
