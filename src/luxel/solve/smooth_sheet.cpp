@@ -20,6 +20,10 @@ constexpr double finest_spacing = 1.5;
 // parts of 0 to 0.5 are within 5 % of the best error.
 constexpr double bias_weight = 4.0;
 constexpr double noise_of_bias = 0.3;
+// A window is left alone where the scale before moved its slots by less than this in the mean: what a small
+// window cannot fit a large one does not.
+constexpr float min_moved = 0.1f;
+constexpr std::size_t min_judged = 6;  // members; with fewer the scale before does not count
 // Sides of a curved sheet count fully in a window where the cosine to the window's mean normal is above the
 // second, and not at all below the first.
 constexpr float facing_none = 0.4f;
@@ -37,6 +41,7 @@ struct Window {
   Vec3 normal{0.0f}, u{1.0f, 0.0f, 0.0f}, v{0.0f, 1.0f, 0.0f};
   std::size_t terms = 0;            // 0: no fit
   std::array<float, 2> fraction{};  // that each half of the replicates moves by
+  bool is_judged = true;            // false: too few members to find structure in
 };
 
 // Windows of one scale.
@@ -55,13 +60,31 @@ class Scale {
         windows_(grid_.nodes()),
         coefficients_(grid_.nodes() * max_terms_ * columns.size()) {}
 
-  void fit(const std::vector<float>& values, const SmoothingWeights& weights, const LoopRunner& run) {
+  // moved: [index], the fraction that the scale before moved each slot by; 1 where it could not judge.
+  void fit(const std::vector<float>& values, const SmoothingWeights& weights, const std::vector<float>& moved,
+           const LoopRunner& run) {
     run(grid_.nodes(), [&](std::size_t begin, std::size_t end) {
       std::vector<WindowMember> members;
       for (auto node = begin; node < end; ++node) {
         collect(node, members);
-        if (is_noisy(members, weights.noise)) fit(node, members, values, weights.risk);
+        if (is_noisy(members, weights.noise) && is_promising(members, moved))
+          fit(node, members, values, weights.risk);
       }
+    });
+  }
+
+  void find_moved(std::vector<float>& moved, const LoopRunner& run) const {
+    run(grid_.cells(), [&](std::size_t begin, std::size_t end) {
+      for (auto cell = begin; cell < end; ++cell)
+        for (const auto index : grid_.in_cell(cell)) {
+          moved[index] = 0.0f;
+          for (std::size_t corner = 0; corner < grid_.corners(); ++corner) {
+            const auto node = grid_.nodes_of_cell(cell)[corner];
+            const auto& window = windows_[node];
+            const auto fraction = window.is_judged ? 0.5f * (window.fraction[0] + window.fraction[1]) : 1.0f;
+            if (fraction > 0.0f) moved[index] += member(node, index).weight * fraction;
+          }
+        }
     });
   }
 
@@ -161,10 +184,21 @@ class Scale {
     return sum > 0.0f;
   }
 
+  static bool is_promising(const std::vector<WindowMember>& members, const std::vector<float>& moved) {
+    float sum = 0.0f;
+    float all = 0.0f;
+    for (const auto& m : members) {
+      sum += m.area * moved[m.index];
+      all += m.area;
+    }
+    return sum > min_moved * all;
+  }
+
   void fit(std::size_t node, const std::vector<WindowMember>& members, const std::vector<float>& values,
            std::span<const float> risk_weight) {
-    if (members.size() < 2) return;
     auto& window = windows_[node];
+    window.is_judged = members.size() >= min_judged;
+    if (members.size() < 2) return;
     window.terms = std::min(max_terms_, WindowFit::terms_for(members.size(), degree_));
     auto* coefficients = coefficients_of(node);
     WindowFit::fit(members, window.terms, values.data(), columns_, coefficients);
@@ -272,12 +306,14 @@ void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const Smoothin
   auto before = values;
   std::vector<float> moved(values.size());
   std::vector<float> added(squared_bias.size());
+  std::vector<float> moved_by(sheet.size(), 1.0f);
   auto spacing = finest_spacing * median_edge(sheet);
   for (int number = 0;; ++number, spacing *= 2.0) {
     const bool is_last = spacing > 2.0 * static_cast<double>(sheet.extent);
     Scale scale(sheet, columns, spacing, number);
-    scale.fit(values, weights, run);
+    scale.fit(values, weights, moved_by, run);
     scale.move(values, moved, run);
+    if (!is_last) scale.find_moved(moved_by, run);
     if (number >= first_seen_scale) {
       write_added_bias(moved, values, number > first_seen_scale ? before : values, columns, added, run);
       scale.add_smoothed(added, squared_bias, run);
