@@ -94,9 +94,8 @@ TEST(ReplicateSpread, squared_errors_alone_are_those_of_the_whole) {
   const std::vector<float> area(slots, 0.1f);
   const Workers workers(2);
   const auto spread = spread_of(values, std::vector<float>(3 * slots, 0.0f), 3, area, workers);
-  std::vector<double> error2(slots, 1.0);
-  add_squared_errors(values, 3, area, 0.25, error2, workers);
-  EXPECT_NEAR(std::accumulate(error2.begin(), error2.end(), 0.0), slots + 0.25 * spread.error2, 1e-9 * slots);
+  const auto error2 = squared_errors(values, 3, workers);
+  EXPECT_NEAR(0.1f * std::accumulate(error2.begin(), error2.end(), 0.0), spread.error2, 1e-9 * slots);
 }
 
 TEST(ReplicateSpread, has_the_same_bits_on_any_number_of_threads) {

@@ -185,9 +185,10 @@ Spread spread_of_sum(Replicates first, Replicates second, std::span<const float>
       [&](Block& block, std::size_t slot, std::size_t count) { block.take_sum(first, second, slot, count); });
 }
 
-void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
-                        std::span<double> error2_of, const Workers& workers, const Ranks* ranks) {
-  const auto mine = spread_share(ranks, area.size());
+std::vector<double> squared_errors(Replicates values, std::size_t bands, const Workers& workers,
+                                   const Ranks* ranks) {
+  std::vector<double> of_slot(values[0].size() / bands, 0.0);
+  const auto mine = spread_share(ranks, of_slot.size());
   workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
@@ -195,14 +196,12 @@ void add_squared_errors(Replicates values, std::size_t bands, std::span<const fl
     for (auto first = begin; first < end; first += block.slots()) {
       const auto count = std::min(block.slots(), end - first);
       block.take(values, first, count);
-      for (std::size_t s = 0; s < count; ++s) {
-        double variance = 0.0;
-        for (std::size_t b = 0; b < bands; ++b) variance += block.variance(s * bands + b);
-        error2_of[first + s] += weight * static_cast<double>(area[first + s]) * variance;
-      }
+      for (std::size_t s = 0; s < count; ++s)
+        for (std::size_t b = 0; b < bands; ++b) of_slot[first + s] += block.variance(s * bands + b);
     }
   });
-  mine.share(error2_of, 1);
+  mine.share(std::span(of_slot), 1);
+  return of_slot;
 }
 
 }  // namespace luxel

@@ -44,8 +44,8 @@ Spread spread_of_sum(Replicates first, Replicates second, std::span<const float>
                      std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
                      const Ranks* ranks = nullptr);
 
-// Adds weight * area * variance of the mean, all bands, to each slot.
-void add_squared_errors(Replicates values, std::size_t bands, std::span<const float> area, double weight,
-                        std::span<double> error2_of, const Workers& workers, const Ranks* ranks = nullptr);
+// The variance of each slot's mean, summed over bands: [slot].
+std::vector<double> squared_errors(Replicates values, std::size_t bands, const Workers& workers,
+                                   const Ranks* ranks = nullptr);
 
 }  // namespace luxel

@@ -7,8 +7,8 @@
 namespace luxel {
 namespace {
 
-// Smoothing is never believed to leave less of the variance: what no ray has found yet looks smooth. With 0.02
-// a furnished hall needed 40 % more rays for the same seen error.
+// Smoothing is never believed to leave less of the variance: what no ray has found yet looks smooth. With
+// 0.02 a furnished hall needed 40 % more rays for the same seen error.
 constexpr double min_noise_left = 0.2;
 
 }  // namespace

@@ -173,7 +173,6 @@ class Run {
       report_.places = seen_->views().places;
       if (!seen_->has_views()) seen_.reset();
     }
-    one_each_.assign(sides.size(), 1.0f);
     area_.assign(light_->area().begin(), light_->area().end());
     report_.dark_sides = sampling_->dark_sides();
     report_.unshot_share = 0.0;
@@ -198,8 +197,8 @@ class Run {
     gathered_ = mean_of(gathered, workers_);
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
     answer_ = light_->answer(direct, gathered, enough, workers_, [&](bool is_smoothed) {
-      direct_error2_ = squared_errors(direct);
-      gathered_error2_ = squared_errors(gathered);
+      direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
+      gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
       if (!is_smoothed) own_gathered_error2_ = gathered_error2_;
     });
     if (seen_) seen_->take(answer_, direct, gathered, workers_);
@@ -224,13 +223,6 @@ class Run {
     light_->write(answer_, solution_, workers_);
     sign();
     return true;
-  }
-
-  // Variances of the mean, summed over bands: [slot].
-  std::vector<double> squared_errors(std::span<const std::vector<float>> replicates) const {
-    std::vector<double> result(slots(), 0.0);
-    add_squared_errors(replicates, bands_, one_each_, 1.0, result, workers_, ranks_);
-    return result;
   }
 
   // ---- Whether it is good enough, and what would make it better ----
@@ -384,7 +376,6 @@ class Run {
   std::optional<SlotLight> light_;
   std::vector<float> radiosity_;     // reflected, and of the sky, W/m², [element][band]
   std::optional<SeenMeasure> seen_;  // where it ends the run
-  std::vector<float> one_each_;      // [slot]
   std::vector<double> area_;         // [slot], m²
   SlotLight::Answer answer_;
   std::vector<float> gathered_;  // before neighbours share, W/m², [slot * bands + band]

@@ -10,7 +10,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 4096;  // slots a chunk
+constexpr std::size_t grain = 4096;          // slots a chunk
 constexpr std::uint32_t hue_positions = 64;  // neighbours whose mean colour stands in for that of one of them
 // With fewer slots there are few windows, so the estimate of their bias is too noisy, and there is little to
 // gain.
