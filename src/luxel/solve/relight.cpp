@@ -11,6 +11,7 @@
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/seen_measure.h"
+#include "luxel/solve/sky_not_found.h"
 #include "luxel/solve/slot_light.h"
 
 namespace luxel {
@@ -154,7 +155,8 @@ Solution Relighter::light() const {
   const auto enough = [&](const Spread& own) {
     return (s.seen ? s.seen->error_of(own) : error_of(own)) <= s.options.error;
   };
-  const auto answer = s.slots->answer(direct, gathered, enough, s.workers);
+  const auto not_found = sky_not_found(s.patches, s.sampling.hits(), s.sampling.units());
+  const auto answer = s.slots->answer(direct, gathered, not_found, enough, s.workers);
   Solution solution;
   s.slots->write(answer, solution, s.workers);
   if (s.seen) solution.seen_error = s.seen->error_of(answer);

@@ -21,6 +21,7 @@
 #include "luxel/solve/sampled_energy.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/seen_measure.h"
+#include "luxel/solve/sky_not_found.h"
 #include "luxel/solve/slot_light.h"
 #include "luxel/solve/stochastic_jacobi.h"
 
@@ -196,7 +197,8 @@ class Run {
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, workers_);
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
-    answer_ = light_->answer(direct, gathered, enough, workers_, [&](bool is_smoothed) {
+    const auto not_found = sky_not_found(patches_, sampling_->hits(), sampling_->units());
+    answer_ = light_->answer(direct, gathered, not_found, enough, workers_, [&](bool is_smoothed) {
       direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
       gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
       if (!is_smoothed) own_gathered_error2_ = gathered_error2_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "luxel/solve/keep_hue.h"
 
@@ -35,22 +36,25 @@ SlotLight::SlotLight(const PatchSet& patches, const PatchTree& tree, const Gathe
 }
 
 SlotLight::Answer SlotLight::answer(std::span<std::vector<float>> direct,
-                                    std::span<std::vector<float>> gathered, const Enough& enough,
-                                    const Workers& workers, const Observer& observe) const {
+                                    std::span<std::vector<float>> gathered, std::span<const float> not_found,
+                                    const Enough& enough, const Workers& workers,
+                                    const Observer& observe) const {
   const auto bands = patches_.band_count();
-  std::vector<float> bias(reflectance_.size(), 0.0f);
   if (observe) observe(false);
   // Smoothing only where it is needed: the patches' own rays make no assumption.
-  auto own = spread_of_sum(direct, gathered, bias, bands, area_, workers, 1, ranks_);
+  auto own = spread_of_sum(direct, gathered, not_found, bands, area_, workers, 1, ranks_);
   if (!smoothing_ || enough(own)) {
     keep_hue(own.mean, bands, area_, units_);
     return {std::move(own), {}};
   }
   const auto mine = spread_share(ranks_, area_.size());
+  std::vector<float> bias(reflectance_.size(), 0.0f);
   smoothing_->smooth(direct, gathered, bias, workers, mine);
   if (observe) observe(true);
   constexpr std::size_t families = 2;  // of replicates: each half has a mean of its own
-  auto spread = spread_of_sum(direct, gathered, bias, bands, area_, workers, families, ranks_);
+  auto not_shown = bias;
+  std::transform(bias.begin(), bias.end(), not_found.begin(), not_shown.begin(), std::plus<>());
+  auto spread = spread_of_sum(direct, gathered, not_shown, bands, area_, workers, families, ranks_);
   mine.share(std::span(bias), bands);
   keep_hue(spread.mean, bands, area_, units_);
   return {std::move(spread), std::move(bias)};

@@ -36,12 +36,14 @@ class SlotLight {
 
   // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where that is not
   // `enough`, both are replaced by what smoothing makes of them. The means are not below 0, see keep_hue().
-  // The same bits on any number of threads.
+  // not_found: variance that replicates do not show, [slot * bands + band], see sky_not_found(). The same
+  // bits on any number of threads.
   struct Answer : Spread {
     std::vector<float> bias;  // squared bias of the smoothing; empty where nothing was smoothed
   };
   Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-                const Enough& enough, const Workers& workers, const Observer& observe = {}) const;
+                std::span<const float> not_found, const Enough& enough, const Workers& workers,
+                const Observer& observe = {}) const;
 
   // Fills the light of the solution and all its errors.
   void write(const Answer& answer, Solution& solution, const Workers& workers) const;
