@@ -24,7 +24,7 @@ enum class ErrorMeasure {
 
 struct SampledOptions {
   // When to stop: at the first of these.
-  double error = 0.04;  // standard error, by error_measure; 0: never for that
+  double error = 0.02;  // standard error, by error_measure; 0: never for that
   ErrorMeasure error_measure = ErrorMeasure::seen;
   std::uint64_t rays = 0;  // traced; 0: no bound
   double seconds = 0.0;    // wall clock; 0: no bound
