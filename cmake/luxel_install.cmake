@@ -21,7 +21,7 @@ set(LUXEL_PUBLIC_HEADERS
     load/load_scene.h
     patch/colour_patches.h patch/focus.h patch/light_groups.h patch/flat_polygon.h patch/make_patches.h patch/patch_set.h patch/open_polygons.h patch/patch_tree.h patch/uncut_faces.h
     trace/point_sight.h trace/tracer.h
-    solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
+    solution/error_95th.h solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
     transport/choose_portals.h transport/dense_operator.h transport/form_factor_row.h transport/gather_sides.h transport/hemicube.h
     transport/hemicube_operator.h transport/hemicube_pixels.h transport/lamp_check.h transport/lines_operator.h
     transport/operator.h transport/row_operator.h

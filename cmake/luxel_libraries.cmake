@@ -13,8 +13,11 @@ find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
 # Many machines are optional: without MPI, a run is one process.
 add_library(luxel_mpi INTERFACE)
+if(NOT DEFINED LUXEL_MPI)
+  set(LUXEL_MPI ON)
+endif()
 find_program(LUXEL_MPI_COMPILER mpicxx)
-if(LUXEL_MPI_COMPILER)  # which may be there without the headers; CMake's own search stops with an error then
+if(LUXEL_MPI AND LUXEL_MPI_COMPILER)  # which may be there without the headers; CMake's own search stops with an error then
   execute_process(COMMAND ${LUXEL_MPI_COMPILER} -x c++ -include mpi.h -fsyntax-only /dev/null
                   RESULT_VARIABLE mpi_fails OUTPUT_QUIET ERROR_QUIET)
   if(NOT mpi_fails)

@@ -4,9 +4,11 @@
 include(${CMAKE_CURRENT_LIST_DIR}/luxel_libraries.cmake)
 find_package(CLI11 REQUIRED)
 # Of the window, which belongs to the program alone.
-pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
-find_package(glfw3 3.3 REQUIRED)
-pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+if(LUXEL_VIEWER)
+  pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+  find_package(glfw3 3.3 REQUIRED)
+  pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+endif()
 
 # Every target of ours. -ffp-contract=off and no -march: the same source gives the same bits on every host.
 add_library(luxel_flags INTERFACE)
@@ -17,6 +19,11 @@ if(LUXEL_SANITIZE)
   target_compile_options(luxel_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                -fno-omit-frame-pointer)
   target_link_options(luxel_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+if(LUXEL_COVERAGE)
+  target_compile_options(luxel_flags INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(luxel_flags INTERFACE --coverage)
 endif()
 
 if(LUXEL_FUZZ)

@@ -1,4 +1,5 @@
 luxel_test(unit/solution_file ROOMS solution)
+luxel_test(unit/error_95th ROOMS solution)
 luxel_test(unit/solution_damage ROOMS solution LIBRARIES luxel_hdf5)
 
 # Readers that are not ours: VTK's own and h5py, on files of one, three and seven bands.

@@ -39,19 +39,23 @@ int run(luxel::Command& command) {
 
 int run(int argc, char** argv) {
   luxel::CommandLine line(luxel::program_version);
-  const std::unique_ptr<luxel::Command> commands[] = {luxel::make_bake(line),
-                                                      luxel::make_resume(line),
-                                                      luxel::make_relight(line),
-                                                      luxel::make_merge(line),
-                                                      luxel::make_render(line),
-                                                      luxel::make_export(line),
-                                                      luxel::make_lightmap_command(line),
-                                                      luxel::make_reference(line),
-                                                      luxel::make_compare(line),
-                                                      luxel::make_info(line),
-                                                      luxel::make_viewfactors(line),
-                                                      luxel::make_check(line),
-                                                      luxel::make_view(line)};
+  const std::unique_ptr<luxel::Command> commands[] = {
+      luxel::make_bake(line),
+      luxel::make_resume(line),
+      luxel::make_relight(line),
+      luxel::make_merge(line),
+      luxel::make_render(line),
+      luxel::make_export(line),
+      luxel::make_lightmap_command(line),
+      luxel::make_reference(line),
+      luxel::make_compare(line),
+      luxel::make_info(line),
+      luxel::make_viewfactors(line),
+      luxel::make_check(line),
+#ifdef LUXEL_HAS_VIEWER
+      luxel::make_view(line),
+#endif
+  };
   const auto parsed = line.parse(argc, argv);
   if (!parsed.command) {
     luxel::print_result(parsed.text);

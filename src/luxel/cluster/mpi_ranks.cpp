@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #ifdef LUXEL_HAS_MPI
@@ -195,7 +197,14 @@ void leave_ranks(int exit_code) {
 
 namespace luxel {
 
-std::unique_ptr<Ranks> join_ranks() { return nullptr; }
+// Processes that know nothing of each other would all write the same files.
+std::unique_ptr<Ranks> join_ranks() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const auto* size = std::getenv(name); size && std::atoi(size) > 1)
+      throw std::runtime_error(std::string("started as one of ") + size +
+                               " processes, but built without MPI: start one alone, or build with MPI");
+  return nullptr;
+}
 void leave_ranks(int) {}
 
 }  // namespace luxel

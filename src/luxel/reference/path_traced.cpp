@@ -7,6 +7,7 @@
 #include "luxel/random/address.h"
 #include "luxel/random/warp.h"
 #include "luxel/reference/strata.h"
+#include "luxel/solution/error_95th.h"
 
 namespace luxel {
 namespace {
@@ -92,12 +93,9 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
   for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back,
                       &s.standard_error_front, &s.standard_error_back})
     array->assign(patches.size() * bands, 0.0f);
-  std::vector<double> relative;
   for (std::size_t side = 0; side < 2 * patches.size(); ++side) {
     const bool back = side % 2 == 1;
     const auto wide = widening_of(sides.means().batches(side));
-    double error2 = 0.0;
-    double light2 = 0.0;
     for (std::size_t b = 0; b < bands; ++b) {
       const auto i = side / 2 * bands + b;
       const auto H = sides.means().mean(side, b);
@@ -107,17 +105,9 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
       (back ? s.irradiance_back : s.irradiance_front)[i] = h;
       (back ? s.radiosity_back : s.radiosity_front)[i] = emittance + patches.reflectance(side / 2, b) * h;
       (back ? s.standard_error_back : s.standard_error_front)[i] = static_cast<float>(error);
-      error2 += error * error;
-      light2 += H * H;
     }
-    if (light2 > 0.0) relative.push_back(std::sqrt(error2 / light2));
   }
-  s.error_95th = 0.0;
-  if (relative.empty()) return;
-  const auto at =
-      relative.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(relative.size() - 1));
-  std::nth_element(relative.begin(), at, relative.end());
-  s.error_95th = *at;
+  s.error_95th = error_95th_of(s);
 }
 
 void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& report) {
@@ -153,11 +143,11 @@ PathReport trace_light(const PatchSet& patches, const Tracer& tracer, Solution& 
   report.rays = sides.means().rays();
   report.paths = sides.means().batches(0) * BatchMeans::batch_paths;
   report.predicted_error = sides.whole_error();
+  solution.bands = patches.bands;
   fill_light(patches, sides, solution);
   fill_power(patches, sides, report);
   report.error_95th = solution.error_95th;
 
-  solution.bands = patches.bands;
   solution.unshot_share = 0.0;
   solution.predicted_error = report.predicted_error;
   solution.stop = report.stop;

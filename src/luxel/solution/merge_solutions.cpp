@@ -8,6 +8,7 @@
 
 #include "luxel/math/student.h"
 #include "luxel/report/error.h"
+#include "luxel/solution/error_95th.h"
 #include "luxel/solution/solution_layout.h"
 
 namespace luxel {
@@ -113,30 +114,6 @@ Errors errors(const std::vector<Share>& shares, const std::vector<float> Solutio
   return result;
 }
 
-// 95 % of the lit sides have a smaller relative standard error.
-double percentile_95(const Solution& s) {
-  const auto bands = s.bands.size();
-  std::vector<float> relative;
-  const auto add = [&](const std::vector<float>& light, const std::vector<float>& error) {
-    for (std::size_t i = 0; i < light.size(); i += bands) {
-      double light2 = 0.0;
-      double error2 = 0.0;
-      for (auto k = i; k < i + bands; ++k) {
-        light2 += static_cast<double>(light[k]) * static_cast<double>(light[k]);
-        error2 += static_cast<double>(error[k]) * static_cast<double>(error[k]);
-      }
-      if (light2 > 0.0 && error2 > 0.0) relative.push_back(static_cast<float>(std::sqrt(error2 / light2)));
-    }
-  };
-  add(s.irradiance_front, s.standard_error_front);
-  add(s.irradiance_back, s.standard_error_back);
-  if (relative.empty()) return 0.0;
-  const auto at =
-      relative.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(relative.size() - 1));
-  std::nth_element(relative.begin(), at, relative.end());
-  return static_cast<double>(*at);
-}
-
 // What all runs say alike stays; what differs is of no run in particular.
 Provenance provenance_of(const std::vector<NamedSolution>& all) {
   auto result = all.front().baked.solution.provenance;
@@ -198,7 +175,7 @@ Baked merge_solutions(std::vector<NamedSolution> all) {
   merged.sharing_bias_back = std::move(back.bias);
   merged.predicted_bias = bias;
   merged.predicted_error = std::sqrt(std::max(0.0, variance) + bias * bias);
-  merged.error_95th = percentile_95(merged);
+  merged.error_95th = error_95th_of(merged);
   merged.stop = all.front().baked.solution.stop;
   merged.provenance = provenance_of(all);
   return {std::move(all.front().baked.patches), std::move(merged)};

@@ -65,7 +65,7 @@ struct Solution {
   double error_freedom = 0.0;   // degrees of freedom of the standard errors; 0: not from replicates
   // Likewise, what the size of the patches does to the light reconstructed from them; 0: not estimated.
   double mesh_error = 0.0;
-  double error_95th = 0.0;  // 95 % of the lit sides have a smaller relative standard error; 0: not estimated
+  double error_95th = 0.0;  // see solution/error_95th.h; 0: not estimated
   StopReason stop = StopReason::nothing_to_do;
   Provenance provenance;
 };

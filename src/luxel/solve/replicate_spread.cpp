@@ -2,9 +2,7 @@
 #include "luxel/solve/replicate_spread.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "luxel/math/student.h"
 
@@ -12,9 +10,6 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t block_numbers = 768;  // of each replicate at a time: all of them fit in the first cache
-constexpr std::size_t sort_grain = 1 << 17;  // numbers a chunk
-constexpr std::uint32_t bin_shift = 18;      // bits of a float left out: bins 3 % wide
-constexpr std::size_t bins = std::size_t{1} << (31 - bin_shift);
 
 // Mean and variance of the mean over replicates, of a block of numbers.
 class Block {
@@ -65,36 +60,6 @@ class Block {
   std::vector<double> mean_, variance_;
 };
 
-// The number that 95 in 100 of those above 0 do not exceed; 0 where there are none.
-float percentile_95(std::span<const float> numbers, const Workers& workers) {
-  const auto bin_of = [](float x) { return std::bit_cast<std::uint32_t>(x) >> bin_shift; };
-  std::vector<std::vector<std::uint32_t>> counts((numbers.size() + sort_grain - 1) / sort_grain);
-  workers.for_chunks(numbers.size(), sort_grain, [&](std::size_t begin, std::size_t end, int) {
-    auto& count = counts[begin / sort_grain];
-    count.assign(bins, 0);
-    for (auto i = begin; i < end; ++i)
-      if (numbers[i] > 0.0f) ++count[bin_of(numbers[i])];
-  });
-  std::vector<std::size_t> count(bins, 0);
-  std::size_t all = 0;
-  for (const auto& chunk : counts)
-    for (std::size_t b = 0; b < bins; ++b) {
-      count[b] += chunk[b];
-      all += chunk[b];
-    }
-  if (all == 0) return 0.0f;
-  auto rank = static_cast<std::size_t>(0.95 * static_cast<double>(all - 1));
-  std::uint32_t bin = 0;
-  while (rank >= count[bin]) rank -= count[bin++];
-  std::vector<float> near;
-  near.reserve(count[bin]);
-  for (const auto x : numbers)
-    if (x > 0.0f && bin_of(x) == bin) near.push_back(x);
-  const auto at = near.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(near.begin(), at, near.end());
-  return *at;
-}
-
 // take(block, first slot, slots): reads the replicates.
 template <typename Take>
 Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t bands,
@@ -113,7 +78,6 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   const auto mine = spread_share(ranks, slots);
   const auto grain = mine.grain();
   std::vector<Sums> sums((slots + grain - 1) / grain);
-  std::vector<float> relative(slots, 0.0f);
   workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
@@ -126,7 +90,6 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
         double light = 0.0;
         double variance_sum = 0.0;
         double bias_sum = 0.0;
-        double wide = 0.0;
         for (std::size_t b = 0; b < bands; ++b) {
           const auto i = s * bands + b;
           const auto mean = block.mean(i - first * bands);
@@ -139,13 +102,11 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
           light += mean * mean;
           variance_sum += variance;
           bias_sum += bias2;
-          wide += error2;
         }
         const auto weight = static_cast<double>(area[s]);
         chunk.variance += weight * variance_sum;
         chunk.bias2 += weight * bias_sum;
         chunk.light2 += weight * light;
-        if (light > 0.0) relative[s] = static_cast<float>(std::sqrt(wide / light));
       }
     }
     sums[begin / grain] = chunk;
@@ -153,7 +114,6 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   mine.share(std::span(result.mean), bands);
   mine.share(std::span(result.standard_error), bands);
   mine.share(std::span(result.squared_error), bands);
-  mine.share(std::span(relative), 1);
   mine.share_chunks(std::span(sums));
   Sums whole;
   for (const auto& c : sums) {
@@ -164,7 +124,6 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   result.bias2 = std::max(0.0, whole.bias2);
   result.error2 = whole.variance + result.bias2;
   result.light2 = whole.light2;
-  result.percentile_95 = static_cast<double>(percentile_95(relative, workers));
   return result;
 }
 

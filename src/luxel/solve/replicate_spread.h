@@ -23,7 +23,6 @@ struct Spread {
   double bias2 = 0.0;    // the second part of it
   double freedom = 0.0;  // degrees of, of the variance
   double light2 = 0.0;   // sum of area * mean²
-  double percentile_95 = 0.0;  // over lit slots: standard error over mean, root mean square over bands
 };
 
 // One set of replicates: [replicate][slot * bands + band].

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "luxel/solution/error_95th.h"
 #include "luxel/solve/keep_hue.h"
 
 namespace luxel {
@@ -91,7 +92,8 @@ void SlotLight::write(const Answer& answer, Solution& solution, const Workers& w
       }
     }
   });
-  s.error_95th = answer.percentile_95;
+  s.bands = patches_.bands;
+  s.error_95th = error_95th_of(s);
   s.predicted_error = error_of(answer);
   s.predicted_bias = answer.light2 > 0.0 ? std::sqrt(answer.bias2 / answer.light2) : 0.0;
   s.error_freedom = answer.freedom;
