@@ -181,6 +181,7 @@ class Run {
 
   // Returns false, and the last answer stays, if the monitor said stop.
   bool answer() {
+    const auto begin_seconds = progress_.elapsed();
     progress_.begin_answer();
     auto direct =
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
@@ -210,6 +211,8 @@ class Run {
     round.shadow_rays =
         static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_a_slot()));
     round.rays = rays();
+    round.seconds = progress_.elapsed();
+    round.answer_seconds = round.seconds - begin_seconds;
     round.error = error_;
     round.power_error = error_of(answer_);
     round.uncertainty = uncertainty();
