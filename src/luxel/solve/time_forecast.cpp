@@ -14,16 +14,17 @@ constexpr double second_exponent = 1.15;
 // How far the exponent between the first two answers moves the next one from there.
 constexpr double weight_of_first = 0.1;
 // Later: p = own_part + weight_of_last * (exponent between the last answers), fitted to the same scenes.
-constexpr double own_part = 0.7;
+constexpr double own_part = 0.66;
 constexpr double weight_of_last = 0.24;
 constexpr double min_exponent = 0.85, max_exponent = 1.8;
 // The plan of a round believes that samples are worth more than they turn out to be, so rounds are shorter.
-constexpr double planned_exponent = 2.0;
+constexpr double planned_exponent = 1.7;
 // After a first answer farther from the error asked for than so many times, the second one decides.
 constexpr double max_first_error = 10.0;
 
-// Seconds of samples ~ cost^p: small rounds keep the processors less busy. Measured 0.76 to 0.9.
-constexpr double sampling_exponent = 0.85;
+// Seconds of samples ~ cost^p: small rounds keep the processors less busy. Measured 0.76 to 0.9; later rounds
+// are nearer to 1.
+constexpr double sampling_exponent = 0.87;
 // Pace of the second round over that at which all before the first answer went, which has more in it than
 // samples. Measured 0.55 to 0.75.
 constexpr double second_pace = 0.6;
@@ -36,7 +37,7 @@ constexpr int max_rounds = 100;
 // first and wholly from the second on, so that a small change does not add a whole round.
 constexpr double surely_reached = -0.05, surely_missed = 0.15;
 // The plan's own forecast of the error counts as half of the next one; p of it is believed up to this.
-constexpr double max_believed_exponent = 2.0;
+constexpr double max_believed_exponent = 1.7;
 
 }  // namespace
 
