@@ -33,17 +33,27 @@ constexpr double second_pace = 0.6;
 constexpr double answer_slope = 0.2, max_answer_slope = 0.5;
 constexpr double overdue = 0.05;  // of an answer's seconds, that are left when all have passed
 constexpr int max_rounds = 100;
+// Of the logarithm of what a round took; the rest is of what was forecast from those before. On a machine
+// with other work a single round is a poor witness.
+constexpr double weight_of_newest = 0.7;
 // Logarithm of a forecast squared error over the one asked for: a round after it counts not at all up to the
 // first and wholly from the second on, so that a small change does not add a whole round.
 constexpr double surely_reached = -0.05, surely_missed = 0.15;
 // The plan's own forecast of the error counts as half of the next one; p of it is believed up to this.
 constexpr double max_believed_exponent = 1.7;
 
+double steadied(double newest, double forecast) {
+  return newest > 0.0 && forecast > 0.0
+             ? std::pow(newest, weight_of_newest) * std::pow(forecast, 1.0 - weight_of_newest)
+             : newest;
+}
+
 }  // namespace
 
 void TimeForecast::begin_answer(double seconds) {
   if (phase_ == Phase::sampling) {
-    if (plan_.cost > 0.0) last_sampling_ = {seconds - phase_begin_, plan_.cost};
+    if (plan_.cost > 0.0)
+      last_sampling_ = {steadied(seconds - phase_begin_, sampling_seconds(plan_.cost)), plan_.cost};
     phase_ = Phase::answering;
   } else {
     phase_ = Phase::first_answer;
@@ -53,7 +63,9 @@ void TimeForecast::begin_answer(double seconds) {
 
 void TimeForecast::end_answer(double seconds, double error, double cost, double rays) {
   if (answers_.empty()) last_sampling_ = {second_pace * phase_begin_, cost};
-  answers_.push_back({seconds - phase_begin_, error * error, cost, rays});
+  auto own = seconds - phase_begin_;
+  if (answers_.size() >= 2) own = steadied(own, answer_seconds(cost));
+  answers_.push_back({own, error * error, cost, rays});
   phase_ = Phase::planning;
   phase_begin_ = seconds;
 }
