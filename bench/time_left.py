@@ -86,8 +86,10 @@ def judged(lines, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="build/release/bin/luxel", help="the luxel to run (default: %(default)s)")
-    parser.add_argument("--lines", metavar="FILE", help="also writes every line: scene, seconds, done, time left, true time left")
+    parser.add_argument("--program", default="build/release/bin/luxel",
+                        help="the luxel to run (default: %(default)s)")
+    parser.add_argument("--lines", metavar="FILE",
+                        help="append every line: scene, seconds, done, time left, true time left")
     parser.add_argument("scenes", nargs="+", metavar='"SCENE [OPTIONS]"')
     arguments = parser.parse_args()
     print("| scene | seconds | first | ratio | when | percent | rise |\n|---|---|---|---|---|---|---|", flush=True)
@@ -103,7 +105,8 @@ def main():
         if arguments.lines:
             with open(arguments.lines, "a", encoding="utf-8") as out:
                 for now, done, left in lines:
-                    out.write(f"{scene}\t{now:.2f}\t{done:.4f}\t{'' if left is None else round(left, 2)}\t{seconds - now:.2f}\n")
+                    shown = "" if left is None else round(left, 2)
+                    out.write(f"{scene}\t{now:.2f}\t{done:.4f}\t{shown}\t{seconds - now:.2f}\n")
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ const std::vector<Recorded> recorded{
 };
 
 struct Judged {
-  double worst_ratio = 1.0;   // of the time left to the true one, either way, from a tenth of the way to 0.97
+  double worst_ratio = 1.0;   // of the time left to the true one, either way, from a tenth of the way to 0.95
   double largest_fall = 0.0;  // of the fraction done
   double last = 0.0;          // fraction done at the end
 };
@@ -70,7 +70,7 @@ Judged judged(const Recorded& run) {
     result.last = forecast.done(seconds, rays);
     result.largest_fall = std::max(result.largest_fall, before - result.last);
     const auto left = time_left(result.last, seconds);
-    if (!left || seconds < 0.1 * whole || seconds > 0.97 * whole) return;
+    if (!left || seconds < 0.1 * whole || seconds > 0.95 * whole) return;
     const auto ratio = *left / (whole - seconds);
     result.worst_ratio = std::max({result.worst_ratio, ratio, 1.0 / ratio});
   };
