@@ -31,7 +31,7 @@ constexpr double second_pace = 0.6;
 // Seconds that an answer takes longer per cost of more samples, over the seconds per cost of sampling them.
 // Measured 0.15 to 0.3. And the largest that is believed.
 constexpr double answer_slope = 0.2, max_answer_slope = 0.5;
-constexpr double overdue = 0.05;  // of an answer's seconds, that are left when all have passed
+constexpr double overdue = 0.2;  // of the time that an answer has taken so far, is left at least
 constexpr int max_rounds = 100;
 // Of the logarithm of what a round took; the rest is of what was forecast from those before. On a machine
 // with other work a single round is a poor witness.
@@ -92,7 +92,7 @@ double TimeForecast::left(double seconds, double rays) const {
   if (phase_ == Phase::sampling)
     now += sampling_left(seconds, rays);
   else
-    now = std::max(overdue * next.seconds, next.seconds - (seconds - phase_begin_));
+    now = std::max(overdue * (seconds - phase_begin_), next.seconds - (seconds - phase_begin_));
   return now + rounds_after(seconds + now, next, count + 1);
 }
 
