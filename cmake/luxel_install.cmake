@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 # The public headers. The program uses no others, and they include no others: tools/check_layers.py looks.
 set(LUXEL_PUBLIC_HEADERS
     math/bounds.h math/vector.h
-    report/error.h report/log.h report/memory.h report/progress.h
+    report/error.h report/log.h report/memory.h report/progress.h report/time_left.h
     photometry/band_colours.h photometry/colour_spectra.h photometry/luminous_efficacy.h photometry/spectrum.h
     photometry/waveband.h
     file/ending_of.h file/output_file.h

@@ -316,6 +316,8 @@ TEST(Program, tells_another_program_line_by_line_how_far_it_has_come) {
     EXPECT_GE(json["done"].get<double>(), 0.0) << line;
     EXPECT_LE(json["done"].get<double>(), 1.0) << line;
     EXPECT_GE(json["error"].get<double>(), 0.0) << line;
+    EXPECT_GE(json["seconds"].get<double>(), 0.0) << line;
+    EXPECT_EQ(json["seconds_left"].is_null(), json["done"].get<double>() < 0.01) << line;
   }
   EXPECT_TRUE(has_light) << run.err;
   EXPECT_EQ(cli::run(folder, quick + "--progress loud -o a.vtkhdf").code, 2);

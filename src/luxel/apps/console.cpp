@@ -11,6 +11,7 @@
 #include "luxel/apps/commands.h"
 #include "luxel/apps/settings.h"
 #include "luxel/apps/streams.h"
+#include "luxel/report/time_left.h"
 
 namespace luxel {
 namespace {
@@ -107,12 +108,12 @@ void Console::show(const Progress& progress) {
   last_shown_ = now;
 
   const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
-  const auto left = progress.done > 0.0 ? seconds / progress.done * (1.0 - progress.done) : 0.0;
   auto numbers = fmt::format("{:3.0f} %", 100.0 * progress.done);
   if (progress.error > 0.0) numbers += fmt::format("  error {:.2g} %", 100.0 * progress.error);
   if (progress.rays > 0 && seconds > 0.0)
     numbers += fmt::format("  {:.1f} Mray/s", 1e-6 * static_cast<double>(progress.rays) / seconds);
-  if (progress.done > 0.01) numbers += fmt::format("  {} left", duration(left));
+  if (const auto left = time_left(progress.done, seconds))
+    numbers += fmt::format("  {} left", duration(*left));
   if (!terminal_) {
     note(fmt::format("{}: {}\n", progress.stage, numbers));
     return;
@@ -128,11 +129,17 @@ void Console::tell_program(const Progress& progress) {
   const auto now = Clock::now();
   const bool is_new = stage_ != progress.stage;
   if (!is_new && now - last_shown_ < std::chrono::milliseconds(200)) return;
+  if (is_new) stage_begin_ = now;
   stage_ = progress.stage;
   last_shown_ = now;
-  note(fmt::format("{{\"stage\": \"{}\", \"done\": {:.4f}, \"rays\": {}, \"error\": {:.4g}}}\n", stage_,
-                   std::clamp(progress.done, 0.0, 1.0), progress.rays,
-                   std::isfinite(progress.error) ? progress.error : 0.0));
+  const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
+  const auto left = time_left(progress.done, seconds);
+  note(fmt::format(
+      "{{\"stage\": \"{}\", \"done\": {:.4f}, \"rays\": {}, \"error\": {:.4g}, \"seconds\": {:.2f}, "
+      "\"seconds_left\": {}}}\n",
+      stage_, std::clamp(progress.done, 0.0, 1.0), progress.rays,
+      std::isfinite(progress.error) ? progress.error : 0.0, seconds,
+      left ? fmt::format("{:.2f}", *left) : "null"));
 }
 
 int stopped_before_light(Console& console) {

@@ -69,6 +69,8 @@ Json rounds_as_json(const SolveReport& report) {
     rounds.push_back({{"gather_rays", round.gather_rays},
                       {"shadow_rays", round.shadow_rays},
                       {"rays", round.rays},
+                      {"seconds", round.seconds},
+                      {"answer_seconds", round.answer_seconds},
                       {"error", round.error},
                       {"power_error", round.power_error},
                       {"uncertainty", round.uncertainty},

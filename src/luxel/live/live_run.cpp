@@ -142,10 +142,9 @@ void LiveRun::begin_solve(const SolveOrder& order, SampleKeeping& keeping) {
       status.rays = 0;
       pace_ = Pace();
     }
-    pace_.go_on();
+    pace_.begin_solve();
   }
   step_ = 0;
-  began_ = pace_.seconds();
   is_out_of_time_ = false;
   begin_bounces();
 }
@@ -199,7 +198,7 @@ void LiveRun::end_solve(Solution solution) {
 // Hears of the solve's progress, shows its pictures, holds it, and ends it.
 Next LiveRun::watch(Progress progress) {
   const double limit = is_sampled() ? light_.sampled.seconds : 0.0;
-  const double spent = pace_.seconds() - began_;
+  const double spent = pace_.solve_seconds();
   if (limit > 0.0) progress.done = std::max(progress.done, std::min(1.0, spent / limit));
   {
     const std::lock_guard lock(board_.mutex);

@@ -90,7 +90,6 @@ class LiveRun {
   std::unique_ptr<Bounces> bounces_;      // likewise
   double mesh_error_ = 0.0;
   bool is_solving_ = false;
-  double began_ = 0.0;           // this solve, by pace_
   bool is_out_of_time_ = false;  // which ended it
 
   // Of the newest picture, and what it has more than the one before, W/m²; empty where light does not go by

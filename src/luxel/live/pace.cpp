@@ -3,11 +3,12 @@
 
 #include <algorithm>
 
+#include "luxel/report/time_left.h"
+
 namespace luxel {
 namespace {
 
-constexpr double window = 2.0;       // s, over which rays a second are counted
-constexpr double least_done = 0.01;  // of the whole, before a guess is made of how long the rest takes
+constexpr double window = 2.0;  // s, over which rays a second are counted
 
 }  // namespace
 
@@ -24,6 +25,11 @@ double Pace::seconds() const {
   return std::chrono::duration<double>((held_since_ ? *held_since_ : Clock::now()) - begin_).count();
 }
 
+void Pace::begin_solve() {
+  go_on();
+  solve_begin_ = seconds();
+}
+
 void Pace::note(const Progress& progress, LiveStatus& status) {
   const auto now = seconds();
   status.stage = progress.stage;
@@ -34,8 +40,7 @@ void Pace::note(const Progress& progress, LiveStatus& status) {
   while (marks_.size() > 2 && now - marks_.front().seconds > window) marks_.pop_front();
   const auto span = now - marks_.front().seconds;
   if (span > 0.0) status.rays_per_second = static_cast<double>(status.rays - marks_.front().rays) / span;
-  status.seconds_left =
-      progress.done >= least_done ? std::optional(now * (1.0 - progress.done) / progress.done) : std::nullopt;
+  status.seconds_left = time_left(progress.done, solve_seconds());
   if (progress.light != nullptr && progress.error > 0.0) {
     status.error = progress.error;
     status.history.push_back({now, status.rays, progress.error});

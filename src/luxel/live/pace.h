@@ -19,6 +19,9 @@ class Pace {
   void hold();
   void go_on();
   double seconds() const;  // since the beginning, but for what it was held
+  // A solve begins, whose progress counts from now: the first one, or one that goes on with its samples.
+  void begin_solve();
+  double solve_seconds() const { return seconds() - solve_begin_; }
 
   // Writes where the solve is into the status.
   void note(const Progress& progress, LiveStatus& status);
@@ -32,7 +35,8 @@ class Pace {
 
   Clock::time_point begin_;
   std::optional<Clock::time_point> held_since_;
-  std::deque<Mark> marks_;  // of the last seconds
+  double solve_begin_ = 0.0;  // as seconds()
+  std::deque<Mark> marks_;    // of the last seconds
 };
 
 }  // namespace luxel

@@ -14,7 +14,7 @@ enum class Next { go_on, stop };
 // How far a long call has come.
 struct Progress {
   std::string_view stage;  // "load", "patches", "hierarchy", "light", "picture", ...
-  double done = 0.0;       // share of this stage, 0 to 1
+  double done = 0.0;       // fraction of this stage, 0 to 1: of its time where it forecasts that
   std::uint64_t rays = 0;  // traced so far in this stage
   double error = 0.0;      // standard error so far, by the measure that ends the run; 0: not known yet
   const Solution* light = nullptr;  // a new picture of the whole scene, alive during the call; or nothing

@@ -2,6 +2,7 @@
 #include "luxel/solve/sample_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <tuple>
 
@@ -45,6 +46,13 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
     queue.emplace(worth * 0.5 * left_by_doubling, u);
   }
   return doublings;
+}
+
+double expected_error2(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings) {
+  double sum = 0.0;
+  for (std::size_t u = 0; u < units.size(); ++u)
+    sum += units[u].error2 * std::pow(left_by_doubling, doublings[u]);
+  return sum;
 }
 
 }  // namespace luxel

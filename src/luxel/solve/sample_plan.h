@@ -19,4 +19,7 @@ struct SampleUnit {
 std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double least,
                                          double budget);
 
+// The sum of error2 that is left after those doublings, as plan_doublings() expects it.
+double expected_error2(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings);
+
 }  // namespace luxel

@@ -33,6 +33,14 @@ std::vector<SampleUnit> make_sample_units(const Sampling& sampling, std::uint32_
   return units;
 }
 
+double cost_of_samples(const Sampling& sampling, std::uint32_t replicates) {
+  const auto sum = [](std::span<const std::uint32_t> counts) {
+    return static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+  };
+  return replicates *
+         (shadow_ray_cost * sum(sampling.direct().samples_a_slot()) + sum(sampling.hits().rays_per_slot()));
+}
+
 std::vector<double> importance_of_own_noise(std::span<const std::uint32_t> begins,
                                             std::span<const double> importance,
                                             std::span<const double> own_error2,

@@ -22,6 +22,9 @@ std::vector<SampleUnit> make_sample_units(const Sampling& sampling, std::uint32_
                                           std::span<const double> direct_error2,
                                           std::span<const double> gathered_error2, double whole);
 
+// Cost of all samples so far, that of make_sample_units() but for rounding.
+double cost_of_samples(const Sampling& sampling, std::uint32_t replicates);
+
 // What a variance of 1 of each slot's own light, before smoothing, does to the error: importance times the
 // part of the variance that smoothing leaves, in the mean over each unit. All [slot]; begins: of units.
 std::vector<double> importance_of_own_noise(std::span<const std::uint32_t> begins,

@@ -2,7 +2,6 @@
 #include "luxel/solve/sampled.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -16,6 +15,8 @@
 #include "luxel/report/memory.h"
 #include "luxel/solve/gather_errors.h"
 #include "luxel/solve/replicate_solve.h"
+#include "luxel/solve/round_plan.h"
+#include "luxel/solve/run_progress.h"
 #include "luxel/solve/sample_plan.h"
 #include "luxel/solve/sample_units.h"
 #include "luxel/solve/sampled_energy.h"
@@ -34,11 +35,6 @@ namespace {
 // stopped.
 double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 3e-6; }
 
-constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
-constexpr double growth_to_bound = 1.0;  // likewise, where rays or time may end it: not too far from there
-// A round costs at least so many times all before it: who looks often stops at the first lucky estimate.
-constexpr double min_growth = 0.5;
-constexpr double aim = 0.9;  // of the squared error asked for: another round costs more than that
 constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
 constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
 
@@ -67,8 +63,8 @@ class Run {
         solution_(solution),
         options_(options),
         workers_(workers),
-        monitor_(monitor_of(monitor)),
         keeping_(keeping),
+        progress_(options, monitor, ranks_, keeping.from != nullptr),
         bands_(patches.band_count()) {}
 
   SolveReport go() {
@@ -90,16 +86,17 @@ class Run {
       keep_state();
       if (!answer()) return finish(StopReason::stopped_by_user);
       if (kept_) keeping_.keep(kept_);
-      if (is_stopped(tell(monitor_, progress(&solution_)))) return finish(StopReason::stopped_by_user);
+      if (progress_.is_stopped(progress_.report(rays(), &solution_)))
+        return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
-      const auto so_far = total_cost(units);
-      const auto doublings = plan_doublings(units, aimed_error2(), min_growth * so_far, growth() * so_far);
+      const auto plan = plan_round(units, direct_units(), aimed_error2(), options_);
       predict_memory(units);
-      if (*std::max_element(doublings.begin(), doublings.end()) == 0)
-        return finish(StopReason::error_reached);
-      if (const auto bound = broken_bound(units, doublings)) return finish(*bound);
-      if (!sampling_->take(doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
+      if (plan.is_empty()) return finish(StopReason::error_reached);
+      if (const auto bound = broken_bound(plan, options_, rays(), progress_.agreed_elapsed()))
+        return finish(*bound);
+      progress_.begin_round(plan);
+      if (!sampling_->take(plan.doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
     }
   }
 
@@ -109,15 +106,13 @@ class Run {
   bool show_first_light() {
     const auto first = glance(patches_);
     return shoot_light(first.rays, first.tolerance, 0) &&
-           tell(monitor_, {"light", 0.0, first_rays_, 0.0, &solution_}) == Next::go_on &&
+           progress_.report(rays(), &solution_) == Next::go_on &&
            shoot_light(2 * patches_.size(), second_tolerance, 1);
   }
 
   bool shoot_light(std::uint64_t rays, double bias, std::uint32_t picture) {
     const auto before = first_rays_;
-    const auto on_the_way = [&](const Progress& p) {
-      return tell(monitor_, {p.stage, 0.0, before + p.rays});
-    };
+    const auto on_the_way = [&](const Progress& p) { return progress_.report(before + p.rays); };
     const auto seed = stream_key(options_.seed, first_pictures, picture);
     const auto shot = solve_stochastic_jacobi(
         patches_, tracer_, solution_,
@@ -186,13 +181,15 @@ class Run {
 
   // Returns false, and the last answer stays, if the monitor said stop.
   bool answer() {
+    const auto begin_seconds = progress_.elapsed();
+    progress_.begin_answer();
     auto direct =
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
     transport_.reset();
     transport_ = sampling_->transport();
     auto solved = solve_replicates(*transport_, direct, light_->reflectance(), radiosity_,
                                    tolerance_for(options_.error), workers_,
-                                   [this](const Progress&) { return tell(monitor_, progress(nullptr)); });
+                                   [this](const Progress&) { return progress_.report(rays()); });
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, workers_);
@@ -214,6 +211,8 @@ class Run {
     round.shadow_rays =
         static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_a_slot()));
     round.rays = rays();
+    round.seconds = progress_.elapsed();
+    round.answer_seconds = round.seconds - begin_seconds;
     round.error = error_;
     round.power_error = error_of(answer_);
     round.uncertainty = uncertainty();
@@ -224,6 +223,7 @@ class Run {
     report_.error_uncertainty = uncertainty();
     light_->write(answer_, solution_, workers_);
     sign();
+    progress_.end_answer(error_, safe_error(), cost_of_samples(*sampling_, options_.replicates), rays());
     return true;
   }
 
@@ -246,16 +246,6 @@ class Run {
     return aim * options_.error * options_.error * (seen_ ? 1.0 : answer_.light2);
   }
 
-  // The samples that are taken do not depend on where a bound is, so that a longer run goes the same way.
-  double growth() const {
-    return options_.rays > 0 || options_.seconds > 0.0 ? growth_to_bound : growth_to_error;
-  }
-  static double total_cost(std::span<const SampleUnit> units) {
-    double sum = 0.0;
-    for (const auto& u : units) sum += u.cost;
-    return sum;
-  }
-
   // Of the variance of each slot's irradiance, [slot].
   std::span<const double> importance() const { return seen_ ? seen_->importance() : area_; }
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
@@ -270,23 +260,6 @@ class Run {
                              std::max(0.0, whole_error2()));
   }
 
-  // The bound that those samples would break, if any.
-  std::optional<StopReason> broken_bound(std::span<const SampleUnit> units,
-                                         std::span<const std::uint8_t> doublings) const {
-    double more = 0.0;
-    double more_rays = 0.0;
-    for (std::size_t u = 0; u < units.size(); ++u) {
-      const auto cost = units[u].cost * ((1 << doublings[u]) - 1);
-      more += cost;
-      more_rays += u < direct_units() ? cost / shadow_ray_cost : cost;
-    }
-    if (options_.rays > 0 && static_cast<double>(rays()) + more_rays > static_cast<double>(options_.rays))
-      return StopReason::ray_limit;
-    if (options_.seconds > 0.0 && agreed_elapsed() * (1.0 + more / total_cost(units)) > options_.seconds)
-      return StopReason::time_limit;
-    return {};
-  }
-
   // After the first round: what the whole process will hold at its peak, if the error falls as planned.
   void predict_memory(std::span<const SampleUnit> units) {
     if (report_.rounds.size() > 1) return;
@@ -299,21 +272,6 @@ class Run {
                      2 * sizeof(std::uint32_t) * static_cast<std::uint64_t>(hits);
   }
 
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-  // That of the first rank, for decisions.
-  double agreed_elapsed() const { return agreed(ranks_, elapsed()); }
-
-  // Ranks must stop together: between answers, when the first one was asked to.
-  Monitor monitor_of(const Monitor& monitor) {
-    if (!ranks_) return monitor;
-    return [this, monitor](const Progress& p) {
-      stop_asked_ |= tell(monitor, p) == Next::stop;
-      return Next::go_on;
-    };
-  }
-  bool is_stopped(Next next) const { return agreed(ranks_, next == Next::stop || stop_asked_); }
   std::uint64_t rays() const { return first_rays_ + (sampling_ ? sampling_->rays() : 0); }
 
   // ---- What the caller hears ----
@@ -344,19 +302,8 @@ class Run {
     solution_.provenance.scene_fingerprint = patches_.scene_fingerprint;
   }
 
-  Progress progress(const Solution* light, std::uint64_t rays_now = 0) const {
-    const auto total = static_cast<double>(std::max(rays(), rays_now));
-    double done = 0.0;
-    if (options_.error > 0.0 && error_ > 0.0)
-      done = options_.error * options_.error / (safe_error() * safe_error());
-    if (options_.rays > 0) done = std::max(done, total / static_cast<double>(options_.rays));
-    if (options_.seconds > 0.0) done = std::max(done, elapsed() / options_.seconds);
-    // Samples beyond the last answer have not shown what they are worth, but they are.
-    if (rays_now > rays()) done *= static_cast<double>(rays_now) / static_cast<double>(rays());
-    return {"light", std::min(1.0, done), std::max(rays(), rays_now), error_, light};
-  }
-  Monitor sampling_monitor() const {
-    return [this](const Progress& p) { return tell(monitor_, progress(nullptr, first_rays_ + p.rays)); };
+  Monitor sampling_monitor() {
+    return [this](const Progress& p) { return progress_.report(std::max(rays(), first_rays_ + p.rays)); };
   }
 
   const PatchSet& patches_;
@@ -365,11 +312,9 @@ class Run {
   const SampledOptions& options_;
   const Workers& workers_;
   const Ranks* ranks_ = options_.ranks && options_.ranks->size() > 1 ? options_.ranks : nullptr;
-  bool stop_asked_ = false;  // of several ranks
-  Monitor monitor_;
   const SampleKeeping& keeping_;
+  RunProgress progress_;
   std::size_t bands_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<Sampling> sampling_;
   std::unique_ptr<const SampledOperator> transport_;  // by the rays of the last answer
   std::uint64_t first_rays_ = 0;

@@ -77,9 +77,10 @@ struct SampleKeeping {
 // Fills everything in `solution` but its command line and options. The same input, options and seed give the
 // same bits on any number of threads, stored or streamed, as long as time does not end it. The monitor gets a
 // first picture of the whole scene (Progress::light) after a blink, and one after every doubling; its stop
-// ends the run with the last of them. No lamp at all is an InputError that says how to add one; a state that
-// is not of these patches and options a MismatchError. A run that was stopped and taken up again gives the
-// same bits as one that was not.
+// ends the run with the last of them. Progress::done is the fraction of the solve's time that has passed, 0
+// until an answer allows a forecast; it never falls, and time inside the monitor does not count. No lamp at
+// all is an InputError that says how to add one; a state that is not of these patches and options a
+// MismatchError. A run that was stopped and taken up again gives the same bits as one that was not.
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                           const SampledOptions& options, const Workers& workers, const Monitor& monitor = {},
                           const SampleKeeping& keeping = {});

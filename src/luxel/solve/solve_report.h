@@ -21,6 +21,8 @@ struct RoundRecord {
   std::uint32_t gather_rays = 0;  // a side that light reaches, all replicates together
   std::uint32_t shadow_rays = 0;  // likewise
   std::uint64_t rays = 0;         // of the whole run so far
+  double seconds = 0.0;           // since the solve began
+  double answer_seconds = 0.0;    // of them, after the samples of the round were taken
   double error = 0.0;             // predicted, by the measure that ends the run
   double power_error = 0.0;       // area-weighted relative RMS, see Solution::predicted_error
   double uncertainty = 0.0;       // of the seen error, relative: jackknife over replicates

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace luxel {
+
+// Seconds until a stage ends, of whose whole time the fraction `done` has passed in `seconds`. Nothing below
+// 1 %: no forecast is made yet, or it is too coarse.
+inline std::optional<double> time_left(double done, double seconds) {
+  constexpr double min_done = 0.01;
+  if (!(done >= min_done)) return std::nullopt;
+  return done < 1.0 ? seconds * (1.0 - done) / done : 0.0;
+}
+
+}  // namespace luxel

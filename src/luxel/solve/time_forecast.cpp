@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/time_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luxel {
+namespace {
+
+// Squared error ~ cost^-p. Measured in seven scenes (bench/time_left.py): from the first answer to the second
+// 2 to 10, 3.3 in most; from the second to the end 0.9 (reading room) to 1.9 (a bare box).
+constexpr double first_exponent = 3.3;
+constexpr double second_exponent = 1.15;
+// How far the exponent between the first two answers moves the next one from there.
+constexpr double weight_of_first = 0.1;
+// Later: p = own_part + weight_of_last * (exponent between the last answers), fitted to the same scenes.
+constexpr double own_part = 0.66;
+constexpr double weight_of_last = 0.24;
+constexpr double min_exponent = 0.85, max_exponent = 1.8;
+// The plan of a round believes that samples are worth more than they turn out to be, so rounds are shorter.
+constexpr double planned_exponent = 1.7;
+// After a first answer farther from the error asked for than so many times, the second one decides.
+constexpr double max_first_error = 10.0;
+
+// Seconds of samples ~ cost^p: small rounds keep the processors less busy. Measured 0.76 to 0.9; later rounds
+// are nearer to 1.
+constexpr double sampling_exponent = 0.87;
+// Pace of the second round over that at which all before the first answer went, which has more in it than
+// samples. Measured 0.55 to 0.75.
+constexpr double second_pace = 0.6;
+// Seconds that an answer takes longer per cost of more samples, over the seconds per cost of sampling them.
+// Measured 0.15 to 0.3. And the largest that is believed.
+constexpr double answer_slope = 0.2, max_answer_slope = 0.5;
+constexpr double overdue = 0.2;  // of the time that an answer has taken so far, is left at least
+constexpr int max_rounds = 100;
+// Of the logarithm of what a round took; the rest is of what was forecast from those before. On a machine
+// with other work a single round is a poor witness.
+constexpr double weight_of_newest = 0.7;
+// Logarithm of a forecast squared error over the one asked for: a round after it counts not at all up to the
+// first and wholly from the second on, so that a small change does not add a whole round.
+constexpr double surely_reached = -0.05, surely_missed = 0.15;
+// The plan's own forecast of the error counts as half of the next one; p of it is believed up to this.
+constexpr double max_believed_exponent = 1.7;
+
+double steadied(double newest, double forecast) {
+  return newest > 0.0 && forecast > 0.0
+             ? std::pow(newest, weight_of_newest) * std::pow(forecast, 1.0 - weight_of_newest)
+             : newest;
+}
+
+}  // namespace
+
+void TimeForecast::begin_answer(double seconds) {
+  if (phase_ == Phase::sampling) {
+    if (plan_.cost > 0.0)
+      last_sampling_ = {steadied(seconds - phase_begin_, sampling_seconds(plan_.cost)), plan_.cost};
+    phase_ = Phase::answering;
+  } else {
+    phase_ = Phase::first_answer;
+  }
+  phase_begin_ = seconds;
+}
+
+void TimeForecast::end_answer(double seconds, double error, double cost, double rays) {
+  if (answers_.empty()) last_sampling_ = {second_pace * phase_begin_, cost};
+  auto own = seconds - phase_begin_;
+  if (answers_.size() >= 2) own = steadied(own, answer_seconds(cost));
+  answers_.push_back({own, error * error, cost, rays});
+  phase_ = Phase::planning;
+  phase_begin_ = seconds;
+}
+
+void TimeForecast::begin_round(double seconds, const PlannedRound& plan) {
+  answers_.back().seconds += seconds - phase_begin_;  // the plan comes with every answer
+  plan_ = plan;
+  phase_ = Phase::sampling;
+  phase_begin_ = seconds;
+}
+
+double TimeForecast::left(double seconds, double rays) const {
+  if (answers_.empty()) return -1.0;
+  const auto& last = answers_.back();
+  const auto count = answers_.size();
+  const bool is_first = count == 1 && !options_.is_resumed;
+  if (is_first && options_.error > 0.0 && options_.rays == 0.0 && options_.seconds == 0.0 &&
+      last.error2 > std::pow(max_first_error * options_.error, 2.0))
+    return -1.0;
+  if (is_reached(last.error2)) return 0.0;
+  if (phase_ == Phase::planning) return -1.0;
+  const auto next = planned_answer();
+  double now = next.seconds;
+  if (phase_ == Phase::sampling)
+    now += sampling_left(seconds, rays);
+  else
+    now = std::max(overdue * (seconds - phase_begin_), next.seconds - (seconds - phase_begin_));
+  return now + rounds_after(seconds + now, next, count + 1);
+}
+
+double TimeForecast::done(double seconds, double rays) {
+  const auto more = left(seconds, rays);
+  if (more >= 0.0 && seconds > 0.0) done_ = std::max(done_, seconds / (seconds + more));
+  return done_;
+}
+
+// By the pace of the last round, and more and more by that of this one.
+double TimeForecast::sampling_left(double seconds, double rays) const {
+  const auto expected = sampling_seconds(plan_.cost);
+  const auto part = plan_.rays > 0.0 ? std::clamp((rays - answers_.back().rays) / plan_.rays, 0.0, 1.0) : 0.0;
+  const auto so_far = seconds - phase_begin_;
+  const auto weight = std::sqrt(part);
+  const auto whole = part > 0.0 ? (1.0 - weight) * expected + weight * so_far / part : expected;
+  return (1.0 - part) * whole;
+}
+
+bool TimeForecast::is_bound_broken(double seconds, const Answer& last, double more_cost) const {
+  return (options_.rays > 0.0 && last.rays + more_cost * rays_per_cost() > options_.rays) ||
+         (options_.seconds > 0.0 && seconds * (1.0 + more_cost / last.cost) > options_.seconds);
+}
+
+double TimeForecast::rays_per_cost() const { return plan_.cost > 0.0 ? plan_.rays / plan_.cost : 1.0; }
+
+double TimeForecast::learned_exponent() const {
+  const auto n = answers_.size();
+  if (n < 2) return second_exponent;
+  // Over two rounds, so that one lucky estimate does not count too much; but not over the first.
+  const auto& from = answers_[n >= 4 ? n - 3 : n - 2];
+  const auto& to = answers_.back();
+  if (!(from.error2 > 0.0 && to.error2 > 0.0 && to.cost > from.cost)) return second_exponent;
+  const auto p = std::log(from.error2 / to.error2) / std::log(to.cost / from.cost);
+  if (n == 2 && !options_.is_resumed) return second_exponent + weight_of_first * (p - first_exponent);
+  return own_part + weight_of_last * p;
+}
+
+// Cost of the round that will be planned, over that of all before.
+double TimeForecast::planned_growth(double error2) const {
+  const auto target = options_.aim * options_.error * options_.error;
+  const auto needed =
+      target > 0.0 ? std::pow(error2 / target, 1.0 / planned_exponent) - 1.0 : options_.max_growth;
+  return std::clamp(needed, options_.min_growth, options_.max_growth);
+}
+
+double TimeForecast::sampling_seconds(double more_cost) const {
+  return last_sampling_.seconds * std::pow(more_cost / last_sampling_.cost, sampling_exponent);
+}
+
+double TimeForecast::answer_seconds(double cost) const {
+  const auto& last = answers_.back();
+  const auto pace = last_sampling_.seconds / last_sampling_.cost;
+  auto slope = answer_slope * pace;
+  if (answers_.size() >= 3) {
+    const auto& before = answers_[answers_.size() - 2];
+    const auto learned = (last.seconds - before.seconds) / (last.cost - before.cost);
+    slope = 0.5 * (slope + std::clamp(learned, 0.0, max_answer_slope * pace));
+  }
+  return last.seconds + slope * (cost - last.cost);
+}
+
+// answers: that there were before the round.
+TimeForecast::Answer TimeForecast::answer_after(const Answer& last, double more_cost,
+                                                std::size_t answers) const {
+  const auto cost = last.cost + more_cost;
+  auto growth = cost / last.cost;
+  auto error2 = last.error2;
+  if (answers == 1 && !options_.is_resumed) {
+    const auto first_growth = std::min(growth, 1.0 + options_.min_growth);
+    error2 *= std::pow(first_growth, -first_exponent);
+    growth /= first_growth;
+  }
+  error2 *= std::pow(growth, -std::clamp(learned_exponent(), min_exponent, max_exponent));
+  return {answer_seconds(cost), error2, cost, last.rays + more_cost * rays_per_cost()};
+}
+
+// How much a round after an answer of that forecast error counts, 0 to 1.
+double TimeForecast::weight_of_next(double error2) const {
+  if (options_.error == 0.0) return 1.0;
+  const auto above = std::log(error2 / (options_.error * options_.error));
+  return std::clamp((above - surely_reached) / (surely_missed - surely_reached), 0.0, 1.0);
+}
+
+TimeForecast::Answer TimeForecast::planned_answer() const {
+  const auto& last = answers_.back();
+  auto next = answer_after(last, plan_.cost, answers_.size());
+  next.rays = last.rays + plan_.rays;
+  if (plan_.error2 > 0.0) {
+    const auto believed =
+        std::max(plan_.error2, last.error2 * std::pow(next.cost / last.cost, -max_believed_exponent));
+    next.error2 = std::sqrt(believed * next.error2);
+  }
+  return next;
+}
+
+// Seconds from `seconds`, when that answer is there, to the end.
+double TimeForecast::rounds_after(double seconds, Answer last, std::size_t answers) const {
+  double sum = 0.0;
+  auto weight = weight_of_next(last.error2);
+  for (int round = 0; round < max_rounds && weight > 0.0; ++round) {
+    const auto more = planned_growth(last.error2) * last.cost;
+    if (is_bound_broken(seconds + sum, last, more)) break;
+    last = answer_after(last, more, answers++);
+    sum += weight * (sampling_seconds(more) + last.seconds);
+    weight = std::min(weight, weight_of_next(last.error2));
+  }
+  return sum;
+}
+
+}  // namespace luxel

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace luxel {
+
+// Where a sampled solve ends, and how fast its rounds may grow.
+struct TimeForecastOptions {
+  double error = 0.0;       // by the measure that ends the run; 0: it is not ended by the error
+  double aim = 1.0;         // of the squared error, at which a round is planned
+  double rays = 0.0;        // 0: no bound
+  double seconds = 0.0;     // 0: no bound
+  double min_growth = 0.5;  // cost of a round over that of all before it
+  double max_growth = 3.0;  // likewise
+  bool is_resumed = false;  // there were rounds before those that are reported
+};
+
+// The samples that a round adds to those before.
+struct PlannedRound {
+  double cost = 0.0;
+  double rays = 0.0;
+  double error2 = 0.0;  // squared error after it, as the plan expects it; 0: unknown
+};
+
+// Forecasts when a sampled solve ends, from its rounds so far. A round takes samples, then computes an answer
+// with a stated error. The forecast repeats rounds until an end is reached: squared error ~ cost^-p; seconds
+// of samples ~ cost; seconds of an answer = a + b cost. p, a and b come from the last rounds; p is drawn
+// towards a prior, because a furnished room's first rounds are worth much more than its later ones.
+//
+// Has no clock: all times are seconds since the solve began, as the caller measures them. Costs are in any
+// unit.
+class TimeForecast {
+ public:
+  explicit TimeForecast(const TimeForecastOptions& options) : options_(options) {}
+
+  // The samples of a round are taken: its answer begins.
+  void begin_answer(double seconds);
+  // It has ended. error: with its uncertainty; cost and rays: of all samples so far.
+  void end_answer(double seconds, double error, double cost, double rays);
+  // The next round begins, which costs so much more. The run ends after as many rays.
+  void begin_round(double seconds, const PlannedRound& plan);
+
+  // Seconds from `seconds` to the end, when the run has traced `rays`; negative while there is no forecast:
+  // the first answer is missing, or too far from the error asked for.
+  double left(double seconds, double rays) const;
+  // Fraction of the run's time that has passed. Never falls: where the forecast grows, it stands until time
+  // has caught up. 0 while there is no forecast.
+  double done(double seconds, double rays);
+
+ private:
+  struct Answer {
+    double seconds = 0.0;  // it took
+    double error2 = 0.0;
+    double cost = 0.0;
+    double rays = 0.0;
+  };
+  struct Sampling {  // the samples of one round
+    double seconds = 0.0;
+    double cost = 1.0;
+  };
+  enum class Phase { first_samples, first_answer, planning, sampling, answering };
+
+  bool is_reached(double error2) const {
+    return options_.error > 0.0 && error2 <= options_.error * options_.error;
+  }
+  bool is_bound_broken(double seconds, const Answer& last, double more_cost) const;
+  double learned_exponent() const;
+  double planned_growth(double error2) const;
+  double sampling_seconds(double more_cost) const;
+  double answer_seconds(double cost) const;
+  double rays_per_cost() const;
+  double sampling_left(double seconds, double rays) const;
+  Answer answer_after(const Answer& last, double more_cost, std::size_t answers) const;
+  double weight_of_next(double error2) const;
+  Answer planned_answer() const;
+  double rounds_after(double seconds, Answer last, std::size_t answers) const;
+
+  TimeForecastOptions options_;
+  Phase phase_ = Phase::first_samples;
+  double phase_begin_ = 0.0;  // seconds
+  std::vector<Answer> answers_;
+  Sampling last_sampling_;
+  PlannedRound plan_;  // the last one
+  double done_ = 0.0;
+};
+
+}  // namespace luxel
