@@ -15,6 +15,7 @@
 #include "luxel/report/error.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/gather_errors.h"
+#include "luxel/solve/measure_surfaces.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sample_plan.h"
 #include "luxel/solve/sample_units.h"
@@ -201,7 +202,9 @@ class Run {
     answer_ = light_->answer(direct, gathered, not_found, enough, workers_, [&](bool is_smoothed) {
       direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
       gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
-      if (!is_smoothed) own_gathered_error2_ = gathered_error2_;
+      if (is_smoothed) return;
+      own_gathered_error2_ = gathered_error2_;
+      report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, workers_);
     });
     if (seen_) seen_->take(answer_, direct, gathered, workers_);
     error_ = seen_ ? seen_->error() : error_of(answer_);
