@@ -29,10 +29,9 @@
 namespace luxel {
 namespace {
 
-// Tolerance of the iteration: a thousandth of the error that the run aims at, of the whole, is less than a
-// hundredth anywhere; and not so much that light after a change of lamps would differ visibly from light
-// solved with them. It is the same for every answer, so that a resumed run repeats the one that never
-// stopped.
+// Tolerance of the iteration: a thousandth of the error that the run aims at is less than a hundredth
+// anywhere, and light after a change of lamps does not differ visibly. The same for every answer, so that a
+// resumed run repeats the one that never stopped.
 double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 3e-6; }
 
 constexpr double growth_to_error = 3.0;  // a round costs at most so many times all before it
@@ -105,8 +104,7 @@ class Run {
   }
 
  private:
-  // A few rays shot from the lamps: a picture of the whole. Then some more, unseen, which find their way to
-  // most of what light reaches, and are where the iteration begins.
+  // Shoots a few rays for a picture of the whole, then more, which are not shown: the iteration begins there.
   bool show_first_light() {
     const auto first = glance(patches_);
     return shoot_light(first.rays, first.tolerance, 0) &&
@@ -156,7 +154,6 @@ class Run {
     first_rays_ = state.first_rays;
   }
 
-  // Before the answer, so that who takes it up finds the answer itself.
   void keep_state() {
     if (!keeping_.keep) return;
     auto state = std::make_shared<SampleState>(sampling_->state());
