@@ -8,8 +8,9 @@ namespace {
 
 constexpr double influence_tolerance =
     0.05;  // an error bar need not be better than its own 27 % of 8 replicates
-// Likewise for the sum over all sides, which is a few hundredths of the sides' own noise. With the first
-// bound alone two sweeps were enough, and the spread of the Cornell box's power was 0.7 of the true one.
+// Likewise for the sum over all sides, in which the noise of single sides cancels. Measured on the Cornell
+// box at 5 %, 30 seeds, true spread of the power over the stated one: 1.54 without it, 1.35 with 0.05, 1.31
+// with 0.01, 1.30 with all sides solved to 1e-5.
 constexpr double influence_sum_tolerance = 0.01;
 constexpr std::size_t influence_memory =
     1;  // sweeps that Anderson's acceleration looks back at: a vector each
