@@ -30,6 +30,7 @@ constexpr Section sections[] = {
     {"threads", "thread_scaling", against_threads},
     {"error", "error_against_time", error_against_time},
     {"variance", "variance_reduction", variance_reduction},
+    {"coverage", "stated_against_true", stated_against_true},
     {"patches", "cost_per_patch", cost_per_patch},
     {"order", "ray_order", ray_order},
     {"light", "time_to_first_light", time_to_first_light},

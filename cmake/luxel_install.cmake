@@ -28,7 +28,7 @@ set(LUXEL_PUBLIC_HEADERS
     check/diagnose.h check/fault_mesh.h check/finding.h check/light_walks.h check/openings.h check/scanned_mesh.h
     check/words.h
     solve/bounces.h solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h solve/seen_solution.h
-    solve/solve_light.h solve/solve_report.h solve/stochastic_jacobi.h
+    solve/solve_light.h solve/solve_report.h solve/stochastic_jacobi.h solve/surface_means.h
     viewfactors/check_view_factors.h viewfactors/enforce.h viewfactors/exact_view_factors.h
     viewfactors/sample_view_factors.h viewfactors/view_elements.h viewfactors/view_factors.h
     viewfactors/view_factors_file.h

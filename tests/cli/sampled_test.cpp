@@ -39,6 +39,19 @@ TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
   ASSERT_FALSE(solve["rounds"].empty());
   EXPECT_EQ(solve["rounds"].back()["error"], reached);
   EXPECT_EQ(solve["rounds"].back()["rays"], json["solution"]["rays"]);
+  const auto bands = json["solution"]["bands"].size();
+  ASSERT_FALSE(solve["surfaces"].empty());
+  for (const auto& surface : solve["surfaces"]) {
+    EXPECT_GT(surface["area_m2"], 0.0);
+    EXPECT_TRUE(surface["side"] == "front" || surface["side"] == "back") << surface["material"];
+    EXPECT_EQ(surface["irradiance_W_per_m2"].size(), bands);
+    EXPECT_EQ(surface["standard_error_W_per_m2"].size(), bands);
+  }
+  const auto& received = solve["received_W"];
+  ASSERT_EQ(received["power"].size(), bands);
+  ASSERT_EQ(received["standard_error"].size(), bands);
+  for (std::size_t b = 0; b < bands; ++b)
+    EXPECT_LT(received["standard_error"][b], 0.03 * received["power"][b].get<double>());
   for (const char* key : {"dark_sides", "streamed", "predicted_memory_bytes"})
     EXPECT_TRUE(solve.contains(key)) << key;
   EXPECT_FALSE(solve.contains("steps")) << "shooting has those";

@@ -141,6 +141,43 @@ TEST(GaussSeidel, says_how_far_it_may_be_from_the_truth) {
   }
 }
 
+// Noise of rows is independent, so its sum is a small part of its magnitude, and the reflected rest of the
+// sum converges last.
+TEST(GaussSeidel, goes_on_until_the_sums_over_rows_stand_where_that_is_asked_for) {
+  Room room(0.95f);
+  for (std::size_t i = 0; i < rows * bands; ++i) {
+    const auto u = uniform4({3, 0, static_cast<std::uint32_t>(i), 0});
+    room.direct[i] = u[0] - 0.5f + 0.02f;
+  }
+  const auto sum_error = [&](const Solved& s) {
+    double wrong = 0.0;
+    double whole = 0.0;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto truth = room.truth(b);
+      double of_band = 0.0;
+      double true_sum = 0.0;
+      for (std::size_t i = 0; i < rows; ++i) {
+        of_band += static_cast<double>(s.radiosity[i * bands + b]);
+        true_sum += truth[i];
+      }
+      wrong += std::abs(of_band - true_sum);
+      whole += std::abs(true_sum);
+    }
+    return wrong / whole;
+  };
+  const GaussSeidelOptions of_rows{.tolerance = 0.2, .parts = 1, .memory = 1};
+  auto of_sums = of_rows;
+  of_sums.sum_tolerance = 0.01;
+  const auto loose = solve(room, of_rows);
+  const auto tight = solve(room, of_sums);
+  EXPECT_EQ(loose.report.sum_distance, 0.0) << "not judged";
+  EXPECT_TRUE(tight.report.converged);
+  EXPECT_LE(tight.report.sum_distance, 0.01);
+  EXPECT_LT(sum_error(tight), 0.02);
+  EXPECT_GT(sum_error(loose), 0.05);
+  EXPECT_EQ(tight.radiosity, solve(room, of_sums, 5).radiosity);
+}
+
 TEST(GaussSeidel, ends_after_as_many_sweeps_as_it_may) {
   const auto solved = solve(Room(0.99f), {.max_sweeps = 3});
   EXPECT_EQ(solved.report.change.size(), 3u);

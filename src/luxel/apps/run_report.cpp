@@ -79,6 +79,17 @@ Json rounds_as_json(const SolveReport& report) {
   return rounds;
 }
 
+Json surfaces_as_json(const SurfaceMeans& means) {
+  Json surfaces = Json::array();
+  for (const auto& s : means.surfaces)
+    surfaces.push_back({{"material", s.name},
+                        {"side", s.is_back ? "back" : "front"},
+                        {"area_m2", s.area},
+                        {"irradiance_W_per_m2", s.irradiance},
+                        {"standard_error_W_per_m2", s.standard_error}});
+  return surfaces;
+}
+
 std::string_view name(RefineStop stop) {
   switch (stop) {
     case RefineStop::mesh_error_reached:
@@ -156,6 +167,11 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
     json["ranks"] = {{"count", report.ranks},
                      {"received_bytes", report.traffic.bytes},
                      {"waited_seconds", report.traffic.seconds}};
+  if (!report.means.surfaces.empty()) {
+    json["surfaces"] = surfaces_as_json(report.means);
+    const auto& received = report.means.received;
+    json["received_W"] = {{"power", received.power}, {"standard_error", received.standard_error}};
+  }
   const auto& e = report.energy;
   json["power_W"] = {{"emitted", e.emitted}, {"from_sky", e.from_sky},           {"absorbed", e.absorbed},
                      {"escaped", e.escaped}, {"lost_at_backs", e.lost_at_backs}, {"unshot", e.unshot}};

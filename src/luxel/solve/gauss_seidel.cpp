@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t grain = 8192;  // numbers a chunk
 constexpr double slowest_rate = 0.95;
+// Sums over rows below this part of the sum of magnitudes count as that large: less is rounding.
+constexpr double min_sum_part = 1e-4;
 
 // Where the parts begin: blocks of rows, shared out evenly.
 std::vector<std::size_t> part_begins(std::span<const std::uint32_t> row_begins, std::size_t parts) {
@@ -24,28 +26,59 @@ std::vector<std::size_t> part_begins(std::span<const std::uint32_t> row_begins, 
 struct Change {
   double difference = 0.0;
   double whole = 0.0;
+  std::vector<double> sum_difference, sum;  // [band], over rows; empty where sums are not judged
+
+  Change& operator+=(const Change& other) {
+    difference += other.difference;
+    whole += other.whole;
+    for (std::size_t b = 0; b < sum.size(); ++b) {
+      sum_difference[b] += other.sum_difference[b];
+      sum[b] += other.sum[b];
+    }
+    return *this;
+  }
+  double relative() const { return whole > 0.0 ? difference / whole : 0.0; }
+  double relative_of_sums() const {
+    double changed = 0.0;
+    double all = 0.0;
+    for (std::size_t b = 0; b < sum.size(); ++b) {
+      changed += std::abs(sum_difference[b]);
+      all += std::abs(sum[b]);
+    }
+    return changed > 0.0 ? changed / std::max(all, min_sum_part * whole) : 0.0;
+  }
 };
 
-// Rows [begin, end): adds the direct light, reflects, and says how much that changed.
+// Changes fall geometrically: those to come sum to change * rate / (1 - rate). before: below 0 for none.
+double distance_after(double change, double before) {
+  const auto rate = before >= 0.0 ? std::clamp(change / std::max(before, 1e-30), 0.3, slowest_rate) : 0.9;
+  return change * rate / (1.0 - rate);
+}
+
+// Rows [begin, end): adds the direct light, reflects, and returns how much that changed. summed: bands whose
+// sums are judged, or 0.
 Change reflect(std::span<const float> direct, std::span<const float> reflectance, std::span<float> radiosity,
-               std::span<float> irradiance, std::size_t begin, std::size_t end, const Workers& workers) {
-  std::vector<Change> chunks((end - begin + grain - 1) / grain);
+               std::span<float> irradiance, std::size_t begin, std::size_t end, std::size_t summed,
+               const Workers& workers) {
+  const Change none{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
+  std::vector<Change> chunks((end - begin + grain - 1) / grain, none);
   workers.for_chunks(end - begin, grain, [&](std::size_t b, std::size_t e, int) {
-    Change change;
+    auto& change = chunks[b / grain];
     for (auto i = begin + b; i < begin + e; ++i) {
       irradiance[i] += direct[i];
       const auto reflected = reflectance[i] * irradiance[i];
-      change.difference += std::abs(static_cast<double>(reflected) - static_cast<double>(radiosity[i]));
+      const auto difference = static_cast<double>(reflected) - static_cast<double>(radiosity[i]);
+      change.difference += std::abs(difference);
       change.whole += std::abs(static_cast<double>(reflected));
+      if (summed > 0) {
+        change.sum_difference[i % summed] += difference;
+        change.sum[i % summed] += static_cast<double>(reflected);
+      }
       radiosity[i] = reflected;
     }
-    chunks[b / grain] = change;
   });
-  Change sum;
-  for (const auto& c : chunks) {
-    sum.difference += c.difference;
-    sum.whole += c.whole;
-  }
+  auto sum = none;
+  for (const auto& c : chunks) sum += c;
   return sum;
 }
 
@@ -179,28 +212,30 @@ GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<con
                                const Workers& workers, const Monitor& monitor) {
   const auto bands = transport.bands();
   const auto begins = part_begins(transport.row_begins(), options.parts);
+  const auto summed = options.sum_tolerance > 0.0 ? bands : 0;
   Acceleration acceleration(options.memory, transport.size() * bands, workers);
   GaussSeidelReport report;
+  double change_before = -1.0;
+  double sum_change_before = -1.0;
   while (static_cast<int>(report.change.size()) < options.max_sweeps) {
     acceleration.begin(radiosity);
-    Change sweep;
+    Change sweep{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
     for (std::size_t part = 0; part + 1 < begins.size(); ++part) {
       transport.apply(radiosity, irradiance, begins[part], begins[part + 1], workers);
-      const auto change = reflect(direct, reflectance, radiosity, irradiance, begins[part] * bands,
-                                  begins[part + 1] * bands, workers);
-      sweep.difference += change.difference;
-      sweep.whole += change.whole;
+      sweep += reflect(direct, reflectance, radiosity, irradiance, begins[part] * bands,
+                       begins[part + 1] * bands, summed, workers);
       report.is_stopped = tell(monitor, {"light"}) == Next::stop;
       if (report.is_stopped) return report;
     }
-    const auto change = sweep.whole > 0.0 ? sweep.difference / sweep.whole : 0.0;
+    const auto change = sweep.relative();
+    const auto sum_change = sweep.relative_of_sums();
     report.change.push_back(change);
-    // Changes fall geometrically: those to come sum to change * rate / (1 - rate).
-    const auto n = report.change.size();
-    const auto rate =
-        n > 1 ? std::clamp(change / std::max(report.change[n - 2], 1e-30), 0.3, slowest_rate) : 0.9;
-    report.distance = change * rate / (1.0 - rate);
-    report.converged = report.distance <= options.tolerance;
+    report.distance = distance_after(change, change_before);
+    report.sum_distance = distance_after(sum_change, sum_change_before);
+    change_before = change;
+    sum_change_before = sum_change;
+    report.converged =
+        report.distance <= options.tolerance && (summed == 0 || report.sum_distance <= options.sum_tolerance);
     if (report.converged) break;
     acceleration.improve(radiosity);
   }

@@ -15,12 +15,16 @@ struct GaussSeidelOptions {
   double tolerance = 1e-6;  // of the whole radiosity: estimated distance to the fixed point
   std::size_t parts = 8;    // rows are taken in this many parts; 1 is the Jacobi iteration
   std::size_t memory = 3;   // earlier sweeps that Anderson's acceleration looks back at; 0: none
+  // Likewise, of the sums over all rows, one per band; 0: not judged. Where the radiosity is noise, what is
+  // common to all rows is a small part of the whole and converges last.
+  double sum_tolerance = 0.0;
   int max_sweeps = 10'000;
 };
 
 struct GaussSeidelReport {
   std::vector<double> change;  // of each sweep: sum of |new - old| over sum of |new|
   double distance = 0.0;       // estimated, to the fixed point, over the whole radiosity
+  double sum_distance = 0.0;   // likewise, of the sums over all rows; 0 where they are not judged
   bool converged = false;
   bool is_stopped = false;  // the monitor said so, amid a sweep
 };

@@ -8,6 +8,10 @@ namespace {
 
 constexpr double influence_tolerance =
     0.05;  // an error bar need not be better than its own 27 % of 8 replicates
+// Likewise for the sum over all sides, in which the noise of single sides cancels. Measured on the Cornell
+// box at 5 %, 30 seeds, true spread of the power over the stated one: 1.54 without it, 1.35 with 0.05, 1.31
+// with 0.01, 1.30 with all sides solved to 1e-5.
+constexpr double influence_sum_tolerance = 0.01;
 constexpr std::size_t influence_memory =
     1;  // sweeps that Anderson's acceleration looks back at: a vector each
 constexpr std::size_t influence_columns = 12;  // replicates times bands that are solved at once
@@ -51,9 +55,13 @@ bool add_influences(const SampledOperator& transport, std::size_t half,
           radiosity[at] = reflectance[i] * source[at];
         }
     });
-    const auto report = gauss_seidel(
-        HalfOperator(transport, 1 - half, columns), source, reflectances, radiosity, influence,
-        {.tolerance = influence_tolerance, .parts = 1, .memory = influence_memory}, workers, monitor);
+    const auto report =
+        gauss_seidel(HalfOperator(transport, 1 - half, columns), source, reflectances, radiosity, influence,
+                     {.tolerance = influence_tolerance,
+                      .parts = 1,
+                      .memory = influence_memory,
+                      .sum_tolerance = influence_sum_tolerance},
+                     workers, monitor);
     if (report.is_stopped) return false;
     for_all(slots, workers, [&](std::size_t s) {
       for (std::size_t k = 0; k < replicates; ++k)

@@ -14,6 +14,7 @@
 #include "luxel/report/error.h"
 #include "luxel/report/memory.h"
 #include "luxel/solve/gather_errors.h"
+#include "luxel/solve/measure_surfaces.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/round_plan.h"
 #include "luxel/solve/run_progress.h"
@@ -29,10 +30,9 @@
 namespace luxel {
 namespace {
 
-// Tolerance of the iteration: a thousandth of the error that the run aims at, of the whole, is less than a
-// hundredth anywhere; and not so much that light after a change of lamps would differ visibly from light
-// solved with them. It is the same for every answer, so that a resumed run repeats the one that never
-// stopped.
+// Tolerance of the iteration: a thousandth of the error that the run aims at is less than a hundredth
+// anywhere, and light after a change of lamps does not differ visibly. The same for every answer, so that a
+// resumed run repeats the one that never stopped.
 double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 3e-6; }
 
 constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
@@ -101,8 +101,7 @@ class Run {
   }
 
  private:
-  // A few rays shot from the lamps: a picture of the whole. Then some more, unseen, which find their way to
-  // most of what light reaches, and are where the iteration begins.
+  // Shoots a few rays for a picture of the whole, then more, which are not shown: the iteration begins there.
   bool show_first_light() {
     const auto first = glance(patches_);
     return shoot_light(first.rays, first.tolerance, 0) &&
@@ -150,7 +149,6 @@ class Run {
     first_rays_ = state.first_rays;
   }
 
-  // Before the answer, so that who takes it up finds the answer itself.
   void keep_state() {
     if (!keeping_.keep) return;
     auto state = std::make_shared<SampleState>(sampling_->state());
@@ -198,7 +196,9 @@ class Run {
     answer_ = light_->answer(direct, gathered, not_found, enough, workers_, [&](bool is_smoothed) {
       direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
       gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
-      if (!is_smoothed) own_gathered_error2_ = gathered_error2_;
+      if (is_smoothed) return;
+      own_gathered_error2_ = gathered_error2_;
+      report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, workers_);
     });
     if (seen_) seen_->take(answer_, direct, gathered, workers_);
     error_ = seen_ ? seen_->error() : error_of(answer_);

@@ -7,6 +7,7 @@
 #include "luxel/parallel/ranks.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/energy.h"
+#include "luxel/solve/surface_means.h"
 
 namespace luxel {
 
@@ -51,6 +52,7 @@ struct SolveReport {
   double places = 0.0;             // rooms and the outside, estimated from the views
   double error_uncertainty = 0.0;  // of seen_error, relative: jackknife over replicates
   double error_95th = 0.0;         // see Solution
+  SurfaceMeans means;              // sampled: of materials and of the whole, with standard errors
   EnergyBalance energy;
   std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
   bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory
