@@ -84,6 +84,7 @@ struct Relighter::State {
   Sampling sampling;
   std::unique_ptr<const SampledOperator> transport;
   std::optional<SlotLight> slots;
+  std::optional<SkyNotFound> not_found;
   std::optional<SeenMeasure> seen;  // where it ended the run
   std::vector<float> weight;
   bool reflects_as_in_run = true;  // so that the light the samples know of each group holds
@@ -115,6 +116,7 @@ struct Relighter::State {
   }
 
   void look_at_surfaces() {
+    not_found.emplace(patches, sampling.hits(), sampling.units(), workers);
     slots.emplace(patches, sampling.tree(), sampling.hits().sides(), options.share, workers);
   }
 };
@@ -155,8 +157,7 @@ Solution Relighter::light() const {
   const auto enough = [&](const Spread& own) {
     return (s.seen ? s.seen->error_of(own) : error_of(own)) <= s.options.error;
   };
-  const auto not_found = sky_not_found(s.patches, s.sampling.hits(), s.sampling.units());
-  const auto answer = s.slots->answer(direct, gathered, not_found, enough, s.workers);
+  const auto answer = s.slots->answer(direct, gathered, s.not_found->variance(), enough, s.workers);
   Solution solution;
   s.slots->write(answer, solution, s.workers);
   if (s.seen) solution.seen_error = s.seen->error_of(answer);

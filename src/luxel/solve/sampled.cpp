@@ -160,6 +160,7 @@ class Run {
 
   void prepare() {
     const auto& sides = sampling_->hits().sides();
+    not_found_.emplace(patches_, sampling_->hits(), sampling_->units(), workers_);
     light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_, ranks_);
     if (options_.error_measure == ErrorMeasure::seen && sides.size() > 0) {
       seen_.emplace(patches_, sides, sampling_->units(), tracer_, workers_, ranks_);
@@ -192,14 +193,14 @@ class Run {
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, workers_);
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
-    const auto not_found = sky_not_found(patches_, sampling_->hits(), sampling_->units());
-    answer_ = light_->answer(direct, gathered, not_found, enough, workers_, [&](bool is_smoothed) {
-      direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
-      gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
-      if (is_smoothed) return;
-      own_gathered_error2_ = gathered_error2_;
-      report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, workers_);
-    });
+    answer_ =
+        light_->answer(direct, gathered, not_found_->variance(), enough, workers_, [&](bool is_smoothed) {
+          direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
+          gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
+          if (is_smoothed) return;
+          own_gathered_error2_ = gathered_error2_;
+          report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, workers_);
+        });
     if (seen_) seen_->take(answer_, direct, gathered, workers_);
     error_ = seen_ ? seen_->error() : error_of(answer_);
 
@@ -321,6 +322,7 @@ class Run {
   std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
   std::shared_ptr<const SampleState> kept_;
   std::optional<SlotLight> light_;
+  std::optional<SkyNotFound> not_found_;
   std::vector<float> radiosity_;     // reflected, and of the sky, W/m², [element][band]
   std::optional<SeenMeasure> seen_;  // where it ends the run
   std::vector<double> area_;         // [slot], m²

@@ -36,7 +36,7 @@ class SlotLight {
 
   // The mean of direct + gathered and its error, [replicate][slot * bands + band], W/m². Where that is not
   // `enough`, both are replaced by what smoothing makes of them. The means are not below 0, see keep_hue().
-  // not_found: variance that replicates do not show, [slot * bands + band], see sky_not_found(). The same
+  // not_found: variance that replicates do not show, [slot * bands + band], see SkyNotFound. The same
   // bits on any number of threads.
   struct Answer : Spread {
     std::vector<float> bias;  // squared bias of the smoothing; empty where nothing was smoothed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -102,25 +103,21 @@ class HitStore {
         });
   }
 
+  // Likewise, for the rays of the first round alone, the first of every slot.
+  template <typename Body>
+  void for_each_first_hit(std::uint32_t replicate, std::size_t block, Body body) const {
+    for_each_round(replicate, block, std::span(rounds_).first(std::min<std::size_t>(1, rounds_.size())),
+                   [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t n) {
+                     for (const auto slot : slots)
+                       for (std::uint32_t i = 0; i < n; ++i) body(slot, *hit++);
+                   });
+  }
+
   // Calls body(slots, their hits, hits per slot) for each round that has slots in that block.
   template <typename Body>
   void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
-    std::vector<std::uint32_t> traced;
-    for (const auto& round : rounds_) {
-      const auto slots = round.slots_of(block);
-      if (slots.empty()) continue;
-      const std::size_t n = round.per_replicate;
-      if (is_streamed_) {
-        traced.resize(slots.size() * n);
-        std::vector<std::uint32_t*> to(options_.replicates);
-        to[replicate] = traced.data();
-        trace(round, slots, replicate * n, (replicate + 1) * n, to);
-      }
-      body(slots, is_streamed_ ? traced.data() : round.hits_of(replicate, round.begins[block]),
-           round.per_replicate);
-    }
+    for_each_round(replicate, block, rounds_, body);
   }
-
   // Several ranks: the numbers, `width` per slot, of each rank's own slots become known to all.
   void share_slots(std::span<float> values, std::size_t width) const;
 
@@ -139,6 +136,25 @@ class HitStore {
       return hits.get() + replicate * hits_a_replicate() + place * per_replicate;
     }
   };
+
+  template <typename Body>
+  void for_each_round(std::uint32_t replicate, std::size_t block, std::span<const Round> rounds,
+                      Body body) const {
+    std::vector<std::uint32_t> traced;
+    for (const auto& round : rounds) {
+      const auto slots = round.slots_of(block);
+      if (slots.empty()) continue;
+      const std::size_t n = round.per_replicate;
+      if (is_streamed_) {
+        traced.resize(slots.size() * n);
+        std::vector<std::uint32_t*> to(options_.replicates);
+        to[replicate] = traced.data();
+        trace(round, slots, replicate * n, (replicate + 1) * n, to);
+      }
+      body(slots, is_streamed_ ? traced.data() : round.hits_of(replicate, round.begins[block]),
+           round.per_replicate);
+    }
+  }
 
   Round make_round(HitRound round) const;
   // Not zeroed: a thread that writes also gets the pages.
