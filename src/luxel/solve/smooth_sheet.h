@@ -23,6 +23,14 @@ struct SmoothingWeights {
   std::vector<float> noise;
 };
 
+// What the two finest scales change, in the mean of the replicates: [index * bands + band]. Nearly all of it
+// is noise that they take off, so nothing can be said of their bias slot by slot. Summed over many slots
+// there can.
+struct FineChange {
+  std::vector<float> product;   // of changes of different replicates, in which noise cancels: bias squared
+  std::vector<float> variance;  // of the mean of half of the replicates
+};
+
 // Local polynomial regression over one sheet, from fine windows to coarse ones.
 //
 // At each scale every window of a WindowGrid fits a polynomial (linear in the finest, else quadratic) to the
@@ -44,9 +52,11 @@ struct SmoothingWeights {
 // choice by independent buffers, Rousselle, Knaus and Zwicker 2012.
 //
 // values: [index * columns.size() + column], is replaced; at least 4 replicates. squared_bias: [index * bands
-// + band], is written: an estimate of what the smoothing gets wrong, smoothed over the same windows; it may
-// be below 0. Cost: 1 to 3 us per slot of 8 replicates and 3 bands; about 500 bytes per slot at a time.
+// + band], is written: an estimate of what all but the two finest scales get wrong, smoothed over the same
+// windows; it may be below 0. fine: is written; none where the replicates are not independent. Cost: 1 to 3
+// us per slot of 8 replicates and 3 bands; about 500 bytes per slot at a time.
 void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
-                  std::vector<float>& values, std::vector<float>& squared_bias, const LoopRunner& run);
+                  std::vector<float>& values, std::vector<float>& squared_bias, FineChange* fine,
+                  const LoopRunner& run);
 
 }  // namespace luxel
