@@ -45,7 +45,7 @@ void check(const PatchSet& patches, const Solution& solution, const SmoothLight&
 class SolvedLight {
  public:
   SolvedLight(const PatchSet& patches, const Solution& solution, const SmoothLight& light)
-      : patches_(patches), solution_(solution), light_(light), colours_(patches.colours()) {}
+      : solution_(solution), light_(light), colours_(patches.colours()) {}
 
   Vec3d at(const TexelPlace& place) const {
     const auto bands = colours_.bands();
@@ -88,7 +88,6 @@ class SolvedLight {
     return values.data() + side / 2 * colours_.bands();
   }
 
-  const PatchSet& patches_;
   const Solution& solution_;
   const SmoothLight& light_;
   BandColours colours_;
