@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/scene/scene.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/solve/stochastic_jacobi.h"
 
 #include "bench/sections.h"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/views/seen_error.h"
+#include "luxel/trace/seen_error.h"
 
 #include "bench/timing.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "luxel/views/place_views.h"
+#include "luxel/trace/place_views.h"
 
 #include "bench/accuracy.h"
 

@@ -2,7 +2,7 @@
 // Whether the stated errors are true: intervals and the seen error held against known light.
 #include <fmt/format.h>
 
-#include "luxel/transport/choose_portals.h"
+#include "luxel/lamps/choose_portals.h"
 
 #include "bench/coverage.h"
 #include "bench/mesher.h"

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "luxel/math/barycentric.h"
+#include "luxel/core/address.h"
+#include "luxel/core/barycentric.h"
+#include "luxel/core/warp.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/random/address.h"
-#include "luxel/random/warp.h"
-#include "luxel/reference/point_irradiance.h"
+#include "luxel/render/point_irradiance.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel::bench {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/reference/surface_point.h"
+#include "luxel/render/surface_point.h"
 #include "luxel/scene/scene.h"
 #include "luxel/surface/smooth_light.h"
 

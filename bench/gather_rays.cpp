@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "luxel/core/address.h"
 #include "luxel/patch/patch_tree.h"
-#include "luxel/random/address.h"
-#include "luxel/transport/gather_rays.h"
-#include "luxel/transport/hit_store.h"
+#include "luxel/solve/hit_store.h"
+#include "luxel/trace/gather_rays.h"
 
 namespace luxel::bench {
 namespace {

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/trace/gather_sides.h"
 #include "luxel/trace/tracer.h"
-#include "luxel/transport/gather_sides.h"
 
 namespace luxel::bench {
 

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/export/export_mesh.h"
-#include "luxel/load/load_scene.h"
+#include "luxel/import/load_scene.h"
+#include "luxel/lamps/lamp_check.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/solution/solution_file.h"
-#include "luxel/solve/stochastic_jacobi.h"
-#include "luxel/transport/lamp_check.h"
 
 #include "bench/sections.h"
 #include "bench/timing.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/patch/make_patches.h"
-#include "luxel/refine/refine_to_light.h"
+#include "luxel/solve/refine_to_light.h"
 #include "luxel/solve/sampled.h"
 #include "luxel/surface/smooth_light.h"
 

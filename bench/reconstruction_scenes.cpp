@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/reconstruction_scenes.h"
 
-#include "luxel/math/trig.h"
+#include "luxel/core/trig.h"
 
 #include "bench/mesher.h"
 #include "bench/scenes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/rooms.h"
 
-#include "luxel/random/address.h"
+#include "luxel/core/address.h"
 
 #include "bench/mesher.h"
 

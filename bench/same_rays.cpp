@@ -9,11 +9,11 @@
 
 #include <embree3/rtcore.h>
 
-#include "luxel/random/address.h"
-#include "luxel/transport/patch_emitter.h"
-#include "luxel/transport/ray_plan.h"
-#include "luxel/transport/shooting.h"
-#include "luxel/transport/side_power.h"
+#include "luxel/classical/ray_plan.h"
+#include "luxel/classical/shooting.h"
+#include "luxel/core/address.h"
+#include "luxel/lamps/side_power.h"
+#include "luxel/trace/patch_emitter.h"
 
 namespace luxel::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/solve/stochastic_jacobi.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel::bench {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "luxel/patch/make_patches.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/solve/sampled_operator.h"
 
 #include "bench/gather_rays.h"
 #include "bench/same_rays.h"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "luxel/lamps/direct_light.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/transport/direct_light.h"
 
 #include "bench/mesher.h"
 #include "bench/sections.h"

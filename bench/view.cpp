@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/report/error.h"
-#include "luxel/window/run_window.h"
+#include "luxel/core/error.h"
+#include "luxel/viewer/run_window.h"
 
 #include "bench/scenes.h"
 #include "bench/sections.h"

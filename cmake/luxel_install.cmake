@@ -6,61 +6,61 @@ include(CMakePackageConfigHelpers)
 
 # The public headers. The program uses no others, and they include no others: tools/check_layers.py looks.
 set(LUXEL_PUBLIC_HEADERS
-    math/bounds.h math/vector.h
-    report/error.h report/log.h report/memory.h report/progress.h report/time_left.h
-    photometry/band_colours.h photometry/colour_spectra.h photometry/luminous_efficacy.h photometry/spectrum.h
-    photometry/waveband.h
-    file/ending_of.h file/output_file.h
-    gltf/is_gltf.h
-    parallel/ranks.h parallel/workers.h
-    cluster/mpi_ranks.h
+    core/bounds.h core/vector.h
+    core/error.h core/log.h core/memory.h core/progress.h core/time_left.h
+    scene/band_colours.h scene/colour_spectra.h scene/luminous_efficacy.h scene/spectrum.h
+    scene/waveband.h
+    core/ending_of.h core/output_file.h
+    import/is_gltf.h
+    core/ranks.h core/workers.h
+    core/mpi_ranks.h
     image/image.h image/image_file.h image/raster.h
     scene/camera.h scene/material.h scene/name_pattern.h scene/point_light.h
     scene/scene.h scene/texture.h
-    mesh/clean_triangles.h mesh/edges.h mesh/pieces.h mesh/rims.h mesh/t_junctions.h mesh/vertex_weld.h
-    load/load_scene.h
+    scene/clean_triangles.h scene/edges.h scene/pieces.h scene/rims.h scene/t_junctions.h scene/vertex_weld.h
+    import/load_scene.h
     patch/colour_patches.h patch/focus.h patch/light_groups.h patch/flat_polygon.h patch/make_patches.h patch/patch_set.h patch/open_polygons.h patch/patch_tree.h patch/uncut_faces.h
     trace/point_sight.h trace/tracer.h
     solution/error_95th.h solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
-    transport/choose_portals.h transport/dense_operator.h transport/form_factor_row.h transport/gather_sides.h transport/hemicube.h
-    transport/hemicube_operator.h transport/hemicube_pixels.h transport/lamp_check.h transport/lines_operator.h
-    transport/operator.h transport/row_operator.h
-    check/diagnose.h check/fault_mesh.h check/finding.h check/light_walks.h check/openings.h check/scanned_mesh.h
-    check/words.h
-    solve/bounces.h solve/classical.h solve/energy.h solve/forecast.h solve/jacobi.h solve/relight.h solve/sampled.h solve/seen_solution.h
-    solve/solve_light.h solve/solve_report.h solve/stochastic_jacobi.h solve/surface_means.h
-    viewfactors/check_view_factors.h viewfactors/enforce.h viewfactors/exact_view_factors.h
-    viewfactors/sample_view_factors.h viewfactors/view_elements.h viewfactors/view_factors.h
-    viewfactors/view_factors_file.h
+    lamps/choose_portals.h classical/dense_operator.h classical/form_factor_row.h trace/gather_sides.h classical/hemicube.h
+    classical/hemicube_operator.h classical/hemicube_pixels.h lamps/lamp_check.h classical/lines_operator.h
+    classical/operator.h classical/row_operator.h
+    session/diagnose.h session/fault_mesh.h session/finding.h session/light_walks.h session/openings.h session/scanned_mesh.h
+    session/words.h
+    solve/bounces.h classical/classical.h classical/energy.h classical/forecast.h classical/jacobi.h solve/relight.h solve/sampled.h solve/seen_solution.h
+    solve/solve_light.h classical/solve_report.h classical/stochastic_jacobi.h classical/surface_means.h
+    form_factors/check_view_factors.h form_factors/enforce.h form_factors/exact_view_factors.h
+    form_factors/sample_view_factors.h form_factors/view_elements.h form_factors/view_factors.h
+    form_factors/view_factors_file.h
     surface/smooth_light.h surface/vertex_fit.h
-    refine/refine_to_light.h
-    tone/tone.h
+    solve/refine_to_light.h
+    image/tone.h
     render/automatic_camera.h render/render.h
-    reference/batch_means.h reference/compare.h reference/difference_picture.h reference/final_gather.h
-    reference/lamp_table.h reference/light_paths.h reference/path_picture.h reference/path_traced.h
-    reference/surface_point.h
-    lightmap/dilate.h lightmap/gather_texels.h lightmap/given_layout.h lightmap/lightmap.h lightmap/lightmap_picture.h lightmap/make_charts.h lightmap/make_lightmap.h
-    lightmap/new_layout.h lightmap/pack_charts.h lightmap/radiance_pages.h lightmap/side_edges.h lightmap/solve_seams.h
+    render/batch_means.h render/compare.h render/difference_picture.h render/final_gather.h
+    render/lamp_table.h render/light_paths.h render/path_picture.h render/path_traced.h
+    render/surface_point.h
+    render/dilate.h render/gather_texels.h surface/given_layout.h render/lightmap.h render/lightmap_picture.h surface/make_charts.h render/make_lightmap.h
+    render/new_layout.h surface/pack_charts.h render/radiance_pages.h surface/side_edges.h render/solve_seams.h
     export/export_coloured.h export/export_kept.h export/export_mesh.h export/kept_layout.h export/export_page.h
     export/mesh_program.h
-    live/light_value.h live/live_answers.h live/live_scene.h live/live_settings.h live/live_state.h live/patch_levels.h live/probe.h
-    live/sample_rays.h live/tree_boxes.h)
+    session/light_value.h session/live_answers.h session/live_scene.h session/live_settings.h session/live_state.h session/patch_levels.h session/probe.h
+    session/sample_rays.h session/tree_boxes.h)
 
-# Rooms of the program alone, so that whoever uses the library needs no display.
-set(LUXEL_PROGRAM_ROOMS view window)
+# Modules of the program alone, so that whoever uses the library needs no display.
+set(LUXEL_PROGRAM_MODULES viewer)
 
 # All others as one library, luxel::luxel.
-get_property(rooms GLOBAL PROPERTY LUXEL_ROOMS)
-list(REMOVE_ITEM rooms ${LUXEL_PROGRAM_ROOMS})
+get_property(modules GLOBAL PROPERTY LUXEL_MODULES)
+list(REMOVE_ITEM modules ${LUXEL_PROGRAM_MODULES})
 set(objects)
 set(libraries fmt::fmt glm::glm)
-foreach(room ${rooms})
-  get_target_property(type luxel_${room} TYPE)
+foreach(module ${modules})
+  get_target_property(type luxel_${module} TYPE)
   if(NOT type STREQUAL "INTERFACE_LIBRARY")
-    list(APPEND objects $<TARGET_OBJECTS:luxel_${room}>)
+    list(APPEND objects $<TARGET_OBJECTS:luxel_${module}>)
   endif()
-  get_property(of_room GLOBAL PROPERTY LUXEL_LIBRARIES_OF_${room})
-  list(APPEND libraries ${of_room})
+  get_property(libraries_of_module GLOBAL PROPERTY LUXEL_LIBRARIES_OF_${module})
+  list(APPEND libraries ${libraries_of_module})
 endforeach()
 list(REMOVE_DUPLICATES libraries)
 add_library(luxel_library STATIC ${objects})

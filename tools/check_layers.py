@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the sources to the plan of the house: check_layers.py [ROOT].
+"""Checks the sources against the project's structure: check_layers.py [ROOT].
 
-The truth is the luxel_room(...) lines of CMakeLists.txt: which rooms there are, in which order, which rooms each may
-include, and which outside library has its home where. Each violation is printed as file:line: sentence; the exit
-status is 1 if there was one.
+The luxel_module(...) lines of CMakeLists.txt define the modules, their order, the modules that each includes, and the
+home of each outside library. Prints each violation as file:line: sentence. Exit status: 1 if there is one.
 """
 import os
 import re
 import subprocess
 import sys
 
-# Target in a LIBRARIES list, without its namespace -> the includes it brings, welcome in its home room only.
+# Target in a LIBRARIES list, without its namespace -> the includes it brings, welcome in its home module only.
 LIBRARIES = {
     "glm": r"glm/",
     "tbb": r"(tbb|oneapi)/",
@@ -28,11 +27,11 @@ LIBRARIES = {
     "imgui": r"(imgui(_\w+)?\.h$|backends/imgui)",
     "luxel_mpi": r"mpi\.h$",
 }
-# The programs are no room; they link these in src/luxel/apps/CMakeLists.txt. JSON is at home twice: a room reads it,
-# the programs write it.
-HOMES_OUTSIDE_ROOMS = {"CLI11": (r"CLI/", "apps"), "nlohmann_json": (r"nlohmann/", "apps")}
+# The program is no luxel_module(...): it links these in src/luxel/cli/CMakeLists.txt. JSON has two homes: one module reads
+# it, the program writes it.
+HOMES_OUTSIDE_MODULES = {"CLI11": (r"CLI/", "cli"), "nlohmann_json": (r"nlohmann/", "cli")}
 EVERYWHERE = r"fmt/"
-# Intrinsics: embree asks each of its threads to set two bits of the SSE control register.
+# Intrinsics: Embree requires two bits of the SSE control register to be set in each thread.
 SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "unistd.h", "termios.h", "sys/file.h",
           "sys/ioctl.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
 STANDARD = set("""algorithm any array atomic barrier bit bitset cassert ccomplex cctype cerrno cfenv cfloat charconv chrono
@@ -54,7 +53,7 @@ ONE_FILE_EACH = "integrations/"  # an add-on is installed in other programs as o
 MAX_BINARY = 200 * 1024
 
 
-class Room:
+class Module:
     def __init__(self, name, line, arguments):
         self.name, self.line, self.lists = name, line, {"DEPENDS": [], "LIBRARIES": []}
         into = None
@@ -66,11 +65,11 @@ class Room:
         self.depends, self.libraries = self.lists["DEPENDS"], self.lists["LIBRARIES"]
 
 
-def read_rooms(text):
-    """The luxel_room(...) lines in their order, each with its line number."""
+def read_modules(text):
+    """The luxel_module(...) lines in their order, each with its line number."""
     text = re.sub(r"#[^\n]*", "", text)
-    found = re.finditer(r"^\s*luxel_room\(\s*(\w+)([^)]*)\)", text, re.MULTILINE)
-    return [Room(m[1], text.count("\n", 0, m.start(1)) + 1, m[2]) for m in found]
+    found = re.finditer(r"^\s*luxel_module\(\s*(\w+)([^)]*)\)", text, re.MULTILINE)
+    return [Module(m[1], text.count("\n", 0, m.start(1)) + 1, m[2]) for m in found]
 
 
 def files_of(root):
@@ -86,59 +85,87 @@ def files_of(root):
     return sorted(n for n in names if n and os.path.isfile(os.path.join(root, n)))
 
 
-def check_rooms(rooms):
-    """Each room stands on rooms above it, each library has one home that this script knows."""
+def check_modules(modules):
+    """Each module stands on modules above it, each library has one home that this script knows."""
     above, home = set(), {}
-    for room in rooms:
-        for depend in room.depends:
+    for module in modules:
+        for depend in module.depends:
             if depend not in above:
-                yield "CMakeLists.txt", room.line, f"{room.name} depends on {depend}, which is no room above it"
-        for library in room.libraries:
+                yield "CMakeLists.txt", module.line, f"{module.name} depends on {depend}, which is no module above it"
+        for library in module.libraries:
             if library not in LIBRARIES:
-                yield ("CMakeLists.txt", room.line,
+                yield ("CMakeLists.txt", module.line,
                        f"which includes {library} brings is unknown: add it to LIBRARIES in tools/check_layers.py")
             if library in home:
-                yield "CMakeLists.txt", room.line, f"{library} is at home in {home[library]} already, not in {room.name}"
-            home.setdefault(library, room.name)
-        above.add(room.name)
+                yield "CMakeLists.txt", module.line, f"{library} is at home in {home[library]} already, not in {module.name}"
+            home.setdefault(library, module.name)
+        above.add(module.name)
 
 
 class Includes:
-    """Who may include what, from the rooms."""
+    """Who may include what, from the modules."""
 
-    def __init__(self, root, rooms):
+    def __init__(self, root, modules):
         self.root = root
-        self.rooms = {room.name: room for room in rooms}
-        homes = {library: room.name for room in reversed(rooms) for library in room.libraries}
-        self.homes = [(pattern, library, homes.get(library, "no room")) for library, pattern in LIBRARIES.items()]
-        self.homes += [(pattern, library, home) for library, (pattern, home) in HOMES_OUTSIDE_ROOMS.items()]
+        self.modules = {module.name: module for module in modules}
+        homes = {library: module.name for module in reversed(modules) for library in module.libraries}
+        self.homes = [(pattern, library, homes.get(library, "no module")) for library, pattern in LIBRARIES.items()]
+        self.homes += [(pattern, library, home) for library, (pattern, home) in HOMES_OUTSIDE_MODULES.items()]
 
-    def complaint(self, room, include, quoted):
-        """What is wrong with this include line of this room, or None."""
+    def complaint(self, module, include, quoted):
+        """What is wrong with this include line of this module, or None."""
         if include.startswith("luxel/"):
-            return self.complaint_about_ours(room, include)
+            return self.complaint_about_ours(module, include)
         if re.match(EVERYWHERE, include) or include in STANDARD or include in SYSTEM:
             return None
         homes = [(library, home) for pattern, library, home in self.homes if re.match(pattern, include)]
         if homes:
             welcome = [home for _, home in homes]
-            return None if room in welcome else (f"<{include}> is of {homes[0][0]}, whose only home is "
-                                                 f"{' and '.join(welcome)}, not {room}")
+            return None if module in welcome else (f"<{include}> is of {homes[0][0]}, whose only home is "
+                                                 f"{' and '.join(welcome)}, not {module}")
         if quoted:
-            return f'"{include}" should be written from the root of the sources: "luxel/{room}/..."'
-        return f"<{include}> is neither of the C++ standard library nor of a library with a home room"
+            return f'"{include}" should be written from the root of the sources: "luxel/{module}/..."'
+        return f"<{include}> is neither of the C++ standard library nor of a library with a home module"
 
-    def complaint_about_ours(self, room, include):
+    def complaint_about_ours(self, module, include):
         if not os.path.isfile(os.path.join(self.root, "src", include)):
             return f'"{include}" does not exist'
         other = include.split("/")[1]
-        if other == room or room == "apps":
+        if other == module or module == "cli":
             return None
-        if room not in self.rooms:
-            return f"src/luxel/{room} is no luxel_room(...) of CMakeLists.txt"
-        if other in self.rooms[room].depends:
+        if module not in self.modules:
+            return f"src/luxel/{module} is no luxel_module(...) of CMakeLists.txt"
+        if other in self.modules[module].depends:
             return None
-        return f"{room} may not include {other}: its DEPENDS are {' '.join(self.rooms[room].depends) or 'empty'}"
+        return f"{module} may not include {other}: its DEPENDS are {' '.join(self.modules[module].depends) or 'empty'}"
+
+
+def check_unused(modules, used):
+    """A declared dependency that no include uses. used: pairs of modules."""
+    for module in modules:
+        for depend in module.depends:
+            if (module.name, depend) not in used:
+                yield "CMakeLists.txt", module.line, f"{module.name} declares {depend} and includes nothing of it"
+
+
+def check_readmes(root, modules):
+    """Each module's folder explains itself."""
+    for name in [module.name for module in modules] + ["cli"]:
+        if not os.path.isdir(os.path.join(root, "src/luxel", name)):
+            continue
+        if not os.path.isfile(os.path.join(root, "src/luxel", name, "README.md")):
+            yield f"src/luxel/{name}", 1, "the folder lacks a README.md: what comes in, what goes out, what to read first"
+
+
+def used_dependencies(root):
+    """The pairs of modules of which one includes the other."""
+    used = set()
+    for name in files_of(root):
+        match = re.match(r"src/luxel/(\w+)/.*\.(h|cpp)$", name)
+        if match:
+            with open(os.path.join(root, name), encoding="utf-8") as file:
+                used.update((match[1], other) for other in re.findall(r'#include "luxel/(\w+)/', file.read()))
+    return used
 
 
 def check_includes(name, lines, includes):
@@ -180,7 +207,7 @@ def check_own_header(root, name, lines):
 
 
 def check_text(name, lines):
-    """What holds for every text file, whatever its room."""
+    """What holds for every text file, whatever its module."""
     if name.endswith(SOURCE) and len(lines) > MAX_LINES and not name.startswith(ONE_FILE_EACH):
         yield name, len(lines), f"the file has {len(lines)} lines, the longest may have {MAX_LINES}: it holds two ideas"
     if name.endswith(LICENSED) and not any("SPDX-License-Identifier: Apache-2.0" in line for line in lines[:3]):
@@ -220,38 +247,40 @@ def public_headers(root):
         return set(re.search(r"set\(LUXEL_PUBLIC_HEADERS\s([^)]*)\)", file.read())[1].split())
 
 
-def program_rooms(root):
-    """The rooms of the program alone: nothing of them is public, and the program includes them."""
+def program_modules(root):
+    """The modules of the program alone: nothing of them is public, and the program includes them."""
     with open(os.path.join(root, PUBLIC), encoding="utf-8") as file:
-        rooms = re.search(r"set\(LUXEL_PROGRAM_ROOMS\s([^)]*)\)", file.read())
-    return rooms[1].split() if rooms else []
+        modules = re.search(r"set\(LUXEL_PROGRAM_MODULES\s([^)]*)\)", file.read())
+    return modules[1].split() if modules else []
 
 
 def check_public(root):
     """The program includes public headers alone, and these no others."""
     public = public_headers(root)
-    own = tuple(f"{room}/" for room in ("apps", *program_rooms(root))) if public else ()
+    own = tuple(f"{module}/" for module in ("cli", *program_modules(root))) if public else ()
     for header in sorted(public):
         if not os.path.exists(os.path.join(root, "src/luxel", header)):
             yield PUBLIC, 1, f"luxel/{header} does not exist"
     for name in files_of(root) if public else ():
-        room = re.match(r"src/luxel/((\w+)/.*\.(h|cpp))$", name)
-        if not room or (room[2] != "apps" and room[1] not in public):
+        module = re.match(r"src/luxel/((\w+)/.*\.(h|cpp))$", name)
+        if not module or (module[2] != "cli" and module[1] not in public):
             continue
         with open(os.path.join(root, name), encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
                 include = re.match(r'#include "luxel/(.+)"', line)
-                if include and include[1] not in public and not (room[2] == "apps" and include[1].startswith(own)):
+                if include and include[1] not in public and not (module[2] == "cli" and include[1].startswith(own)):
                     yield name, number, f"{include[1]} is not public: see {PUBLIC}"
 
 
 def violations(root):
     with open(os.path.join(root, "CMakeLists.txt"), encoding="utf-8") as file:
-        rooms = read_rooms(file.read())
-    if not rooms:
-        yield "CMakeLists.txt", 1, "there is no luxel_room(...) line"
-    yield from check_rooms(rooms)
-    includes = Includes(root, rooms)
+        modules = read_modules(file.read())
+    if not modules:
+        yield "CMakeLists.txt", 1, "there is no luxel_module(...) line"
+    yield from check_modules(modules)
+    yield from check_unused(modules, used_dependencies(root))
+    yield from check_readmes(root, modules)
+    includes = Includes(root, modules)
     for name in files_of(root):
         yield from check_file(root, name, includes)
     yield from check_public(root)

@@ -40,10 +40,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "luxel/reference/path_traced.h"
-#include "luxel/solve/classical.h"
+#include "luxel/classical/classical.h"
+#include "luxel/classical/stochastic_jacobi.h"
+#include "luxel/render/path_traced.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/solve/stochastic_jacobi.h"
 
 #include "support/agreement_rooms.h"
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "luxel/form_factors/view_factors_file.h"
 #include "luxel/solution/solution_file.h"
-#include "luxel/viewfactors/view_factors_file.h"
 
 #include "cli/run_program.h"
 

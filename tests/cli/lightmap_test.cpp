@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "luxel/file/output_file.h"
+#include "luxel/core/output_file.h"
 #include "luxel/image/image_file.h"
 
 #include "cli/run_program.h"

@@ -8,7 +8,7 @@
 
 #include <sys/wait.h>
 
-#include "luxel/file/output_file.h"
+#include "luxel/core/output_file.h"
 
 namespace luxel::cli {
 

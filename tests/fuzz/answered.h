@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/load/load_gltf.h"
+#include "luxel/import/load_gltf.h"
 
 #include "fuzz/answered.h"
 

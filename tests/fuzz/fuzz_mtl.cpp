@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/load/make_materials.h"
+#include "luxel/import/make_materials.h"
 
 #include "fuzz/answered.h"
 

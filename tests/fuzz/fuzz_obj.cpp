@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/load/load_obj.h"
+#include "luxel/import/load_obj.h"
 
 #include "fuzz/answered.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The classical methods give the same bits on any number of threads, and a stop leaves what it says.
-#include "luxel/solve/classical.h"
+#include "luxel/classical/classical.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/file/output_file.h"
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/report/error.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/sampled.h"
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/solve/stochastic_jacobi.h"
 
 #include "support/truth_scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "luxel/viewfactors/enforce.h"
+#include "luxel/form_factors/enforce.h"
 
 #include "support/factor_scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Direct light against cosine rays that look for lamps: unbiased, and honest about its spread. Risk of a
 // false alarm: about one in a million a comparison.
-#include "luxel/transport/direct_light.h"
+#include "luxel/lamps/direct_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/address.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/random/address.h"
-#include "luxel/transport/patch_emitter.h"
+#include "luxel/trace/patch_emitter.h"
 
 #include "support/truth_scenes.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 #include "luxel/solution/merge_solutions.h"
 #include "luxel/solve/sampled.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sky through portals: closed forms, cosine rays, and any set of portals against none. Risk of a false
 // alarm: about one in a million a comparison.
-#include "luxel/transport/portals.h"
+#include "luxel/lamps/portals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +10,16 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/address.h"
+#include "luxel/lamps/direct_light.h"
 #include "luxel/patch/light_groups.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
-#include "luxel/random/address.h"
 #include "luxel/solution/solution_file.h"
+#include "luxel/solve/hit_store.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/transport/direct_light.h"
-#include "luxel/transport/hit_store.h"
-#include "luxel/transport/patch_emitter.h"
+#include "luxel/trace/patch_emitter.h"
 
 #include "support/sample_solution.h"
 #include "support/window_rooms.h"

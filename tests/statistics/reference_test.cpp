@@ -4,8 +4,8 @@
 // `luxel compare` has.
 #include <gtest/gtest.h>
 
-#include "luxel/reference/compare.h"
-#include "luxel/reference/path_traced.h"
+#include "luxel/render/compare.h"
+#include "luxel/render/path_traced.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/known_rooms.h"

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/address.h"
+#include "luxel/core/triangle.h"
+#include "luxel/core/warp.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/random/address.h"
-#include "luxel/random/warp.h"
-#include "luxel/transport/patch_emitter.h"
+#include "luxel/trace/patch_emitter.h"
 
 #include "support/chi_square.h"
 #include "support/truth_scenes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The noise of the solver is what theory says. Risk of a false alarm: about one in a million a test.
-#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/classical/stochastic_jacobi.h"
 
 #include <cmath>
 

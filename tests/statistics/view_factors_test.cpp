@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/viewfactors/enforce.h"
+#include "luxel/form_factors/enforce.h"
 
 #include "support/factor_scenes.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 
 namespace luxel::truth {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "luxel/form_factors/exact_view_factors.h"
+#include "luxel/form_factors/sample_view_factors.h"
+#include "luxel/form_factors/view_elements.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/trace/tracer.h"
-#include "luxel/viewfactors/exact_view_factors.h"
-#include "luxel/viewfactors/sample_view_factors.h"
-#include "luxel/viewfactors/view_elements.h"
 
 #include "support/truth_scenes.h"
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "luxel/export/export_kept.h"
-#include "luxel/gltf/gltf_array.h"
-#include "luxel/gltf/gltf_parts.h"
+#include "luxel/import/gltf_array.h"
+#include "luxel/import/gltf_parts.h"
 #include "luxel/patch/make_patches.h"
 
 #include "support/linear_light.h"

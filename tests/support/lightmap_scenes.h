@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "luxel/lightmap/make_charts.h"
-#include "luxel/lightmap/pack_charts.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
+#include "luxel/surface/make_charts.h"
+#include "luxel/surface/pack_charts.h"
 
 #include "support/truth_scenes.h"
 

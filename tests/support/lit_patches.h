@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/live/live_scene.h"
+#include "luxel/session/live_scene.h"
 
 // The Cornell box as a live scene, and how tests wait for it.
 

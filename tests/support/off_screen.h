@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/report/error.h"
-#include "luxel/view/screen.h"
+#include "luxel/core/error.h"
+#include "luxel/viewer/screen.h"
 
 namespace luxel::test {
 

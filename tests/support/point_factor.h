@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 
 namespace luxel::truth {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/random/address.h"
-#include "luxel/transport/operator.h"
+#include "luxel/classical/operator.h"
+#include "luxel/core/address.h"
 
 namespace luxel::test {
 

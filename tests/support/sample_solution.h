@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 #include "luxel/solution/solution_file.h"
 
 namespace luxel::sample {

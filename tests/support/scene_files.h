@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/load/load_scene.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/import/load_scene.h"
 
 namespace luxel {
 

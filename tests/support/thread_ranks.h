@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "luxel/parallel/ranks.h"
+#include "luxel/core/ranks.h"
 
 namespace luxel {
 

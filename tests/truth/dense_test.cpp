@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/load/load_scene.h"
+#include "luxel/classical/classical.h"
+#include "luxel/import/load_scene.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/uncut_faces.h"
-#include "luxel/solve/classical.h"
 
 #include "support/known_rooms.h"
 #include "support/truth_scenes.h"

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/classical/shooting.h"
+#include "luxel/classical/stochastic_jacobi.h"
+#include "luxel/core/error.h"
+#include "luxel/lamps/side_power.h"
+#include "luxel/lamps/sky_box.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/report/error.h"
-#include "luxel/solve/stochastic_jacobi.h"
-#include "luxel/transport/shooting.h"
-#include "luxel/transport/side_power.h"
-#include "luxel/transport/sky_box.h"
 
 #include "support/truth_scenes.h"
 

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/transport/form_factor.h"
-#include "luxel/transport/hemicube.h"
-#include "luxel/transport/local_lines.h"
+#include "luxel/classical/hemicube.h"
+#include "luxel/classical/local_lines.h"
+#include "luxel/form_factors/form_factor.h"
 
 #include "support/chi_square.h"
 #include "support/known_rooms.h"

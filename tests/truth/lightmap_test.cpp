@@ -9,14 +9,14 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/lightmap/dilate.h"
-#include "luxel/lightmap/make_lightmap.h"
-#include "luxel/lightmap/point_gather.h"
-#include "luxel/lightmap/texel_places.h"
-#include "luxel/random/address.h"
-#include "luxel/random/warp.h"
-#include "luxel/reference/point_irradiance.h"
-#include "luxel/report/error.h"
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
+#include "luxel/core/warp.h"
+#include "luxel/render/dilate.h"
+#include "luxel/render/make_lightmap.h"
+#include "luxel/render/point_gather.h"
+#include "luxel/render/point_irradiance.h"
+#include "luxel/render/texel_places.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/lightmap_scenes.h"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures that are known: of a furnace, which is one colour; and the same room by paths and by a final
 // gather.
-#include "luxel/reference/path_picture.h"
+#include "luxel/render/path_picture.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/error.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/reference/final_gather.h"
-#include "luxel/report/error.h"
+#include "luxel/render/final_gather.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/truth_scenes.h"

@@ -4,7 +4,7 @@
 // paths, so n counts sides. Five standard deviations are allowed above, and a bar must not be far too wide.
 // Noise of few paths is skewed: measured over seeds, bars of 1,600 paths hold the truth 92 to 96 times in
 // 100, those of 6,400 paths 93 to 96 times; the coloured room, where a lamp has one colour, is the worst.
-#include "luxel/reference/path_traced.h"
+#include "luxel/render/path_traced.h"
 
 #include <array>
 #include <cmath>
@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/error.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/report/error.h"
 
 #include "support/known_rooms.h"
 #include "support/truth_scenes.h"

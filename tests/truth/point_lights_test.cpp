@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/error.h"
 #include "luxel/patch/light_groups.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/reference/path_traced.h"
-#include "luxel/report/error.h"
+#include "luxel/render/path_traced.h"
 #include "luxel/solve/sampled.h"
 #include "luxel/solve/solve_light.h"
 #include "luxel/trace/point_sight.h"

@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/error.h"
 #include "luxel/patch/light_groups.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/report/error.h"
 
 #include "support/error_bars.h"
 #include "support/known_rooms.h"

@@ -11,12 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/classical/classical.h"
+#include "luxel/classical/stochastic_jacobi.h"
+#include "luxel/form_factors/polygon_form_factor.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/reference/path_traced.h"
-#include "luxel/solve/classical.h"
+#include "luxel/render/path_traced.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/solve/stochastic_jacobi.h"
-#include "luxel/transport/polygon_form_factor.h"
 
 #include "support/truth_scenes.h"
 

@@ -7,15 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/classical/classical.h"
+#include "luxel/core/error.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/photometry/colour_spectra.h"
-#include "luxel/photometry/observer.h"
-#include "luxel/reference/compare.h"
-#include "luxel/reference/final_gather.h"
-#include "luxel/reference/path_picture.h"
+#include "luxel/render/compare.h"
+#include "luxel/render/final_gather.h"
+#include "luxel/render/path_picture.h"
 #include "luxel/render/render.h"
-#include "luxel/report/error.h"
-#include "luxel/solve/classical.h"
+#include "luxel/scene/colour_spectra.h"
+#include "luxel/scene/observer.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/truth_scenes.h"

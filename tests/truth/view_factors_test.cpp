@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/viewfactors/check_view_factors.h"
-#include "luxel/viewfactors/enforce.h"
+#include "luxel/form_factors/check_view_factors.h"
+#include "luxel/form_factors/enforce.h"
 
 #include "support/factor_scenes.h"
 

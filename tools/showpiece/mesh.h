@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 
 #include "showpiece/palette.h"
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 
 namespace luxel::showpiece {
 

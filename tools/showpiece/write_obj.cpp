@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/file/output_file.h"
+#include "luxel/core/output_file.h"
 
 namespace luxel::showpiece {
 namespace {

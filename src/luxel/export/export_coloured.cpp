@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "luxel/core/triangle.h"
 #include "luxel/export/glb_model.h"
 #include "luxel/export/utf8.h"
-#include "luxel/math/triangle.h"
 
 namespace luxel {
 namespace {

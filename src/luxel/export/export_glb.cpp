@@ -11,7 +11,7 @@
 #include "luxel/export/glb_model.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/utf8.h"
-#include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
 namespace {

@@ -11,18 +11,18 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/output_file.h"
 #include "luxel/export/kept_materials.h"
 #include "luxel/export/kept_primitive.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/mapped_surfaces.h"
 #include "luxel/export/quantise.h"
 #include "luxel/export/scene_gltf.h"
-#include "luxel/file/output_file.h"
-#include "luxel/gltf/gltf_array.h"
-#include "luxel/gltf/gltf_copy.h"
-#include "luxel/gltf/is_gltf.h"
 #include "luxel/image/image_file.h"
-#include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/import/gltf_array.h"
+#include "luxel/import/gltf_copy.h"
+#include "luxel/import/is_gltf.h"
+#include "luxel/scene/luminous_efficacy.h"
 #include "luxel/solution/back_is_lit.h"
 
 namespace luxel {

@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <vector>
 
+#include "luxel/core/progress.h"
 #include "luxel/export/mesh_program.h"
 #include "luxel/image/image.h"
-#include "luxel/lightmap/pack_charts.h"
+#include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/report/progress.h"
 #include "luxel/scene/scene.h"
 #include "luxel/solution/solution.h"
+#include "luxel/surface/pack_charts.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/surface/vertex_fit.h"
-#include "luxel/tone/tone.h"
 
 namespace luxel {
 

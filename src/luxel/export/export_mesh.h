@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "luxel/export/mesh_program.h"
+#include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
-#include "luxel/tone/tone.h"
 
 namespace luxel {
 

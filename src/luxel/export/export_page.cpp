@@ -8,15 +8,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/core/compact.h"
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
 #include "luxel/export/page_arrays.h"
 #include "luxel/export/page_light.h"
 #include "luxel/export/page_mesh.h"
 #include "luxel/export/page_template.h"
 #include "luxel/export/utf8.h"
-#include "luxel/file/compact.h"
-#include "luxel/file/output_file.h"
-#include "luxel/photometry/luminous_efficacy.h"
-#include "luxel/report/error.h"
+#include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
 namespace {

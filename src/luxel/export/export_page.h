@@ -5,11 +5,11 @@
 #include <span>
 #include <string>
 
+#include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/scene/camera.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
-#include "luxel/tone/tone.h"
 
 namespace luxel {
 

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/lit_mesh.h"
-#include "luxel/file/output_file.h"
 #include "luxel/image/image.h"
-#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
 #include "luxel/export/utf8.h"
 #include "luxel/export/y_up.h"
-#include "luxel/file/output_file.h"
-#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {

@@ -11,8 +11,8 @@
 
 #include <tiny_gltf.h>
 
+#include "luxel/core/bounds.h"
 #include "luxel/export/quantise.h"
-#include "luxel/math/bounds.h"
 
 namespace luxel {
 

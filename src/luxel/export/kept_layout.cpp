@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "luxel/export/kept_parts.h"
-#include "luxel/gltf/gltf_array.h"
-#include "luxel/gltf/is_gltf.h"
+#include "luxel/import/gltf_array.h"
+#include "luxel/import/is_gltf.h"
 
 namespace luxel {
 namespace {

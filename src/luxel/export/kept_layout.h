@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "luxel/lightmap/given_layout.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/scene/scene.h"
+#include "luxel/surface/given_layout.h"
 
 namespace luxel {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "luxel/core/vector.h"
 #include "luxel/export/mesh_program.h"
-#include "luxel/gltf/gltf_copy.h"
-#include "luxel/gltf/json_value.h"
-#include "luxel/math/vector.h"
+#include "luxel/import/gltf_copy.h"
+#include "luxel/import/json_value.h"
 
 namespace luxel {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/gltf/gltf_array.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/import/gltf_array.h"
 
 namespace luxel {
 namespace {

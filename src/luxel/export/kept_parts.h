@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/gltf/gltf_parts.h"
+#include "luxel/import/gltf_parts.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {

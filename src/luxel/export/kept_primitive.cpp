@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/gltf/gltf_array.h"
+#include "luxel/import/gltf_array.h"
 
 namespace luxel {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "luxel/export/kept_surfaces.h"
-#include "luxel/gltf/gltf_copy.h"
-#include "luxel/gltf/gltf_file.h"
+#include "luxel/import/gltf_copy.h"
+#include "luxel/import/gltf_file.h"
 
 namespace luxel {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 #include "luxel/solution/back_is_lit.h"
 
 namespace luxel {

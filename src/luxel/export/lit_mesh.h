@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/surface/vertex_shares.h"
-#include "luxel/tone/tone.h"
 
 namespace luxel {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "luxel/core/barycentric.h"
 #include "luxel/export/cut_along_edges.h"
 #include "luxel/export/surface_maker.h"
-#include "luxel/math/barycentric.h"
 
 namespace luxel {
 namespace {

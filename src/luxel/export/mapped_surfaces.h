@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "luxel/export/kept_surfaces.h"
-#include "luxel/lightmap/pack_charts.h"
+#include "luxel/surface/pack_charts.h"
 
 namespace luxel {
 

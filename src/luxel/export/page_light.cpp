@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "luxel/math/half.h"
-#include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/core/half.h"
+#include "luxel/scene/luminous_efficacy.h"
 #include "luxel/surface/vertex_shares.h"
 
 namespace luxel {

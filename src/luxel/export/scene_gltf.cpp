@@ -11,9 +11,9 @@
 
 #include "luxel/export/utf8.h"
 #include "luxel/export/y_up.h"
-#include "luxel/gltf/gltf_copy.h"
 #include "luxel/image/image_file.h"
-#include "luxel/photometry/luminous_efficacy.h"
+#include "luxel/import/gltf_copy.h"
+#include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
 namespace {

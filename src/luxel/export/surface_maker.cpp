@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "luxel/math/barycentric.h"
+#include "luxel/core/barycentric.h"
 
 namespace luxel {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 

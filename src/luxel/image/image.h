@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 
 namespace luxel {
 

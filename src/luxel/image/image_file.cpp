@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "luxel/file/ending_of.h"
-#include "luxel/file/output_file.h"
+#include "luxel/core/ending_of.h"
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
 #include "luxel/image/codec.h"
 #include "luxel/image/screen_image.h"
-#include "luxel/report/error.h"
 
 namespace luxel {
 namespace fs = std::filesystem;

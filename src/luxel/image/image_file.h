@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "luxel/core/progress.h"
 #include "luxel/image/image.h"
 #include "luxel/image/raster.h"
-#include "luxel/report/progress.h"
 
 namespace luxel {
 

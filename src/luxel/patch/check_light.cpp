@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/patch/check_light.h"
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "luxel/math/barycentric.h"
+#include "luxel/core/barycentric.h"
 #include "luxel/patch/texel_sums.h"
-#include "luxel/photometry/colour_spectra.h"
+#include "luxel/scene/colour_spectra.h"
 
 namespace luxel {
 namespace {

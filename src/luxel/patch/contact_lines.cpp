@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/flat_triangle.h"
 #include "luxel/patch/triangle_pairs.h"
 #include "luxel/patch/vertex_triangles.h"

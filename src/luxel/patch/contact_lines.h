@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/math/vector.h"
-#include "luxel/mesh/clean_triangles.h"
-#include "luxel/parallel/workers.h"
+#include "luxel/core/vector.h"
+#include "luxel/core/workers.h"
+#include "luxel/scene/clean_triangles.h"
 
 namespace luxel {
 

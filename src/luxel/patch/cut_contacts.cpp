@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/edge_points.h"
 #include "luxel/patch/flat_triangle.h"
 #include "luxel/patch/triangle_cut.h"

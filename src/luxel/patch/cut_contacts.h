@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "luxel/mesh/vertex_weld.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/scene/vertex_weld.h"
 
 namespace luxel {
 

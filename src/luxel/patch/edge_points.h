@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "luxel/math/vector.h"
-#include "luxel/mesh/vertex_weld.h"
+#include "luxel/core/vector.h"
+#include "luxel/scene/vertex_weld.h"
 
 namespace luxel {
 

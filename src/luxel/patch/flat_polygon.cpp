@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 
 namespace luxel {
 namespace {

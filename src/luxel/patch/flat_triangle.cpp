@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 
 namespace luxel {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 
 namespace luxel {
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 #include "luxel/scene/name_pattern.h"
 
 namespace luxel {

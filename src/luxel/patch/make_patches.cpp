@@ -9,14 +9,14 @@
 
 #include <fmt/format.h>
 
-#include "luxel/math/triangle.h"
-#include "luxel/mesh/clean_triangles.h"
+#include "luxel/core/error.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/cut_contacts.h"
 #include "luxel/patch/set_bands.h"
 #include "luxel/patch/triangle_splitter.h"
-#include "luxel/report/error.h"
+#include "luxel/scene/clean_triangles.h"
 
 namespace luxel {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/log.h"
+#include "luxel/core/progress.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/report/log.h"
-#include "luxel/report/progress.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {

@@ -6,10 +6,10 @@
 #include <map>
 #include <numeric>
 
-#include "luxel/math/disjoint_sets.h"
-#include "luxel/math/triangle.h"
-#include "luxel/mesh/clean_triangles.h"
-#include "luxel/mesh/edges.h"
+#include "luxel/core/disjoint_sets.h"
+#include "luxel/core/triangle.h"
+#include "luxel/scene/clean_triangles.h"
+#include "luxel/scene/edges.h"
 
 namespace luxel {
 namespace {

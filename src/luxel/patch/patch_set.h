@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "luxel/math/vector.h"
-#include "luxel/photometry/band_colours.h"
-#include "luxel/photometry/waveband.h"
+#include "luxel/core/vector.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/scene/camera.h"
 #include "luxel/scene/material.h"
 #include "luxel/scene/point_light.h"
 #include "luxel/scene/texture.h"
+#include "luxel/scene/waveband.h"
 
 namespace luxel {
 
@@ -52,7 +52,7 @@ struct Contact {
 };
 
 // A triangle of open space through which the sky lights a dim place: a part of a window, a door, a pane of
-// glass. It is no surface. Rays towards it are shadow rays whose light is the sky's, see transport/portals.h.
+// glass. It is no surface. Rays towards it are shadow rays whose light is the sky's, see lamps/portals.h.
 struct Portal {
   std::array<Vec3, 3> corner{};  // m; counter-clockwise seen from the place that it lights
   bool both_ways = false;        // lights what lies behind it, too
@@ -94,7 +94,7 @@ struct PatchSet {
   // it. `area` is that of what they leave.
   std::vector<float> reflectance_share, emittance_share;  // [patch][band]
 
-  // Where the error of the light matters beside the open space, see views/place_views.h. None of these
+  // Where the error of the light matters beside the open space, see trace/place_views.h. None of these
   // changes what the light converges to.
   std::vector<Camera> cameras;      // as in Scene, or those that a person gave; often none
   bool focuses_on_cameras = false;  // what these see is all that matters

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {
@@ -14,7 +14,7 @@ namespace luxel {
 // The upper nodes part the scene into regions: patches that lie on one plane, or on one gently curved sheet.
 // The nodes below halve a region across its longer extent, down to a few patches. `position` is the place in
 // the order with gaps: regions begin at multiples of 64, and halves at multiples of a power of two, so that a
-// sequence of points laid along the positions (random/sobol.h) is spread evenly over every node.
+// sequence of points laid along the positions (core/sobol.h) is spread evenly over every node.
 struct PatchTree {
   static constexpr std::uint32_t leaf_patches = 4;  // at most, in a leaf
 

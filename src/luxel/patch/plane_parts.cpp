@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "luxel/math/disjoint_sets.h"
+#include "luxel/core/disjoint_sets.h"
 
 namespace luxel {
 namespace {

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "luxel/math/triangle.h"
-#include "luxel/mesh/triangle_shape.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/colour_patches.h"
+#include "luxel/scene/triangle_shape.h"
 
 namespace luxel {
 namespace {

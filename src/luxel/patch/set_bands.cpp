@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/photometry/colour_spectra.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/scene/colour_spectra.h"
 
 namespace luxel {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/scene/texture.h"
 
 namespace luxel {

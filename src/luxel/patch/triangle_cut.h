@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 #include "luxel/patch/flat_triangle.h"
 #include "luxel/patch/piece_mesh.h"
 

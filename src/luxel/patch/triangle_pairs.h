@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "luxel/math/bounds.h"
-#include "luxel/parallel/workers.h"
+#include "luxel/core/bounds.h"
+#include "luxel/core/workers.h"
 
 namespace luxel {
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "luxel/math/triangle.h"
-#include "luxel/mesh/triangle_shape.h"
+#include "luxel/core/error.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/flat_triangle.h"
-#include "luxel/report/error.h"
+#include "luxel/scene/triangle_shape.h"
 
 namespace luxel {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "luxel/mesh/vertex_weld.h"
 #include "luxel/patch/cut_contacts.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/scene/vertex_weld.h"
 
 namespace luxel {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "luxel/mesh/clean_triangles.h"
+#include "luxel/scene/clean_triangles.h"
 
 namespace luxel {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 #include "luxel/patch/open_polygons.h"
 
 namespace luxel {

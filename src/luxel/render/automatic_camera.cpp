@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "luxel/math/bounds.h"
+#include "luxel/core/bounds.h"
+#include "luxel/core/error.h"
 #include "luxel/render/indoor_light.h"
 #include "luxel/render/lit_sides.h"
 #include "luxel/render/view_candidates.h"
 #include "luxel/render/view_score.h"
-#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {

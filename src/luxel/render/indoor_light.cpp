@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "luxel/core/address.h"
 #include "luxel/patch/patch_tree.h"
-#include "luxel/random/address.h"
 #include "luxel/render/side_point.h"
 
 namespace luxel {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/random/warp.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/core/warp.h"
 
 namespace luxel {
 namespace {

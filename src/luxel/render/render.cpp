@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
 #include "luxel/patch/colour_patches.h"
-#include "luxel/random/address.h"
 #include "luxel/render/pinhole.h"
-#include "luxel/report/error.h"
 
 namespace luxel {
 namespace {

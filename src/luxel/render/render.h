@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "luxel/core/progress.h"
+#include "luxel/core/workers.h"
 #include "luxel/image/image.h"
-#include "luxel/parallel/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/report/progress.h"
 #include "luxel/scene/camera.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/trace/tracer.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "luxel/core/warp.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/random/warp.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "luxel/random/address.h"
-#include "luxel/random/warp.h"
+#include "luxel/core/address.h"
+#include "luxel/core/warp.h"
 #include "luxel/render/pinhole.h"
 #include "luxel/render/side_point.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "luxel/math/bounds.h"
+#include "luxel/core/bounds.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lit_sides.h"
 #include "luxel/scene/camera.h"

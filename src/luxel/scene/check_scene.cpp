@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/photometry/observer.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/scene/observer.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "luxel/math/vector.h"
-#include "luxel/photometry/spectrum.h"
+#include "luxel/core/vector.h"
+#include "luxel/scene/spectrum.h"
 #include "luxel/scene/texture.h"
 
 namespace luxel {

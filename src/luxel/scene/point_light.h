@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 
 namespace luxel {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "luxel/math/bounds.h"
-#include "luxel/math/vector.h"
+#include "luxel/core/bounds.h"
+#include "luxel/core/vector.h"
 #include "luxel/scene/camera.h"
 #include "luxel/scene/material.h"
 #include "luxel/scene/point_light.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "luxel/core/vector.h"
 #include "luxel/image/raster.h"
-#include "luxel/math/vector.h"
 
 namespace luxel {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <type_traits>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 #include "luxel/solution/hdf5_handle.h"
 
 namespace luxel {

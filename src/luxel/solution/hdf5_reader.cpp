@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/file/ending_of.h"
+#include "luxel/core/ending_of.h"
 #include "luxel/solution/solution_file.h"
 
 namespace luxel {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/math/student.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/core/student.h"
 #include "luxel/solution/error_95th.h"
 #include "luxel/solution/solution_layout.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 #include "luxel/solution/hdf5_reader.h"
 #include "luxel/solution/hdf5_writer.h"
 

@@ -59,7 +59,7 @@ struct Solution {
   double unshot_share = 0.0;     // power not yet propagated over the emitted power: the stated bias
   double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance, not widened
   // The error that can be seen: 95 % of the views, spread over the open space of the scene, stay below it
-  // (see views/seen_error.h); not widened. 0: not estimated.
+  // (see trace/seen_error.h); not widened. 0: not estimated.
   double seen_error = 0.0;
   double predicted_bias = 0.0;  // the part of predicted_error that is bias of sharing
   double error_freedom = 0.0;   // degrees of freedom of the standard errors; 0: not from replicates

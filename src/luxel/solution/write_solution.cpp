@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/file/output_file.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_writer.h"

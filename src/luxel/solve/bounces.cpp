@@ -5,10 +5,10 @@
 #include <numeric>
 #include <vector>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/slot_light.h"
-#include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
 namespace {

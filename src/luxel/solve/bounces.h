@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
-#include "luxel/transport/hit_store.h"
+#include "luxel/solve/hit_store.h"
 
 namespace luxel {
 

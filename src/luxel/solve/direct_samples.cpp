@@ -5,7 +5,7 @@
 #include <chrono>
 #include <numeric>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 namespace {

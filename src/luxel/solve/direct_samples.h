@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/row_shares.h"
+#include "luxel/core/workers.h"
+#include "luxel/lamps/direct_light.h"
 #include "luxel/solve/piece_shares.h"
-#include "luxel/transport/direct_light.h"
-#include "luxel/transport/gather_sides.h"
-#include "luxel/transport/row_shares.h"
+#include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/solve/sampled_operator.h"
 
 namespace luxel {
 

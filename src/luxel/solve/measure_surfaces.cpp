@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "luxel/math/student.h"
+#include "luxel/core/student.h"
 
 namespace luxel {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/parallel/workers.h"
+#include "luxel/classical/surface_means.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solve/replicate_spread.h"
-#include "luxel/solve/surface_means.h"
-#include "luxel/transport/gather_sides.h"
+#include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/random/address.h"
-#include "luxel/report/error.h"
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "luxel/transport/gather_sides.h"
-#include "luxel/transport/row_shares.h"
+#include "luxel/core/row_shares.h"
+#include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 

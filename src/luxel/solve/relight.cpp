@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 #include "luxel/solve/own_lighting.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"

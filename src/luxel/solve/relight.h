@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/progress.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/report/progress.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/sampled.h"

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
-#include "luxel/solve/gauss_seidel.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/classical/gauss_seidel.h"
+#include "luxel/core/workers.h"
+#include "luxel/solve/sampled_operator.h"
 
 namespace luxel {
 

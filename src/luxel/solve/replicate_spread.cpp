@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "luxel/math/student.h"
+#include "luxel/core/student.h"
 
 namespace luxel {
 namespace {

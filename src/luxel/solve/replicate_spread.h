@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/ranks.h"
-#include "luxel/parallel/workers.h"
+#include "luxel/core/ranks.h"
+#include "luxel/core/workers.h"
 
 namespace luxel {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdint>
 
-#include "luxel/parallel/ranks.h"
-#include "luxel/report/progress.h"
+#include "luxel/core/progress.h"
+#include "luxel/core/ranks.h"
 #include "luxel/solve/round_plan.h"
 #include "luxel/solve/sampled.h"
 #include "luxel/solve/time_forecast.h"

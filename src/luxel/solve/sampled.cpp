@@ -9,10 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "luxel/classical/stochastic_jacobi.h"
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
+#include "luxel/core/memory.h"
 #include "luxel/patch/check_light.h"
-#include "luxel/random/address.h"
-#include "luxel/report/error.h"
-#include "luxel/report/memory.h"
 #include "luxel/solve/gather_errors.h"
 #include "luxel/solve/measure_surfaces.h"
 #include "luxel/solve/replicate_solve.h"
@@ -25,7 +26,6 @@
 #include "luxel/solve/seen_measure.h"
 #include "luxel/solve/sky_not_found.h"
 #include "luxel/solve/slot_light.h"
-#include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
 namespace {

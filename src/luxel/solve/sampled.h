@@ -5,20 +5,20 @@
 #include <functional>
 #include <memory>
 
-#include "luxel/parallel/ranks.h"
-#include "luxel/parallel/workers.h"
+#include "luxel/classical/solve_report.h"
+#include "luxel/core/progress.h"
+#include "luxel/core/ranks.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/report/progress.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
-#include "luxel/solve/solve_report.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
 
 // What SampledOptions::error is, and what deals the rays.
 enum class ErrorMeasure {
-  seen,  // 95 % of the views, spread over the open space, stay below it (views/seen_error.h)
+  seen,  // 95 % of the views, spread over the open space, stay below it (trace/seen_error.h)
   power  // area-weighted relative RMS of the irradiance: bright surfaces own it
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/sampled_energy.h"
 
-#include "luxel/solve/stochastic_jacobi.h"
+#include "luxel/classical/stochastic_jacobi.h"
 
 namespace luxel {
 

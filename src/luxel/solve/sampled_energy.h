@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "luxel/solve/energy.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/classical/energy.h"
+#include "luxel/solve/sampled_operator.h"
 
 namespace luxel {
 

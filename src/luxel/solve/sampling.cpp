@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "luxel/report/error.h"
-#include "luxel/report/memory.h"
+#include "luxel/core/error.h"
+#include "luxel/core/memory.h"
 #include "luxel/solve/dark_sides.h"
+#include "luxel/solve/one_way_sides.h"
 #include "luxel/solve/slot_light.h"
-#include "luxel/transport/one_way_sides.h"
 
 namespace luxel {
 namespace {

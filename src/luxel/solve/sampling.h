@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "luxel/core/progress.h"
+#include "luxel/lamps/direct_light.h"
 #include "luxel/patch/patch_tree.h"
-#include "luxel/report/progress.h"
 #include "luxel/solve/direct_samples.h"
+#include "luxel/solve/hit_store.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/transport/direct_light.h"
-#include "luxel/transport/hit_store.h"
-#include "luxel/transport/sampled_operator.h"
+#include "luxel/solve/sampled_operator.h"
 
 namespace luxel {
 

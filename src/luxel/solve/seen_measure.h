@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/ranks.h"
-#include "luxel/parallel/workers.h"
+#include "luxel/core/ranks.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solve/replicate_spread.h"
+#include "luxel/trace/gather_sides.h"
+#include "luxel/trace/place_views.h"
+#include "luxel/trace/seen_error.h"
 #include "luxel/trace/tracer.h"
-#include "luxel/transport/gather_sides.h"
-#include "luxel/views/place_views.h"
-#include "luxel/views/seen_error.h"
 
 namespace luxel {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "luxel/math/student.h"
-#include "luxel/views/place_views.h"
-#include "luxel/views/seen_error.h"
+#include "luxel/core/student.h"
+#include "luxel/trace/place_views.h"
+#include "luxel/trace/seen_error.h"
 
 namespace luxel {
 

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "luxel/solution/error_95th.h"
-#include "luxel/solve/keep_hue.h"
+#include "luxel/surface/keep_hue.h"
 
 namespace luxel {
 namespace {

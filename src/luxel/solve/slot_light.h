@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/replicate_spread.h"
-#include "luxel/solve/smoothing.h"
-#include "luxel/transport/gather_sides.h"
+#include "luxel/surface/smoothing.h"
+#include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/report/error.h"
-#include "luxel/report/memory.h"
+#include "luxel/core/error.h"
+#include "luxel/core/memory.h"
 
 namespace luxel {
 

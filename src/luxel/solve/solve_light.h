@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "luxel/solve/classical.h"
-#include "luxel/solve/forecast.h"
+#include "luxel/classical/classical.h"
+#include "luxel/classical/forecast.h"
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/solve/stochastic_jacobi.h"
 
 namespace luxel {
 

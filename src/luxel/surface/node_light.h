@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"

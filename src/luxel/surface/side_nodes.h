@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/hanging_vertices.h"
 

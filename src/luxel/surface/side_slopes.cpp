@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "luxel/math/triangle.h"
+#include "luxel/core/triangle.h"
 
 namespace luxel {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"

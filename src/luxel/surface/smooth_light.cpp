@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/math/trig.h"
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
+#include "luxel/core/trig.h"
 #include "luxel/surface/node_light.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"

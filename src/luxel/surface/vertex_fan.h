@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/math/disjoint_sets.h"
+#include "luxel/core/disjoint_sets.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/hanging_vertices.h"
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "luxel/math/barycentric.h"
-#include "luxel/math/disjoint_sets.h"
-#include "luxel/report/error.h"
+#include "luxel/core/barycentric.h"
+#include "luxel/core/disjoint_sets.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/math/vector.h"
+#include "luxel/core/vector.h"
 #include "luxel/scene/point_light.h"
 
 namespace luxel {

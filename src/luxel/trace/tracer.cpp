@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/report/error.h"
+#include "luxel/core/error.h"
 
 namespace luxel {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "luxel/parallel/workers.h"
+#include "luxel/core/workers.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "luxel/classical/row_operator.h"
+#include "luxel/core/progress.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+struct DenseOptions {
+  double tolerance = 1e-4;  // absolute, of each form factor, where what lies between must be integrated
+};
+
+// Transport as the whole matrix of form factors (Goral et al. 1984; closed forms of Schröder and Hanrahan
+// 1993): n² factors for n slots. Reciprocal to rounding: the factor of each pair is found once. Memory: 4 n²
+// bytes, and 16 for each pair that had to be integrated. Cost: n² / 2 form factors.
+class DenseOperator final : public RowOperator {
+ public:
+  // Keeps a reference to patches. Nothing if the monitor said stop.
+  static std::optional<DenseOperator> make(const PatchSet& patches, const Tracer& tracer,
+                                           const DenseOptions& options, const Workers& workers,
+                                           const Monitor& monitor = {});
+
+  void for_rows(std::size_t begin, std::size_t end, const RowBody& body) const override;
+
+  // [slot][slot], row by row.
+  std::span<const float> factors() const { return factors_; }
+  // Pairs whose factor is integrated, not in closed form.
+  std::size_t integrated_pairs() const { return integrated_.size(); }
+  // How far the irradiance F radiosity, and with it what the sky sends through what F leaves free, may be off
+  // by the errors of F, should all lean the same way: [slot][band], W/m².
+  std::vector<double> irradiance_error(std::span<const float> radiosity) const;
+
+  // Makes sides of the same face receive alike: each row, and what it leaves free, becomes the mean of those
+  // of its face, weighted by area. The solution is then constant over each face, exactly as if faces were the
+  // elements. face: [patch]. Patches of one face lie on one plane and have one material.
+  void join_faces(std::span<const std::uint32_t> face);
+
+ private:
+  struct Integrated {
+    std::uint32_t slot = 0, other = 0;
+    float error = 0.0f, error_back = 0.0f;  // of the factor from slot to other, and from other to slot
+  };
+
+  DenseOperator(const PatchSet& patches, const Workers& workers);
+
+  std::vector<float> factors_;
+  std::vector<Integrated> integrated_;
+  double exact_error_ = 0.0;            // the most that a factor in closed form may be off by
+  std::vector<double> error_at_backs_;  // [slot]: how far the sum of its factors to backs may be off
+};
+
+}  // namespace luxel

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/classical/jacobi.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "luxel/classical/row_turns.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t grain = 4096;  // rows a chunk
+
+double power(std::span<const float> radiosity, std::span<const float> less, std::span<const float> area,
+             const Workers& workers) {
+  const auto bands = radiosity.size() / area.size();
+  return ordered_sum(workers, radiosity.size(), [&](std::size_t i) {
+    return static_cast<double>(area[i / bands]) *
+           std::abs(static_cast<double>(radiosity[i]) - (less.empty() ? 0.0 : static_cast<double>(less[i])));
+  });
+}
+
+// How far the whole is: the unshot power falls geometrically.
+double done_share(double unshot_share, double tolerance) {
+  return std::clamp(std::log(unshot_share) / std::log(tolerance), 0.0, 1.0);
+}
+
+// irradiance = F radiosity, in turns of whole blocks between which the monitor is asked.
+bool gather(const TransportOperator& transport, std::span<const float> radiosity, std::span<float> irradiance,
+            const Workers& workers, const std::function<Next(double)>& has_come_so_far) {
+  const auto begins = transport.row_begins();
+  TurnLength turn(static_cast<std::size_t>(workers.threads()));
+  for (std::size_t block = 0; block + 1 < begins.size();) {
+    const auto next = std::min(block + turn.length(), begins.size() - 1);
+    turn.begin();
+    transport.apply(radiosity, irradiance, begins[block], begins[next], workers);
+    turn.end();
+    block = next;
+    if (has_come_so_far(static_cast<double>(block) / static_cast<double>(begins.size() - 1)) == Next::stop)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+JacobiReport jacobi(const TransportOperator& transport, std::span<const float> area,
+                    std::span<const float> emittance, std::span<const float> outside,
+                    std::span<const float> reflectance, std::span<float> before, std::span<float> irradiance,
+                    std::span<float> radiosity, const JacobiOptions& options, const Workers& workers,
+                    const Monitor& monitor, const EachStep& each_step) {
+  std::copy(emittance.begin(), emittance.end(), radiosity.begin());
+  std::fill(before.begin(), before.end(), 0.0f);
+  std::fill(irradiance.begin(), irradiance.end(), 0.0f);
+  std::vector<float> next(irradiance.size());
+  const auto emitted = power(emittance, {}, area, workers) + power(outside, {}, area, workers);
+  JacobiReport report;
+  auto unshot = emitted > 0.0 ? 1.0 : 0.0;
+  while (unshot > options.tolerance) {
+    if (options.steps > 0 && report.unshot_share.size() == static_cast<std::size_t>(options.steps)) {
+      report.end = JacobiEnd::step_limit;
+      return report;
+    }
+    const auto begun = options.steps > 0 ? static_cast<double>(report.unshot_share.size()) / options.steps
+                                         : done_share(unshot, options.tolerance);
+    const auto left_of_last = report.unshot_share.empty() ? 0.3 : 1.0 - begun;
+    const auto steps_done = static_cast<double>(std::max<std::size_t>(1, report.unshot_share.size()));
+    const auto a_step = options.steps > 0 ? 1.0 / options.steps : std::min(left_of_last, begun / steps_done);
+    const auto tell_whole = [&](double share) { return tell(monitor, {"light", begun + share * a_step}); };
+    if (!gather(transport, radiosity, next, workers, tell_whole)) {
+      report.end = JacobiEnd::stopped;
+      return report;
+    }
+    std::copy(radiosity.begin(), radiosity.end(), before.begin());
+    workers.for_chunks(radiosity.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) {
+        irradiance[i] = outside.empty() ? next[i] : outside[i] + next[i];
+        radiosity[i] = emittance[i] + reflectance[i] * irradiance[i];
+      }
+    });
+    unshot = power(radiosity, before, area, workers) / emitted;
+    report.unshot_share.push_back(unshot);
+    if (each_step)
+      each_step({static_cast<int>(report.unshot_share.size()), before, irradiance, radiosity, unshot});
+  }
+  return report;
+}
+
+}  // namespace luxel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/classical/lines_operator.h"
+
+#include "luxel/classical/local_lines.h"
+#include "luxel/classical/row_turns.h"
+
+namespace luxel {
+
+std::optional<LinesOperator> LinesOperator::make(const PatchSet& patches, const Tracer& tracer,
+                                                 const LinesOptions& options, const Workers& workers,
+                                                 const Monitor& monitor) {
+  LinesOperator transport(patches, options.lines, workers);
+  const bool is_whole =
+      for_chunks_in_turns(transport.size(), 4, workers, monitor, [&](std::size_t begin, std::size_t end) {
+        LineCounts counts;
+        for (auto slot = begin; slot < end; ++slot) {
+          count_local_lines(patches, tracer, transport.sides().side[slot], options.lines, options.seed, 0,
+                            counts);
+          const auto row = row_of(counts);
+          transport.rows_[slot] = transport.factors_of(row);
+          transport.book_losses(slot, row);
+        }
+      });
+  if (!is_whole) return {};
+  return transport;
+}
+
+void LinesOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& body) const {
+  for (auto slot = begin; slot < end; ++slot) body(slot, rows_[slot]);
+}
+
+}  // namespace luxel

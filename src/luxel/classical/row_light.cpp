@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/classical/row_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "luxel/classical/stochastic_jacobi.h"
+
+namespace luxel {
+
+RowLight::RowLight(const RowOperator& transport) {
+  const auto& patches = transport.patches();
+  for (std::size_t slot = 0; slot < transport.size(); ++slot) {
+    const auto side = transport.sides().side[slot];
+    const auto escaped = std::max(0.0, transport.losses().escaped[slot]);
+    area.push_back(patches.area[side / 2]);
+    for (std::size_t b = 0; b < patches.band_count(); ++b) {
+      reflectance.push_back(patches.reflectance(side / 2, b));
+      emittance.push_back(side % 2 == 0 ? patches.emittance(side / 2, b) : 0.0f);
+      from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(b)));
+    }
+  }
+  before.assign(emittance.size(), 0.0f);
+  irradiance.assign(emittance.size(), 0.0f);
+  radiosity = emittance;
+}
+
+void write_light(const RowOperator& transport, const RowLight& light,
+                 const std::vector<float>& standard_error, Solution& solution) {
+  const auto& patches = transport.patches();
+  const auto bands = patches.band_count();
+  solution.bands = patches.bands;
+  for (auto* array : {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
+                      &solution.radiosity_back})
+    array->assign(patches.size() * bands, 0.0f);
+  for (auto* array : {&solution.standard_error_front, &solution.standard_error_back})
+    array->assign(standard_error.empty() ? 0 : patches.size() * bands, 0.0f);
+  for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
+    const auto side = transport.sides().side[i / bands];
+    const bool back = side % 2 == 1;
+    const auto at = side / 2 * bands + i % bands;
+    (back ? solution.irradiance_back : solution.irradiance_front)[at] = light.irradiance[i];
+    (back ? solution.radiosity_back : solution.radiosity_front)[at] = light.radiosity[i];
+    if (!standard_error.empty())
+      (back ? solution.standard_error_back : solution.standard_error_front)[at] = standard_error[i];
+  }
+}
+
+EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
+  const auto& patches = transport.patches();
+  const auto bands = patches.band_count();
+  const auto materials = patches.materials.size();
+  const auto& losses = transport.losses();
+  EnergyAccount energy(emitted_power(patches), materials);
+  auto& balance = energy.balance;
+  for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
+    const auto slot = i / bands;
+    const auto b = i % bands;
+    const double area = light.area[slot];
+    const auto sent = area * double{light.before[i]};
+    balance.absorbed[b] += area * (1.0 - double{light.reflectance[i]}) * double{light.irradiance[i]};
+    balance.escaped[b] += sent * losses.escaped[slot];
+    // The irradiance holds the sky's light from the first step on.
+    const auto on_its_way = double{light.from_sky[i]} - std::min(light.from_sky[i], light.irradiance[i]);
+    balance.from_sky[b] += area * double{light.from_sky[i]};
+    balance.unshot[b] += area * (double{light.radiosity[i]} - double{light.before[i]} + on_its_way);
+    for (std::size_t m = 0; m < materials; ++m) {
+      const auto lost = sent * losses.at_backs[slot * materials + m];
+      balance.lost_at_backs[b] += lost;
+      energy.back_loss[m] += lost;
+    }
+  }
+  return energy;
+}
+
+double whole_error(const RowLight& light, const std::vector<float>& standard_error) {
+  const auto bands = light.irradiance.size() / light.area.size();
+  double error2 = 0.0;
+  double light2 = 0.0;
+  for (std::size_t i = 0; i < standard_error.size(); ++i) {
+    const double area = light.area[i / bands];
+    error2 += area * double{standard_error[i]} * double{standard_error[i]};
+    light2 += area * double{light.irradiance[i]} * double{light.irradiance[i]};
+  }
+  return light2 > 0.0 ? std::sqrt(error2 / light2) : 0.0;
+}
+
+}  // namespace luxel

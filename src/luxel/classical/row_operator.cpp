@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/classical/row_operator.h"
+
+#include <algorithm>
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t rows_a_block = 4;
+
+}  // namespace
+
+RowOperator::RowOperator(const PatchSet& patches, const Workers& workers)
+    : patches_(patches), sides_(all_gather_sides(patches, make_patch_tree(patches, workers))) {
+  for (std::size_t row = 0; row < size(); row += rows_a_block)
+    row_begins_.push_back(static_cast<std::uint32_t>(row));
+  row_begins_.push_back(static_cast<std::uint32_t>(size()));
+  losses_.escaped.assign(size(), 0.0);
+  losses_.at_backs.assign(size() * patches.materials.size(), 0.0);
+}
+
+void RowOperator::apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
+                        std::size_t end, const Workers& workers) const {
+  const auto bands = patches_.band_count();
+  workers.for_chunks(end - begin, rows_a_block, [&](std::size_t first, std::size_t last, int) {
+    std::vector<double> sum(bands);
+    for_rows(begin + first, begin + last, [&](std::size_t slot, std::span<const Factor> row) {
+      std::fill(sum.begin(), sum.end(), 0.0);
+      for (const auto& factor : row)
+        for (std::size_t b = 0; b < bands; ++b)
+          sum[b] +=
+              static_cast<double>(factor.share) * static_cast<double>(radiosity[factor.slot * bands + b]);
+      for (std::size_t b = 0; b < bands; ++b) irradiance[slot * bands + b] = static_cast<float>(sum[b]);
+    });
+  });
+}
+
+std::vector<RowOperator::Factor> RowOperator::factors_of(const FormFactorRow& row) const {
+  std::vector<Factor> factors;
+  factors.reserve(row.entries.size());
+  for (const auto& entry : row.entries)
+    if (const auto slot = sides_.slot_of_side[entry.side]; slot != GatherSides::none)
+      factors.push_back({slot, entry.factor});
+  return factors;
+}
+
+void RowOperator::book_losses(std::size_t slot, const FormFactorRow& row) {
+  losses_.escaped[slot] = row.escaped;
+  for (const auto& entry : row.entries)
+    if (sides_.slot_of_side[entry.side] == GatherSides::none)
+      losses_.at_backs[slot * patches_.materials.size() +
+                       static_cast<std::size_t>(patches_.material[entry.side / 2])] +=
+          static_cast<double>(entry.factor);
+}
+
+}  // namespace luxel

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "luxel/classical/form_factor_row.h"
+#include "luxel/classical/operator.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/trace/gather_sides.h"
+
+namespace luxel {
+
+// What the light that leaves a slot reaches beside the slots, as shares of it. With the row of factors they
+// sum to one, to rounding; where factors are integrated, what is escaped may come out below zero by their
+// error.
+struct RowLosses {
+  std::vector<double> escaped;   // [slot]: meets nothing
+  std::vector<double> at_backs;  // [slot][material]: meets the back of that one-sided material
+};
+
+// A transport operator that can give its rows, factor by factor: dense, hemicube and lines. Elements are the
+// slots of all_gather_sides().
+class RowOperator : public TransportOperator {
+ public:
+  struct Factor {
+    std::uint32_t slot = 0;
+    float share = 0.0f;  // [0, 1]
+  };
+  using RowBody = std::function<void(std::size_t slot, std::span<const Factor> row)>;
+
+  std::size_t size() const final { return sides_.size(); }
+  std::size_t bands() const final { return patches_.band_count(); }
+  std::span<const std::uint32_t> row_begins() const final { return row_begins_; }
+  void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
+             std::size_t end, const Workers& workers) const final;
+
+  // Calls body for the rows [begin, end), in order; a row is alive during the call. Any number of threads may
+  // call.
+  virtual void for_rows(std::size_t begin, std::size_t end, const RowBody& body) const = 0;
+
+  const PatchSet& patches() const { return patches_; }
+  const GatherSides& sides() const { return sides_; }
+  const RowLosses& losses() const { return losses_; }
+
+ protected:
+  // Keeps a reference to patches.
+  RowOperator(const PatchSet& patches, const Workers& workers);
+
+  // The factors of such a row to slots; the rest of it becomes the slot's losses.
+  std::vector<Factor> factors_of(const FormFactorRow& row) const;
+  void book_losses(std::size_t slot, const FormFactorRow& row);
+  RowLosses& losses() { return losses_; }
+
+ private:
+  const PatchSet& patches_;
+  GatherSides sides_;
+  std::vector<std::uint32_t> row_begins_;
+  RowLosses losses_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/classical/shooting.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "luxel/classical/deposits.h"
+#include "luxel/classical/ray_plan.h"
+#include "luxel/core/address.h"
+#include "luxel/trace/patch_emitter.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t offset_element = 0xffffffffu;  // the address of the one random offset; no side has it
+constexpr std::size_t block = 64;                      // rays made, then traced, then delivered
+constexpr std::size_t grain = 4096;                    // rays a chunk
+
+// Where rays put their power.
+struct Ledger {
+  Deposits& arrived;
+  Deposits& absorbed;
+  Deposits& whole;
+};
+enum Place : std::size_t { escaped, shot, from_sky, whole_places };  // of Ledger::whole
+
+// As an array of all places.
+std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t places, std::size_t bands) {
+  std::vector<std::int64_t> all(places * bands, 0);
+  for (std::size_t e = 0; e < sums.place.size(); ++e)
+    std::copy_n(&sums.sum[e * bands], bands, &all[sums.place[e] * bands]);
+  return all;
+}
+
+// What was added in all ranks together. Counters are integers: their sums have no order.
+Deposits::Sums take(Deposits& deposits, std::size_t bands, const Ranks* ranks, const Workers& workers) {
+  auto own = deposits.take(workers);
+  if (!ranks) return own;
+  const auto places = joined(*ranks, own.place);
+  const auto sums = joined(*ranks, own.sum);
+  for (std::size_t e = 0; e < places.size(); ++e)
+    deposits.add(0, places[e], std::span(sums).subspan(e * bands, bands));
+  return deposits.take(workers);
+}
+
+// Sends the rays of a chunk in blocks: first all of a block are made, then traced, then delivered. Every
+// counter of a block is asked for before the first is added to, so that their cache misses overlap.
+class ChunkShooter {
+ public:
+  // sky: null where there is none.
+  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const SkyBox* sky, const SidePower& leaving,
+               const RayPlan& plan, const ShootingOptions& options, const Ledger& ledger, int worker)
+      : patches_(patches),
+        tracer_(tracer),
+        sky_(sky),
+        leaving_(leaving),
+        plan_(plan),
+        options_(options),
+        ledger_(ledger),
+        worker_(worker),
+        bands_(patches.band_count()),
+        quantum_(bands_ * (block + 1)) {}
+
+  // Rays first + stride * i of the plan, for i in [begin, end).
+  void run(std::uint64_t first, std::uint64_t stride, std::size_t begin, std::size_t end) {
+    auto ray = first + stride * begin;
+    auto entry = plan_.entry_of_ray(ray);
+    auto shooter = shooter_of(entry);
+    for (auto i = begin; i < end; ++i, ray += stride) {
+      if (ray >= plan_.first_ray[entry + 1]) {
+        do ++entry;
+        while (ray >= plan_.first_ray[entry + 1]);
+        shooter = shooter_of(entry);
+      }
+      const auto u = uniform4(shooter.key, ray - plan_.first_ray[entry]);
+      rays_[waiting_] = shooter.emitter ? shooter.emitter->ray(u) : sky_->ray(shooter.face, u);
+      is_of_sky_[waiting_] = !shooter.emitter;
+      std::copy_n(&quantum_[block * bands_], bands_, &quantum_[waiting_ * bands_]);
+      if (++waiting_ == block) flush();
+    }
+    flush();
+  }
+
+ private:
+  struct SideShooter {
+    std::optional<PatchEmitter> emitter;  // none: a face of the sky
+    std::size_t face;
+    std::uint64_t key;
+  };
+  // Leaves what its rays carry at the end of quantum_.
+  SideShooter shooter_of(std::size_t entry) {
+    const auto side = leaving_.side[entry];
+    const auto sides = 2 * patches_.size();
+    plan_.write_quantum(std::span(leaving_.watts).subspan(entry * bands_, bands_),
+                        std::span(quantum_).subspan(block * bands_));
+    const auto key = stream_key(options_.seed, options_.step, side);
+    if (side >= sides) return {{}, side - sides, key};
+    return {PatchEmitter(patches_, side), 0, key};
+  }
+
+  void flush() {
+    tracer_.nearest(std::span(rays_.data(), waiting_), std::span(hits_.data(), waiting_));
+    for (std::size_t i = 0; i < waiting_; ++i)
+      if (hits_[i]) ledger_.arrived.prefetch(worker_, side_of(hits_[i].patch, hits_[i].back));
+    for (std::size_t i = 0; i < waiting_; ++i)
+      deliver(hits_[i], is_of_sky_[i], std::span(quantum_).subspan(i * bands_, bands_));
+    waiting_ = 0;
+  }
+
+  void deliver(const Hit& hit, bool is_of_sky, std::span<const std::int64_t> quantum) {
+    const bool arrives = takes_part(patches_, hit);
+    if (is_of_sky && !arrives) return;
+    if (is_of_sky) ledger_.whole.add(worker_, Place::from_sky, quantum);
+    ledger_.whole.add(worker_, Place::shot, quantum);
+    if (!hit) return ledger_.whole.add(worker_, Place::escaped, quantum);
+    if (!arrives)
+      return ledger_.absorbed.add(worker_, static_cast<std::size_t>(patches_.material[hit.patch]), quantum);
+    ledger_.arrived.add(worker_, side_of(hit.patch, hit.back), quantum);
+  }
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  const SkyBox* sky_;
+  const SidePower& leaving_;
+  const RayPlan& plan_;
+  const ShootingOptions& options_;
+  const Ledger& ledger_;
+  int worker_;
+  std::size_t bands_;
+  std::size_t waiting_ = 0;
+  std::array<Ray, block> rays_;
+  std::array<Hit, block> hits_;
+  std::array<bool, block> is_of_sky_{};
+  std::vector<std::int64_t> quantum_;  // [ray of the block, and then the side's own][band]
+};
+
+}  // namespace
+
+Shooter::Shooter(const PatchSet& patches, const Tracer& tracer, const Workers& workers)
+    : patches_(patches),
+      tracer_(tracer),
+      workers_(workers),
+      arrived_(2 * patches.size(), patches.band_count(), workers),
+      absorbed_(patches.materials.size(), patches.band_count(), workers),
+      whole_(whole_places, patches.band_count(), workers) {
+  if (patches.has_sky()) sky_.emplace(patches);
+}
+
+Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options, const Monitor& monitor) {
+  const auto bands = patches_.band_count();
+  const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
+  const auto plan = make_ray_plan(leaving, bands, options.rays, offset, workers_);
+  for (auto* deposits : {&arrived_, &absorbed_, &whole_}) deposits->expect(plan.rays);
+  const Ledger ledger{arrived_, absorbed_, whole_};
+  const auto* sky = sky_ ? &*sky_ : nullptr;
+
+  // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
+  // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
+  // answer.
+  const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
+  const auto* ranks = options.ranks;
+  std::uint64_t done = 0;
+  std::uint64_t traced = 0;
+  for (std::uint64_t j = 0; j < batches && plan.rays > 0; ++j) {
+    const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
+    workers_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
+      if (ranks && begin / grain % ranks->size() != ranks->rank()) return;
+      ChunkShooter(patches_, tracer_, sky, leaving, plan, options, ledger, worker)
+          .run(j, batches, begin, end);
+    });
+    traced += count;
+    ++done;
+    const auto share = static_cast<double>(done) / static_cast<double>(batches);
+    if (agreed(ranks, tell(monitor, {"light", share, traced})) == Next::stop) break;
+  }
+
+  Arrival arrival;
+  arrival.scale = plan.scale;
+  const auto take_from = [&](Deposits& deposits) { return take(deposits, bands, ranks, workers_); };
+  auto arrived = take_from(arrived_);
+  arrival.side = std::move(arrived.place);
+  arrival.arrived = std::move(arrived.sum);
+  arrival.absorbed = spread_out(take_from(absorbed_), patches_.materials.size(), bands);
+  const auto whole = spread_out(take_from(whole_), whole_places, bands);
+  const auto part = [&](Place place) {
+    const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(place * bands);
+    return std::vector<std::int64_t>(begin, begin + static_cast<std::ptrdiff_t>(bands));
+  };
+  arrival.escaped = part(Place::escaped);
+  arrival.shot = part(Place::shot);
+  arrival.from_sky = part(Place::from_sky);
+  arrival.rays = traced;
+  arrival.share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
+  return arrival;
+}
+
+Arrival shoot(const PatchSet& patches, const Tracer& tracer, const SidePower& leaving,
+              const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
+  return Shooter(patches, tracer, workers).shoot(leaving, options, monitor);
+}
+
+}  // namespace luxel

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "luxel/cli/check_text.h"
+#include "luxel/cli/commands.h"
+#include "luxel/cli/console.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/cli/settings.h"
+#include "luxel/cli/streams.h"
+#include "luxel/core/output_file.h"
+#include "luxel/export/export_coloured.h"
+#include "luxel/render/automatic_camera.h"
+#include "luxel/session/fault_mesh.h"
+
+namespace luxel {
+namespace {
+
+constexpr const char* kinds = ".glb";
+
+class Check final : public Command {
+ public:
+  explicit Check(OptionSet& options) : Command(options) {
+    scene_.declare_scene(options);
+    scene_.declare_sky(options);
+    scene_.declare_spectra(options);
+    options.heading("Check");
+    options.add_number("places", "count", places_, 0u, 1'000'000u, "how many places to tell of each finding");
+    options.add_flag("strict", strict_, "exit with 1 where a fault or a doubt was found");
+    look_.declare_up(options);
+    run_.declare(options, kinds);
+  }
+
+  int run() override {
+    scene_.check();
+    if (!run_.outputs.empty()) check_before_work(run_, {}, kinds);
+    Console console(run_);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    const auto scene = record.stage("load", [&](auto&) {
+      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
+    });
+    if (interrupted()) return stopped_before_light(console);
+    const auto report = record.stage(
+        "check", [&](auto&) { return diagnose(scene, {.places = places_}, workers, console.monitor()); });
+    console.clear_bar();
+    for (const auto& output : run_.outputs)
+      record.stage("write glb", [&](auto&) { write(output, scene, report, workers); });
+
+    const CheckText text{&scene, &report, run_.outputs, &options(), &record};
+    console.say(record.table());
+    if (!run_.report.empty()) write_file(run_.report, text.as_json());
+    print_result(run_.json ? text.as_json() : text.as_text());
+    if (!report.is_whole) return exit_stopped_early;
+    return strict_ && report.count(Gravity::fault) + report.count(Gravity::doubt) > 0 ? exit_failed
+                                                                                      : exit_fine;
+  }
+
+ private:
+  void write(const std::string& output, const Scene& scene, const CheckReport& report,
+             const Workers& workers) const {
+    std::vector<ColouredMesh> meshes;
+    for (auto& part : fault_parts(scene, report)) {
+      const auto name_of = [](FindingKind kind) {
+        return fmt::format("{} ({})", name(kind), colour(kind).word);
+      };
+      meshes.push_back({part.kind ? name_of(*part.kind) : std::string("well (grey)"),
+                        part.kind ? colour(*part.kind).linear : Vec3(0.4f), std::move(part.positions),
+                        std::move(part.triangles)});
+    }
+    const auto patches = make_patches(scene, {.max_edge = no_max_edge}, workers);
+    export_coloured(output, fmt::format("faults of {}", scene.source), meshes, up_of(look_, patches),
+                    scene.origin);
+  }
+
+  SceneSettings scene_;
+  LookSettings look_;
+  RunSettings run_;
+  std::uint32_t places_ = 5;
+  bool strict_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_check(CommandLine& line) {
+  return std::make_unique<Check>(
+      line.command("check", "say what is wrong with a scene, and where, before its light is solved"));
+}
+
+}  // namespace luxel

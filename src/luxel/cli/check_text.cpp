@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/check_text.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "luxel/session/words.h"
+
+namespace luxel {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t width = 110;
+
+// The words of a text in lines, each after the first begun with `indent` blanks; `used` are taken of the
+// first.
+std::string wrapped(const std::string& text, std::size_t used, std::size_t indent) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const auto end = std::min(text.find(' ', begin), text.size());
+    const auto length = end - begin;
+    if (used + length > width && used > indent) {
+      result += '\n' + std::string(indent, ' ');
+      used = indent;
+    } else if (begin > 0) {
+      result += ' ';
+      ++used;
+    }
+    result += text.substr(begin, length);
+    used += length;
+    begin = end + 1;
+  }
+  return result;
+}
+
+// As many decimals as a thousandth of the scene needs.
+std::string at(const Vec3d& p, const CheckReport& report) {
+  const auto size = report.box.size();
+  const auto extent = std::max({size.x, size.y, size.z, 1e-30f});
+  const auto decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(extent))), 0, 9);
+  // Tiny is 0 to a person, and never -0.
+  const auto number = [&](double x) {
+    const auto text = fmt::format("{:.{}f}", x, decimals);
+    return text.find_first_not_of("-0.") == std::string::npos ? std::string("0") : text;
+  };
+  return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
+}
+
+// "room.obj:12  (1, 2, 3)  'chair' of 'oak': what is special".
+std::string line_of(const Scene& scene, const Place& place, const CheckReport& report) {
+  auto text = std::filesystem::path(scene.source).filename().string();
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  text += fmt::format("  {}  '{}'", at(place.at, report), place.group);
+  if (place.material != place.group) text += fmt::format(" of '{}'", place.material);
+  if (!place.detail.empty()) text += ": " + place.detail;
+  return text;
+}
+
+std::string describe(const Scene& scene, const Finding& finding, const CheckReport& report) {
+  constexpr std::size_t indent = 7;
+  const std::string margin(indent, ' ');
+  auto text = fmt::format("\n{:<{}}{}\n", name(finding.gravity), indent,
+                          wrapped(fmt::format("{}: {}", name(finding.kind), finding.fact), indent, indent));
+  text += fmt::format("{}{}\n", margin, wrapped("Luxel " + finding.consequence, indent, indent));
+  text += fmt::format("{}{}\n", margin, wrapped(finding.remedy, indent, indent));
+  for (const auto& place : finding.places)
+    text += fmt::format("{}  {}\n", margin, wrapped(line_of(scene, place, report), indent + 2, indent + 6));
+  const auto more = finding.all_places - finding.places.size();
+  if (more > 0 && !finding.places.empty())
+    text += fmt::format("{}  and {} more\n", margin, with_commas(more));
+  return text;
+}
+
+std::string summary(const Scene& scene, const CheckReport& report) {
+  const auto size = report.box.size();
+  auto text = fmt::format("{}: {} in {} ({} closed), {:.4g} x {:.4g} x {:.4g} m, {:.4g} m²\n", scene.source,
+                          counted_things(report.triangles, "triangle"),
+                          counted_things(report.pieces, "connected piece"), with_commas(report.closed_pieces),
+                          size.x, size.y, size.z, report.area);
+  const auto& walks = report.walks;
+  if (walks.from == LightWalks::From::lamps)
+    text +=
+        fmt::format("light of the lamps, by {} paths: {} leaves the scene; {} of what it meets are backs\n",
+                    with_commas(walks.paths), percent(walks.escaped), percent(walks.back_hits));
+  if (walks.from == LightWalks::From::inside)
+    text += fmt::format("views from inside, by {} rays: {} leave the scene; {} of what they meet are backs\n",
+                        with_commas(walks.paths), percent(walks.escaped), percent(walks.back_hits));
+  return text;
+}
+
+std::string verdict(const CheckReport& report) {
+  if (!report.is_whole) return "\nstopped before all was looked at\n";
+  if (report.findings.empty()) return "\nnothing found\n";
+  return fmt::format("\n{}, {}, {}\n", counted_things(report.count(Gravity::fault), "fault"),
+                     counted_things(report.count(Gravity::doubt), "doubt"),
+                     counted_things(report.count(Gravity::note), "note"));
+}
+
+std::string legend(const CheckReport& report, const std::string& file) {
+  std::vector<std::string> kinds;
+  for (const auto& finding : report.findings) {
+    auto entry = fmt::format("{} {}", colour(finding.kind).word, name(finding.kind));
+    const bool is_shown = !finding.triangles.empty() || !finding.edges.empty();
+    if (is_shown && (kinds.empty() || kinds.back() != entry)) kinds.push_back(std::move(entry));
+  }
+  std::string text = file + ": grey what is well";
+  for (const auto& kind : kinds) text += ", " + kind;
+  return wrapped(text, 0, 2) + "\n";
+}
+
+Json to_json(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+Json to_json(const Finding& finding) {
+  Json places = Json::array();
+  for (const auto& place : finding.places)
+    places.push_back({{"line", place.line},
+                      {"object", place.object},
+                      {"group", place.group},
+                      {"material", place.material},
+                      {"at_m", to_json(place.at)},
+                      {"detail", place.detail}});
+  return {{"kind", name(finding.kind)},
+          {"gravity", name(finding.gravity)},
+          {"count", finding.count},
+          {"fact", finding.fact},
+          {"consequence", finding.consequence},
+          {"remedy", finding.remedy},
+          {"triangles", finding.triangles.size()},
+          {"colour", colour(finding.kind).word},
+          {"all_places", finding.all_places},
+          {"places", std::move(places)}};
+}
+
+std::string_view name(LightWalks::From from) {
+  switch (from) {
+    case LightWalks::From::lamps:
+      return "lamps";
+    case LightWalks::From::inside:
+      return "inside";
+    case LightWalks::From::nowhere:
+      return "nowhere";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string CheckText::as_text() const {
+  auto text = summary(*scene, *report);
+  for (const auto& finding : report->findings) text += describe(*scene, finding, *report);
+  text += verdict(*report);
+  for (const auto& output : outputs) text += legend(*report, output);
+  return text;
+}
+
+std::string CheckText::as_json() const {
+  const auto& walks = report->walks;
+  Json findings = Json::array();
+  for (const auto& finding : report->findings) findings.push_back(to_json(finding));
+  Json json = {{"command", "check"},
+               {"is_whole", report->is_whole},
+               {"faults", report->count(Gravity::fault)},
+               {"doubts", report->count(Gravity::doubt)},
+               {"notes", report->count(Gravity::note)},
+               {"triangles", report->triangles},
+               {"lit_triangles", report->lit_triangles},
+               {"pieces", report->pieces},
+               {"closed_pieces", report->closed_pieces},
+               {"area_m2", report->area},
+               {"low_m", to_json(scene->origin + Vec3d(report->box.low))},
+               {"high_m", to_json(scene->origin + Vec3d(report->box.high))},
+               {"light",
+                {{"from", name(walks.from)},
+                 {"paths", walks.paths},
+                 {"escaped", walks.escaped},
+                 {"escaped_error", walks.escaped_error},
+                 {"escaped_at_once", walks.escaped_at_once},
+                 {"lost_at_backs", walks.lost_at_backs},
+                 {"back_hits", walks.back_hits}}},
+               {"rays", report->rays},
+               {"findings", std::move(findings)},
+               {"outputs", outputs}};
+  for (const auto& [key, value] : options->values()) json["options"][key] = value;
+  Json stages = Json::array();
+  for (const auto& stage : record->stages())
+    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  json["stages"] = std::move(stages);
+  json["peak_memory_bytes"] = peak_memory();
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace luxel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "luxel/cli/option_set.h"
+#include "luxel/cli/run_record.h"
+#include "luxel/session/diagnose.h"
+
+namespace luxel {
+
+// What `luxel check` says; docs/report.md lists the keys of its JSON.
+struct CheckText {
+  const Scene* scene = nullptr;
+  const CheckReport* report = nullptr;
+  std::vector<std::string> outputs = {};
+  const OptionSet* options = nullptr;
+  const RunRecord* record = nullptr;
+
+  std::string as_text() const;
+  std::string as_json() const;
+};
+
+}  // namespace luxel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "luxel/cli/console.h"
+#include "luxel/cli/keep_settings.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solve/sampled.h"
+
+namespace luxel {
+
+// What a run knows, written as it goes. A disk that fails does not end the run: it is said, and tried again
+// with the next answer.
+class Checkpoint {
+ public:
+  // writes: whether this process is the one that does; others take part in gathering what is written.
+  explicit Checkpoint(const KeepSettings& settings, bool writes = true)
+      : settings_(settings), writes_(writes) {}
+
+  // For the solver. Keeps references to all three, and to this.
+  SampleKeeping keeping(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console);
+
+  // After the last answer, if it is not yet in the file. Throws DeviceError where it cannot be written.
+  void finish(const Baked& baked);
+
+  // The last state there was: none before the first answer.
+  const std::shared_ptr<const SampleState>& state() const { return state_; }
+
+ private:
+  void write(const Baked& baked);
+
+  const KeepSettings& settings_;
+  bool writes_;
+  std::shared_ptr<const SampleState> state_;
+  std::optional<std::chrono::steady_clock::time_point> written_;
+};
+
+// The run that a checkpoint holds, to go on with: of the same scene and options. Nothing where there is no
+// such file. Throws InputError where it holds another run, which must not be lost; FormatError where it is
+// damaged or no solution at all.
+std::optional<KeptRun> run_to_go_on(const KeepSettings& settings, std::uint64_t scene_fingerprint,
+                                    const OptionSet& options);
+
+}  // namespace luxel

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/cli/option_set.h"
+
+namespace luxel {
+
+// The commands and how a line of words becomes one of them with its options set: first the defaults, then the
+// file named by --config, then the flags.
+class CommandLine {
+ public:
+  explicit CommandLine(std::string version);
+  ~CommandLine();
+
+  // The reference stays good.
+  OptionSet& command(std::string name, std::string summary);
+
+  // The chosen command. Nothing when help, the version or --print-config was asked for: then `text` is what
+  // to print. Throws UsageError; InputError for a wrong file.
+  struct Parsed {
+    OptionSet* command = nullptr;
+    std::string text;
+  };
+  Parsed parse(int argc, const char* const* argv);
+
+ private:
+  void read_file(OptionSet& chosen, const std::string& path);
+  std::string version_;
+  std::vector<std::unique_ptr<OptionSet>> commands_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "luxel/cli/command_line.h"
+#include "luxel/core/ranks.h"
+
+namespace luxel {
+
+inline constexpr int exit_fine = 0;
+inline constexpr int exit_failed = 1;
+inline constexpr int exit_misused = 2;
+inline constexpr int exit_stopped_early = 3;
+
+// One thing the program does. Made before the command line is read, so that it can declare its options; run
+// after.
+class Command {
+ public:
+  virtual ~Command() = default;
+  // Returns the exit code; throws the library's errors.
+  virtual int run() = 0;
+  const OptionSet& options() const { return options_; }
+  // Whether several processes can share its work; and these processes, for as long as it runs.
+  virtual bool takes_ranks() const { return false; }
+  void set_ranks(const Ranks* ranks) { ranks_ = ranks; }
+
+ protected:
+  explicit Command(OptionSet& options) : options_(options) {}
+  const Ranks* ranks() const { return ranks_; }
+
+ private:
+  const OptionSet& options_;
+  const Ranks* ranks_ = nullptr;
+};
+
+std::unique_ptr<Command> make_bake(CommandLine& line);
+std::unique_ptr<Command> make_resume(CommandLine& line);
+std::unique_ptr<Command> make_relight(CommandLine& line);
+std::unique_ptr<Command> make_merge(CommandLine& line);
+std::unique_ptr<Command> make_render(CommandLine& line);
+std::unique_ptr<Command> make_export(CommandLine& line);
+std::unique_ptr<Command> make_lightmap_command(CommandLine& line);
+std::unique_ptr<Command> make_reference(CommandLine& line);
+std::unique_ptr<Command> make_compare(CommandLine& line);
+std::unique_ptr<Command> make_info(CommandLine& line);
+std::unique_ptr<Command> make_viewfactors(CommandLine& line);
+std::unique_ptr<Command> make_check(CommandLine& line);
+std::unique_ptr<Command> make_view(CommandLine& line);
+
+}  // namespace luxel

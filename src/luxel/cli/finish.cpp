@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/finish.h"
+
+#include "luxel/cli/commands.h"
+#include "luxel/cli/streams.h"
+#include "luxel/core/output_file.h"
+
+namespace luxel {
+
+void finish(const RunReport& report, const RunSettings& run, Console& console) {
+  console.say(report.record->table());
+  if (!run.report.empty()) write_file(run.report, report.as_json());
+  if (run.json) return print_result(report.as_json());
+  for (const auto& output : report.outputs) print_result(output + "\n");
+}
+
+int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
+                     const RunSettings& run, const LookSettings& look, const PictureSettings& picture,
+                     const Workers& workers, Console& console, RunRecord& record, const KeptSamples& samples,
+                     const MeshWish& mesh) {
+  const auto written =
+      write_outputs(baked, tracer, run, look, picture, workers, console, record, samples, mesh);
+  finish({.command = options.name(),
+          .baked = &baked,
+          .pages = written.pages,
+          .camera = written.camera,
+          .origin = baked.patches.origin,
+          .outputs = written.files,
+          .options = &options,
+          .record = &record},
+         run, console);
+  return written.stopped ? exit_stopped_early : exit_fine;
+}
+
+}  // namespace luxel

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+
+#include "luxel/cli/commands.h"
+#include "luxel/cli/console.h"
+#include "luxel/cli/finish.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/cli/settings.h"
+#include "luxel/cli/solved_scene.h"
+
+namespace luxel {
+namespace {
+
+// `render` and `export`: a solution becomes files. They differ in the endings they take and the options they
+// show.
+class FromSolution final : public Command {
+ public:
+  FromSolution(OptionSet& options, std::string kinds, bool pictures)
+      : Command(options), kinds_(std::move(kinds)) {
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
+    look_.declare(options);
+    if (pictures) {
+      picture_.declare(options);
+      picture_.declare_gather(options);
+    } else {
+      mesh_.declare(options);
+      options.add_text("scene", "FILE", scene_,
+                       "what was solved: a .glb keeps what a glTF file says, or, with --keep-topology, any "
+                       "file's triangles");
+      look_.declare_title(options);
+      picture_.declare_camera(options);
+    }
+    run_.declare(options, kinds_);
+  }
+
+  int run() override {
+    check_before_work(run_, picture_, kinds_);
+    mesh_.check();
+    mesh_.check_outputs(run_.outputs);
+    if (mesh_.keep_topology && scene_.empty())
+      throw UsageError("--keep-topology needs the file that has the triangles: give --scene FILE as well");
+    Console console(run_);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    const auto kept = record.stage("read", [&](auto&) { return read(); });
+    take_up_from(kept.baked.solution.provenance);
+    std::optional<SolvedScene> solved;
+    if (!scene_.empty()) {
+      solved =
+          record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, kept.baked, console); });
+      if (!solved) return stopped_before_light(console);
+    }
+    if (interrupted()) return stopped_before_light(console);
+    MeshWish mesh{&mesh_};
+    if (solved) mesh = {&mesh_, &solved->scene, solved->metres_a_unit};
+    return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,
+                            {nullptr, kept.samples}, mesh);
+  }
+
+ private:
+  // Pages dim lamps by what the run kept of each; nothing else here needs it.
+  KeptRun read() const {
+    if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_page)) return read_kept_run(file_);
+    return {read_solution(file_), nullptr};
+  }
+
+  // Which way is up was said when the solution was made; it need not be said again.
+  void take_up_from(const Provenance& provenance) {
+    if (look_.up != "auto") return;
+    for (const auto& [key, value] : provenance.options)
+      if (key == "up" && (value == "y" || value == "z")) look_.up = value;
+  }
+
+  std::string kinds_;
+  std::string file_;
+  std::string scene_;
+  MeshSettings mesh_;
+  LookSettings look_;
+  PictureSettings picture_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_render(CommandLine& line) {
+  return std::make_unique<FromSolution>(line.command("render", "make a picture of a solution"), picture_kinds,
+                                        true);
+}
+
+std::unique_ptr<Command> make_export(CommandLine& line) {
+  return std::make_unique<FromSolution>(
+      line.command("export", "make a lit mesh, a page to share, or a copy, of a solution"), mesh_kinds,
+      false);
+}
+
+}  // namespace luxel

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/light_pages.h"
+
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/export/kept_layout.h"
+#include "luxel/render/new_layout.h"
+
+namespace luxel {
+namespace {
+
+// A layout that leaves pages empty is not worth its memory.
+constexpr double many_texels = 0x1p24;
+constexpr double most_a_texel_of_surface = 64.0;
+
+// What the scene's file says of where its surfaces lie, where that is wanted and can be used.
+std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSettings& settings,
+                                      const Workers& workers, Console& console) {
+  if (!input.scene || settings.layout == "new") return std::nullopt;
+  const auto& scene = *input.scene;
+  std::string why;
+  const auto given = kept_layout(scene, input.patches, input.metres_a_unit, why);
+  int size = 0;
+  if (given) {
+    const auto texels = texels_per_metre(input.patches, input.solution, settings.lightmap);
+    size = page_size_for(scene, *given, texels, settings.lightmap.page_size);
+    const auto area = std::accumulate(input.patches.area.begin(), input.patches.area.end(), 0.0);
+    if (const auto all = static_cast<double>(given->pages) * size * size;
+        all > most_texels_of_pages ||
+        (all > many_texels && all > most_a_texel_of_surface * texels * texels * area))
+      why = fmt::format(
+          "their {} pages of {} x {} texels would be {:.0f} million for {:.2g} million of surfaces",
+          given->pages, size, size, 1e-6 * all, 1e-6 * texels * texels * area);
+  }
+  if (!why.empty())
+    warn(console.log(), fmt::format("{}: the file's {} are not used, charts are made: {}", scene.source,
+                                    lightmap_coordinates, why));
+  if (!given || !why.empty()) return std::nullopt;
+  console.say(fmt::format("{} are used as the file has them, on {} page{}", lightmap_coordinates,
+                          given->pages, given->pages == 1 ? "" : "s"));
+  return lay_out(scene, input.patches, *given, settings.lightmap.crease_angle, size, settings.lightmap.margin,
+                 workers);
+}
+
+}  // namespace
+
+std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
+                                           const Tracer* tracer, const Workers& workers, Console& console) {
+  const auto& options = settings.lightmap;
+  const bool interrupted_before = interrupted();
+  console.announce("charts");
+  auto laid = layout_of_file(input, settings, workers, console);
+  const bool as_file_has_it = laid.has_value();
+  if (!laid)
+    laid = lay_out(input.patches, input.solution, options, workers, console.monitor(!interrupted_before));
+  if (!interrupted_before && interrupted()) return std::nullopt;
+
+  LightPages made;
+  auto& record = made.record;
+  // After an interrupt that came before there is no time to gather, but pages are wanted.
+  const auto monitor = [heeding = console.monitor(), interrupted_before](const Progress& progress) {
+    const auto next = heeding(progress);
+    return interrupted_before && progress.stage != "texels" ? Next::go_on : next;
+  };
+  made.lightmap =
+      fill_lightmap(input.patches, input.solution, tracer, *laid, options, workers, &record.made, monitor);
+  if (made.lightmap.pages.empty()) return std::nullopt;
+  record.pages = made.lightmap.atlas.pages;
+  record.page_size = made.lightmap.atlas.page_size;
+  record.as_file_has_it = as_file_has_it;
+  record.error_target = tracer ? options.texels.error : 0.0;
+  console.clear_bar();
+  console.say(describe(made.lightmap, record.made));
+  if (record.made.texels.stopped)
+    warn(console.log(), "stopped: texels that were not gathered yet have the light between patches");
+  return made;
+}
+
+}  // namespace luxel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "luxel/cli/console.h"
+#include "luxel/cli/lightmap_settings.h"
+#include "luxel/core/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/render/make_lightmap.h"
+#include "luxel/scene/scene.h"
+#include "luxel/solution/solution.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// How pages of light came about: for reports.
+struct PagesRecord {
+  int pages = 0, page_size = 0;  // texels a side
+  bool as_file_has_it = false;   // laid out by the scene's file
+  double error_target = 0.0;     // of a texel; 0: none is gathered
+  LightmapReport made;
+};
+
+struct LightPages {
+  Lightmap lightmap;
+  PagesRecord record;
+};
+
+// What pages are made of. scene: none where it is not at hand; metres_a_unit: as it was loaded.
+struct PagesInput {
+  const PatchSet& patches;
+  const Solution& solution;
+  const Scene* scene = nullptr;
+  double metres_a_unit = 1.0;
+};
+
+// Lays surfaces out, as the scene's file has them where that is wanted and can be used, and gathers their
+// light; says what was done. After a Ctrl-C while texels are gathered the rest of them hold interpolated
+// light; after one in any other stage there is nothing. Throws what the stages throw.
+std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
+                                           const Tracer* tracer, const Workers& workers, Console& console);
+
+}  // namespace luxel

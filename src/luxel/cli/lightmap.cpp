@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/cli/commands.h"
+#include "luxel/cli/console.h"
+#include "luxel/cli/finish.h"
+#include "luxel/cli/lightmap_settings.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/cli/settings.h"
+#include "luxel/cli/solved_scene.h"
+#include "luxel/core/ending_of.h"
+#include "luxel/core/output_file.h"
+#include "luxel/image/image_file.h"
+#include "luxel/render/lightmap_picture.h"
+#include "luxel/render/radiance_pages.h"
+
+namespace luxel {
+namespace {
+
+constexpr const char* page_kinds = ".exr .png";
+
+// "map.exr", "map-2.exr", "map-3.exr", ...
+std::string name_of_page(const std::string& output, std::size_t page) {
+  if (page == 0) return output;
+  const std::filesystem::path path(output);
+  auto named = path;
+  named.replace_filename(fmt::format("{}-{}{}", path.stem().string(), page + 1, path.extension().string()));
+  return named.string();
+}
+
+constexpr std::array axes = {'x', 'y', 'z'};
+
+// "map-x.exr"
+std::string name_of_axis(const std::string& output, char axis) {
+  const std::filesystem::path path(output);
+  auto named = path;
+  named.replace_filename(fmt::format("{}-{}{}", path.stem().string(), axis, path.extension().string()));
+  return named.string();
+}
+
+// `lightmap`: the light of a solution on pages.
+class LightmapCommand final : public Command {
+ public:
+  explicit LightmapCommand(OptionSet& options) : Command(options) {
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
+    settings_.declare(options);
+    options.heading("Scene");
+    options.add_text(
+        "scene", "FILE", scene_,
+        "what was solved: where its surfaces lie on pages is taken from a glTF file that says so");
+    settings_.declare_layout(options);
+    picture_.declare_view(options);
+    look_.declare_up(options);
+    run_.declare(options, page_kinds);
+  }
+
+  int run() override {
+    check();
+    settings_.lightmap.texels.directional = !settings_.directional.empty();
+    Console console(run_);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
+    std::optional<SolvedScene> solved;
+    if (!scene_.empty()) {
+      solved = record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, baked, console); });
+      if (!solved) return stopped_before_light(console);
+    }
+    std::optional<Tracer> tracer;
+    if (settings_.lightmap.texels.error > 0.0 || !settings_.preview.empty())
+      record.stage("hierarchy", [&](auto&) { tracer.emplace(baked.patches, workers); });
+
+    if (interrupted()) return stopped_before_light(console);
+    PagesInput input{baked.patches, baked.solution};
+    if (solved) {
+      input.scene = &solved->scene;
+      input.metres_a_unit = solved->metres_a_unit;
+    }
+    const bool gathers = settings_.lightmap.texels.error > 0.0;
+    const auto made = record.stage("lightmap", [&](auto& stage) {
+      auto pages = make_light_pages(input, settings_, gathers ? &*tracer : nullptr, workers, console);
+      if (pages) stage.rays = pages->record.made.texels.rays;
+      return pages;
+    });
+    if (!made) return stopped_before_light(console);
+    const auto& lightmap = made->lightmap;
+    auto files =
+        record.stage("write", [&](auto&) { return write(lightmap, console.monitor(!interrupted())); });
+    console.clear_bar();
+    if (files.empty()) return stopped_before_light(console);
+    std::optional<Camera> camera;
+    if (!settings_.preview.empty()) {
+      camera =
+          record.stage("camera", [&](auto&) { return camera_of(picture_, look_, baked, *tracer, workers); });
+      record.stage("picture", [&](auto&) {
+        const auto picture =
+            lightmap_picture(baked.patches, lightmap, *tracer, *camera, picture_.render, workers);
+        write_picture(settings_.preview, picture, look_.tone);
+      });
+      files.push_back(settings_.preview);
+    }
+    finish({.command = options().name(),
+            .baked = &baked,
+            .pages = made->record,
+            .camera = camera,
+            .origin = baked.patches.origin,
+            .outputs = files,
+            .options = &options(),
+            .record = &record},
+           run_, console);
+    return made->record.made.texels.stopped ? exit_stopped_early : exit_fine;
+  }
+
+ private:
+  void check() const {
+    auto run = run_;
+    for (const auto& output : run.outputs) expect_ending("-o", output, page_kinds);
+    if (!settings_.error_map.empty()) {
+      expect_ending("--error-map", settings_.error_map, ".exr");
+      run.outputs.push_back(settings_.error_map);
+    }
+    if (!settings_.directional.empty()) {
+      expect_ending("--directional", settings_.directional, ".exr");
+      if (settings_.lightmap.texels.error == 0.0)
+        throw UsageError("--directional needs a final gather: give --final-gather a share, such as 2%");
+      for (const auto axis : axes) run.outputs.push_back(name_of_axis(settings_.directional, axis));
+    }
+    if (!settings_.preview.empty()) {
+      expect_ending("--preview", settings_.preview, picture_kinds);
+      run.outputs.push_back(settings_.preview);
+    }
+    check_before_work(run, picture_, picture_kinds);
+  }
+
+  // All are made before the first is written, so that Ctrl-C leaves all of them or none. Gives their names.
+  std::vector<std::string> write(const Lightmap& lightmap, const Monitor& monitor) const {
+    const auto white = settings_.white == LightmapSettings::automatic_white
+                           ? white_of(irradiance_pages(lightmap))
+                           : static_cast<float>(settings_.white);
+    std::vector<std::string> files, bytes;
+    const auto add = [&](std::string name, std::string encoded) {
+      files.push_back(std::move(name));
+      bytes.push_back(std::move(encoded));
+      return !bytes.back().empty();
+    };
+    for (std::size_t p = 0; p < lightmap.pages.size(); ++p) {
+      const auto& page = lightmap.pages[p];
+      for (const auto& output : run_.outputs)
+        if (!add(name_of_page(output, p), ending_of(output) == ".exr"
+                                              ? exr_of(page.irradiance, monitor)
+                                              : png_of_page(page.irradiance, white, monitor)))
+          return {};
+      for (std::size_t i = 0; i < page.light_vector.size(); ++i)
+        if (!add(name_of_page(name_of_axis(settings_.directional, axes[i]), p),
+                 exr_of(page.light_vector[i], monitor)))
+          return {};
+      if (!settings_.error_map.empty() &&
+          !add(name_of_page(settings_.error_map, p), exr_of(page.standard_error, monitor)))
+        return {};
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) write_file(files[i], bytes[i]);
+    return files;
+  }
+
+  static std::string png_of_page(Image page, float white, const Monitor& monitor) {
+    for (auto& pixel : page.pixels) pixel /= white;
+    return png_of(page,
+                  {{"Encoding", "sRGB of irradiance / white"}, {"White W/m2", fmt::format("{}", white)}},
+                  monitor);
+  }
+
+  std::string file_, scene_;
+  LightmapSettings settings_;
+  PictureSettings picture_;
+  LookSettings look_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_lightmap_command(CommandLine& line) {
+  return std::make_unique<LightmapCommand>(
+      line.command("lightmap", "lay the light of a solution out on pages of texels"));
+}
+
+}  // namespace luxel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/cli/option_set.h"
+#include "luxel/render/make_lightmap.h"
+
+namespace luxel {
+
+// The options of `lightmap`.
+struct LightmapSettings {
+  static constexpr double automatic_white = 0.0;
+  LightmapOptions lightmap;
+  std::string layout = "file";     // where surfaces lie on pages: as the scene's file says, or new
+  double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
+  std::string error_map, directional, preview;  // files; empty: none
+  void declare(OptionSet& set);
+  // Where a file can say how surfaces lie on pages.
+  void declare_layout(OptionSet& set);
+  // How pages are laid out and texels gathered, for commands that put them into meshes.
+  void declare_pages(OptionSet& set);
+  void declare_texels(OptionSet& set);
+};
+
+// A sentence or two for a person.
+std::string describe(const Lightmap& lightmap, const LightmapReport& report);
+
+}  // namespace luxel

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "luxel/cli/commands.h"
+#include "luxel/cli/console.h"
+#include "luxel/cli/finish.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/cli/version.h"
+#include "luxel/solution/merge_solutions.h"
+#include "luxel/solve/seen_solution.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+namespace {
+
+// `merge`: several independent solutions of a scene become one with a smaller error.
+class Merge final : public Command {
+ public:
+  explicit Merge(OptionSet& options) : Command(options) {
+    options.set_positionals("SOLUTION", files_,
+                            "two or more .vtkhdf files, each baked with a --seed of its own");
+    look_.declare(options);
+    picture_.declare(options);
+    picture_.declare_gather(options);
+    run_.declare(options, all_kinds);
+  }
+
+  int run() override {
+    check_before_work(run_, picture_, all_kinds);
+    Console console(run_);
+    const Workers workers(run_.threads);
+    RunRecord record;
+    std::vector<NamedSolution> solutions;
+    record.stage("read", [&](auto&) {
+      for (const auto& file : files_) solutions.push_back({file, read_solution(file)});
+    });
+    auto merged = record.stage("merge", [&](auto&) { return merge_solutions(std::move(solutions)); });
+    merged.solution.provenance.program_version = program_version;
+    const Tracer tracer(merged.patches, workers);
+    record.stage("views", [&](auto&) {
+      merged.solution.seen_error = seen_error_of(merged.patches, tracer, merged.solution, workers);
+      return 0;
+    });
+    console.say(fmt::format("{} runs, {} rays, seen error {:.2g} %, standard error {:.2g} %",
+                            merged.solution.provenance.merged.size(), merged.solution.provenance.rays,
+                            100.0 * merged.solution.seen_error, 100.0 * merged.solution.predicted_error));
+    return write_and_finish(merged, &tracer, options(), run_, look_, picture_, workers, console, record);
+  }
+
+ private:
+  std::vector<std::string> files_;
+  LookSettings look_;
+  PictureSettings picture_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_merge(CommandLine& line) {
+  return std::make_unique<Merge>(
+      line.command("merge", "independent solutions of one scene become one with a smaller error"));
+}
+
+}  // namespace luxel

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/mesh_output.h"
+
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/cli/light_pages.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/export/export_kept.h"
+#include "luxel/export/export_mesh.h"
+#include "luxel/import/is_gltf.h"
+#include "luxel/render/radiance_pages.h"
+#include "luxel/surface/vertex_fit.h"
+
+namespace luxel {
+namespace {
+
+constexpr double worth_saying = 0.02;  // of the light that the file's own triangles cannot show
+
+GlbDone write_on_pages(const std::string& output, const KeptInput& input, const MeshSettings& settings,
+                       const KeptOptions& options, const LookSettings& look, const Tracer* tracer,
+                       const Workers& workers, Console& console) {
+  auto page_settings = settings.pages;
+  page_settings.lightmap.crease_angle = look.smooth.crease_angle;
+  const auto made =
+      make_light_pages({input.patches, input.solution, &input.scene, options.metres_a_unit}, page_settings,
+                       needs_rays(settings) ? tracer : nullptr, workers, console);
+  if (!made) return {.is_written = false};
+  const auto& [lightmap, record] = *made;
+  const auto monitor = console.monitor(!interrupted());
+  if (settings.as == "emissive") {
+    const auto pages = radiance_pages(input.patches, lightmap, workers, monitor);
+    if (pages.empty() ||
+        !export_kept_emissive(output, input, {lightmap.atlas, pages, 1.0f, record.as_file_has_it}, options,
+                              monitor))
+      return {.is_written = false};
+  } else {
+    const auto pages = irradiance_pages(lightmap);
+    if (!export_kept_lightmap(output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it},
+                              options, monitor))
+      return {.is_written = false};
+  }
+  return {.pages = record};
+}
+
+void write_at_vertices(const std::string& output, const KeptInput& input, const SmoothLight& light,
+                       const MeshSettings& settings, const KeptOptions& options, Console& console) {
+  if (!settings.keep_topology) return export_kept_cut(output, input, light, options);
+  const auto fit = fit_vertices(input.scene, input.patches, light);
+  if (fit.difference > worth_saying)
+    console.say(
+        fmt::format("{}: the file's triangles are too large to show {:.2g} % of the light (RMS); finer "
+                    "ones, or --as lightmap, would",
+                    output, 100.0 * fit.difference));
+  export_kept_uncut(output, input, fit, options);
+}
+
+GlbDone write_kept(const std::string& output, const KeptInput& input, const std::optional<SmoothLight>& light,
+                   const MeshSettings& settings, const KeptOptions& options, const LookSettings& look,
+                   const Tracer* tracer, const Workers& workers, Console& console) {
+  if (settings.on_pages())
+    return write_on_pages(output, input, settings, options, look, tracer, workers, console);
+  write_at_vertices(output, input, *light, settings, options, console);
+  return {};
+}
+
+}  // namespace
+
+bool needs_rays(const MeshSettings& settings) {
+  return settings.on_pages() && settings.pages.lightmap.texels.error > 0.0;
+}
+
+GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
+                      const MeshWish& wish, const LookSettings& look, const Tracer* tracer,
+                      const Workers& workers, Console& console) {
+  const MeshSettings defaults;
+  const auto& settings = wish.settings ? *wish.settings : defaults;
+  if (settings.keep_topology && !wish.scene)
+    warn(console.log(),
+         fmt::format("{}: its triangles are the patches; 'luxel export --keep-topology --scene FILE' "
+                     "has those of the scene's file",
+                     output));
+  const auto up = up_of(look, baked.patches);
+  const bool keeps = wish.scene && (settings.keep_topology || is_gltf(wish.scene->source));
+  if (!keeps && !settings.on_pages()) {
+    export_glb(output, baked.patches, baked.solution, *light, up,
+               {.tone = look.tone, .program = settings.program});
+    return {};
+  }
+  const KeptOptions options{
+      .tone = look.tone, .program = settings.program, .metres_a_unit = wish.metres_a_unit, .up = up};
+  if (wish.scene)
+    return write_kept(output, {*wish.scene, baked.patches, baked.solution}, light, settings, options, look,
+                      tracer, workers, console);
+  auto patches = baked.patches;
+  std::iota(patches.triangle.begin(), patches.triangle.end(), 0u);
+  const auto scene = scene_of(patches);
+  return write_kept(output, {scene, patches, baked.solution}, light, settings, options, look, tracer, workers,
+                    console);
+}
+
+}  // namespace luxel

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/option_set.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace luxel {
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+// As a shell reads it back.
+std::string quoted(const std::string& word) {
+  constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string inside;
+  for (const char c : word) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return fmt::format("'{}'", inside);
+}
+
+const char* word(Origin origin) {
+  switch (origin) {
+    case Origin::by_default:
+      return "default";
+    case Origin::from_file:
+      return "file";
+    case Origin::from_command_line:
+      return "command line";
+  }
+  return "";
+}
+
+}  // namespace
+
+OptionSet::OptionSet(std::string name, std::string summary)
+    : name_(std::move(name)), summary_(std::move(summary)) {}
+
+void OptionSet::add(Declaration declaration) {
+  auto default_value = declaration.print();
+  entries_.push_back({std::move(declaration), heading_, choice_, word_, std::move(default_value)});
+}
+
+void OptionSet::only_with(std::string choice, std::string word) {
+  choice_ = std::move(choice);
+  word_ = std::move(word);
+}
+
+void OptionSet::set_positional(const char* name, std::string& value, const char* help) {
+  positionals_.push_back({name, &value, nullptr, help});
+}
+
+void OptionSet::set_positionals(const char* name, std::vector<std::string>& values, const char* help) {
+  positionals_.push_back({name, nullptr, &values, help});
+}
+
+std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& e : entries_)
+    if (e.declaration.configurable) result.emplace_back(e.declaration.name, e.declaration.print());
+  return result;
+}
+
+std::vector<std::pair<std::string, std::string>> OptionSet::used_values(const std::string& without) const {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& e : entries_)
+    if (e.declaration.configurable && e.heading != without && is_used(e))
+      result.emplace_back(e.declaration.name, e.declaration.print());
+  return result;
+}
+
+std::vector<std::pair<std::string, std::string>> OptionSet::given() const {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& e : entries_)
+    if (e.origin != Origin::by_default) result.emplace_back(e.declaration.name, e.declaration.print());
+  return result;
+}
+
+void OptionSet::take_up(const std::vector<std::pair<std::string, std::string>>& values) {
+  for (const auto& [name, value] : values)
+    for (auto& e : entries_)
+      if (e.declaration.name == name && value != e.declaration.print()) {
+        e.origin = Origin::from_file;
+        for (const auto& text : e.declaration.many ? lines(value) : std::vector{value})
+          e.declaration.parse(text);
+      }
+}
+
+std::string OptionSet::value_of(const std::string& name) const {
+  const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& e) { return e.declaration.name == name; });
+  return entry == entries_.end() ? std::string() : entry->declaration.print();
+}
+
+bool OptionSet::is_used(const Entry& entry) const {
+  if (entry.choice.empty()) return true;
+  return fmt::format("|{}|", entry.word).find(fmt::format("|{}|", value_of(entry.choice))) !=
+         std::string::npos;
+}
+
+void OptionSet::check_use() const {
+  for (const auto& e : entries_)
+    if (e.origin == Origin::from_command_line && !is_used(e))
+      throw UsageError(fmt::format(
+          "--{} belongs to --{} {} and does nothing with --{} {}: leave out the one or change the "
+          "other",
+          e.declaration.name, e.choice, e.word, e.choice, value_of(e.choice)));
+}
+
+std::string OptionSet::words(const std::function<bool(const Entry&)>& is_shown) const {
+  auto text = fmt::format("luxel {}", name_);
+  for (const auto& positional : positionals_)
+    for (const auto& word : positional.values ? *positional.values : std::vector{*positional.value})
+      text += fmt::format(" {}", quoted(word));
+  for (const auto& e : entries_) {
+    if (!is_shown(e)) continue;
+    for (const auto& value : lines(e.declaration.print()))
+      text += fmt::format(" --{}{}{}", e.declaration.name, e.declaration.is_flag ? "" : " ",
+                          e.declaration.is_flag ? "" : quoted(value));
+  }
+  return text;
+}
+
+std::string OptionSet::as_command(const std::string& without) const {
+  return words([&](const Entry& e) {
+    return e.declaration.print() != e.default_value && e.heading != without && is_used(e);
+  });
+}
+
+std::string OptionSet::given_as_command(const std::string& without) const {
+  return words([&](const Entry& e) { return e.origin != Origin::by_default && e.heading != without; });
+}
+
+std::string OptionSet::as_file() const {
+  std::string text =
+      fmt::format("# luxel {}: every option, its value, and where the value came from.\n", name_);
+  std::string heading;
+  for (const auto& e : entries_) {
+    if (!e.declaration.configurable) continue;
+    if (e.heading != heading) text += fmt::format("\n# {}\n", heading = e.heading);
+    auto value = fmt::format("\"{}\"", e.declaration.print());
+    if (e.declaration.many)
+      value = fmt::format("[\"{}\"]", fmt::join(lines(e.declaration.print()), "\", \""));
+    const bool is_empty = e.declaration.many && e.declaration.print().empty();
+    text += fmt::format("{}{} = {}  # {}{}\n", is_empty ? "# " : "", e.declaration.name, value,
+                        e.declaration.unit.empty() ? "" : e.declaration.unit + "; ", word(e.origin));
+  }
+  return text;
+}
+
+}  // namespace luxel

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "luxel/cli/bake_settings.h"
+#include "luxel/cli/commands.h"
+#include "luxel/cli/light_run.h"
+#include "luxel/cli/outputs.h"
+
+namespace luxel {
+namespace {
+
+// `resume`: a bake goes on where its checkpoint was, with the options it had.
+class Resume final : public Command {
+ public:
+  explicit Resume(OptionSet& options) : Command(options) {
+    options.set_positional("FILE", file_, "a .vtkhdf file of --checkpoint or --keep-transport");
+    told_.light.declare_bounds(options);
+    told_.look.declare(options);
+    told_.mesh.declare(options);
+    told_.picture.declare(options);
+    told_.run.declare(options, all_kinds);
+    told_.light.declare_memory(options);
+    told_.keep.declare_every(options);
+  }
+
+  bool takes_ranks() const override { return true; }
+
+  int run() override {
+    check_before_work(told_.run, told_.picture, all_kinds, file_);
+    Console console(told_.run);
+    const Workers workers(told_.run.threads);
+    RunRecord record;
+
+    auto kept = record.stage("read", [&](auto&) { return read_kept_run(file_); });
+    if (!kept.samples)
+      throw InputError(file_,
+                       "it keeps no samples to go on from: bake with --checkpoint FILE or --keep-transport");
+    auto& provenance = kept.baked.solution.provenance;
+    BakeSettings settings;
+    OptionSet all("bake", "");
+    settings.declare(all);
+    all.take_up(provenance.options);
+    all.take_up(options().given());
+    settings.keep.checkpoint = file_;
+    settings.check();
+    settings.light.sampled.ranks = ranks();
+
+    // What was not changed stays as it was, to the letter.
+    const auto used = all.used_values(RunSettings::heading);
+    if (used != provenance.options) {
+      provenance.options = used;
+      provenance.command_line += fmt::format("; {}", options().given_as_command(RunSettings::heading));
+    }
+    console.say(fmt::format("{}: {} patches, goes on after {} rays", file_, kept.baked.patches.size(),
+                            provenance.rays));
+    return LightRun(settings, file_, options(), workers, console, record)
+        .run(kept.baked, nullptr, {}, kept.samples, nullptr);
+  }
+
+ private:
+  std::string file_;
+  BakeSettings told_;  // of these, what was given
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_resume(CommandLine& line) {
+  return std::make_unique<Resume>(
+      line.command("resume", "go on with a bake that was stopped, or to a finer error"));
+}
+
+}  // namespace luxel

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/core/progress.h"
+
+namespace luxel {
+
+// Where the time of a run went. Times count from the start of the process.
+class RunRecord {
+ public:
+  RunRecord();
+
+  struct Stage {
+    std::string name;
+    double begin = 0.0;    // s
+    double seconds = 0.0;  // it took
+    std::uint64_t rays = 0;
+  };
+
+  // Runs body and books its time. body may set its rays.
+  template <typename Body>
+  auto stage(std::string name, Body body) {
+    const Timer timer(*this, std::move(name));
+    return body(stages_[timer.index]);
+  }
+
+  // Books when the first picture of the whole scene comes by, and passes on what it is told. The record must
+  // outlive it.
+  Monitor watch_for_light(Monitor next);
+
+  const std::vector<Stage>& stages() const { return stages_; }
+  // When the first picture of the whole scene was there, s; nothing where none came.
+  std::optional<double> first_light() const { return first_light_; }
+  // The same from the end of the stage "load" on.
+  std::optional<double> first_light_after_load() const;
+  // Stage, time, share, rays, time a ray; total, first light and peak memory.
+  std::string table() const;
+
+ private:
+  struct Timer {
+    Timer(RunRecord& run, std::string name) : record(run), index(run.stages_.size()) {
+      record.stages_.push_back({std::move(name), record.now()});
+    }
+    ~Timer() { record.stages_[index].seconds = record.now() - record.stages_[index].begin; }
+    RunRecord& record;
+    std::size_t index;
+  };
+  double now() const;  // s
+
+  std::chrono::steady_clock::time_point made_;
+  double age_when_made_;  // of the process, s
+  std::vector<Stage> stages_;
+  std::optional<double> first_light_;
+};
+
+// The most memory this process has held so far, bytes.
+std::uint64_t peak_memory();
+
+}  // namespace luxel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "luxel/classical/solve_report.h"
+#include "luxel/cli/light_pages.h"
+#include "luxel/cli/option_set.h"
+#include "luxel/cli/run_record.h"
+#include "luxel/cli/settings.h"
+#include "luxel/scene/camera.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solve/refine_to_light.h"
+
+namespace luxel {
+
+std::string_view stop_name(StopReason reason);
+
+// A picture that was traced path by path.
+struct PictureRecord {
+  std::uint64_t paths = 0;  // a pixel
+  std::uint64_t rays = 0;
+  double error = 0.0;  // of the reflected light, see PathPicture
+  StopReason stop = StopReason::nothing_to_do;
+};
+
+// A run as JSON, for machines: what --json prints and --report writes. docs/report.md lists its keys. Parts
+// that a command does not have are left out.
+struct RunReport {
+  std::string command;
+  const Baked* baked = nullptr;
+  const SolveReport* solve = nullptr;
+  const RefineReport* refine = nullptr;
+  double mesh_error_target = 0.0;           // of the refinement, a share
+  std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
+  std::optional<PictureRecord> picture = {};
+  std::optional<PagesRecord> pages = {};
+  std::optional<Camera> camera = {};
+  Vec3d origin = Vec3d(0.0);  // that the camera counts from
+  std::vector<std::string> outputs = {};
+  const OptionSet* options = nullptr;
+  const RunRecord* record = nullptr;
+
+  std::string as_json() const;
+};
+
+// The solution and its patches as lines for a person.
+std::string describe(const Baked& baked);
+// How patches were put where the light needs them.
+std::string describe(const RefineReport& report);
+// What was done, where the power went, what ended it and how good the light is, as lines for a person.
+std::string describe(const SolveReport& report);
+
+}  // namespace luxel

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/cli/option_set.h"
+#include "luxel/image/tone.h"
+#include "luxel/import/load_scene.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/render/render.h"
+#include "luxel/scene/camera.h"
+#include "luxel/solve/refine_to_light.h"
+#include "luxel/solve/solve_light.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+// The options of the commands, by theme. Each struct fills the library's own options; declare() adds its
+// flags to a command. There is no second list of defaults.
+
+struct SceneSettings {
+  std::string file;
+  LoadOptions load;
+  PatchOptions patches;
+  // What is to be read, and how; then what it is cut into as well.
+  void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
+  void declare(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
+  // Of the commands that find light; the first right after declare(), the others where the options of light
+  // begin.
+  void declare_contacts(OptionSet& set);
+  void declare_sky(OptionSet& set);
+  void declare_spectra(OptionSet& set);
+  // Throws UsageError where options contradict each other.
+  void check() const;
+};
+
+// Where the light itself says how fine patches are to be.
+struct RefineSettings {
+  double mesh_error = 0.0;  // a share; 0: the patches stay as they are
+  std::size_t max_patches = RefineOptions().max_patches;
+  bool is_asked() const { return mesh_error > 0.0; }
+  void declare(OptionSet& set);
+};
+
+struct LightSettings : LightOptions {
+  bool joins_faces = false;   // dense
+  std::string focus = "all";  // where the seen error matters, see patch/focus.h
+  std::string each_step;      // folder for a picture after every step; empty: none
+  bool force = false;         // begins even what will take days
+  // Throws UsageError where nothing would end the run, or options contradict each other.
+  void check() const;
+  void declare(OptionSet& set);
+  // Apart from the others: they do not change the light, so they stand with how a run is run.
+  void declare_run(OptionSet& set);
+  // When a sampled run ends, and what it may hold: what may change when it goes on.
+  void declare_bounds(OptionSet& set);
+  void declare_memory(OptionSet& set);
+
+ private:
+  void declare_rays(OptionSet& set);
+  void declare_error_and_time(OptionSet& set);
+  void declare_classical(OptionSet& set);
+  void declare_tolerance(OptionSet& set);
+  void declare_sampled(OptionSet& set);
+  void declare_variance_reduction(OptionSet& set);
+  void declare_shooting(OptionSet& set);
+};
+
+struct PictureSettings {
+  static constexpr float automatic_fov = 0.0f;
+  std::optional<Vec3d> eye, target;    // m, in the file's coordinates
+  std::optional<Camera> of_scene;      // what the scene's file has, where neither is given
+  float vertical_fov = automatic_fov;  // degrees
+  RenderOptions render;
+  int gather = 0;  // rays a pixel of a final gather; 0: none
+  // Throws UsageError where the camera cannot be: to be asked before hours are spent.
+  void check() const;
+  // Camera and size; then how a solution is drawn.
+  void declare_view(OptionSet& set);
+  void declare_camera(OptionSet& set);
+  void declare(OptionSet& set);
+  void declare_gather(OptionSet& set);
+};
+
+struct LookSettings {
+  std::string up = "auto";
+  SmoothOptions smooth;
+  ToneOptions tone;
+  std::string title;  // of a page; empty: the file's name
+  void declare_up(OptionSet& set);
+  void declare_title(OptionSet& set);
+  void declare(OptionSet& set);
+};
+
+// How a run is run and what becomes of it: nothing here changes the light, so nothing of it is kept in a
+// solution.
+struct RunSettings {
+  static constexpr const char* heading = "Run";
+  std::vector<std::string> outputs;
+  int threads = 0;
+  bool json = false;
+  bool quiet = false;
+  std::string progress = "auto";
+  std::string report;
+  // kinds: the endings -o takes, for the help.
+  void declare(OptionSet& set, const std::string& kinds);
+};
+
+}  // namespace luxel

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/solved_scene.h"
+
+#include <fmt/format.h>
+
+#include "luxel/cli/bake_settings.h"
+#include "luxel/core/error.h"
+
+namespace luxel {
+
+std::optional<SolvedScene> load_solved_scene(const std::string& file, const std::string& solution_file,
+                                             const Baked& baked, Console& console) {
+  BakeSettings of_bake;
+  OptionSet all("bake", "");
+  of_bake.declare(all);
+  all.take_up(baked.solution.provenance.options);
+  SolvedScene solved;
+  solved.metres_a_unit = of_bake.scene.load.scale;
+  solved.scene = load_scene(file, of_bake.scene.load, console.log(), console.monitor());
+  if (interrupted()) return std::nullopt;
+  if (fingerprint(solved.scene) != baked.patches.scene_fingerprint)
+    throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", file, solution_file));
+  return solved;
+}
+
+}  // namespace luxel

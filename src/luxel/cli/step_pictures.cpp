@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/step_pictures.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "luxel/image/image_file.h"
+#include "luxel/render/render.h"
+
+namespace luxel {
+namespace {
+
+ToneCurve curve_of(const Image& radiance, const ToneOptions& tone) {
+  const std::vector<float> weights(radiance.pixels.size(), 1.0f);
+  auto options = tone;
+  if (options.op == ToneOperator::reinhard_local) options.op = ToneOperator::reinhard;
+  return fit_curve(radiance.pixels, weights, options);
+}
+
+}  // namespace
+
+StepPictures::StepPictures(std::string folder) : folder_(std::move(folder)) {
+  if (folder_.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error)
+    throw DeviceError(fmt::format("--each-step: cannot make the folder {}: {}", folder_, error.message()));
+}
+
+Monitor StepPictures::watch(Monitor next) {
+  if (folder_.empty()) return next;
+  return [this, next = std::move(next)](const Progress& progress) {
+    if (progress.light) steps_.push_back({progress.light->irradiance_front, progress.light->irradiance_back});
+    return tell(next, progress);
+  };
+}
+
+std::vector<std::string> StepPictures::write(const Baked& baked, const Tracer& tracer,
+                                             const std::optional<Camera>& camera, const LookSettings& look,
+                                             const PictureSettings& picture, const Workers& workers,
+                                             Console& console, RunRecord& record) const {
+  std::vector<std::string> files;
+  if (steps_.empty()) return files;
+  return record.stage("steps", [&](auto&) {
+    const auto from = camera ? *camera : camera_of(picture, look, baked, tracer, workers);
+    const auto draw = [&](const Step& step) {
+      auto light = baked.solution;
+      light.irradiance_front = step.irradiance_front;
+      light.irradiance_back = step.irradiance_back;
+      return render(baked.patches, make_smooth_light(baked.patches, light, look.smooth, workers), tracer,
+                    from, picture.render, workers);
+    };
+    const auto curve = curve_of(draw(steps_.back()), look.tone);
+    const auto monitor = console.monitor(false);
+    for (const auto& step : steps_) {
+      auto shown = draw(step);
+      for (auto& pixel : shown.pixels) pixel = curve(pixel);
+      files.push_back(
+          (std::filesystem::path(folder_) / fmt::format("step-{:03}.png", files.size() + 1)).string());
+      write_png(files.back(), shown);
+      tell(monitor, {"steps", static_cast<double>(files.size()) / static_cast<double>(steps_.size())});
+    }
+    console.clear_bar();
+    return files;
+  });
+}
+
+}  // namespace luxel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "luxel/cli/outputs.h"
+
+namespace luxel {
+
+// A picture after every step of an iteration, all from one camera and with one exposure, so that they can be
+// compared: that of the last step, which is why they are drawn at the end. Keeps two numbers a patch and band
+// for each step.
+class StepPictures {
+ public:
+  // Makes the folder. No folder: keeps nothing and draws nothing. Throws DeviceError.
+  explicit StepPictures(std::string folder);
+
+  // Keeps every picture of the light that comes by, and passes on what it is told. This must outlive it.
+  Monitor watch(Monitor next);
+
+  // Writes step-001.png and so on; returns their names. camera: where a picture was already taken from. The
+  // tone operator reinhard-local, which has no exposure of the whole, is taken as reinhard.
+  std::vector<std::string> write(const Baked& baked, const Tracer& tracer,
+                                 const std::optional<Camera>& camera, const LookSettings& look,
+                                 const PictureSettings& picture, const Workers& workers, Console& console,
+                                 RunRecord& record) const;
+
+ private:
+  struct Step {
+    std::vector<float> irradiance_front, irradiance_back;
+  };
+
+  std::string folder_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace luxel

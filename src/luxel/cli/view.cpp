@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "luxel/cli/bake_settings.h"
+#include "luxel/cli/commands.h"
+#include "luxel/cli/console.h"
+#include "luxel/cli/version.h"
+#include "luxel/viewer/run_window.h"
+
+namespace luxel {
+namespace {
+
+// `view`: a window on a scene while its light is solved, or on a solution.
+class View final : public Command {
+ public:
+  explicit View(OptionSet& options) : Command(options) {
+    auto& s = settings_;
+    s.scene.declare(options, "the mesh (OBJ with MTL, glTF), or a .vtkhdf solution");
+    s.scene.declare_contacts(options);
+    s.refine.declare(options);
+    s.scene.declare_sky(options);
+    s.scene.declare_spectra(options);
+    s.light.declare(options);
+    s.keep.declare_groups(options);
+    s.look.declare(options);
+    s.picture.declare_view(options);
+    options.heading(RunSettings::heading);
+    options.add_text("compare", "FILE", compare_,
+                     "a second solution: the window shows how far the light is from it");
+    options.add_text("save", "FILE", save_, "a .vtkhdf file that keeps the light when the window is closed");
+    options.add_text("snapshot", "FILE", snapshot_,
+                     "no window: draw off screen, and write this .png at the end");
+    options.add_text("script", "FILE", script_,
+                     "do what this file says, as if by a person; see docs/viewer.md");
+    options.add_flag("off-screen", off_screen_, "no window, for a script that takes its own pictures");
+    options.add_number("threads", "count", s.run.threads, 0, 4096,
+                       "that solve; 0 leaves a core to the window");
+    s.light.declare_memory(options);
+  }
+
+  int run() override {
+    settings_.scene.check();
+    settings_.light.check();
+    settings_.picture.check();
+    const auto report = run_window(window_settings());
+    if (!report.saved.empty()) Console().say(report.saved);
+    return report.interrupted ? exit_stopped_early : exit_fine;
+  }
+
+ private:
+  WindowSettings window_settings() const {
+    const auto& s = settings_;
+    WindowSettings window{.file = s.scene.file,
+                          .live = [this](const std::filesystem::path& file) { return live_settings(file); },
+                          .size = {s.picture.render.width, s.picture.render.height},
+                          .eye = s.picture.eye,
+                          .target = s.picture.target,
+                          .vertical_fov = s.picture.vertical_fov,
+                          .tone = s.look.tone,
+                          .off_screen = off_screen_ || !snapshot_.empty(),
+                          .is_interrupted = interrupted};
+    if (s.look.up != "auto") window.up = s.look.up == "y" ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(0.0f, 0.0f, 1.0f);
+    if (!compare_.empty()) window.compare = compare_;
+    if (!save_.empty()) window.save = save_;
+    if (!snapshot_.empty()) window.snapshot = snapshot_;
+    if (!script_.empty()) window.script = read_script(script_);
+    return window;
+  }
+
+  // As a bake of the file with the same options.
+  LiveSettings live_settings(const std::filesystem::path& file) const {
+    const auto& s = settings_;
+    LiveSettings live{.load = s.scene.load,
+                      .patches = s.scene.patches,
+                      .refine = {.mesh_error = s.refine.mesh_error, .max_patches = s.refine.max_patches},
+                      .light = s.light,
+                      .joins_faces = s.light.joins_faces,
+                      .focus = s.light.focus,
+                      .groups = s.keep.groups,
+                      .smooth = s.look.smooth,
+                      .threads = s.run.threads};
+    live.sign = [this, file](Provenance& provenance, const LightOptions& light) {
+      sign(provenance, file, light);
+    };
+    live.options_of = [](const Provenance& provenance) {
+      BakeSettings bake;
+      OptionSet all("bake", "");
+      bake.declare(all);
+      all.take_up(provenance.options);
+      return LightOptions(bake.light);
+    };
+    return live;
+  }
+
+  // What is saved says how a bake makes it again.
+  void sign(Provenance& provenance, const std::filesystem::path& file, const LightOptions& light) const {
+    BakeSettings bake;
+    OptionSet all("bake", "");
+    bake.declare(all);
+    all.take_up(options().given());
+    bake.scene.file = file.string();
+    static_cast<LightOptions&>(bake.light) = light;
+    bake.keep.transport = true;
+    provenance.program_version = program_version;
+    provenance.command_line = all.as_command(RunSettings::heading);
+    provenance.options = all.used_values(RunSettings::heading);
+  }
+
+  BakeSettings settings_;
+  std::string compare_, save_, snapshot_, script_;
+  bool off_screen_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_view(CommandLine& line) {
+  return std::make_unique<View>(
+      line.command("view", "a window: watch light arrive, walk through it, question it"));
+}
+
+}  // namespace luxel

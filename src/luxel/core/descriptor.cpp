@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/core/descriptor.h"
+
+#include <cerrno>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace luxel {
+
+Descriptor::Descriptor(const std::filesystem::path& path, int flags) {
+  do number_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+  while (number_ < 0 && errno == EINTR);
+}
+
+Descriptor::~Descriptor() {
+  // A caller's throw may still want errno.
+  const int error = errno;
+  if (is_open()) ::close(number_);
+  errno = error;
+}
+
+bool Descriptor::close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+}  // namespace luxel

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/core/mpi_ranks.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#ifdef LUXEL_HAS_MPI
+#include <mpi.h>
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t largest_message = std::size_t{1} << 30;  // bytes; MPI counts in int
+
+// Whether a launcher started this: to begin MPI without one would take a tenth of a second for nothing.
+bool is_launched() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
+    if (std::getenv(name)) return true;
+  return false;
+}
+
+// A failed call ends all ranks with MPI's own message: that is MPI's default, and what is wanted.
+class MpiRanks final : public Ranks {
+ public:
+  MpiRanks() {
+    int rank = 0;
+    int size = 1;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    rank_ = static_cast<std::size_t>(rank);
+    size_ = static_cast<std::size_t>(size);
+    MPI_Comm machine = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &machine);
+    MPI_Comm_size(machine, &size);
+    on_this_machine_ = static_cast<std::size_t>(size);
+    MPI_Comm_free(&machine);
+  }
+  ~MpiRanks() override { MPI_Finalize(); }
+  MpiRanks(const MpiRanks&) = delete;
+  MpiRanks& operator=(const MpiRanks&) = delete;
+
+  std::size_t rank() const override { return rank_; }
+  std::size_t size() const override { return size_; }
+  RankTraffic traffic() const override { return traffic_; }
+  std::size_t on_this_machine() const override { return on_this_machine_; }
+
+  void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
+                  std::span<const std::size_t> sizes) const override {
+    const auto places = begins(sizes);
+    const Wait wait(*this, places.back() - own.size());
+    if (places.back() <= largest_message) {
+      const std::vector<int> counts(sizes.begin(), sizes.end());
+      const std::vector<int> offsets(places.begin(), places.end() - 1);
+      const void* from = own.data() == all.data() + places[rank_] ? MPI_IN_PLACE : own.data();
+      MPI_Allgatherv(from, static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(), offsets.data(),
+                     MPI_BYTE, MPI_COMM_WORLD);
+      return;
+    }
+    for (std::size_t r = 0; r < size_; ++r) {
+      auto part = all.subspan(places[r], sizes[r]);
+      if (r == rank_ && own.data() != part.data()) std::copy(own.begin(), own.end(), part.begin());
+      broadcast(part, static_cast<int>(r));
+    }
+  }
+
+  std::unique_ptr<Pending> start_all_gather(std::span<const std::byte> own,
+                                            std::span<std::byte> all) const override {
+    // Messages to each, which need nothing of a rank that computes; a collective call would need its help.
+    constexpr int tag = 1;
+    auto messages = std::make_unique<Messages>(*this);
+    const auto count = static_cast<int>(own.size());
+    for (std::size_t r = 0; r < size_; ++r) {
+      auto* to = all.data() + r * own.size();
+      if (r == rank_) {
+        std::copy(own.begin(), own.end(), to);
+        continue;
+      }
+      const auto other = static_cast<int>(r);
+      MPI_Irecv(to, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &messages->requests.emplace_back());
+      MPI_Isend(own.data(), count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &messages->requests.emplace_back());
+    }
+    return messages;
+  }
+
+  void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
+                       std::span<const std::size_t> sizes) const override {
+    if (rank_ > 0) {
+      const Wait wait(*this, 0);
+      for (std::size_t i = 0; i < own.size(); i += largest_message)
+        MPI_Send(own.data() + i, length(own.size(), i), MPI_BYTE, 0, 0, MPI_COMM_WORLD);
+      return;
+    }
+    const auto places = begins(sizes);
+    const Wait wait(*this, places.back() - own.size());
+    std::copy(own.begin(), own.end(), all.begin());
+    for (std::size_t r = 1; r < size_; ++r)
+      for (std::size_t i = 0; i < sizes[r]; i += largest_message)
+        MPI_Recv(all.data() + places[r] + i, length(sizes[r], i), MPI_BYTE, static_cast<int>(r), 0,
+                 MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  }
+
+  void from_first(std::span<std::byte> bytes) const override {
+    const Wait wait(*this, rank_ == 0 ? 0 : bytes.size());
+    broadcast(bytes, 0);
+  }
+
+  void exchange(std::span<const std::span<const std::byte>> own,
+                std::span<const std::span<std::byte>> come) const override {
+    std::size_t bytes = 0;
+    for (const auto& part : come) bytes += part.size();
+    const Wait wait(*this, bytes - come[rank_].size());
+    std::vector<MPI_Request> requests;
+    for (std::size_t r = 0; r < size_; ++r) {
+      for (std::size_t i = 0; i < come[r].size(); i += largest_message)
+        MPI_Irecv(come[r].data() + i, length(come[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
+                  MPI_COMM_WORLD, &requests.emplace_back());
+      for (std::size_t i = 0; i < own[r].size(); i += largest_message)
+        MPI_Isend(own[r].data() + i, length(own[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
+                  MPI_COMM_WORLD, &requests.emplace_back());
+    }
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  }
+
+ private:
+  // While there is one, the rank is waiting.
+  class Wait {
+   public:
+    Wait(const MpiRanks& ranks, std::size_t bytes_come) : traffic_(ranks.traffic_) {
+      traffic_.bytes += bytes_come;
+    }
+    ~Wait() {
+      traffic_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+    Wait(const Wait&) = delete;
+    Wait& operator=(const Wait&) = delete;
+
+   private:
+    RankTraffic& traffic_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  };
+
+  struct Messages final : Pending {
+    explicit Messages(const MpiRanks& of) : ranks(of) {}
+    void wait() override {
+      const Wait wait(ranks, 0);
+      MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    }
+    const MpiRanks& ranks;
+    std::vector<MPI_Request> requests;
+  };
+
+  static std::vector<std::size_t> begins(std::span<const std::size_t> sizes) {
+    std::vector<std::size_t> places = {0};
+    for (const auto size : sizes) places.push_back(places.back() + size);
+    return places;
+  }
+  static int length(std::size_t size, std::size_t from) {
+    return static_cast<int>(std::min(largest_message, size - from));
+  }
+  static void broadcast(std::span<std::byte> bytes, int from) {
+    for (std::size_t i = 0; i < bytes.size(); i += largest_message)
+      MPI_Bcast(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, from, MPI_COMM_WORLD);
+  }
+
+  std::size_t rank_ = 0;
+  std::size_t size_ = 1;
+  std::size_t on_this_machine_ = 1;
+  mutable RankTraffic traffic_;
+};
+
+}  // namespace
+
+std::unique_ptr<Ranks> join_ranks() {
+  if (!is_launched()) return nullptr;
+  int level = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
+  auto ranks = std::make_unique<MpiRanks>();
+  if (ranks->size() > 1) return ranks;
+  return nullptr;
+}
+
+void leave_ranks(int exit_code) {
+  int is_begun = 0;
+  int is_ended = 0;
+  MPI_Initialized(&is_begun);
+  MPI_Finalized(&is_ended);
+  if (is_begun && !is_ended) MPI_Abort(MPI_COMM_WORLD, exit_code);
+}
+
+}  // namespace luxel
+
+#else
+
+namespace luxel {
+
+// Processes that know nothing of each other would all write the same files.
+std::unique_ptr<Ranks> join_ranks() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const auto* size = std::getenv(name); size && std::atoi(size) > 1)
+      throw std::runtime_error(std::string("started as one of ") + size +
+                               " processes, but built without MPI: start one alone, or build with MPI");
+  return nullptr;
+}
+void leave_ranks(int) {}
+
+}  // namespace luxel
+
+#endif

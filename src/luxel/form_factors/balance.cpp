@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/form_factors/balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t rows_a_chunk = 256;
+constexpr int most_steps = 60;
+constexpr int most_iterations = 400;  // of conjugate gradients a step
+constexpr int most_halvings = 20;
+constexpr double enough = 2e-13;  // of a row's area
+constexpr double inner_tolerance = 1e-3;
+
+using Vector = std::vector<double>;
+
+class Newton {
+ public:
+  Newton(ExchangeAreas& areas, std::span<const double> area, const Workers& workers, const Monitor& monitor)
+      : areas_(areas), area_(area), workers_(workers), monitor_(monitor), diagonal_(areas.size()) {}
+
+  Balance solve() {
+    const auto n = areas_.size();
+    Vector m(n, 0.0), r = residual(m);
+    Balance best{m, worst(r), 0};
+    first_ = best.worst;
+    for (int step = 1; step <= most_steps && best.worst > enough && !is_stopped_; ++step) {
+      const auto direction = towards(r);
+      // Whole steps but where pieces change: then halves.
+      bool is_better = false;
+      double share = 1.0;
+      for (int h = 0; h < most_halvings && !is_better && !is_stopped_; ++h, share *= 0.5) {
+        auto next = m;
+        for (std::size_t i = 0; i < n; ++i) next[i] += share * direction[i];
+        auto left = residual(next);
+        is_better = dot(left, left) < dot(r, r);
+        if (!is_better) continue;
+        m = std::move(next);
+        r = std::move(left);
+      }
+      if (!is_better) break;
+      if (const auto w = worst(r); w < best.worst) best = {m, w, step};
+    }
+    best.passes = passes_;
+    best.is_stopped = is_stopped_;
+    return best;
+  }
+
+ private:
+  template <typename Body>
+  void for_rows(Body body) const {
+    workers_.for_chunks(areas_.size(), rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) body(i);
+    });
+  }
+  double dot(const Vector& a, const Vector& b) const {
+    return ordered_sum(workers_, a.size(), [&](std::size_t i) { return a[i] * b[i]; });
+  }
+  double worst(const Vector& r) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < r.size(); ++i) most = std::max(most, std::fabs(r[i]) / area_[i]);
+    return most;
+  }
+
+  // One more pass: some tenths of a second for a hundred million areas.
+  void count_pass(double worst_left) {
+    ++passes_;
+    // Digits won of those wanted.
+    const auto done = worst_left < first_ ? std::log(worst_left / first_) / std::log(enough / first_) : 0.0;
+    if (tell(monitor_, {"enforce", std::min(done, 1.0)}) == Next::stop) is_stopped_ = true;
+  }
+
+  // What each row lacks, m². Notes which areas are held at 0, and the diagonal of the derivative.
+  Vector residual(const Vector& m) {
+    Vector r(m.size());
+    for_rows([&](std::size_t i) {
+      double sum = 0.0, diagonal = 0.0;
+      for (auto at = areas_.row_begin[i]; at < areas_.row_begin[i + 1]; ++at) {
+        const auto x = balanced(areas_, m, i, at);
+        const auto variance = std::fabs(areas_.variance[at]);
+        const auto noted = x > 0.0 ? variance : -variance;
+        if (noted != areas_.variance[at]) areas_.variance[at] = noted;
+        sum += x;
+        diagonal += x > 0.0 ? static_cast<double>(variance) : 0.0;
+      }
+      for (const auto& sink : areas_.sink) {
+        const auto x = balanced_sink(sink, m, i);
+        sum += x;
+        diagonal += x > 0.0 ? sink.variance[i] : 0.0;
+      }
+      r[i] = area_[i] - sum;
+      diagonal_[i] = diagonal;
+    });
+    sinks_at_ = m;
+    count_pass(worst(r));
+    return r;
+  }
+
+  // The derivative of the rows' sums where x > 0, times v.
+  void apply(const Vector& v, Vector& result) const {
+    for_rows([&](std::size_t i) {
+      double sum = 0.0;
+      for (auto at = areas_.row_begin[i]; at < areas_.row_begin[i + 1]; ++at) {
+        const auto variance = std::max(areas_.variance[at], 0.0f);
+        const auto j = areas_.column[at];
+        sum += static_cast<double>(variance) * (j == i ? v[i] : v[i] + v[j]);
+      }
+      for (const auto& sink : areas_.sink)
+        if (balanced_sink(sink, sinks_at_, i) > 0.0) sum += sink.variance[i] * v[i];
+      result[i] = sum;
+    });
+  }
+
+  Vector towards(const Vector& r) {
+    const auto n = r.size();
+    Vector x(n, 0.0), left = r, z(n), p(n), applied(n);
+    const auto precondition = [&] {
+      for (std::size_t i = 0; i < n; ++i) z[i] = diagonal_[i] > 0.0 ? left[i] / diagonal_[i] : 0.0;
+    };
+    precondition();
+    p = z;
+    auto rz = dot(left, z);
+    const auto goal = inner_tolerance * inner_tolerance * rz;
+    for (int k = 0; k < most_iterations && rz > goal && !is_stopped_; ++k) {
+      apply(p, applied);
+      const auto curvature = dot(p, applied);
+      if (!(curvature > 0.0)) break;
+      const auto length = rz / curvature;
+      for (std::size_t i = 0; i < n; ++i) {
+        x[i] += length * p[i];
+        left[i] -= length * applied[i];
+      }
+      precondition();
+      const auto next = dot(left, z);
+      for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + (next / rz) * p[i];
+      rz = next;
+      count_pass(worst(left));
+    }
+    return x;
+  }
+
+  ExchangeAreas& areas_;
+  std::span<const double> area_;
+  const Workers& workers_;
+  const Monitor& monitor_;
+  // At the point of the last residual.
+  Vector diagonal_, sinks_at_;
+  double first_ = 0.0;  // what rows lacked at first
+  int passes_ = 0;
+  bool is_stopped_ = false;
+};
+
+}  // namespace
+
+Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Workers& workers,
+                     const Monitor& monitor) {
+  return Newton(areas, area, workers, monitor).solve();
+}
+
+}  // namespace luxel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "luxel/core/workers.h"
+#include "luxel/form_factors/exchange_areas.h"
+
+namespace luxel {
+
+struct Balance {
+  std::vector<double> multiplier;  // [element], 1/m²: of the rows' sums
+  double worst = 0.0;              // |row sum - area| / area that is left, the largest
+  int steps = 0;                   // of Newton
+  int passes = 0;                  // over all exchange areas
+  bool is_stopped = false;         // by the monitor
+};
+
+// The multipliers with which x_ij = max(0, G_ij + variance_ij (m_i + m_j)), x_ii = max(0, G_ii + variance_ii
+// m_i) and sinks likewise fill every row: sum of x = area, m². That x is nearest to G, measured in variances,
+// of all that are nowhere below 0 and do so (the conditions of Karush, Kuhn and Tucker). Newton's method for
+// functions that are smooth in pieces (Qi and Sun 1993); its equations, sparse and positive, by conjugate
+// gradients with the diagonal as preconditioner. Which x are at 0 is noted in the variances' signs meanwhile,
+// so that a pass reads 8 bytes an exchange area; some tens of passes. The same bits on any number of threads.
+Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Workers& workers,
+                     const Monitor& monitor = {});
+
+// x of a listed exchange area in row i, and of a sink.
+inline double balanced(const ExchangeAreas& areas, std::span<const double> multiplier, std::size_t i,
+                       std::uint64_t at) {
+  const auto j = areas.column[at];
+  const auto sum = j == i ? multiplier[i] : multiplier[i] + multiplier[j];
+  const auto x = areas.value[at] + std::fabs(static_cast<double>(areas.variance[at])) * sum;
+  return x > 0.0 ? x : 0.0;
+}
+inline double balanced_sink(const ExchangeAreas::SinkColumn& sink, std::span<const double> multiplier,
+                            std::size_t i) {
+  const auto x = sink.value[i] + sink.variance[i] * multiplier[i];
+  return x > 0.0 ? x : 0.0;
+}
+
+}  // namespace luxel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/core/workers.h"
+#include "luxel/form_factors/view_elements.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/trace/gather_rays.h"
+#include "luxel/trace/gather_sides.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// The rays that count view factors: cosine rays from uniform points of patch sides, Owen-scrambled Sobol
+// points, in independent replicates. What they meet is a number: an element, or elements.size() + a
+// ViewFactors::Sink.
+class ElementRays {
+ public:
+  // Keeps references to patches, tracer and elements. rows: elements whose rays are wanted, empty: all.
+  ElementRays(const PatchSet& patches, const Tracer& tracer, const ViewElements& elements,
+              const std::vector<std::uint8_t>& rows, std::uint64_t seed, std::uint32_t replicates,
+              const Workers& workers);
+
+  // The sides that have rays, neighbours together.
+  std::size_t slots() const { return sides_.size(); }
+  std::uint32_t element_of_slot(std::size_t slot) const { return elements_.of_side[sides_.side[slot]]; }
+  double area_of_slot(std::size_t slot) const {
+    return static_cast<double>(patches_.area[sides_.side[slot] / 2]);
+  }
+  std::uint32_t replicates() const { return replicates_; }
+  const ViewElements& elements() const { return elements_; }
+
+  // Where runs of these slots (rising) begin that may be traced together, and at the end their number: of
+  // at most so many positions, a power of two up to 4096.
+  std::vector<std::size_t> runs(std::span<const std::uint32_t> slots, std::uint32_t positions) const;
+
+  // per_slot rays, a power of two, of each slot in one replicate, at that level of doubling. What ray k of
+  // slots[i] meets goes to met[i * per_slot + k].
+  void trace(std::span<const std::uint32_t> slots, std::uint32_t replicate, std::uint32_t level,
+             std::uint32_t per_slot, std::span<std::uint32_t> met) const;
+
+ private:
+  std::uint32_t number_of(const Hit& hit) const;
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  const ViewElements& elements_;
+  GatherSides sides_;
+  std::uint64_t seed_;
+  std::uint32_t replicates_;
+};
+
+}  // namespace luxel

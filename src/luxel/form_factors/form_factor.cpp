@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/form_factors/form_factor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "luxel/core/address.h"
+#include "luxel/core/triangle.h"
+#include "luxel/form_factors/obstructed_exchange.h"
+#include "luxel/form_factors/polygon_form_factor.h"
+#include "luxel/form_factors/ray_exchange.h"
+
+namespace luxel {
+namespace {
+
+constexpr double closed_form_error = 1e-12;
+constexpr std::size_t most_screens = 200;
+constexpr std::uint64_t seed = 0x666f726d;  // of the shadow rays: any, but always the same
+
+std::array<Vec3d, 3> corners_of(const PatchSet& patches, std::size_t patch) {
+  const auto p = patches.points(patch);
+  return {Vec3d(p[0]), Vec3d(p[1]), Vec3d(p[2])};
+}
+
+// Counter-clockwise seen from that side.
+std::array<Vec3d, 3> polygon_of(const PatchSet& patches, std::size_t side) {
+  auto corners = corners_of(patches, side / 2);
+  if (side % 2 != 0) std::swap(corners[1], corners[2]);
+  return corners;
+}
+
+double rounding_of(const PatchSet& patches) {
+  float largest = 0.0f;
+  for (const auto& v : patches.vertices)
+    largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  return 0x1p-21 * static_cast<double>(largest);
+}
+
+}  // namespace
+
+FormFactors::FormFactors(const PatchSet& patches, const Tracer& tracer, const Workers& workers)
+    : patches_(patches), tracer_(tracer), search_(patches, workers), slack_(rounding_of(patches)) {}
+
+FormFactor FormFactors::between(std::size_t from, std::size_t to, double tolerance) const {
+  const auto a = polygon_of(patches_, from), b = polygon_of(patches_, to);
+  const auto parts = facing_parts(a, b);
+  if (parts.a.empty()) return {};
+  const auto area = glm::length(polygon_area_vector(a));
+  const auto open = polygon_exchange_area(a, b);
+
+  std::vector<std::uint32_t> found;
+  const bool all_found = search_.find(Shaft(parts.a, parts.b, slack_), most_screens, found);
+  if (found.empty()) return {open / area, closed_form_error, true};
+  // Too little to look at: between nothing and all of it.
+  if (open <= 0.1 * tolerance * area) return {0.5 * open / area, 0.5 * open / area, false};
+
+  Estimate exchange;
+  if (all_found) {
+    std::vector<std::array<Vec3d, 3>> screens;
+    for (const auto p : found) screens.push_back(corners_of(patches_, p));
+    exchange = obstructed_exchange(parts.a, parts.b, screens, open,
+                                   {.tolerance = tolerance * area, .slack = slack_});
+  } else {
+    const auto key = stream_key(seed, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
+    exchange = ray_exchange(tracer_, PatchEmitter(patches_, from), area, parts.b, open,
+                            {.tolerance = tolerance * area, .key = key});
+  }
+  return {exchange.value / area, exchange.error / area + closed_form_error, false};
+}
+
+}  // namespace luxel

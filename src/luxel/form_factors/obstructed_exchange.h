@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "luxel/core/vector.h"
+
+namespace luxel {
+
+// An integral and an estimate of its absolute error.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+struct ObstructedOptions {
+  double tolerance = 1e-6;    // m², absolute, asked for
+  double slack = 0.0;         // m: what reaches less than that between the polygons hides nothing
+  std::size_t most = 20'000;  // cells; past them `error` stays above the tolerance
+};
+
+// Area times form factor, m², between two polygons that face each other (facing_parts) with opaque triangles
+// between. open: the same without them. The inner integral is exact (VisibleIrradiance), the outer runs over
+// the smaller polygon, whose triangles are cut in four where the estimated error is largest. Each cell knows
+// the screens in its own shaft, so that shadow edges alone are refined. Where most is seen, only what is
+// hidden is integrated, and the rest is the closed form: then edges that touch cost nothing.
+//
+// error: twice the sum over cells of what the last cut changed, and where all points of a cell are in the
+// light (or dark) though a screen reaches in, a guess of what they miss. 10 us a cell and screen.
+Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
+                             std::span<const std::array<Vec3d, 3>> screens, double open,
+                             const ObstructedOptions& options);
+
+}  // namespace luxel

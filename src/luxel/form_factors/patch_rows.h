@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/form_factors/element_rays.h"
+#include "luxel/form_factors/view_factors.h"
+
+namespace luxel {
+
+// Rows of elements of one side each, as counted: 12 bytes a listed factor.
+struct PatchRows {
+  std::vector<std::uint32_t> element;  // [row]
+  std::vector<std::uint32_t> length;   // [row]: listed factors
+  std::vector<std::uint32_t> column;   // rising within a row
+  std::vector<std::uint32_t> hits;     // the factor times all rays of the row
+  std::vector<float> standard_error;
+  std::array<std::vector<double>, ViewFactors::sinks> sink;       // [row]
+  std::array<std::vector<float>, ViewFactors::sinks> sink_error;  // [row]
+  // Sums of squared standard errors: of the listed factors; and of sinks, in addition.
+  double factor_error2 = 0.0, sink_error2 = 0.0;
+};
+
+// What a worker needs beside, used again and again.
+struct PatchRowScratch {
+  std::vector<std::uint32_t> met;    // [replicate][slot][ray]
+  std::vector<std::uint32_t> place;  // [number met]: 1 + its place in `numbers`; else 0
+  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> counts;  // [place][replicate]
+};
+
+// Appends the rows of these slots, per_slot rays a replicate. keep_above: factors below are dropped.
+void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> slots, std::uint32_t per_slot,
+                       double keep_above, PatchRowScratch& scratch, PatchRows& rows);
+
+// Mean and standard error of replicates' shares from their counts out of per_replicate rays each.
+struct CountedShare {
+  std::uint32_t hits = 0;
+  double share = 0.0;
+  double standard_error = 0.0;
+};
+CountedShare counted_share(std::span<const std::uint32_t> counts, std::uint64_t per_replicate);
+
+}  // namespace luxel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "luxel/core/vector.h"
+
+namespace luxel {
+
+// The form factor from polygon a to polygon b: the share of the diffuse power that leaves the front of a and
+// arrives at the front of b, in [0, 1], with nothing between them. Corners in metres, counter-clockwise seen
+// from the front; flat, convex, at least three, else 0. What of either lies behind the plane of the other
+// neither gives nor gets. They may touch, share edges, and be as near as they like.
+//
+// Near each other: the closed form (Schröder and Hanrahan 1993), pair by pair of edges. Where a polygon is
+// further off than its own size: the closed form of a point (Lambert 1760), integrated over the smaller of
+// the two by Gauss's rule, which loses no digits at a distance. Absolute error at most about 1e-12, relative
+// the same when apart. 1 to 15 us for two triangles, 300 us at worst.
+double polygon_form_factor(std::span<const Vec3d> a, std::span<const Vec3d> b);
+
+// The same times the area of a, m²: what both directions have in common.
+double polygon_exchange_area(std::span<const Vec3d> a, std::span<const Vec3d> b);
+
+// The parts of two polygons that lie before each other's plane: what can see each other. Empty where there is
+// none. Corners in the other's plane but for rounding stay as they are.
+struct FacingParts {
+  std::vector<Vec3d> a, b;
+};
+FacingParts facing_parts(std::span<const Vec3d> a, std::span<const Vec3d> b);
+
+// Half the sum of the cross products of its edges: length its area in m², direction its front. Zero for less
+// than three corners.
+Vec3d polygon_area_vector(std::span<const Vec3d> polygon);
+
+}  // namespace luxel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "luxel/core/bounds.h"
+#include "luxel/core/vector.h"
+#include "luxel/form_factors/clip_polygon.h"
+
+namespace luxel {
+
+// All that can stand between two flat convex polygons: the convex hull of both (Haines and Wallace 1991).
+class Shaft {
+ public:
+  // slack, m: what reaches less than that into the shaft is outside.
+  Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack);
+
+  // Whether a box is outside. May say no of one that is.
+  bool misses(const Bounds& box) const;
+  // Whether a triangle is outside, or hides nothing of either polygon from the other since it is seen edge
+  // on. By separating axes: no answer is wrong by more than the slack.
+  bool misses(const std::array<Vec3d, 3>& triangle) const;
+
+ private:
+  bool parted(const Vec3d& axis, const std::array<Vec3d, 3>& triangle) const;
+
+  double slack_;
+  std::vector<Vec3d> corners_;
+  std::vector<Plane> faces_;  // upper side outside
+  Vec3d low_, high_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "luxel/import/json_value.h"
+
+namespace luxel {
+
+// A glTF 2.0 file as it is written down: its JSON, and the bytes it refers to, inside it, in data URIs or in
+// files beside it. Files are named relative to its folder, and may lie above it ("../textures/wood.png"), as
+// scenes in the wild have it; whole paths and addresses of the net are refused.
+class GltfFile {
+ public:
+  // Reads a GLB (told by its first bytes) or the JSON of a .gltf. Throws InputError where it is neither, is
+  // damaged or shorter than it says, is not glTF 2, or requires an extension that is not in `extensions`.
+  GltfFile(const std::filesystem::path& path, const std::vector<std::string_view>& extensions);
+  // The same of a file in memory; path says what it is called and where its other files lie.
+  GltfFile(std::string bytes, const std::filesystem::path& path,
+           const std::vector<std::string_view>& extensions);
+  GltfFile(const GltfFile&) = delete;
+  GltfFile& operator=(const GltfFile&) = delete;
+
+  const JsonValue& root() const { return root_; }
+  const std::string& source() const { return source_; }
+
+  // The element of the root's array that an index means: object(primitive["material"], "materials"). Throws
+  // where the array has none such; the index must be there.
+  JsonValue object(const JsonValue& index, std::string_view array) const;
+
+  // The bytes of a bufferView that an index means, until the file goes. Buffers are read when first asked
+  // for. Not thread-safe.
+  std::string_view view(const JsonValue& index);
+
+  // The same by its number, below how many there are.
+  std::string_view view(std::size_t number);
+
+  // The bytes of a buffer, by its number, likewise.
+  std::string_view buffer(std::size_t number);
+
+  // The JSON as it is written.
+  std::string_view text() const { return text_; }
+
+  // The bytes that a URI stands for.
+  std::string resource(const JsonValue& uri) const;
+
+ private:
+  std::string_view read_container();
+  void check_version(const std::vector<std::string_view>& extensions) const;
+
+  std::string source_;
+  std::filesystem::path folder_;
+  std::string bytes_;        // the whole file
+  std::string_view binary_;  // what a GLB has behind it
+  std::string_view text_;
+  JsonValue root_;
+  std::map<std::size_t, std::string> buffers_;  // those read from elsewhere
+};
+
+}  // namespace luxel

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/import/gltf_materials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/import/make_materials.h"
+#include "luxel/import/name_list.h"
+#include "luxel/import/raster_colours.h"
+#include "luxel/import/used_textures.h"
+#include "luxel/scene/luminous_efficacy.h"
+
+namespace luxel {
+namespace {
+
+// Where alpha says how much of the light a surface holds back: the half from which on it counts as solid.
+constexpr double half_solid = 0.5;
+
+// The places where a material may name a picture that matters to diffuse light.
+std::array<JsonValue, 3> pictures_of(const JsonValue& json) {
+  const auto metallic = json["pbrMetallicRoughness"];
+  const auto specular = json["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+  const bool is_specular = specular && !metallic;
+  return {is_specular ? specular["diffuseTexture"] : metallic["baseColorTexture"],
+          metallic["metallicRoughnessTexture"], json["emissiveTexture"]};
+}
+
+// The n of TEXCOORD_n that a picture lies by.
+std::size_t coordinates_of(const JsonValue& info) {
+  return info["extensions"]["KHR_texture_transform"]["texCoord"].whole(info["texCoord"].whole(0));
+}
+
+bool has_coordinates(const JsonValue& attributes, std::size_t number) {
+  return static_cast<bool>(attributes[fmt::format("TEXCOORD_{}", number)]);
+}
+
+Vec3 colour_of(const JsonValue& factor, const std::vector<double>& numbers) {
+  constexpr double most = 1e30;
+  Vec3 colour;
+  for (int band = 0; band < 3; ++band) {
+    const auto number = numbers[static_cast<std::size_t>(band)];
+    if (!(number >= 0.0 && number <= most))
+      factor.refuse(fmt::format("expected colours of 0 to {:g}, found {}", most, number));
+    colour[band] = static_cast<float>(number);
+  }
+  return colour;
+}
+
+// In W/(m² sr) a band, from cd/m².
+Vec3 radiance_of(const JsonValue& json) {
+  constexpr double most = 1e30;
+  const auto factor = json["emissiveFactor"];
+  const auto strength = json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
+  const auto times = strength.number(1.0);
+  if (!(times >= 0.0 && times <= most))
+    strength.refuse(fmt::format("expected a strength of 0 to {:g}, found {}", most, times));
+  auto nits = factor.numbers({0.0, 0.0, 0.0});
+  for (auto& nit : nits) nit *= times;
+  return colour_of(factor, nits) / static_cast<float>(luminous_efficacy);
+}
+
+}  // namespace
+
+struct GltfMaterials::Surface {
+  std::string name;
+  Vec3 base = Vec3(1.0f);
+  double alpha = 1.0;
+  float metal = 0.0f;   // [0, 1]
+  double cutoff = 0.0;  // alpha below it is a hole
+  bool is_blended = false;
+  double passes = 0.0;  // share of the light that goes through
+  bool is_unlit = false, two_sided = false;
+  Vec3 emittance = Vec3(0.0f);  // W/m²
+  Slot base_picture, metal_picture, emission_picture;
+};
+
+GltfMaterials::GltfMaterials(GltfFile& file, const LoadOptions& options)
+    : file_(file), options_(options), textures_(file) {}
+
+MaterialId GltfMaterials::of(const JsonValue& primitive) {
+  const auto index = primitive["material"];
+  if (!index) {
+    if (!default_) {
+      Material material;
+      material.name = "default";
+      material.reflectance = Vec3(std::min(default_reflectance, options_.max_reflectance));
+      default_ = add(std::move(material));
+    }
+    return *default_;
+  }
+  const auto json = file_.object(index, "materials");
+  const auto attributes = primitive["attributes"];
+  std::vector<bool> lacks;
+  for (const auto& info : pictures_of(json))
+    lacks.push_back(info && !has_coordinates(attributes, coordinates_of(info)));
+  const auto key = std::pair(index.whole(), std::move(lacks));
+  if (const auto found = made_.find(key); found != made_.end()) return found->second;
+  auto surface = read(json, attributes);
+  if (surface.name.empty()) surface.name = fmt::format("material {}", key.first);
+  if (std::find(key.second.begin(), key.second.end(), true) != key.second.end())
+    without_coordinates_.push_back(surface.name);
+  return made_[key] = add(make(surface));
+}
+
+MaterialId GltfMaterials::add(Material material) {
+  materials_.push_back(std::move(material));
+  return MaterialId{static_cast<std::uint32_t>(materials_.size() - 1)};
+}
+
+GltfMaterials::Surface GltfMaterials::read(const JsonValue& json, const JsonValue& attributes) {
+  Surface surface;
+  surface.name = json["name"].text("");
+  const auto metallic = json["pbrMetallicRoughness"];
+  const auto specular = json["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+  const bool is_specular = specular && !metallic;
+  const auto factor = is_specular ? specular["diffuseFactor"] : metallic["baseColorFactor"];
+  const auto base = factor.numbers({1.0, 1.0, 1.0, 1.0});
+  surface.base = colour_of(factor, base);
+  surface.alpha = base[3];
+  surface.is_unlit = static_cast<bool>(json["extensions"]["KHR_materials_unlit"]);
+  if (!is_specular && !surface.is_unlit)  // which means the base colour and nothing else
+    surface.metal = static_cast<float>(std::clamp(metallic["metallicFactor"].number(1.0), 0.0, 1.0));
+  surface.emittance = pi * radiance_of(json);
+  const auto [base_info, metal_info, emission_info] = pictures_of(json);
+  surface.base_picture = slot(base_info, attributes);
+  surface.metal_picture = slot(metal_info, attributes);
+  surface.emission_picture = slot(emission_info, attributes);
+
+  const auto mode = json["alphaMode"].text("OPAQUE");
+  if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
+    json["alphaMode"].refuse(fmt::format("expected OPAQUE, MASK or BLEND, found '{}'", mode.substr(0, 40)));
+  surface.is_blended = mode == "BLEND";
+  if (mode == "MASK") surface.cutoff = json["alphaCutoff"].number(0.5);
+  if (mode == "BLEND") surface.cutoff = half_solid;
+  surface.passes = json["extensions"]["KHR_materials_transmission"]["transmissionFactor"].number(0.0);
+  surface.two_sided = json["doubleSided"].truth(false);
+  return surface;
+}
+
+GltfMaterials::Slot GltfMaterials::slot(const JsonValue& info, const JsonValue& attributes) {
+  if (!info) return {};
+  auto picture = textures_.picture(info);
+  Slot slot{.is_given = true, .texture = picture.texture};
+  if (!picture.texture || !has_coordinates(attributes, coordinates_of(info))) return slot;
+  picture.use.uv_set = set_of(coordinates_of(info));
+  slot.use = picture.use;
+  return slot;
+}
+
+std::uint32_t GltfMaterials::set_of(std::size_t coordinates) {
+  auto& known = texture_coordinates_;
+  const auto found = std::find(known.begin(), known.end(), coordinates);
+  const auto set = static_cast<std::uint32_t>(found - known.begin());
+  if (found == known.end()) known.push_back(coordinates);
+  return set;
+}
+
+Material GltfMaterials::make(const Surface& surface) {
+  Material material;
+  material.name = surface.name;
+  material.two_sided = surface.two_sided;
+  material.textures.most_reflectance = options_.max_reflectance;
+  if (surface.is_unlit) unlit_.push_back(surface.name);
+  emit(surface, material);
+  let_through(surface, material);
+  reflect(surface, material);
+  cap(material);
+  return material;
+}
+
+void GltfMaterials::emit(const Surface& surface, Material& material) const {
+  const auto& picture = surface.emission_picture;
+  material.emittance = surface.emittance;
+  if (!picture.is_given || surface.emittance == Vec3(0.0f)) return;
+  material.emittance *= picture.texture ? mean_colour(textures_.raster(*picture.texture)) : Vec3(0.0f);
+  material.textures.emittance = picture.use;
+  material.textures.emittance_factor = surface.emittance;
+}
+
+// What alpha says becomes a hole or none: where the picture's times the factor's is below the cutoff.
+void GltfMaterials::let_through(const Surface& surface, Material& material) {
+  const auto& picture = surface.base_picture;
+  bool has_hole = surface.alpha < surface.cutoff;
+  if (picture.texture && surface.cutoff > 0.0 && !has_hole) {
+    const auto& raster = textures_.raster(*picture.texture);
+    const auto threshold = static_cast<float>(surface.cutoff / surface.alpha);
+    if (picture.use && least_alpha(raster) < threshold) {
+      material.textures.cutout = picture.use;
+      material.textures.cutout_threshold = threshold;
+    }
+    has_hole = !picture.use && mean_alpha(raster) < threshold;
+  }
+  if (surface.is_blended && (material.textures.cutout || surface.alpha < 1.0))
+    blended_.push_back(surface.name);
+  material.opaque = material.is_lamp() || !(has_hole || surface.passes > half_solid);
+  if (!material.opaque) transparent_.push_back(surface.name);
+}
+
+void GltfMaterials::reflect(const Surface& surface, Material& material) {
+  auto base = surface.base_picture;
+  const auto colour = surface.base * diffuse_share(surface, base);
+  material.reflectance = colour;
+  if (!base.is_given) return;
+  material.reflectance *=
+      base.texture ? mean_colour(textures_.raster(*base.texture)) : Vec3(default_reflectance);
+  material.textures.reflectance = base.use;
+  material.textures.reflectance_factor = colour;
+}
+
+// What metal leaves to diffuse light, 1 - metallic. Where a picture says how metallic each place is, the base
+// colour's is replaced by one that has it inside, if they lie alike; if not, the mean is taken.
+float GltfMaterials::diffuse_share(const Surface& surface, Slot& base) {
+  const auto& picture = surface.metal_picture;
+  if (surface.metal == 0.0f || (picture.is_given && !picture.texture)) return 1.0f;
+  auto share = 1.0f - surface.metal;
+  if (picture.texture) {
+    const auto metal = metal_range(textures_.raster(*picture.texture));
+    auto same_use = base.use;
+    if (same_use && picture.use) same_use->texture = picture.use->texture;
+    if (metal.least < metal.most && picture.use && (!base.is_given || same_use == picture.use)) {
+      base.use = picture.use;
+      base.texture = textures_.without_metal(base.texture, *picture.texture, surface.metal);
+      base.use->texture = *base.texture;
+      base.is_given = true;
+      return 1.0f;
+    }
+    share = 1.0f - surface.metal * metal.mean;
+  }
+  if (share < 0.5f) metals_.push_back(surface.name);
+  return share;
+}
+
+void GltfMaterials::cap(Material& material) {
+  const auto capped = glm::min(material.reflectance, Vec3(options_.max_reflectance));
+  if (capped == material.reflectance) return;
+  too_bright_.push_back(material.name);
+  material.stated_reflectance = material.reflectance;
+  material.reflectance = capped;
+}
+
+void GltfMaterials::give(Scene& scene) {
+  scene.materials = std::move(materials_);
+  scene.textures = textures_.textures();
+  keep_used_textures(scene);
+}
+
+void GltfMaterials::say_warnings(const LogSink& log) const {
+  const auto say = [&](const std::string& before, const std::vector<std::string>& names,
+                       const std::string& behind) {
+    if (!names.empty())
+      warn(log, fmt::format("{}: {} {}{}", file_.source(), before, name_list(names), behind));
+  };
+  if (default_)
+    warn(log, fmt::format("{}: a grey of {} is taken for what has no material", file_.source(),
+                          default_reflectance));
+  say("the reflectance of", too_bright_,
+      fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
+  say("light passes freely through what is more transparent than not, which is left out:", transparent_, "");
+  say("surfaces are solid or not there: alpha (BLEND) is taken as a hole where it is below 0.5, for",
+      blended_, "");
+  say("metals reflect no diffuse light, so they are darker than they look elsewhere:", metals_, "");
+  say("what is drawn without light elsewhere (KHR_materials_unlit) is a diffuse surface of its colour here:",
+      unlit_, "");
+  say("there are no texture coordinates for some surfaces of", without_coordinates_,
+      "; the mean of the picture is taken");
+  textures_.say_warnings(log);
+}
+
+}  // namespace luxel

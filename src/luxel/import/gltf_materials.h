@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "luxel/import/gltf_textures.h"
+#include "luxel/import/load_scene.h"
+
+namespace luxel {
+
+// The materials that primitives of a glTF file use, made when the first of them does. What cannot be taken as
+// it is becomes a warning, one a kind.
+class GltfMaterials {
+ public:
+  GltfMaterials(GltfFile& file, const LoadOptions& options);
+
+  // The material of a primitive. One that lacks the texture coordinates that its material wants is given the
+  // mean colours instead, as a material of its own.
+  MaterialId of(const JsonValue& primitive);
+
+  // The n of TEXCOORD_n of each set that uses name.
+  const std::vector<std::size_t>& texture_coordinates() const { return texture_coordinates_; }
+
+  // Gives the scene the materials and their textures.
+  void give(Scene& scene);
+  void say_warnings(const LogSink& log) const;
+
+ private:
+  // A picture where a glTF material may name one.
+  struct Slot {
+    bool is_given = false;
+    std::optional<std::uint32_t> texture = {};  // nothing where it cannot be had
+    std::optional<TextureUse> use = {};         // nothing where the primitive has no coordinates for it
+  };
+  struct Surface;  // what a glTF material says, on its way to ours
+
+  Surface read(const JsonValue& json, const JsonValue& attributes);
+  Slot slot(const JsonValue& info, const JsonValue& attributes);
+  std::uint32_t set_of(std::size_t coordinates);
+  Material make(const Surface& surface);
+  void reflect(const Surface& surface, Material& material);
+  float diffuse_share(const Surface& surface, Slot& base);
+  void emit(const Surface& surface, Material& material) const;
+  void let_through(const Surface& surface, Material& material);
+  void cap(Material& material);
+  MaterialId add(Material material);
+
+  GltfFile& file_;
+  const LoadOptions& options_;
+  GltfTextures textures_;
+  std::vector<Material> materials_;
+  // By the number in the file, and which pictures the primitive has no coordinates for.
+  std::map<std::pair<std::size_t, std::vector<bool>>, MaterialId> made_;
+  std::vector<std::size_t> texture_coordinates_;
+  std::optional<MaterialId> default_;  // of primitives without material
+
+  // Names of materials, for the warnings.
+  std::vector<std::string> too_bright_, transparent_, blended_, unlit_, metals_, without_coordinates_;
+};
+
+}  // namespace luxel

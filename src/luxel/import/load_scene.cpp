@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/import/load_scene.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/core/ending_of.h"
+#include "luxel/core/error.h"
+#include "luxel/import/apply_spectra.h"
+#include "luxel/import/is_gltf.h"
+#include "luxel/import/load_gltf.h"
+#include "luxel/import/load_obj.h"
+#include "luxel/import/name_list.h"
+#include "luxel/scene/name_pattern.h"
+#include "luxel/scene/orient_windings.h"
+#include "luxel/scene/weld_vertices.h"
+
+namespace luxel {
+namespace {
+
+bool is_obj(const std::filesystem::path& path) { return ending_of(path) == ".obj"; }
+
+struct Reader {
+  bool (*reads)(const std::filesystem::path&);
+  Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&, const Monitor&);
+};
+constexpr auto readers = std::to_array<Reader>({{is_obj, load_obj}, {is_gltf, load_gltf}});
+
+void check_options(const LoadOptions& options) {
+  if (!(options.scale > 0.0 && std::isfinite(options.scale)))
+    throw InputError(fmt::format("expected a scale above 0 metres a unit, found {}", options.scale));
+  if (!(options.max_reflectance >= 0.0f && options.max_reflectance < 1.0f))
+    throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
+  if (!(options.weld >= 0.0f && std::isfinite(options.weld)))
+    throw InputError(fmt::format("expected a weld distance of 0 or more metres, found {}", options.weld));
+  if (options.bands != 0 && (options.bands < fewest_bands || options.bands > most_bands))
+    throw InputError(fmt::format("expected {} to {} bands, or 0 for those of the file, found {}",
+                                 fewest_bands, most_bands, options.bands));
+  for (int band = 0; band < 3; ++band)
+    if (!(options.sky[band] >= 0.0f && std::isfinite(options.sky[band])))
+      throw InputError(
+          fmt::format("expected a sky of 0 or more W/(m² sr) in each band, found {}", options.sky[band]));
+}
+
+void check_is_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(path.string(), "no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError(path.string(), "it is a folder; name the scene's file inside it (.obj, .glb or .gltf)");
+}
+
+const Reader& reader_of(const std::filesystem::path& path) {
+  for (const auto& reader : readers)
+    if (reader.reads(path)) return reader;
+  const auto ending = ending_of(path);
+  throw InputError(
+      path.string(),
+      fmt::format(
+          "expected a file that ends in .obj, .glb or .gltf, found {}; convert the scene to one of these",
+          ending.empty() ? "no ending" : "'" + ending + "'"));
+}
+
+// For each material, whether any of the patterns names it. A pattern that names none is most likely a typing
+// error, so it is refused.
+std::vector<bool> select(const std::vector<std::string>& patterns, const Scene& scene, const char* option) {
+  std::vector<bool> selected(scene.materials.size(), false);
+  for (const auto& pattern : patterns) {
+    bool any = false;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      if (!matches(pattern, scene.materials[i].name)) continue;
+      selected[i] = any = true;
+    }
+    if (any) continue;
+    std::vector<std::string> names;
+    for (const auto& material : scene.materials) names.push_back(material.name);
+    throw InputError(scene.source, fmt::format("{}: no material matches '{}'; there are {}", option, pattern,
+                                               name_list(names)));
+  }
+  return selected;
+}
+
+void apply_one_sided(const std::vector<std::string>& patterns, Scene& scene) {
+  const auto selected = select(patterns, scene, "one_sided");
+  for (std::size_t i = 0; i < selected.size(); ++i)
+    if (selected[i]) scene.materials[i].two_sided = false;
+}
+
+void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
+  const auto selected = select(patterns, scene, "flip");
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+    if (selected[static_cast<std::size_t>(scene.triangle_material[i])]) turn_triangle(scene, i);
+}
+
+void repair(const LoadOptions& options, Scene& scene, const LogSink& log) {
+  const auto say = [&](std::string text) {
+    if (log) log({Severity::info, std::move(text)});
+  };
+  if (options.weld != 0.0f) say(weld_vertices(scene, options.weld).as_text(options.weld));
+  if (options.orient) say(orient_windings(scene).as_text());
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
+                 const Monitor& monitor) {
+  check_options(options);
+  check_is_file(path);
+  auto scene = reader_of(path).load(path, options, log, monitor);
+  if (scene.triangles.empty()) return scene;  // stopped
+  repair(options, scene, log);
+  apply_one_sided(options.one_sided, scene);
+  apply_flip(options.flip, scene);
+  scene.sky = options.sky;
+  if (!options.spectra.empty()) apply_spectra(options, scene, log);
+  return scene;
+}
+
+}  // namespace luxel

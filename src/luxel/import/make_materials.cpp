@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/import/make_materials.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/import/name_list.h"
+#include "luxel/import/raster_colours.h"
+#include "luxel/import/texture_files.h"
+#include "luxel/import/used_textures.h"
+
+namespace luxel {
+namespace {
+
+constexpr float half_solid = 0.5f;
+
+// OBJ counts v from the bottom of a picture, Luxel from its top.
+TextureUse use_of(const MtlTexture& mtl, std::uint32_t texture) {
+  TextureUse use{.texture = texture};
+  use.placement = {mtl.scale.x, 0.0f, mtl.offset.x, 0.0f, -mtl.scale.y, 1.0f - mtl.offset.y};
+  if (mtl.clamps) use.wrap = {Wrap::clamp, Wrap::clamp};
+  return use;
+}
+
+class MaterialMaker {
+ public:
+  MaterialMaker(const MaterialLibrary& library, const LoadOptions& options)
+      : library_(library), options_(options) {}
+
+  Material make(const NamedLine& use);
+  const std::vector<Texture>& textures() const { return files_.textures(); }
+  void say_warnings(const std::string& source, const LogSink& log) const;
+
+ private:
+  void cut_holes(const MaterialLibrary::Entry& entry, Material& material);
+  void reflect(const MaterialLibrary::Entry& entry, Material& material);
+  void emit(const MaterialLibrary::Entry& entry, Material& material);
+  void light_mirror(const MtlMaterial& mtl, Material& material);
+
+  const MaterialLibrary& library_;
+  const LoadOptions& options_;
+  TextureFiles files_;
+
+  // Names of materials, for the warnings.
+  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, mirrors_, emitting_twice_;
+  std::size_t first_unknown_line_ = 0;
+};
+
+Material MaterialMaker::make(const NamedLine& use) {
+  Material material;
+  material.name = use.name;
+  material.reflectance = Vec3(default_reflectance);
+  material.textures.most_reflectance = options_.max_reflectance;
+  const auto found = library_.entries.find(use.name);
+  if (found != library_.entries.end()) {
+    cut_holes(found->second, material);
+    reflect(found->second, material);
+    emit(found->second, material);
+    material.opaque = material.is_lamp() || found->second.material.opacity.value_or(1.0f) >= half_solid;
+    if (!material.opaque) transparent_.push_back(use.name);
+    if (material.opaque) light_mirror(found->second.material, material);
+  } else if (use.line > 0) {
+    if (unknown_.empty()) first_unknown_line_ = use.line;
+    unknown_.push_back(use.name);
+  }
+  const auto capped = glm::min(material.reflectance, Vec3(options_.max_reflectance));
+  if (capped != material.reflectance) {
+    too_bright_.push_back(use.name);
+    material.stated_reflectance = material.reflectance;
+  }
+  material.reflectance = capped;
+  return material;
+}
+
+// A surface of specular colour alone would be black here, though it sends on most of the light that meets it.
+// Taken as diffuse it keeps the room's energy right, if not the reflections.
+void MaterialMaker::light_mirror(const MtlMaterial& mtl, Material& material) {
+  const bool is_black = material.reflectance == Vec3(0.0f) && !material.is_lamp();
+  if (!is_black || mtl.ks.value_or(Vec3(0.0f)) == Vec3(0.0f)) return;
+  material.reflectance = *mtl.ks;
+  material.textures.reflectance = std::nullopt;
+  mirrors_.push_back(mtl.name);
+}
+
+// Where what holds back light, d times the picture, is less than half there.
+void MaterialMaker::cut_holes(const MaterialLibrary::Entry& entry, Material& material) {
+  const auto& mtl = entry.material;
+  const auto opacity = mtl.opacity.value_or(1.0f);
+  if (mtl.map_d.name.empty() || opacity < half_solid) return;
+  const auto picture = files_.find(TextureFiles::Purpose::holes, entry.folder, mtl.map_d.name, mtl.name);
+  if (!picture) return;
+  material.textures.cutout = use_of(mtl.map_d, files_.mask_of(*picture));
+  material.textures.cutout_threshold = half_solid / std::min(opacity, 1.0f);
+}
+
+void MaterialMaker::reflect(const MaterialLibrary::Entry& entry, Material& material) {
+  const auto& mtl = entry.material;
+  if (mtl.map_kd.name.empty()) {
+    if (!mtl.kd) colorless_.push_back(mtl.name);
+    material.reflectance = mtl.kd.value_or(Vec3(default_reflectance));
+    return;
+  }
+  const auto factor = mtl.kd.value_or(Vec3(1.0f));
+  const auto picture =
+      files_.find(TextureFiles::Purpose::reflectance, entry.folder, mtl.map_kd.name, mtl.name);
+  material.reflectance = factor * Vec3(default_reflectance);
+  if (!picture) return;
+  material.textures.reflectance = use_of(mtl.map_kd, *picture);
+  material.textures.reflectance_factor = factor;
+  material.reflectance = factor * mean_colour(files_.raster(*picture));
+}
+
+// Ke alone where both are given: exporters write it beside map_Ke in two meanings, as a factor and as 0.
+void MaterialMaker::emit(const MaterialLibrary::Entry& entry, Material& material) {
+  const auto& mtl = entry.material;
+  material.emittance = pi * mtl.ke.value_or(Vec3(0.0f));
+  if (mtl.map_ke.name.empty()) return;
+  if (mtl.ke) {
+    emitting_twice_.push_back(mtl.name);
+    return;
+  }
+  const auto picture = files_.find(TextureFiles::Purpose::emission, entry.folder, mtl.map_ke.name, mtl.name);
+  if (!picture) return;
+  material.textures.emittance = use_of(mtl.map_ke, *picture);
+  material.textures.emittance_factor = Vec3(pi);
+  material.emittance = pi * mean_colour(files_.raster(*picture));
+}
+
+void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) const {
+  const auto say = [&](const std::string& before, const std::vector<std::string>& names,
+                       const std::string& behind) {
+    if (!names.empty()) warn(log, fmt::format("{}: {} {}{}", source, before, name_list(names), behind));
+  };
+  if (!unknown_.empty())
+    warn(log, fmt::format("{}:{}: {} {}; a grey of {} is taken", source, first_unknown_line_,
+                          library_.files.empty() ? "no MTL file describes"
+                                                 : name_list(library_.files) + " does not describe",
+                          name_list(unknown_), default_reflectance));
+  say("neither Kd nor map_Kd is given for", colorless_,
+      fmt::format("; a grey of {} is taken", default_reflectance));
+  say("the reflectance of", too_bright_,
+      fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
+  say("light passes freely through what is more transparent than not (d below 0.5), which is left out:",
+      transparent_, "");
+  say("mirrors are not modelled: the specular colour Ks is taken as diffuse for", mirrors_, "");
+  say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
+  files_.say_warnings(source, log);
+}
+
+}  // namespace
+
+void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
+                    const LoadOptions& options, Scene& scene, const LogSink& log) {
+  MaterialMaker maker(library, options);
+  for (const auto& use : used) scene.materials.push_back(maker.make(use));
+  maker.say_warnings(scene.source, log);
+  scene.textures = maker.textures();
+  keep_used_textures(scene);
+}
+
+}  // namespace luxel

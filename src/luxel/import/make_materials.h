@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "luxel/import/load_scene.h"
+#include "luxel/import/material_library.h"
+
+namespace luxel {
+
+// The reflectance of what no file describes: a middle grey.
+inline constexpr float default_reflectance = 0.5f;
+
+// Gives the scene one Material for each name that faces use, in their order, from the library, and the
+// textures that these use. What is missing or cannot be taken as it is becomes a warning, one a kind.
+void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
+                    const LoadOptions& options, Scene& scene, const LogSink& log);
+
+}  // namespace luxel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "luxel/core/progress.h"
+#include "luxel/import/obj_mesh.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+struct TriangleTallies {
+  Tally turned;      // triangles that were turned round
+  Tally without_uv;  // faces that lack texture coordinates, of materials that have a picture
+};
+
+// Fills the scene's triangle arrays from the mesh's polygons, each triangle wound so that its front is where
+// the vertex normals point, if all its corners have one; and its set of texture coordinates, where materials
+// have pictures. Faces that lack them get their material without its pictures, which is added to the scene's.
+// Nothing where the monitor says stop. The scene's positions and materials must be in place.
+std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Monitor& monitor);
+
+}  // namespace luxel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "luxel/core/vector.h"
+
+namespace luxel {
+
+// A picture that an MTL file names, and how it lies: a place (u, v) of the face is at scale * (u, v) + offset
+// of the picture, whose v counts from the bottom.
+struct MtlTexture {
+  std::string name;          // of the file, as written; empty where there is none
+  Vec2 scale = Vec2(1.0f);   // -s
+  Vec2 offset = Vec2(0.0f);  // -o
+  bool clamps = false;       // -clamp on: its border goes on for ever; else it repeats
+};
+
+// What an MTL file says of one material, as far as diffuse light cares.
+struct MtlMaterial {
+  std::string name;
+  std::optional<Vec3> kd;  // reflectance, 0 or more
+  std::optional<Vec3> ks;  // specular colour, 0 or more
+  std::optional<Vec3> ke;  // radiance, W/(m² sr), 0 or more
+  MtlTexture map_kd, map_ke, map_d;
+  std::optional<float> opacity;  // d; Tr is passed over, since exporters disagree about its meaning
+};
+
+// Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ks, Ke or d that is not
+// the number it should be or a colour that is negative; all other statements are passed over.
+std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& source);
+
+}  // namespace luxel

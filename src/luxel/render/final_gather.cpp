@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/final_gather.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
+#include "luxel/render/seen_point.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t gather_step = 0x67617468u;      // keeps these streams apart from others of the seed
+constexpr std::size_t samples_between_calls = 1 << 17;  // of the monitor; two to three rays each
+constexpr std::size_t pixels_a_chunk = 16;
+constexpr int most_rays = 65536;
+
+void check(const PatchSet& patches, const Solution& solution, const GatherOptions& options) {
+  if (solution.radiosity_front.size() != patches.size() * patches.band_count() ||
+      solution.radiosity_back.size() != solution.radiosity_front.size())
+    throw MismatchError(
+        fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
+  if (options.rays < 1 || options.rays > most_rays)
+    throw InputError(
+        fmt::format("a final gather takes 1 to {} rays a pixel, not {}", most_rays, options.rays));
+}
+
+}  // namespace
+
+std::uint32_t gather_grid(int rays) {
+  std::uint32_t side = 1;
+  while (side * side < static_cast<std::uint32_t>(rays)) ++side;
+  return side;
+}
+
+Image gather_picture(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
+                     const Camera& camera, const GatherOptions& options, const Workers& workers,
+                     const Monitor& monitor) {
+  check(patches, solution, options);
+  const SeenPoints seen(patches, tracer, camera, options.width, options.height);
+  const LightPaths paths(patches, tracer);
+  const auto side = gather_grid(options.rays);
+  const auto samples = side * side;
+  const auto bands = seen.bands();
+  const std::vector<double> one(bands, 1.0);
+
+  // What arrives at x: straight from lamps and sky, and what the surface that the cosine ray meets reflects.
+  const auto gather = [&](const SurfacePoint& x, const VertexNumbers& numbers, std::uint64_t,
+                          std::span<double> H) {
+    const auto hit = paths.direct(x, numbers, one, H).first;
+    if (!hit || !is_reflecting(patches, hit.patch, hit.back)) return;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto at = bands * hit.patch + b;
+      H[b] += hit.back ? static_cast<double>(solution.radiosity_back[at])
+                       : static_cast<double>(solution.radiosity_front[at]) -
+                             static_cast<double>(patches.emittance(hit.patch, b));
+    }
+  };
+  const auto radiance_of_pixel = [&](std::size_t pixel) {
+    const SeenPoints::Batch batch(stream_key(options.seed, gather_step, static_cast<std::uint32_t>(pixel)),
+                                  side);
+    Vec3d radiance(0.0), reflected(0.0);
+    std::vector<double> scratch;
+    for (std::uint32_t i = 0; i < samples; ++i)
+      seen.look(pixel, batch, i, radiance, reflected, scratch, gather);
+    return in_gamut(radiance / static_cast<double>(samples));
+  };
+
+  Image picture(options.width, options.height);
+  const auto width = static_cast<std::size_t>(options.width);
+  const auto rows = std::max<std::size_t>(1, samples_between_calls / (width * samples));
+  for (std::size_t first = 0; first < seen.pixels(); first += rows * width) {
+    const auto share = static_cast<double>(first) / static_cast<double>(seen.pixels());
+    if (tell(monitor, {"picture", share, 3 * samples * first}) == Next::stop) return picture;
+    workers.for_chunks(std::min(rows * width, seen.pixels() - first), pixels_a_chunk,
+                       [&](std::size_t begin, std::size_t end, int) {
+                         for (auto i = first + begin; i < first + end; ++i)
+                           picture.pixels[i] = radiance_of_pixel(i);
+                       });
+  }
+  tell(monitor, {"picture", 1.0, 3 * samples * seen.pixels()});
+  return picture;
+}
+
+}  // namespace luxel

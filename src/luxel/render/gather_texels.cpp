@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/gather_texels.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
+#include "luxel/render/point_gather.h"
+#include "luxel/render/texel_places.h"
+#include "luxel/surface/cross.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t texel_step = 0x7465786cu;  // keeps these streams apart from others of the seed
+constexpr std::uint32_t fewest_rays = 64;
+constexpr std::size_t texels_a_chunk = 64;
+constexpr std::size_t most_between_calls = 1 << 14;  // texels, of the monitor
+
+void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+           const TexelOptions& options, const Lightmap& lightmap) {
+  const auto values = patches.size() * patches.band_count();
+  if (solution.bands != patches.bands || solution.irradiance_front.size() != values ||
+      solution.irradiance_back.size() != values || light.corners.size() != patches.size())
+    throw MismatchError(
+        fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
+  if (lightmap.atlas.chart_of.size() != 2 * patches.size())
+    throw MismatchError(fmt::format("the atlas has {} sides but the patches have {}: lay out this scene",
+                                    lightmap.atlas.chart_of.size(), 2 * patches.size()));
+  if (!(options.error >= 0.0 && options.error <= 1.0))
+    throw InputError(
+        fmt::format("the error asked of a texel must be from 0 to 1, but it is {}", options.error));
+  if (options.most_rays < fewest_rays)
+    throw InputError(
+        fmt::format("a final gather takes at least {} rays a texel, not {}", fewest_rays, options.most_rays));
+}
+
+// What the solution says of single sides and places.
+class SolvedLight {
+ public:
+  SolvedLight(const PatchSet& patches, const Solution& solution, const SmoothLight& light)
+      : solution_(solution), light_(light), colours_(patches.colours()) {}
+
+  Vec3d at(const TexelPlace& place) const {
+    const auto bands = colours_.bands();
+    Vec3d sum(0.0);
+    for (std::size_t b = 0; b < bands; ++b)
+      sum += smooth_irradiance(light_, place.side, place.weights, b, bands) * colours_.of(b);
+    return sum;
+  }
+
+  Vec3d mean(std::uint32_t side) const {
+    return colours_.rgb(row(side % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back, side));
+  }
+
+  Vec3d standard_error(std::uint32_t side) const {
+    const auto& errors = side % 2 == 0 ? solution_.standard_error_front : solution_.standard_error_back;
+    if (errors.empty()) return Vec3d(0.0);
+    const auto* of_band = row(errors, side);
+    Vec3d variance(0.0);
+    for (std::size_t b = 0; b < colours_.bands(); ++b) {
+      const auto part = static_cast<double>(of_band[b]) * colours_.of(b);
+      variance += part * part;
+    }
+    return glm::sqrt(variance);
+  }
+
+  // What smooth light may be wrong by on this side, W/m².
+  double doubt(std::uint32_t side) const {
+    std::array<Vec3d, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = at({side, {k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f}, Texel::inside});
+    const auto misfit = (corner[0] + corner[1] + corner[2]) / 3.0 - mean(side);
+    double rise = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) rise = std::max(rise, glm::length(corner[(k + 1) % 3] - corner[k]));
+    constexpr double share_of_rise = 0.25;
+    return std::max({glm::length(standard_error(side)), glm::length(misfit), share_of_rise * rise});
+  }
+
+ private:
+  const float* row(const std::vector<float>& values, std::uint32_t side) const {
+    return values.data() + side / 2 * colours_.bands();
+  }
+
+  const Solution& solution_;
+  const SmoothLight& light_;
+  BandColours colours_;
+};
+
+// The length of the mean irradiance of all sides that have a place, W/m².
+double mean_light(const PatchSet& patches, const SolvedLight& light, const Atlas& atlas) {
+  Vec3d sum(0.0);
+  double area = 0.0;
+  for (std::uint32_t side = 0; side < atlas.chart_of.size(); ++side) {
+    if (!atlas.has(side)) continue;
+    sum += static_cast<double>(patches.area[side / 2]) * light.mean(side);
+    area += static_cast<double>(patches.area[side / 2]);
+  }
+  return area > 0.0 ? glm::length(sum) / area : 0.0;
+}
+
+// From where the rays of a texel leave: a little inside the patch, so that what stands along its border is
+// before the point and not above it.
+SurfacePoint point_of(const PatchSet& patches, const Atlas& atlas, const TexelPlace& place) {
+  constexpr float most_drawn_in = 0.25f;  // of the way to the centroid
+  constexpr float from_border = 0.02f;    // texels
+  const auto& t = atlas.corners[place.side];
+  const auto b = t[1] - t[0], c = t[2] - t[0];
+  const auto longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
+  const auto third_height = std::abs(cross(b, c)) / (3.0f * longest);
+  const auto drawn_in =
+      third_height > 0.0f ? std::min(most_drawn_in, from_border / third_height) : most_drawn_in;
+  return surface_point(patches, place.side / 2, place.side % 2 == 1,
+                       place.weights + drawn_in * (Vec2(1.0f / 3.0f) - place.weights));
+}
+
+struct Wanting {
+  std::uint32_t page, texel;
+};
+
+// Fills all texels with the smooth light; returns those it does not do for. After the monitor's stop there
+// are no pages.
+std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
+                                 double error, double least, bool all, const Monitor& monitor,
+                                 Lightmap& lightmap, TexelReport& report) {
+  std::vector<Wanting> wanting;
+  const auto& atlas = lightmap.atlas;
+  std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; not yet known
+  const auto wants = [&](std::uint32_t side) {
+    if (is_wanting[side] < 0)
+      is_wanting[side] = light.doubt(side) > error * std::max(glm::length(light.mean(side)), least) ? 1 : 0;
+    return is_wanting[side] > 0;
+  };
+  for (std::uint32_t p = 0; p < places.size(); ++p) {
+    const auto done = static_cast<double>(p) / static_cast<double>(places.size());
+    if (tell(monitor, {"smooth light", done}) == Next::stop) {
+      lightmap.pages.clear();
+      return {};
+    }
+    auto& page = lightmap.pages.emplace_back();
+    page.irradiance = page.standard_error = Image(atlas.page_size, atlas.page_size);
+    page.texels.assign(places[p].size(), Texel::empty);
+    if (all) page.light_vector.assign(3, Image(atlas.page_size, atlas.page_size));
+    for (std::uint32_t i = 0; i < places[p].size(); ++i) {
+      const auto& place = places[p][i];
+      page.texels[i] = place.kind;
+      if (place.kind == Texel::empty) continue;
+      ++report.texels;
+      page.irradiance.pixels[i] = in_gamut(light.at(place));
+      page.standard_error.pixels[i] = Vec3(light.standard_error(place.side));
+      if (all || (error > 0.0 && wants(place.side))) wanting.push_back({p, i});
+    }
+  }
+  return wanting;
+}
+
+// Texels that stand out from all of their neighbours by more than their errors: so few rays may all miss what
+// little of the surroundings is bright, and then agree.
+std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wanting>& gathered) {
+  constexpr float errors_off = 3.0f;
+  const auto luminance = [](const Vec3& c) { return c.r + c.g + c.b; };
+  std::vector<Wanting> found;
+  for (const auto& [p, texel] : gathered) {
+    const auto& page = lightmap.pages[p];
+    const auto width = page.irradiance.width, height = page.irradiance.height;
+    const auto x = static_cast<int>(texel) % width, y = static_cast<int>(texel) / width;
+    const auto own = luminance(page.irradiance.pixels[texel]);
+    float low = std::numeric_limits<float>::infinity(), high = 0.0f;
+    for (auto j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+      for (auto i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
+        const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + i;
+        if (at == texel || page.texels[at] == Texel::empty) continue;
+        low = std::min(low, luminance(page.irradiance.pixels[at]));
+        high = std::max(high, luminance(page.irradiance.pixels[at]));
+      }
+    const auto off = high > 0.0f ? std::max(low - own, own - high) : 0.0f;
+    if (off > errors_off * luminance(page.standard_error.pixels[texel])) found.push_back({p, texel});
+  }
+  return found;
+}
+
+// Gathers light at texels, on to pages that hold other light as yet.
+class TexelGather {
+ public:
+  // Keeps references.
+  TexelGather(const PatchSet& patches, const Lightmap& lightmap,
+              const std::vector<std::vector<TexelPlace>>& places, const PointGather& gather,
+              std::uint64_t seed, const Workers& workers, const Monitor& monitor)
+      : patches_(patches),
+        atlas_(lightmap.atlas),
+        places_(places),
+        gather_(gather),
+        seed_(seed),
+        workers_(workers),
+        monitor_(monitor) {}
+
+  // begin, end: the part of the whole work that this is. False where the monitor says stop.
+  bool run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin, double end,
+           Lightmap& lightmap, TexelReport& report);
+
+ private:
+  const PatchSet& patches_;
+  const Atlas& atlas_;
+  const std::vector<std::vector<TexelPlace>>& places_;
+  const PointGather& gather_;
+  std::uint64_t seed_;
+  const Workers& workers_;
+  const Monitor& monitor_;
+};
+
+bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin,
+                      double end, Lightmap& lightmap, TexelReport& report) {
+  // As many at a time as take a tenth of a second: some want a few rays, others all there may be.
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds between_calls(100);
+  constexpr std::uint32_t rays_at_first = 1 << 17;
+  std::size_t at_a_time = std::max(1u, rays_at_first / bounds.most_rays);
+  std::vector<PointGather::Result> results;
+  for (std::size_t first = 0, count = 0; first < wanting.size(); first += count) {
+    const auto share = static_cast<double>(first) / static_cast<double>(wanting.size());
+    if (tell(monitor_, {"texels", begin + share * (end - begin), report.rays}) == Next::stop) return false;
+    const auto begun = Clock::now();
+    count = std::min(wanting.size() - first, at_a_time);
+    results.resize(count);
+    const auto chunk = std::clamp<std::size_t>(count / texels_a_chunk, 1, texels_a_chunk);
+    workers_.for_chunks(count, chunk, [&](std::size_t from, std::size_t to, int) {
+      for (auto i = from; i < to; ++i) {
+        const auto [page, texel] = wanting[first + i];
+        results[i] = gather_.at(point_of(patches_, atlas_, places_[page][texel]), bounds,
+                                mix64(stream_key(seed_, texel_step, texel) + page));
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      auto& page = lightmap.pages[wanting[first + i].page];
+      page.irradiance.pixels[wanting[first + i].texel] = in_gamut(results[i].irradiance);
+      page.standard_error.pixels[wanting[first + i].texel] = Vec3(results[i].standard_error);
+      for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)
+        page.light_vector[axis].pixels[wanting[first + i].texel] = Vec3(results[i].light_vector[axis]);
+      report.rays += results[i].rays;
+      ++report.gathered;
+      report.short_of_it += results[i].reached ? 0 : 1;
+    }
+    const auto took = Clock::now() - begun;
+    if (took > between_calls) at_a_time = std::max<std::size_t>(1, at_a_time / 2);
+    if (took < between_calls / 2) at_a_time = std::min(most_between_calls, 2 * at_a_time);
+  }
+  return true;
+}
+
+}  // namespace
+
+TexelReport gather_texels(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+                          const Tracer* tracer, const TexelOptions& options, const Workers& workers,
+                          Lightmap& lightmap, const Monitor& monitor) {
+  check(patches, solution, light, options, lightmap);
+  if (options.directional && !(tracer && options.error > 0.0))
+    throw InputError("the directions of light come from a final gather: ask for one");
+  const auto& atlas = lightmap.atlas;
+  const auto places = find_texel_places(atlas, workers, monitor);
+  const SolvedLight solved(patches, solution, light);
+  const auto least = options.dark * mean_light(patches, solved, atlas);
+  TexelReport report;
+  lightmap.pages.clear();
+  const auto wanting = interpolate(places, solved, tracer ? options.error : 0.0, least, options.directional,
+                                   monitor, lightmap, report);
+  if (wanting.empty()) return report;
+
+  const PointGather gather(patches, light, *tracer);
+  TexelGather texels(patches, lightmap, places, gather, options.seed, workers, monitor);
+  PointGather::Bounds bounds{options.error, least, options.most_rays, options.directional};
+  constexpr double first_part = 0.98;
+  report.stopped = !texels.run(wanting, bounds, 0.0, first_part, lightmap, report);
+  if (report.stopped) return report;
+  bounds.fewest_rays = std::min(options.most_rays, 16 * bounds.fewest_rays);
+  TexelReport again{.rays = report.rays};
+  report.stopped = !texels.run(standing_out(lightmap, wanting), bounds, first_part, 1.0, lightmap, again);
+  report.rays = again.rays;
+  if (!report.stopped) tell(monitor, {"texels", 1.0, report.rays});
+  return report;
+}
+
+}  // namespace luxel

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/render/lamp_table.h"
+#include "luxel/render/surface_point.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// Where a path goes on after it met a surface.
+enum class BouncesFrom {
+  points,  // from the very point: the light as it is, not constant on patches
+  patches  // from a random point of the patch's side: the radiosity solution of this mesh, exactly
+};
+
+// The numbers that a path's vertex spends, uniform in [0, 1).
+struct VertexNumbers {
+  std::array<float, 2> direction;  // of the cosine ray
+  std::array<float, 3> lamp;       // of the shadow ray: which lamp, where on it
+};
+
+// Paths that start at a surface and gather light (Kajiya 1986). At each vertex a shadow ray to a lamp and a
+// cosine ray: light straight from lamps comes from both, weighed by the balance heuristic (Veach and Guibas
+// 1995), so that no path carries much more than others where a lamp is near; the cosine ray carries on, or
+// meets the sky, which nothing else asks.
+// Shares tracer and patches with the solvers, and no estimator.
+class LightPaths {
+ public:
+  // Keeps references. Throws InputError where there is neither lamp nor sky.
+  LightPaths(const PatchSet& patches, const Tracer& tracer);
+
+  // What one path, or one ray, leaves behind.
+  struct Trail {
+    Hit first;               // of the first cosine ray
+    std::uint64_t rays = 0;  // traced
+    // Of that ray: radiance times solid_angle (sr) estimates the integral of radiance over what is seen.
+    Vec3d direction{0.0};
+    double cosine = 0.0, solid_angle = 0.0;
+  };
+
+  // Adds weight * (unbiased estimate of the irradiance at x straight from lamps and sky, W/m²) to sum.
+  // weight, sum: [band]. Returns what the cosine ray met.
+  Trail direct(const SurfacePoint& x, const VertexNumbers& numbers, std::span<const double> weight,
+               std::span<double> sum) const;
+
+  // Adds an unbiased estimate of the light vector (Gershun 1939), the integral of radiance times direction
+  // over what x sees, and in w of its irradiance, both W/m²: of light straight from lamps and sky. sum:
+  // [band]. Half of the rays go by the cosine and half evenly, so that what comes along the surface has its
+  // share.
+  Trail light_vector(const SurfacePoint& x, const VertexNumbers& numbers, std::span<glm::dvec4> sum) const;
+
+  // Adds an unbiased estimate of the whole irradiance at x, W/m², to sum, [band]. weight: [band], scratch.
+  // first: the numbers of the first vertex; key: the stream of all others. A path ends by Russian roulette
+  // alone, with the largest band's share of what it carries.
+  Trail irradiance(const SurfacePoint& x, const VertexNumbers& first, std::uint64_t key, BouncesFrom from,
+                   std::span<double> weight, std::span<double> sum) const;
+
+ private:
+  enum class Rays { by_cosine, by_cosine_or_evenly };
+  template <typename Add>
+  Trail arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread, const Add& add) const;
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  LampTable lamps_;
+};
+
+}  // namespace luxel

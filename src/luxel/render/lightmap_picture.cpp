@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/lightmap_picture.h"
+
+#include <fmt/format.h>
+
+#include "luxel/core/error.h"
+#include "luxel/patch/colour_patches.h"
+#include "luxel/render/pinhole.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t pixels_a_chunk = 64;
+
+// What stands still while a picture is made.
+struct Shot {
+  const PatchSet& patches;
+  const Lightmap& lightmap;
+  const FineColours& fine;
+  const BandColours& colours;
+};
+
+Vec3d radiance_at(const Shot& shot, const Hit& hit) {
+  if (!hit) return shot.patches.sky.empty() ? Vec3d(0.0) : shot.colours.rgb(shot.patches.sky);
+  const auto& atlas = shot.lightmap.atlas;
+  const auto side = 2 * std::size_t{hit.patch} + (hit.back ? 1 : 0);
+  Vec3 irradiance(0.0f);
+  if (atlas.has(side)) {
+    const auto& t = atlas.corners[side];
+    const auto at = t[0] + hit.u * (t[1] - t[0]) + hit.v * (t[2] - t[0]);
+    irradiance = look_up(shot.lightmap.pages[atlas.page_of(side)].irradiance, at);
+  }
+  const auto share = share_of_place(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
+  return radiance_of(shot.patches.material_of(hit.patch), hit.back, &irradiance.x, shot.colours, share);
+}
+
+}  // namespace
+
+Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const Tracer& tracer,
+                       const Camera& camera, const RenderOptions& options, const Workers& workers) {
+  check_is_of(patches, lightmap);
+  if (!patches.has_colours())
+    throw MismatchError("a picture from a lightmap needs light that was solved in plain colour");
+  if (options.samples_per_side < 1)
+    throw InputError(
+        fmt::format("samples_per_side must be at least 1, but it is {}", options.samples_per_side));
+
+  const Pinhole pinhole(camera, options.width, options.height);
+  const FineColours fine(patches, workers);
+  const auto colours = patches.colours();
+  const Shot shot{patches, lightmap, fine, colours};
+  const auto side = options.samples_per_side;
+  const auto width = static_cast<std::size_t>(options.width);
+  Image picture(options.width, options.height);
+  workers.for_chunks(picture.pixels.size(), pixels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) {
+      const auto x = static_cast<double>(i % width), y = static_cast<double>(i / width);
+      Vec3d sum(0.0);
+      for (int cell = 0; cell < side * side; ++cell) {
+        const auto ray = pinhole.ray(x + (cell % side + 0.5) / side, y + (cell / side + 0.5) / side);
+        sum += radiance_at(shot, tracer.nearest(ray));
+      }
+      picture.pixels[i] = in_gamut(sum / static_cast<double>(side * side));
+    }
+  });
+  return picture;
+}
+
+}  // namespace luxel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "luxel/scene/pieces.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+// Which triangles must be turned round so that each connected piece faces one way.
+struct WindingPlan {
+  std::vector<std::uint8_t> turn;     // [clean triangle]
+  std::size_t turned = 0;             // triangles
+  std::size_t pieces = 0;             // of which some were turned
+  std::size_t closed = 0, lamps = 0;  // of those: made to face outwards; made to follow their lamps
+  std::size_t not_orientable = 0;     // pieces left as they are: no winding makes them consistent
+  std::size_t stubborn_lamps = 0;     // lamp triangles that face otherwise than the rest of their piece
+};
+
+// A piece that holds lamps follows them: its side is the one to which most of their area shines. Any other
+// closed piece faces outwards, by its signed volume. Any other piece faces where most of its area faced
+// before. Lamps are never turned, for their side is where they shine; those that face otherwise than their
+// piece stay so and are counted. Where as much faces one way as the other, the piece's first triangle
+// decides.
+WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
+                          std::span<const CleanTriangle> triangles, const Pieces& pieces);
+
+struct OrientReport {
+  WindingPlan plan;
+  std::size_t all_pieces = 0;
+
+  // What was done, as a sentence.
+  std::string as_text() const;
+};
+
+// Turns the scene's triangles as planned; those that lie exactly on a turned one are turned with it, unless
+// they are lamps. About 2 s a million triangles.
+OrientReport orient_windings(Scene& scene);
+
+}  // namespace luxel

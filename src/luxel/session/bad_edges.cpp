@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "luxel/scene/orient_windings.h"
+#include "luxel/scene/weld_vertices.h"
+#include "luxel/session/mesh_findings.h"
+#include "luxel/session/words.h"
+
+namespace luxel {
+namespace {
+
+bool is_lamp(const ScannedMesh& mesh, std::uint32_t triangle) {
+  const auto& scene = *mesh.scene;
+  return scene.materials[static_cast<std::size_t>(scene.triangle_material[mesh.in_scene(triangle)])]
+      .is_lamp();
+}
+
+bool is_two_sided(const ScannedMesh& mesh, std::uint32_t triangle) {
+  const auto& scene = *mesh.scene;
+  return scene.materials[static_cast<std::size_t>(scene.triangle_material[mesh.in_scene(triangle)])]
+      .two_sided;
+}
+
+Vec3 middle(const std::array<Vec3, 2>& edge) { return 0.5f * (edge[0] + edge[1]); }
+
+double length(const std::array<Vec3, 2>& edge) { return glm::distance(Vec3d(edge[0]), Vec3d(edge[1])); }
+
+void find_t_vertices(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+  const auto& junctions = mesh.junctions.found;
+  if (junctions.empty()) return;
+  Finding finding{FindingKind::t_junction, Gravity::note, junctions.size()};
+  std::vector<Candidate> candidates;
+  for (std::size_t begin = 0, end = 0; begin < junctions.size(); begin = end) {
+    const auto e = junctions[begin].edge;
+    while (end < junctions.size() && junctions[end].edge == e) ++end;
+    const auto triangle = mesh.in_scene(mesh.edges.uses_of(e)[0].triangle);
+    const auto edge = mesh.ends(e);
+    finding.triangles.push_back(triangle);
+    finding.edges.push_back(edge);
+    candidates.push_back({triangle, mesh.places[junctions[begin].vertex], length(edge),
+                          static_cast<std::uint32_t>(end - begin)});
+  }
+  finding.fact = junctions.size() == 1
+                     ? "1 vertex lies inside an edge of a neighbour (a T-junction)"
+                     : fmt::format("{} vertices lie inside edges of neighbours (T-junctions)",
+                                   with_commas(junctions.size()));
+  finding.consequence =
+      "loses no light there, but does not smooth the light across such an edge: it may show";
+  finding.remedy = "no flag changes that: split the long edge at the vertex in the file";
+  tell_places(
+      *mesh.scene, candidates, places,
+      [](const Candidate& c) { return fmt::format("{} on an edge {} long", c.item, in_metres(c.weight)); },
+      finding);
+  findings.push_back(std::move(finding));
+}
+
+// What --weld would do to the open edges: found by welding their ends alone.
+struct WeldTrial {
+  double distance = 0.0;   // m
+  std::size_t closed = 0;  // open edges that would meet another one
+};
+
+std::size_t closed_by(const ScannedMesh& mesh, double distance) {
+  std::vector<std::uint32_t> number(mesh.places.size(), 0xffffffffu);
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 2>> open;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    if (!mesh.edges.is_open(e) || mesh.junctions.is_sewn[e] != 0) continue;
+    auto ends = mesh.edges.ends[e];
+    for (auto& v : ends) {
+      if (number[v] == 0xffffffffu) {
+        number[v] = static_cast<std::uint32_t>(points.size());
+        points.push_back(mesh.places[v]);
+      }
+      v = number[v];
+    }
+    open.push_back(ends);
+  }
+  const auto goes_to = weld_points(points, distance);
+  for (auto& [a, b] : open) {
+    a = goes_to[a];
+    b = goes_to[b];
+    if (a > b) std::swap(a, b);
+  }
+  const auto collapsed = std::erase_if(open, [](const auto& ends) { return ends[0] == ends[1]; });
+  std::sort(open.begin(), open.end());
+  std::size_t closed = 0;
+  for (std::size_t i = 0; i + 1 < open.size(); ++i)
+    if (open[i] == open[i + 1]) closed += i > 0 && open[i] == open[i - 1] ? 1 : 2;
+  return closed > 10 * collapsed ? closed : 0;  // a distance that swallows detail is no repair
+}
+
+// The shortest of a few distances that closes nearly all that the longest does: rounding of the file's
+// digits, and a gap that a modeller would not see.
+WeldTrial try_weld(const ScannedMesh& mesh) {
+  const auto size = mesh.box.size();
+  const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
+  // One digit, as a person would write it.
+  const auto one_digit = [](double x) { return std::stod(fmt::format("{:.0e}", x)); };
+  WeldTrial best;
+  for (const auto share : {1e-5, 1e-4, 1e-3}) {
+    const auto distance = one_digit(share * extent);
+    const auto closed = closed_by(mesh, distance);
+    if (static_cast<double>(closed) > 1.1 * static_cast<double>(best.closed)) best = {distance, closed};
+  }
+  return best;
+}
+
+void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+  if (mesh.rims.empty()) return;
+  Finding finding{FindingKind::open_edge, Gravity::note};
+  std::vector<Candidate> candidates;
+  for (const auto& rim : mesh.rims) {
+    finding.count += rim.edges.size();
+    std::uint32_t longest = rim.edges[0];
+    for (const auto e : rim.edges) {
+      finding.edges.push_back(mesh.ends(e));
+      finding.triangles.push_back(mesh.in_scene(mesh.edges.uses_of(e)[0].triangle));
+      if (length(mesh.ends(e)) > length(mesh.ends(longest))) longest = e;
+    }
+    candidates.push_back({mesh.in_scene(mesh.edges.uses_of(longest)[0].triangle), middle(mesh.ends(longest)),
+                          rim.length, static_cast<std::uint32_t>(rim.edges.size())});
+  }
+  std::sort(finding.triangles.begin(), finding.triangles.end());
+  finding.triangles.erase(std::unique(finding.triangles.begin(), finding.triangles.end()),
+                          finding.triangles.end());
+  const auto weld = try_weld(mesh);
+  finding.fact = fmt::format("{} open, in {}: surfaces end there", counted_is(finding.count, "edge"),
+                             counted_things(mesh.rims.size(), "rim"));
+  if (weld.closed > 0)
+    finding.fact += fmt::format(", and {} of them lie so near another one that a gap is likely",
+                                with_commas(weld.closed));
+  if (weld.closed > 0) finding.gravity = Gravity::doubt;
+  finding.consequence =
+      "takes such surfaces as sheets, lit on both sides; light goes round a rim and through a gap";
+  finding.remedy = weld.closed > 0
+                       ? fmt::format("--weld {:g} closes {} of them", weld.distance, with_commas(weld.closed))
+                       : "no flag needed where sheets are meant; --one-sided NAME makes backs absorb";
+  tell_places(
+      *mesh.scene, candidates, places,
+      [](const Candidate& c) {
+        return fmt::format("a rim of {}, {} in all", counted_things(c.item, "edge"), in_metres(c.weight));
+      },
+      finding);
+  findings.push_back(std::move(finding));
+}
+
+void find_crowded_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+  Finding finding{FindingKind::crowded_edge, Gravity::note};
+  std::vector<Candidate> candidates;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto uses = mesh.edges.uses_of(e);
+    if (uses.size() < 3) continue;
+    const auto edge = mesh.ends(e);
+    finding.edges.push_back(edge);
+    for (const auto& use : uses) finding.triangles.push_back(mesh.in_scene(use.triangle));
+    candidates.push_back({mesh.in_scene(uses[0].triangle), middle(edge), length(edge),
+                          static_cast<std::uint32_t>(uses.size())});
+  }
+  if (finding.edges.empty()) return;
+  std::sort(finding.triangles.begin(), finding.triangles.end());
+  finding.triangles.erase(std::unique(finding.triangles.begin(), finding.triangles.end()),
+                          finding.triangles.end());
+  finding.count = finding.edges.size();
+  finding.fact = fmt::format("{} more than two triangles", counted_have(finding.count, "edge"));
+  finding.consequence = "takes the surfaces as they are; --orient does not carry a side across such an edge";
+  finding.remedy = "no flag needed: walls that meet a floor along its edges look like this";
+  tell_places(
+      *mesh.scene, candidates, places,
+      [](const Candidate& c) { return fmt::format("{} triangles, {} long", c.item, in_metres(c.weight)); },
+      finding);
+  findings.push_back(std::move(finding));
+}
+
+// Neighbours that face opposite ways: told by what --orient would turn.
+void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+  std::vector<std::size_t> twisted;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (mesh.edges.is_twisted(e)) twisted.push_back(e);
+  if (twisted.empty()) return;
+  Finding finding{FindingKind::windings, Gravity::note, twisted.size()};
+  Finding lamps{FindingKind::lamp_windings, Gravity::fault};
+  std::vector<Candidate> candidates, lamp_candidates;
+  std::size_t one_sided = 0;
+  for (const auto e : twisted) {
+    const auto uses = mesh.edges.uses_of(e);
+    const auto edge = mesh.ends(e);
+    const Candidate candidate{mesh.in_scene(uses[1].triangle), middle(edge), length(edge)};
+    candidates.push_back(candidate);
+    finding.edges.push_back(edge);
+    if (!is_two_sided(mesh, uses[0].triangle) || !is_two_sided(mesh, uses[1].triangle)) ++one_sided;
+    if (!is_lamp(mesh, uses[0].triangle) || !is_lamp(mesh, uses[1].triangle)) continue;
+    lamp_candidates.push_back(candidate);
+    lamps.edges.push_back(edge);
+    for (const auto& use : uses) lamps.triangles.push_back(mesh.in_scene(use.triangle));
+  }
+  const auto plan = plan_windings(*mesh.scene, mesh.places, mesh.clean.kept, mesh.pieces);
+  std::size_t pieces = 0;
+  for (const auto& piece : mesh.pieces.pieces) pieces += piece.is_consistent() ? 0 : 1;
+  for (std::size_t t = 0; t < mesh.clean.kept.size(); ++t)
+    if (plan.turn[t] != 0 && !mesh.pieces.pieces[mesh.pieces.of[t]].is_consistent())
+      finding.triangles.push_back(mesh.in_scene(static_cast<std::uint32_t>(t)));
+  finding.gravity = one_sided > 0 ? Gravity::fault : Gravity::note;
+  finding.fact = fmt::format("{} between neighbours that face opposite ways, in {} of {}",
+                             counted_lie(twisted.size(), "edge"), with_commas(pieces),
+                             counted_things(mesh.pieces.pieces.size(), "connected piece"));
+  if (plan.not_orientable > 0)
+    finding.fact += fmt::format("; {} of these no winding makes consistent (as a Moebius strip)",
+                                with_commas(plan.not_orientable));
+  finding.consequence =
+      one_sided > 0
+          ? "lets the backs of one-sided materials absorb, so these pieces darken in patches"
+          : "lights both sides alike, so the light is the same; view factors and --one-sided do look";
+  finding.remedy =
+      fmt::format("--orient turns {} round, and says so", counted_things(plan.turned, "triangle"));
+  const auto detail = [](const Candidate& c) { return fmt::format("an edge {} long", in_metres(c.weight)); };
+  tell_places(*mesh.scene, candidates, places, detail, finding);
+  findings.push_back(std::move(finding));
+
+  if (lamps.edges.empty()) return;
+  std::sort(lamps.triangles.begin(), lamps.triangles.end());
+  lamps.triangles.erase(std::unique(lamps.triangles.begin(), lamps.triangles.end()), lamps.triangles.end());
+  lamps.count = lamps.edges.size();
+  lamps.fact =
+      fmt::format("{} between parts of a lamp that face opposite ways: one of them shines to the wrong side",
+                  counted_lie(lamps.count, "edge"));
+  lamps.consequence = "lets each part shine from its own front";
+  lamps.remedy = "no flag turns a part of a lamp: turn these faces round in the file";
+  tell_places(*mesh.scene, lamp_candidates, places, detail, lamps);
+  findings.push_back(std::move(lamps));
+}
+
+}  // namespace
+
+void find_bad_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+  find_windings(mesh, places, findings);
+  find_t_vertices(mesh, places, findings);
+  find_open_edges(mesh, places, findings);
+  find_crowded_edges(mesh, places, findings);
+}
+
+}  // namespace luxel

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/session/diagnose.h"
+
+#include <algorithm>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/session/light_findings.h"
+#include "luxel/session/mesh_findings.h"
+
+namespace luxel {
+namespace {
+
+void summarise(const ScannedMesh& mesh, CheckReport& report) {
+  report.lit_triangles = mesh.clean.kept.size();
+  report.pieces = mesh.pieces.pieces.size();
+  for (const auto& piece : mesh.pieces.pieces) {
+    report.area += piece.area;
+    if (piece.is_closed) ++report.closed_pieces;
+  }
+  report.box = mesh.box;
+}
+
+// What rays tell. False: stopped.
+bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const Workers& workers,
+                   const Monitor& monitor, CheckReport& report) {
+  const auto patches = make_patches(*mesh.scene, {.max_edge = no_max_edge}, workers);
+  if (tell(monitor, {.stage = "hierarchy"}) == Next::stop) return false;
+  const Tracer tracer(patches, workers);
+  const auto views = view_from_lamps(patches, tracer, workers);
+  const auto paths = options.paths > 0 ? options.paths : std::max<std::size_t>(16'384, patches.size() / 4);
+  report.walks = walk_light(patches, tracer, paths, options.seed, workers, monitor);
+  const auto openings = find_openings(mesh, report.walks.lost, workers);
+  find_bad_lamps(mesh, patches, views, report.walks, report.findings);
+  find_lost_light(mesh, patches, report.walks, openings, options.places, report.findings);
+  report.rays = report.walks.rays + 2000 * views.size();
+  if (views.empty() && !patches.has_sky()) return true;  // no light at all: not worth a list
+  const auto unlit =
+      find_unlit(patches, tracer,
+                 {.has_sky = patches.has_sky(), .seed = options.seed, .is_known_lit = report.walks.is_met},
+                 workers, monitor);
+  report.rays += unlit.rays;
+  report.dark_walks = unlit.walks;
+  if (!unlit.is_whole) return false;
+  find_dark_surfaces(mesh, patches, unlit, options.places, report.findings);
+  return true;
+}
+
+}  // namespace
+
+std::size_t CheckReport::count(Gravity gravity) const {
+  return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
+                                                [&](const Finding& f) { return f.gravity == gravity; }));
+}
+
+CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Workers& workers,
+                     const Monitor& monitor) {
+  CheckReport report;
+  report.triangles = scene.triangles.size();
+  const auto mesh = scan_mesh(scene, monitor, report.is_whole);
+  if (!report.is_whole) return report;
+  summarise(mesh, report);
+  find_bad_triangles(mesh, options.places, report.findings);
+  find_bad_edges(mesh, options.places, report.findings);
+  find_bad_numbers(mesh, options.places, report.findings);
+  if (!mesh.clean.kept.empty()) report.is_whole = look_at_light(mesh, options, workers, monitor, report);
+  std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
+    return a.gravity != b.gravity ? a.gravity < b.gravity : a.kind < b.kind;
+  });
+  return report;
+}
+
+}  // namespace luxel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/session/fault_mesh.h"
+
+#include <algorithm>
+
+#include "luxel/core/warp.h"
+
+namespace luxel {
+namespace {
+
+// A rod of three sides around an edge, no thicker than a third of its length or than `radius`.
+void add_rod(const std::array<Vec3, 2>& edge, float radius, FaultPart& part) {
+  const auto way = edge[1] - edge[0];
+  const auto length = glm::length(way);
+  if (!(length > 0.0f)) return;
+  const auto r = std::max(std::min(radius, length / 3.0f), 0.1f * radius);
+  const Frame frame(way / length);
+  const auto first = static_cast<std::uint32_t>(part.positions.size());
+  for (const auto& end : edge)
+    for (const auto& [x, y] : {std::pair{1.0f, 0.0f}, {-0.5f, 0.866f}, {-0.5f, -0.866f}})
+      part.positions.push_back(end + r * (x * frame.s + y * frame.t));
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const auto a = first + k;
+    const auto b = first + (k + 1) % 3;
+    part.triangles.push_back({a, b, b + 3});
+    part.triangles.push_back({a, b + 3, a + 3});
+  }
+}
+
+void add_triangle(const Scene& scene, std::uint32_t triangle, FaultPart& part) {
+  const auto first = static_cast<std::uint32_t>(part.positions.size());
+  for (const auto v : scene.triangles[triangle]) part.positions.push_back(scene.positions[v]);
+  part.triangles.push_back({first, first + 1, first + 2});
+}
+
+// Whether the faces themselves are what is the matter, and not the edges between them.
+bool concerns_faces(const Finding& finding) { return finding.edges.empty(); }
+
+}  // namespace
+
+std::vector<FaultPart> fault_parts(const Scene& scene, const CheckReport& report) {
+  constexpr auto well = 0xffffffffu;
+  std::vector<std::uint32_t> finding_of(scene.triangles.size(), well);
+  for (std::uint32_t f = 0; f < report.findings.size(); ++f)
+    if (concerns_faces(report.findings[f]))
+      for (const auto t : report.findings[f].triangles) finding_of[t] = std::min(finding_of[t], f);
+
+  std::vector<FaultPart> parts(report.findings.size() + 1);
+  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
+    add_triangle(scene, t, parts[finding_of[t] == well ? 0 : finding_of[t] + 1]);
+  const auto radius = glm::length(report.box.size()) / 1200.0f;
+  for (std::size_t f = 0; f < report.findings.size(); ++f) {
+    parts[f + 1].kind = report.findings[f].kind;
+    for (const auto& edge : report.findings[f].edges) add_rod(edge, radius, parts[f + 1]);
+  }
+  return parts;
+}
+
+}  // namespace luxel

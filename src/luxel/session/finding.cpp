@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/session/finding.h"
+
+#include <iterator>
+
+namespace luxel {
+namespace {
+
+struct Kind {
+  std::string_view name;
+  FaultColour colour;
+};
+
+// In the order of FindingKind. What concerns faces is bold, what concerns edges bright.
+constexpr Kind kinds[] = {
+    {"no-lamp", {{0.5f, 0.5f, 0.5f}, "grey"}},
+    {"lamp-lights-nothing", {{0.9f, 0.05f, 0.6f}, "pink"}},
+    {"lamp-faces-wall", {{0.6f, 0.0f, 0.6f}, "magenta"}},
+    {"lamp-enclosed", {{0.3f, 0.02f, 0.35f}, "plum"}},
+    {"lamp-windings", {{0.95f, 0.3f, 0.5f}, "rose"}},
+    {"unlit", {{0.02f, 0.02f, 0.06f}, "black"}},
+    {"lost-at-backs", {{0.25f, 0.08f, 0.02f}, "brown"}},
+    {"reflectance", {{0.9f, 0.85f, 0.6f}, "cream"}},
+    {"escape", {{0.1f, 0.65f, 0.95f}, "sky blue"}},
+    {"windings", {{0.02f, 0.1f, 0.8f}, "blue"}},
+    {"units", {{0.5f, 0.5f, 0.5f}, "grey"}},
+    {"opposite", {{0.3f, 0.1f, 0.8f}, "violet"}},
+    {"duplicate", {{0.0f, 0.35f, 0.35f}, "teal"}},
+    {"no-area", {{0.95f, 0.05f, 0.02f}, "red"}},
+    {"t-junction", {{0.95f, 0.3f, 0.0f}, "orange"}},
+    {"open-edge", {{0.9f, 0.75f, 0.0f}, "yellow"}},
+    {"crowded-edge", {{0.05f, 0.55f, 0.1f}, "green"}},
+    {"sliver", {{0.35f, 0.4f, 0.02f}, "olive"}},
+};
+static_assert(std::size(kinds) == static_cast<std::size_t>(FindingKind::sliver) + 1);
+
+}  // namespace
+
+std::string_view name(FindingKind kind) { return kinds[static_cast<std::size_t>(kind)].name; }
+
+FaultColour colour(FindingKind kind) { return kinds[static_cast<std::size_t>(kind)].colour; }
+
+std::string_view name(Gravity gravity) {
+  switch (gravity) {
+    case Gravity::fault:
+      return "fault";
+    case Gravity::doubt:
+      return "doubt";
+    case Gravity::note:
+      return "note";
+  }
+  return "";
+}
+
+}  // namespace luxel

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/session/light_findings.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "luxel/session/words.h"
+
+namespace luxel {
+namespace {
+
+constexpr double worth_telling = 0.001;   // of the light
+constexpr double shut_in = 0.02;          // a lamp of which less gets away
+constexpr std::size_t enough_paths = 64;  // to say so
+
+// The triangles of a material, and the largest of them.
+struct MaterialPart {
+  std::vector<std::uint32_t> triangles;
+  std::uint32_t largest = 0;
+  double area = 0.0;
+};
+
+MaterialPart part_of(const ScannedMesh& mesh, std::size_t material) {
+  const auto& scene = *mesh.scene;
+  MaterialPart part;
+  double largest = -1.0;
+  for (const auto& t : mesh.clean.kept) {
+    if (static_cast<std::size_t>(scene.triangle_material[t.triangle]) != material) continue;
+    const auto size = area(scene, t.triangle);
+    part.triangles.push_back(t.triangle);
+    part.area += size;
+    if (size > largest) part.largest = t.triangle;
+    largest = std::max(largest, size);
+  }
+  return part;
+}
+
+// A patch's material as the scene numbers them: make_patches() adds two-sided twins behind the scene's own.
+std::size_t scene_material(const ScannedMesh& mesh, const PatchSet& patches, std::size_t material) {
+  if (material < mesh.scene->materials.size()) return material;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (static_cast<std::size_t>(patches.material[p]) == material)
+      return static_cast<std::size_t>(mesh.scene->triangle_material[patches.triangle[p]]);
+  return 0;
+}
+
+Finding lamp_finding(const ScannedMesh& mesh, FindingKind kind, std::size_t material, std::string fact) {
+  const auto part = part_of(mesh, material);
+  Finding finding{kind, Gravity::fault, 1, std::move(fact)};
+  finding.triangles = part.triangles;
+  tell_places(
+      *mesh.scene, {{part.largest, centroid(*mesh.scene, part.largest), part.area}}, 1,
+      [&](const Candidate& c) {
+        return fmt::format("{}, {:.3g} m²", counted_things(part.triangles.size(), "triangle"), c.weight);
+      },
+      finding);
+  return finding;
+}
+
+void find_no_lamp(const ScannedMesh& mesh, std::vector<Finding>& findings) {
+  const bool has_sky = mesh.scene->sky != Vec3(0.0f);
+  Finding finding{FindingKind::no_lamp, has_sky ? Gravity::note : Gravity::fault, 1};
+  finding.fact = has_sky ? "no surface emits light: all of it comes from the sky" : "no surface emits light";
+  finding.consequence = has_sky ? "lights the scene from all around" : "refuses to bake: all would be black";
+  finding.remedy = has_sky ? "a material with a Ke line is a lamp"
+                           : "--sky 1 lights it from all around; a material with a Ke line is a lamp";
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
+                    const LightWalks& walks, std::vector<Finding>& findings) {
+  if (views.empty()) return find_no_lamp(mesh, findings);
+  for (const auto& view : views) {
+    const auto material = scene_material(mesh, patches, view.material);
+    const auto& name = mesh.scene->materials[material].name;
+    const auto kind = judge(view);
+    if (kind != LampFault::none) {
+      auto finding = lamp_finding(
+          mesh,
+          kind == LampFault::faces_wall ? FindingKind::lamp_faces_wall : FindingKind::lamp_lights_nothing,
+          material, lamp_fact(patches, view));
+      finding.consequence = "solves it as it is: a lamp shines from the front of its faces alone";
+      finding.remedy = turning_helps(view) ? fmt::format("--flip {} turns its faces round", name)
+                                           : "no flag helps: both of its sides look away from the scene";
+      findings.push_back(std::move(finding));
+      continue;
+    }
+    const auto paths = walks.set_out[view.material];
+    const auto away = static_cast<double>(walks.got_away[view.material]) / static_cast<double>(paths);
+    if (paths < enough_paths || away > shut_in) continue;
+    auto finding =
+        lamp_finding(mesh, FindingKind::lamp_enclosed, material,
+                     fmt::format("lamp '{}' is shut in: of {} paths of its light {} get farther than {}",
+                                 name, with_commas(paths), away > 0.0 ? percent(away) : "none",
+                                 in_metres(static_cast<double>(walks.near))));
+    finding.consequence = "lights the inside of what surrounds it, and nothing else";
+    finding.remedy = fmt::format(
+        "give the cover 'd 0' in its MTL, and light passes freely; or --flip {} if it should shine outwards",
+        name);
+    findings.push_back(std::move(finding));
+  }
+}
+
+namespace {
+
+constexpr const char* directions[] = {"-x", "+x", "-y", "+y", "-z", "+z"};
+
+std::string extent(const Rim& rim) {
+  auto size = std::array<float, 3>{rim.box.size().x, rim.box.size().y, rim.box.size().z};
+  std::sort(size.begin(), size.end());
+  return fmt::format("{} x {}", in_metres(static_cast<double>(size[2])),
+                     in_metres(static_cast<double>(size[1])));
+}
+
+std::string describe(const ScannedMesh& mesh, const Opening& opening) {
+  if (opening.rim == Opening::no_rim)
+    return fmt::format("{} past all surfaces towards {}", percent(opening.weight),
+                       directions[opening.direction]);
+  return fmt::format("{} through a hole of {}", percent(opening.weight), extent(mesh.rims[opening.rim]));
+}
+
+// A triangle to name the place by: one on the rim, or the nearest to where the rays left.
+std::uint32_t triangle_near(const ScannedMesh& mesh, const Opening& opening) {
+  if (opening.rim != Opening::no_rim)
+    return mesh.in_scene(mesh.edges.uses_of(mesh.rims[opening.rim].edges[0])[0].triangle);
+  std::size_t best = 0;
+  auto best2 = std::numeric_limits<float>::infinity();
+  for (std::size_t t = 0; t < mesh.clean.kept.size(); ++t) {
+    const auto d = mesh.points(t)[0] - opening.at;
+    if (glm::dot(d, d) >= best2) continue;
+    best2 = glm::dot(d, d);
+    best = t;
+  }
+  return mesh.in_scene(best);
+}
+
+void find_escape(const ScannedMesh& mesh, const LightWalks& walks, const std::vector<Opening>& openings,
+                 std::size_t places, std::vector<Finding>& findings) {
+  if (walks.escaped < worth_telling) return;
+  const bool has_sky = mesh.scene->sky != Vec3(0.0f);
+  const bool from_lamps = walks.from == LightWalks::From::lamps;
+  Finding finding{FindingKind::escape, from_lamps ? Gravity::doubt : Gravity::note};
+  finding.count = openings.size();
+  finding.fact =
+      from_lamps
+          ? fmt::format("{} (± {:.1g}) of the lamps' light leaves the scene, {} before it meets anything",
+                        percent(walks.escaped), 100.0 * walks.escaped_error, percent(walks.escaped_at_once))
+          : fmt::format("{} (± {:.1g}) of what can be seen from inside is open", percent(walks.escaped),
+                        100.0 * walks.escaped_error);
+  finding.consequence = has_sky      ? "lets the light out there, and the sky's light in"
+                        : from_lamps ? "counts it as escaped; nothing comes back"
+                                     : "lets no light in there without --sky";
+  finding.remedy = "close what should be closed in the file (--weld closes gaps); --sky 1 lets light in";
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < openings.size(); ++i) {
+    candidates.push_back({triangle_near(mesh, openings[i]), openings[i].at, openings[i].weight, i});
+    if (openings[i].rim == Opening::no_rim) continue;
+    for (const auto e : mesh.rims[openings[i].rim].edges) finding.edges.push_back(mesh.ends(e));
+  }
+  tell_places(
+      *mesh.scene, candidates, places, [&](const Candidate& c) { return describe(mesh, openings[c.item]); },
+      finding);
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const LightWalks& walks,
+                     const std::vector<Opening>& openings, std::size_t places,
+                     std::vector<Finding>& findings) {
+  find_escape(mesh, walks, openings, places, findings);
+  if (walks.lost_at_backs < worth_telling) return;
+  Finding finding{FindingKind::lost_at_backs, Gravity::fault};
+  std::vector<Candidate> candidates;
+  for (std::uint32_t m = 0; m < walks.back_loss.size(); ++m) {
+    if (walks.back_loss[m] == 0.0) continue;
+    const auto part = part_of(mesh, scene_material(mesh, patches, m));
+    if (part.triangles.empty()) continue;
+    ++finding.count;
+    finding.triangles.insert(finding.triangles.end(), part.triangles.begin(), part.triangles.end());
+    candidates.push_back({part.largest, centroid(*mesh.scene, part.largest), walks.back_loss[m]});
+  }
+  std::sort(finding.triangles.begin(), finding.triangles.end());
+  finding.fact = fmt::format("{} of the light falls on backs of {} and is lost", percent(walks.lost_at_backs),
+                             counted_things(finding.count, "one-sided material"));
+  finding.consequence = "lets such backs absorb all light, and counts it as lost at backs";
+  finding.remedy =
+      "--flip NAME turns a material round, --orient each piece; without --one-sided nothing is lost";
+  tell_places(
+      *mesh.scene, candidates, places, [](const Candidate& c) { return percent(c.weight) + " of the light"; },
+      finding);
+  findings.push_back(std::move(finding));
+}
+
+void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const Unlit& unlit,
+                        std::size_t places, std::vector<Finding>& findings) {
+  if (unlit.patches.empty()) return;
+  const auto& scene = *mesh.scene;
+  // A triangle is dark if all its patches are.
+  std::vector<std::uint32_t> patches_of(scene.triangles.size(), 0);
+  for (const auto t : patches.triangle) ++patches_of[t];
+  for (const auto p : unlit.patches) --patches_of[patches.triangle[p]];
+
+  // Told by what a person would call one thing: connected, of one group and one material.
+  struct Part {
+    std::uint32_t triangles = 0, largest = 0;
+    double area = 0.0, largest_area = -1.0;
+  };
+  std::map<std::array<std::uint32_t, 3>, Part> parts;
+  Finding finding{FindingKind::unlit, Gravity::doubt};
+  double dark = 0.0;
+  double all = 0.0;
+  for (std::uint32_t t = 0; t < mesh.clean.kept.size(); ++t) {
+    const auto size = mesh.area(t);
+    all += size;
+    const auto in_scene = mesh.in_scene(t);
+    if (patches_of[in_scene] != 0 ||
+        scene.materials[static_cast<std::size_t>(scene.triangle_material[in_scene])].is_lamp())
+      continue;
+    dark += size;
+    finding.triangles.push_back(in_scene);
+    auto& part = parts[{mesh.pieces.of[t], scene.triangle_group[in_scene],
+                        static_cast<std::uint32_t>(scene.triangle_material[in_scene])}];
+    ++part.triangles;
+    part.area += size;
+    if (size > part.largest_area) {
+      part.largest_area = size;
+      part.largest = in_scene;
+    }
+  }
+  if (finding.triangles.empty()) return;
+  finding.count = finding.triangles.size();
+  std::vector<Candidate> candidates;
+  for (const auto& [key, part] : parts)
+    candidates.push_back({part.largest, centroid(scene, part.largest), part.area, part.triangles});
+  finding.fact = fmt::format("no light was found from {} ({:.3g} m², {} of the area) in {}",
+                             counted_things(finding.count, "triangle"), dark, percent(dark / all),
+                             counted_things(candidates.size(), "part"));
+  finding.fact += fmt::format(", by {} random walks from each side: an estimate", unlit.walks);
+  finding.consequence = "leaves them black, on both sides";
+  finding.remedy =
+      "no flag needed if they are hidden for good; else open what shuts them in, or --flip its lamp";
+  tell_places(
+      scene, candidates, places,
+      [](const Candidate& c) {
+        return fmt::format("{}, {:.3g} m²", counted_things(c.item, "triangle"), c.weight);
+      },
+      finding);
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace luxel

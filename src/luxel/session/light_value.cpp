@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/session/light_value.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace luxel {
+namespace {
+
+double sum(std::span<const double> values) {
+  double all = 0.0;
+  for (const auto v : values) all += v;
+  return all;
+}
+
+std::vector<double> of_patch(const std::vector<float>& values, std::size_t patch, std::size_t bands) {
+  const auto* from = values.data() + patch * bands;
+  return {from, from + bands};
+}
+
+LightValue value_of(const BandColours& colours, std::span<const double> light,
+                    std::span<const double> error) {
+  LightValue value{.watts = sum(light), .lux = colours.lumens(light), .watts_error = {}, .lux_error = {}};
+  if (error.empty()) return value;
+  value.watts_error = sum(error);
+  double lux = 0.0;
+  std::vector<double> one(error.size(), 0.0);
+  for (std::size_t b = 0; b < error.size(); ++b) {
+    one[b] = error[b];
+    lux += std::abs(colours.lumens(one));
+    one[b] = 0.0;
+  }
+  value.lux_error = lux;
+  return value;
+}
+
+}  // namespace
+
+LightValue irradiance_of(const LiveLight& light, std::size_t patch, bool back) {
+  const auto& s = light.solution;
+  const auto bands = s.bands.size();
+  const auto& error = back ? s.standard_error_back : s.standard_error_front;
+  return value_of(light.mesh.patches->colours(),
+                  of_patch(back ? s.irradiance_back : s.irradiance_front, patch, bands),
+                  error.empty() ? std::vector<double>() : of_patch(error, patch, bands));
+}
+
+LightValue radiosity_of(const LiveLight& light, std::size_t patch, bool back) {
+  const auto& s = light.solution;
+  const auto bands = s.bands.size();
+  const auto& error = back ? s.standard_error_back : s.standard_error_front;
+  std::vector<double> reflected;
+  if (!error.empty()) {
+    reflected = of_patch(error, patch, bands);
+    for (std::size_t b = 0; b < bands; ++b) reflected[b] *= light.mesh.patches->reflectance(patch, b);
+  }
+  return value_of(light.mesh.patches->colours(),
+                  of_patch(back ? s.radiosity_back : s.radiosity_front, patch, bands), reflected);
+}
+
+LightValue smooth_irradiance(const LiveLight& light, std::size_t patch, bool back, float u, float v) {
+  const auto bands = light.solution.bands.size();
+  const auto& at = back ? light.smooth->irradiance_back : light.smooth->irradiance_front;
+  const std::array<double, 3> weight = {1.0 - static_cast<double>(u) - static_cast<double>(v), u, v};
+  std::vector<double> sum(bands, 0.0);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t b = 0; b < bands; ++b)
+      sum[b] += weight[k] * static_cast<double>(at[light.smooth->corners[patch][k] * bands + b]);
+  return value_of(light.mesh.patches->colours(), sum, {});
+}
+
+}  // namespace luxel

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "luxel/import/load_scene.h"
+#include "luxel/patch/light_groups.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/solve/refine_to_light.h"
+#include "luxel/solve/solve_light.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+// How a live scene is read, cut and lit: what `luxel bake` takes as well, with the same meaning.
+struct LiveSettings {
+  LoadOptions load = {};
+  PatchOptions patches = {};
+  RefineOptions refine = {.mesh_error = 0.0};  // 0: the patches stay; its light and smooth are those below
+  LightOptions light = {};
+  bool joins_faces = false;                 // dense: patches of one uncut face share a value
+  std::string focus = "all";                // where the seen error matters, see patch/focus.h
+  bool keeps_transport = true;              // sampled: so that lamps and colours can be changed, and saved
+  std::vector<LightGroupRule> groups = {};  // lamps that are dimmed together; the others go by material
+  SmoothOptions smooth = {};
+  bool begins_at_once = true;  // false: shows the mesh, and solves when it is told to
+  int threads = 0;             // that solve; 0: all but one of the cores this process may use
+
+  // Both are called in the solver's thread. Empty: nothing is done.
+  // Puts the program's version, command line and options into a solution that will be solved so.
+  std::function<void(Provenance& provenance, const LightOptions& light)> sign = {};
+  // How a solution that was opened had been solved: to relight it, and to go on. Empty: as `light` says.
+  std::function<LightOptions(const Provenance& provenance)> options_of = {};
+};
+
+}  // namespace luxel

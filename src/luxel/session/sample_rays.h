@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/session/live_state.h"
+
+namespace luxel {
+
+// The samples that the light of one side of a patch was made of. Where the light knows its samples these are
+// the very rays of the solver, traced again, in the order in which they were taken; with any other light,
+// those that a sampled solve would begin with. Cost: a ray each, and microseconds; direct_rays() also joins
+// the scene's lamps anew, milliseconds where there are thousands. Empty where there is no tracer yet, or the
+// side gathers no light.
+
+// A cosine ray that asks what other surfaces send.
+struct GatherRay {
+  Vec3 from{0.0f};       // m, on the side
+  Vec3 direction{0.0f};  // unit
+  Hit hit;               // nothing: it leaves the scene
+  std::uint32_t replicate = 0;
+};
+std::vector<GatherRay> gather_rays(const LiveLight& light, std::uint32_t patch, bool back,
+                                   std::size_t most = 256);
+
+// A ray that asks whether a point of a lamp is seen.
+struct DirectRay {
+  Vec3 from{0.0f}, to{0.0f};  // m, on the side and on the lamp
+  bool seen = false;
+  std::uint32_t replicate = 0;
+};
+std::vector<DirectRay> direct_rays(const LiveLight& light, std::uint32_t patch, bool back,
+                                   std::size_t most = 256);
+
+}  // namespace luxel

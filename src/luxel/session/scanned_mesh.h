@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "luxel/core/progress.h"
+#include "luxel/scene/pieces.h"
+#include "luxel/scene/rims.h"
+#include "luxel/scene/scene.h"
+#include "luxel/session/finding.h"
+
+namespace luxel {
+
+// A scene's triangles that carry light, and how they hang together.
+struct ScannedMesh {
+  const Scene* scene = nullptr;  // must outlive this
+  std::vector<Vec3> places;      // m; no two are the same
+  CleanTriangles clean;
+  Edges edges;
+  Pieces pieces;
+  TJunctions junctions;
+  std::vector<Rim> rims;
+  Bounds box;  // of the places, m
+
+  // Of a clean triangle.
+  std::array<Vec3, 3> points(std::size_t triangle) const;
+  double area(std::size_t triangle) const;  // m²
+  std::uint32_t in_scene(std::size_t triangle) const { return clean.kept[triangle].triangle; }
+  std::array<Vec3, 2> ends(std::size_t edge) const {
+    return {places[edges.ends[edge][0]], places[edges.ends[edge][1]]};
+  }
+};
+
+// n log n in all, about 3 s a million triangles. Stopped by the monitor, it returns what there is, with
+// is_whole false.
+ScannedMesh scan_mesh(const Scene& scene, const Monitor& monitor, bool& is_whole);
+
+// A place that may be told: the larger `weight`, the sooner.
+struct Candidate {
+  std::uint32_t triangle = 0;  // index in the scene
+  Vec3 at{0.0f};               // m
+  double weight = 0.0;
+  std::uint32_t item = 0;  // whatever the finding goes by
+};
+
+// The centroid of a triangle of the scene, m.
+Vec3 centroid(const Scene& scene, std::uint32_t triangle);
+double area(const Scene& scene, std::uint32_t triangle);  // m²
+
+// Tells the heaviest candidates, of equals the earlier, with the names that the file gives them and a detail
+// each, and counts all.
+void tell_places(const Scene& scene, const std::vector<Candidate>& candidates, std::size_t most,
+                 const std::function<std::string(const Candidate&)>& detail, Finding& finding);
+
+}  // namespace luxel

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/session/unlit.h"
+
+#include <algorithm>
+#include <array>
+
+#include "luxel/core/address.h"
+#include "luxel/core/bounds.h"
+#include "luxel/session/lamp_by_power.h"
+#include "luxel/session/walk.h"
+#include "luxel/trace/patch_emitter.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t first_step = 0x0c4ed000;  // of the random numbers: no solver counts that far
+constexpr std::uint32_t stops = 4;
+constexpr float small_share = 0.02f;  // of the scene's diagonal: light does not end within so short an edge
+
+// How a walk ends. To come by a patch that is known to be lit is to find light, though perhaps not on that
+// part of it: what is known from such a walk is not built upon.
+enum class End { in_the_dark, near_light, in_light };
+
+// The sides a walk came by.
+struct Trail {
+  std::array<std::size_t, stops + 1> side{};
+  std::uint32_t length = 0;
+  std::uint32_t rays = 0;
+};
+
+class Looker {
+ public:
+  // is_lit: [side], what is known so far; must outlive this.
+  Looker(const PatchSet& patches, const Tracer& tracer, const UnlitOptions& options,
+         const std::vector<std::uint8_t>& is_lit)
+      : patches_(patches), tracer_(tracer), options_(options), is_lit_(is_lit), lamps_(patches) {
+    Bounds box;
+    for (const auto& p : patches.vertices) box.add(p);
+    const auto small = small_share * glm::length(box.size());
+    is_small_.resize(patches.size());
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const auto c = patches.points(p);
+      is_small_[p] = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]),
+                               glm::distance(c[2], c[0])}) <= small;
+    }
+  }
+
+  // How a walk from a patch ends: from its front those of even numbers, from its back the others.
+  End walk(std::uint32_t patch, std::uint32_t number, Trail& trail) const {
+    const bool back = number % 2 == 1;
+    trail.side[trail.length++] = side_of(patch, back);
+    const auto u = uniform4({options_.seed, first_step + number, patch, 0});
+    auto from = patch;
+    auto from_back = back;
+    auto weights = uniform_triangle(u[0], u[1]);
+    for (std::uint32_t stop = 0; stop < stops; ++stop) {
+      const auto v = uniform4({options_.seed, first_step + number, patch, 1 + stop});
+      const auto ray = bounce(patches_, from, from_back, weights, v[0], v[1]);
+      if (!lamps_.empty() && sees_lamp(ray.origin, from, from_back, v, trail.rays)) return End::in_light;
+      ++trail.rays;
+      const auto hit = tracer_.nearest(ray);
+      if (!hit) return options_.has_sky ? End::in_light : End::in_the_dark;
+      if (!hit.back && patches_.material_of(hit.patch).is_lamp()) return End::in_light;
+      if (!reflects(patches_, hit)) return End::in_the_dark;
+      from = hit.patch;
+      const auto side = side_of(hit.patch, hit.back);
+      trail.side[trail.length++] = side;
+      if (is_lit_[side] != 0 && is_small_[hit.patch] != 0) return End::near_light;
+      from_back = hit.back;
+      weights = {hit.u, hit.v};
+    }
+    return End::in_the_dark;
+  }
+
+ private:
+  bool sees_lamp(const Vec3& at, std::size_t from, bool from_back, const std::array<float, 4>& u,
+                 std::uint32_t& rays) const {
+    const auto lamp = lamps_.at(static_cast<double>(u[2]));
+    const auto p = patches_.points(lamp);
+    // One number gives two: its high digits and its low ones.
+    const auto digits = 4096.0f * u[3];
+    const auto high = static_cast<float>(static_cast<int>(digits)) / 4096.0f;
+    const auto w = uniform_triangle(high, digits - 4096.0f * high);
+    const auto target =
+        p[0] + w.x * (p[1] - p[0]) + w.y * (p[2] - p[0]) + origin_lift(p) * patches_.normal[lamp];
+    const auto way = target - at;
+    const auto distance = glm::length(way);
+    const auto facing = from_back ? -patches_.normal[from] : patches_.normal[from];
+    if (!(distance > 0.0f) || glm::dot(way, facing) <= 0.0f || glm::dot(way, patches_.normal[lamp]) >= 0.0f)
+      return false;
+    ++rays;
+    return !tracer_.occluded({at, way / distance}, distance * (1.0f - 1e-5f));
+  }
+
+  const PatchSet& patches_;
+  const Tracer& tracer_;
+  const UnlitOptions& options_;
+  const std::vector<std::uint8_t>& is_lit_;
+  LampByPower lamps_;
+  std::vector<std::uint8_t> is_small_;  // [patch]
+};
+
+}  // namespace
+
+Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptions& options,
+                 const Workers& workers, const Monitor& monitor) {
+  constexpr std::size_t grain = 1024;
+  std::vector<std::uint8_t> is_lit(2 * patches.size(), 0);
+  if (!options.is_known_lit.empty()) is_lit.assign(options.is_known_lit.begin(), options.is_known_lit.end());
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (patches.material_of(p).is_lamp()) is_lit[side_of(p, false)] = 1;
+  const Looker looker(patches, tracer, options, is_lit);
+
+  Unlit result;
+  for (std::uint32_t p = 0; p < patches.size(); ++p)
+    if (is_lit[side_of(p, false)] == 0 && is_lit[side_of(p, true)] == 0) result.patches.push_back(p);
+  // Rounds of ever more looks at the ever fewer that are left: 1, 2, ... 32 in all.
+  for (const std::uint32_t upto : {1u, 2u, 3u, 5u, 9u, 17u, 32u}) {
+    auto& left = result.patches;
+    const auto begin = static_cast<std::uint32_t>(result.walks);
+    const auto expected = static_cast<double>(left.size()) * (upto - begin) * 4.0 * stops;
+    if (begin >= 3 && static_cast<double>(result.rays) + expected > static_cast<double>(options.most_rays))
+      break;
+    // In parts, so that somebody can be told. What was found lit is marked when all are done.
+    std::vector<std::size_t> sides;
+    std::vector<std::uint8_t> is_done(left.size(), 0);
+    const auto part = std::max<std::size_t>(grain, left.size() / 16 / grain * grain);
+    for (std::size_t first = 0; first < left.size(); first += part) {
+      const auto share = static_cast<double>(first) / static_cast<double>(left.size());
+      if (tell(monitor, {.stage = "dark places",
+                         .done = (begin + (upto - begin) * share) / 32.0,
+                         .rays = result.rays}) == Next::stop) {
+        result.is_whole = false;
+        return result;
+      }
+      const auto count = std::min(part, left.size() - first);
+      std::vector<std::vector<std::size_t>> lit((count + grain - 1) / grain);
+      std::vector<std::uint64_t> rays(lit.size(), 0);
+      workers.for_chunks(count, grain, [&](std::size_t from, std::size_t to, int) {
+        const auto chunk = from / grain;
+        for (auto i = first + from; i < first + to; ++i)
+          for (auto walk = 2 * begin; walk < 2 * upto && is_done[i] == 0; ++walk) {
+            Trail trail;
+            const auto end = looker.walk(left[i], walk, trail);
+            rays[chunk] += trail.rays;
+            is_done[i] = end != End::in_the_dark;
+            if (end == End::in_light)
+              lit[chunk].insert(lit[chunk].end(), trail.side.begin(), trail.side.begin() + trail.length);
+          }
+      });
+      for (const auto& some : lit) sides.insert(sides.end(), some.begin(), some.end());
+      for (const auto r : rays) result.rays += r;
+    }
+    for (const auto side : sides) is_lit[side] = 1;
+    std::vector<std::uint32_t> dark;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      if (is_done[i] == 0 && is_lit[side_of(left[i], false)] == 0 && is_lit[side_of(left[i], true)] == 0)
+        dark.push_back(left[i]);
+    left = std::move(dark);
+    result.walks = upto;
+    if (left.empty()) break;
+  }
+  return result;
+}
+
+}  // namespace luxel

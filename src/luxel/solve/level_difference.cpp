@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/level_difference.h"
+
+#include "luxel/core/barycentric.h"
+
+namespace luxel {
+namespace {
+
+using Pair = std::array<double, 2>;  // of both answers
+
+// differences(patch, back, band, add): calls add(weight, pair) for what is summed over a patch side.
+template <typename Differences>
+FieldDifference summed(const PatchSet& patches, const Workers& workers, const Differences& differences) {
+  constexpr std::size_t chunk = 4096;
+  FieldDifference result;
+  result.squared.resize(patches.size());
+  result.noise.resize(patches.size());
+  workers.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
+    for (auto p = begin; p < end; ++p) {
+      double product = 0.0;
+      double noise = 0.0;
+      const auto add = [&](double weight, const Pair& d) {
+        const auto half = 0.5 * (d[0] - d[1]);
+        product += weight * d[0] * d[1];
+        noise += weight * half * half;
+      };
+      for (const bool back : {false, true}) {
+        if (back && !patches.material_of(p).two_sided) continue;
+        for (std::size_t b = 0; b < patches.band_count(); ++b) differences(p, back, b, add);
+      }
+      const double area = patches.area[p];
+      result.squared[p] = area * product;
+      result.noise[p] = area * noise;
+    }
+  });
+  return result;
+}
+
+double mean_at(const Answer& answer, std::size_t patch, bool back, std::size_t band) {
+  const auto& s = answer.solution;
+  return static_cast<double>((back ? s.irradiance_back : s.irradiance_front)[patch * s.bands.size() + band]);
+}
+
+double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, bool back, std::size_t band) {
+  const auto& light = back ? answer.smooth.irradiance_back : answer.smooth.irradiance_front;
+  const auto bands = answer.solution.bands.size();
+  const auto& corners = answer.smooth.corners[patch];
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+    sum += weights[k] * static_cast<double>(light[corners[static_cast<std::size_t>(k)] * bands + band]);
+  return sum;
+}
+
+}  // namespace
+
+FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
+                                     const Answers& fine, std::span<const std::uint32_t> parent,
+                                     const Workers& workers) {
+  return summed(parts, workers, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
+    const auto weights = barycentric(wholes.points(parent[p]), parts.centroid(p));
+    Pair d;
+    for (std::size_t i = 0; i < 2; ++i)
+      d[i] = mean_at(fine[i], p, back, b) - field_at(coarse[i], parent[p], weights, back, b);
+    add(1.0, d);
+  });
+}
+
+FieldDifference difference_within_patches(const PatchSet& patches, const Answers& answers,
+                                          const Workers& workers) {
+  return summed(patches, workers, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
+    for (int corner = 0; corner < 3; ++corner) {
+      Vec3d weights(0.0);
+      weights[corner] = 1.0;
+      Pair d;
+      for (std::size_t i = 0; i < 2; ++i)
+        d[i] = field_at(answers[i], p, weights, back, b) - mean_at(answers[i], p, back, b);
+      add(1.0 / 12.0, d);  // the variance of a linear function over a triangle
+    }
+  });
+}
+
+Solution light_of_wholes(const PatchSet& wholes, const PatchSet& parts, const Solution& light,
+                         std::span<const std::uint32_t> parent) {
+  const auto bands = wholes.band_count();
+  const auto mean = [&](const std::vector<float>& values) {
+    std::vector<float> result(wholes.size() * bands, 0.0f);
+    std::vector<double> area(wholes.size(), 0.0);
+    for (std::size_t p = 0; p < parts.size(); ++p) area[parent[p]] += static_cast<double>(parts.area[p]);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const auto share = static_cast<float>(static_cast<double>(parts.area[p]) / area[parent[p]]);
+      for (std::size_t b = 0; b < bands; ++b) result[parent[p] * bands + b] += share * values[p * bands + b];
+    }
+    return result;
+  };
+  Solution result;
+  result.bands = light.bands;
+  result.irradiance_front = mean(light.irradiance_front);
+  result.irradiance_back = mean(light.irradiance_back);
+  result.provenance.scene_fingerprint = light.provenance.scene_fingerprint;
+  return result;
+}
+
+double squared_light(const PatchSet& patches, const Answers& answers) {
+  const auto bands = patches.band_count();
+  double sum = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t b = 0; b < bands; ++b)
+      for (const bool back : {false, true})
+        sum += static_cast<double>(patches.area[p]) * mean_at(answers[0], p, back, b) *
+               mean_at(answers[1], p, back, b);
+  return sum;
+}
+
+}  // namespace luxel

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/core/workers.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+// The light of a mesh as solved, and as reconstructed from that.
+struct Answer {
+  Solution solution;
+  SmoothLight smooth;
+};
+// Two independent ones: the noise of each is in the squares of what they say, but not in their products.
+using Answers = std::array<Answer, 2>;
+
+// What patches say of a field that stands for the light. Arrays are [patch]: squared differences of
+// irradiance, summed over sides and bands, times area: (W/m²)² m².
+struct FieldDifference {
+  std::vector<double> squared;  // the product of both answers' differences: unbiased, so below 0 in places
+  std::vector<double> noise;    // of the mean of both, in squares: from how they differ from each other
+};
+
+// How far the light of parts lies from the light reconstructed on the wholes.
+FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
+                                     const Answers& fine, std::span<const std::uint32_t> parent,
+                                     const Workers& workers);
+
+// How far the reconstructed light of patches lies from the one value that each has: its variance over the
+// patch. All there is to go by where nothing was cut; it says more than is wrong.
+FieldDifference difference_within_patches(const PatchSet& patches, const Answers& answers,
+                                          const Workers& workers);
+
+// The light of wholes: the area-weighted mean of that of their parts, as if it had been solved on them.
+// Irradiance alone. parent: [part].
+Solution light_of_wholes(const PatchSet& wholes, const PatchSet& parts, const Solution& light,
+                         std::span<const std::uint32_t> parent);
+
+// Sum over sides and bands of area times squared irradiance, without the noise.
+double squared_light(const PatchSet& patches, const Answers& answers);
+
+}  // namespace luxel

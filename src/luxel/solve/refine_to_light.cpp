@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/refine_to_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/core/address.h"
+#include "luxel/core/error.h"
+#include "luxel/patch/refine_patches.h"
+#include "luxel/solve/level_difference.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+namespace {
+
+constexpr double light_share = 2.0;     // of the mesh error asked for: how well each of two answers is solved
+constexpr double poorest_light = 0.03;  // likewise, at most: where that is all that need be known
+constexpr double ratio = 0.5;           // of a squared error: what halving leaves where light jumps
+constexpr double aim = 0.8;             // of the squared error allowed: what the next mesh is to have
+constexpr double most_left = 0.35;      // of what differs: what one more mesh need not see to
+constexpr double least_growth = 0.05;   // of the patches: to cut fewer is not worth solving the light again
+constexpr double large_patch = 5e-4;    // of the whole area: cut once before the light is asked
+constexpr double parts = 4.0;           // of a marked patch; neighbours are cut too, others not at all
+constexpr std::uint32_t purpose = 0x72656669u;  // keeps its streams apart from those of other stages
+
+void check(const RefineOptions& options) {
+  if (!(options.mesh_error > 0.0))
+    throw InputError(fmt::format("mesh_error must be above 0, not {}", options.mesh_error));
+  if (options.max_levels < 1)
+    throw InputError(fmt::format("max_levels must be 1 or more, not {}", options.max_levels));
+}
+
+// A mesh with its light.
+struct Level {
+  PatchSet patches;
+  Answers answers;
+  std::uint64_t rays = 0;
+  double light2 = 0.0;  // see squared_light()
+};
+
+class Refinement {
+ public:
+  Refinement(PatchSet patches, const RefineOptions& options, RefineReport& report, const Workers& workers,
+             const Monitor& monitor)
+      : options_(options), report_(report), workers_(workers), monitor_(monitor) {
+    now_.patches = std::move(patches);
+  }
+
+  PatchSet go() {
+    const auto first =
+        refine_within_limit(large_ones(), {now_.patches.area.begin(), now_.patches.area.end()});
+    if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
+    for (int level = 0;; ++level) {
+      if (is_met()) return end(RefineStop::mesh_error_reached);
+      const auto marks = marked_by_difference();
+      if (std::count(marks.begin(), marks.end(), 1) == 0) return end(RefineStop::drowned_in_noise);
+      if (level == options_.max_levels) return end(RefineStop::level_limit);
+      auto refined = refine_within_limit(marks, difference_.squared);
+      if (!refined) return end(RefineStop::patch_limit);
+      if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
+    }
+  }
+
+ private:
+  PatchSet end(RefineStop stop) {
+    report_.stop = stop;
+    report_.mesh_error = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
+    return std::move(now_.patches);
+  }
+
+  bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
+
+  // How well to solve each answer: while much is wrong, rough ones show where.
+  double light_error() const {
+    const auto known = report_.levels.empty() ? poorest_light : report_.levels.back().mesh_error;
+    return std::max(options_.light.error,
+                    std::min(poorest_light, std::max(known, light_share * options_.mesh_error)));
+  }
+
+  bool solve(Level& level) {
+    const Tracer tracer(level.patches, workers_);
+    const auto on_the_way = [&](const Progress& p) {
+      return tell(monitor_, {"refine", 0.0, rays_before_ + p.rays, p.error});
+    };
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      auto how = options_.light;
+      how.error = light_error();
+      how.error_measure = ErrorMeasure::power;  // as the mesh error is
+      how.seed =
+          stream_key(options_.light.seed, purpose, 2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
+      auto& [solution, smooth] = level.answers[i];
+      const auto solved = solve_sampled(level.patches, tracer, solution, how, workers_, on_the_way);
+      level.rays += solved.rays;
+      rays_before_ += solved.rays;
+      if (solved.stop == StopReason::stopped_by_user) return false;
+      smooth = make_smooth_light(level.patches, solution, options_.smooth, workers_);
+    }
+    level.light2 = squared_light(level.patches, level.answers);
+    return true;
+  }
+
+  // Goes on to the finer mesh and learns what the coarser one had wrong.
+  bool look(RefinedPatches refined) {
+    const auto& parent = refined.parent;
+    Level next;
+    next.patches = std::move(refined.patches);
+    if (!solve(next)) return false;
+    // What would be known if there were but the coarser one: the noise of both is the same then.
+    Answers coarse;
+    for (std::size_t i = 0; i < 2; ++i) {
+      coarse[i].solution = light_of_wholes(now_.patches, next.patches, next.answers[i].solution, parent);
+      coarse[i].smooth = make_smooth_light(now_.patches, coarse[i].solution, options_.smooth, workers_);
+    }
+    auto difference =
+        difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, workers_);
+    if (report_.levels.empty())
+      keep_of_wholes(difference_within_patches(now_.patches, coarse, workers_), parent, difference);
+    else
+      keep_of_wholes(difference_, parent, difference);
+    difference_ = std::move(difference);
+    now_ = std::move(next);
+    note_level();
+    return true;
+  }
+
+  // What was not cut keeps what it was known to differ by.
+  static void keep_of_wholes(const FieldDifference& known, const std::vector<std::uint32_t>& parent,
+                             FieldDifference& difference) {
+    for (std::size_t p = 0; p < parent.size(); ++p) {
+      const bool is_whole =
+          (p == 0 || parent[p - 1] != parent[p]) && (p + 1 == parent.size() || parent[p + 1] != parent[p]);
+      if (!is_whole) continue;
+      difference.squared[p] = known.squared[parent[p]];
+      difference.noise[p] = known.noise[parent[p]];
+    }
+  }
+
+  // Parts have wrong what is left of the error that they found.
+  void note_level() {
+    const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
+    const auto error2 = now_.light2 > 0.0 ? std::max(0.0, sum) / now_.light2 * ratio / (1.0 - ratio) : 0.0;
+    double noise2 = 0.0;  // of the mean of both answers
+    for (const auto& answer : now_.answers)
+      noise2 += 0.25 * answer.solution.predicted_error * answer.solution.predicted_error;
+    report_.levels.push_back({now_.patches.size(), std::sqrt(error2), std::sqrt(noise2), now_.rays});
+  }
+
+  // The fewest patches that bring the error down to what is asked for, or near it: where that takes nearly
+  // all of what differs, another mesh will know better where the last of it is, if it is enough for a mesh.
+  // What noise may have made is no reason to cut.
+  std::vector<std::uint8_t> marked_by_difference() const {
+    std::vector<std::uint32_t> order;
+    double left = 0.0;
+    for (std::uint32_t p = 0; p < now_.patches.size(); ++p) {
+      if (difference_.squared[p] <= difference_.noise[p]) continue;
+      order.push_back(p);
+      left += difference_.squared[p];
+    }
+    sort_by(difference_.squared, order);
+    const auto aimed = aim * options_.mesh_error * options_.mesh_error * now_.light2 * (1.0 - ratio) / ratio;
+    const auto least = most_left * left;
+    const auto few = static_cast<std::size_t>(least_growth * static_cast<double>(now_.patches.size()));
+    std::size_t count = 0;
+    double cut = 0.0;
+    std::vector<std::uint8_t> marks(now_.patches.size(), 0);
+    for (const auto p : order) {
+      if ((left <= least && count >= few) || left + ratio * cut <= aimed) break;
+      marks[p] = 1;
+      ++count;
+      left -= difference_.squared[p];
+      cut += difference_.squared[p];
+    }
+    return marks;
+  }
+
+  static void sort_by(const std::vector<double>& weight, std::vector<std::uint32_t>& order) {
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return weight[a] != weight[b] ? weight[a] > weight[b] : a < b;
+    });
+  }
+
+  std::vector<std::uint8_t> large_ones() const {
+    const auto& area = now_.patches.area;
+    const auto least = large_patch * std::accumulate(area.begin(), area.end(), 0.0);
+    std::vector<std::uint8_t> marks(area.size(), 0);
+    for (std::size_t p = 0; p < area.size(); ++p)
+      if (static_cast<double>(area[p]) > least) marks[p] = 1;
+    return marks;
+  }
+
+  static RefinedPatches whole(const PatchSet& patches) {
+    RefinedPatches result{patches, std::vector<std::uint32_t>(patches.size())};
+    std::iota(result.parent.begin(), result.parent.end(), 0u);
+    return result;
+  }
+
+  // Where they would be too many, those of the greatest weight. weight: [patch].
+  std::optional<RefinedPatches> refine_within_limit(const std::vector<std::uint8_t>& marks,
+                                                    const std::vector<double>& weight) const {
+    const auto size = now_.patches.size();
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t p = 0; p < size; ++p)
+      if (marks[p] != 0) order.push_back(p);
+    sort_by(weight, order);
+    const auto room = options_.max_patches > size ? options_.max_patches - size : 0;
+    auto count = std::min(order.size(), static_cast<std::size_t>(static_cast<double>(room) / (parts - 1.0)));
+    for (; count > 0; count = count * 3 / 4) {
+      std::vector<std::uint8_t> chosen(size, 0);
+      for (std::size_t i = 0; i < count; ++i) chosen[order[i]] = 1;
+      auto refined = refine_patches(now_.patches, chosen, workers_);
+      if (refined.patches.size() <= options_.max_patches) return refined;
+    }
+    return std::nullopt;
+  }
+
+  RefineOptions options_;
+  RefineReport& report_;
+  const Workers& workers_;
+  const Monitor& monitor_;
+  Level now_;
+  FieldDifference difference_;  // of the patches now
+  std::uint64_t rays_before_ = 0;
+};
+
+}  // namespace
+
+PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
+                         const Workers& workers, const Monitor& monitor) {
+  check(options);
+  report = {};
+  return Refinement(std::move(patches), options, report, workers, monitor).go();
+}
+
+}  // namespace luxel

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/sampled_operator.h"
+
+#include <algorithm>
+
+#include "luxel/solve/sampled_operator_rows.h"
+
+namespace luxel {
+using namespace sampled_tuning;
+
+SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
+                                 const SampledOperatorOptions& options, const Workers& workers)
+    : patches_(patches), hits_(hits), options_(options) {
+  find_densities();
+  do {
+    find_weights();
+    if (!hits_.is_streamed()) find_arrivals(workers);
+    find_row_sums(workers);
+  } while (find_one_way_sides());
+  find_row_factors(workers);
+}
+
+SampledOperator::~SampledOperator() = default;
+
+void SampledOperator::find_densities() {
+  const auto slots = sides().size();
+  density_.resize(slots);
+  inverse_area_.resize(slots);
+  sent_density_.assign(elements(), 0.0f);
+  for (std::size_t s = 0; s < slots; ++s) {
+    const auto patch = sides().side[s] / 2;
+    inverse_area_[s] = 1.0 / static_cast<double>(patches_.area[patch]);
+    density_[s] = static_cast<float>(hits_.rays_per_slot()[s] * inverse_area_[s]);
+    const bool is_one_way = !options_.one_way.empty() && options_.one_way[s] > 0;
+    if (options_.both_ways && !is_one_way) sent_density_[s] = density_[s];
+  }
+}
+
+void SampledOperator::find_arrivals(const Workers& workers) {
+  arrivals_.resize(hits_.replicates());
+  const auto find = [&](std::size_t r) {
+    arrivals_[r] = arrivals_of(0, hits_.blocks(), [&](std::size_t block, auto body) {
+      hits_.for_each_round(static_cast<std::uint32_t>(r), block, body);
+    });
+  };
+  if (hits_.shares().ranks())  // which meet, in order
+    for (std::size_t r = 0; r < arrivals_.size(); ++r) find(r);
+  else
+    workers.for_chunks(arrivals_.size(), 1, [&](std::size_t r, std::size_t, int) { find(r); });
+}
+
+// ---- Sums of radiosity ----
+
+void SampledOperator::find_weights() {
+  trusted_.resize(density_.size());
+  mutual_.resize(density_.size());
+  for (std::size_t s = 0; s < density_.size(); ++s) {
+    trusted_[s] = options_.own_trust * density_[s];
+    mutual_[s] = sent_density_[s] > 0.0f ? 1.0f : 0.0f;
+  }
+}
+
+namespace {
+
+// Density and three radiosities of an element in one place of memory.
+struct PackedKernel {
+  const std::array<float, 4>* element;
+  const float* trusted;  // k d, [slot]
+  const float* mutual;   // [slot]: 1, or 0 where rays count one way
+  bool fetches;
+
+  void fetch(std::uint32_t e) const {
+    if (fetches) __builtin_prefetch(element + e);
+  }
+  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+    const auto& x = element[e];
+    const auto q = 1.0f / (trusted[slot] + mutual[slot] * x[0]);
+    for (std::size_t b = 0; b < 3; ++b) sum[b] += static_cast<double>(q * x[b + 1]);
+  }
+};
+
+template <std::size_t known_columns>
+struct ColumnsKernel {
+  const float* radiosity;
+  const float* sent_density;
+  const float* trusted;
+  const float* mutual;
+  std::size_t columns;
+
+  void fetch(std::uint32_t) const {}
+  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+    const auto q = 1.0f / (trusted[slot] + mutual[slot] * sent_density[e]);
+    const auto width = known_columns ? known_columns : columns;
+    const auto* R = radiosity + width * e;
+    for (std::size_t c = 0; c < width; ++c) sum[c] += static_cast<double>(q * R[c]);
+  }
+};
+
+}  // namespace
+
+template <typename MakeRows>
+void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns,
+                               std::span<const float> radiosity, const Workers& workers,
+                               const MakeRows& make_rows) const {
+  const auto add_columns = [&]<std::size_t known>() {
+    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), trusted_.data(), mutual_.data(),
+                                      columns};
+    for_rows<known>(first, end, columns, workers, kernel, make_rows);
+  };
+  if (columns == 12) return add_columns.template operator()<12>();
+  if (columns != 3) return add_columns.template operator()<0>();
+  std::vector<std::array<float, 4>> packed(elements());
+  workers.for_chunks(packed.size(), grain, [&](std::size_t from, std::size_t to, int) {
+    for (auto e = from; e < to; ++e)
+      packed[e] = {sent_density_[e], radiosity[3 * e], radiosity[3 * e + 1], radiosity[3 * e + 2]};
+  });
+  const PackedKernel kernel{packed.data(), trusted_.data(), mutual_.data(), packed.size() > cached_elements};
+  for_rows<3>(first, end, 3, workers, kernel, make_rows);
+}
+
+namespace {
+
+// Mean over replicates of the weighted rows of one block.
+class MeanRows {
+ public:
+  MeanRows(std::uint32_t slot0, std::uint32_t slot1, std::size_t columns, double trust, std::uint32_t count,
+           const std::vector<std::vector<float>>& factor, const std::vector<double>& inverse_area,
+           std::span<float> out)
+      : slot0_(slot0),
+        slot1_(slot1),
+        columns_(columns),
+        trust_(trust),
+        count_(count),
+        factor_(factor),
+        inverse_area_(inverse_area),
+        out_(out),
+        sum_((slot1 - slot0) * columns, 0.0) {}
+
+  void add(std::uint32_t replicate, const double* own, const double* arriving) {
+    for (auto s = slot0_; s < slot1_; ++s) {
+      const auto factor = static_cast<double>(factor_[replicate][s]);
+      for (auto i = (s - slot0_) * columns_; i < (s - slot0_ + 1) * columns_; ++i)
+        sum_[i] += factor * (trust_ * own[i] + arriving[i]);
+    }
+  }
+  void finish() {
+    for (auto s = slot0_; s < slot1_; ++s) {
+      const auto scale = inverse_area_[s] / count_;
+      for (std::size_t c = 0; c < columns_; ++c)
+        out_[s * columns_ + c] = static_cast<float>(scale * sum_[(s - slot0_) * columns_ + c]);
+    }
+  }
+
+ private:
+  std::uint32_t slot0_, slot1_;
+  std::size_t columns_;
+  double trust_;
+  std::uint32_t count_;
+  const std::vector<std::vector<float>>& factor_;
+  const std::vector<double>& inverse_area_;
+  std::span<float> out_;
+  std::vector<double> sum_;
+};
+
+// The rows of each replicate apart.
+class ReplicateRows {
+ public:
+  ReplicateRows(std::uint32_t slot0, std::uint32_t slot1, std::size_t columns, double trust,
+                std::uint32_t first, const std::vector<double>& inverse_area,
+                std::span<std::vector<float>> out)
+      : slot0_(slot0),
+        slot1_(slot1),
+        columns_(columns),
+        trust_(trust),
+        first_(first),
+        inverse_area_(inverse_area),
+        out_(out) {}
+
+  void add(std::uint32_t replicate, const double* own, const double* arriving) {
+    auto& out = out_[replicate - first_];
+    for (auto s = slot0_; s < slot1_; ++s)
+      for (std::size_t c = 0; c < columns_; ++c) {
+        const auto i = (s - slot0_) * columns_ + c;
+        out[s * columns_ + c] = static_cast<float>(inverse_area_[s] * (trust_ * own[i] + arriving[i]));
+      }
+  }
+  void finish() {}
+
+ private:
+  std::uint32_t slot0_, slot1_;
+  std::size_t columns_;
+  double trust_;
+  std::uint32_t first_;
+  const std::vector<double>& inverse_area_;
+  std::span<std::vector<float>> out_;
+};
+
+}  // namespace
+
+void SampledOperator::apply(std::size_t half, std::size_t columns, std::span<const float> radiosity,
+                            std::span<float> irradiance, const Workers& workers) const {
+  const auto first = half_begin(half);
+  const auto end = half_begin(half + 1);
+  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return MeanRows(slot0, slot1, columns, options_.own_trust, end - first, row_factor_, inverse_area_,
+                    irradiance);
+  });
+  hits_.share_slots(irradiance, columns);
+}
+
+std::vector<std::vector<float>> SampledOperator::replicate_rows(std::size_t half,
+                                                                std::span<const float> radiosity,
+                                                                const Workers& workers) const {
+  const auto first = half_begin(half);
+  const auto end = half_begin(half + 1);
+  const auto columns = radiosity.size() / elements();
+  std::vector<std::vector<float>> rows(end - first, std::vector<float>(sides().size() * columns));
+  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
+    return ReplicateRows(slot0, slot1, columns, options_.own_trust, first, inverse_area_, rows);
+  });
+  if (end - first < 2 || !options_.both_ways) return rows;
+  workers.for_chunks(sides().size(), grain, [&](std::size_t from, std::size_t to, int) {
+    std::vector<double> row(rows.size());
+    for (auto s = from; s < to; ++s) {
+      double row_sums = 0.0;
+      for (auto r = first; r < end; ++r) row_sums += row_sum(r, s);
+      for (auto i = s * columns; i < (s + 1) * columns; ++i) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < rows.size(); ++k) sum += row[k] = static_cast<double>(rows[k][i]);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+          const auto S = row_sum(first + static_cast<std::uint32_t>(k), s);
+          rows[k][i] = static_cast<float>(row[k] + (1.0 - S) * (sum - row[k]) / (row_sums - S));
+        }
+      }
+    }
+  });
+  return rows;
+}
+
+}  // namespace luxel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/core/vector.h"
+
+namespace luxel {
+
+// Triangles in a plane, none over another, to be found by place: a grid with about one in a cell.
+class FlatCover {
+ public:
+  using Triangle = std::array<glm::dvec2, 3>;  // counter-clockwise
+
+  // low, high: of the box around them all; count: how many are to come.
+  FlatCover(const glm::dvec2& low, const glm::dvec2& high, std::size_t count);
+
+  // Unless it covers one that is there. Overlaps of less than a hundred-thousandth of the box are rounding.
+  bool add(const Triangle& t);
+  // One that is known to cover none.
+  void put(const Triangle& t);
+  // Whether one lies there.
+  bool has(const glm::dvec2& place) const;
+
+ private:
+  struct Box {
+    glm::dvec2 low, high;
+  };
+  std::size_t cell_of(double x) const;
+  template <typename Body>
+  void for_cells(const Box& box, const Body& body);
+  void put(const Triangle& t, const Box& box);
+  static Box box_of(const Triangle& t);
+
+  glm::dvec2 low_;
+  double tolerance_ = 0.0, cell_ = 1.0;
+  std::size_t width_ = 1, height_ = 1;  // in cells
+  std::vector<std::vector<std::uint32_t>> cells_;
+  std::vector<Triangle> triangles_;
+  std::vector<Box> boxes_;  // of the triangles
+};
+
+}  // namespace luxel

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/surface/light_sheets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "luxel/core/disjoint_sets.h"
+#include "luxel/core/warp.h"
+
+namespace luxel {
+namespace {
+
+// Sides that meet at a sharper angle are different surfaces: 30 degrees, as in SmoothOptions.
+constexpr float min_edge_cosine = 0.866f;
+// A sheet is flat where normals are within 2.5 degrees of their mean and it is as thin as this.
+constexpr float min_flat_cosine = 0.999f;
+constexpr float max_flat_thickness = 0.01f;  // relative to the distance of its farthest point from its middle
+
+constexpr std::uint32_t fronts_and_backs = 2;
+
+struct EdgeUse {
+  std::uint32_t low = 0, high = 0;  // vertices
+  std::uint32_t patch = 0;
+  bool is_forward = false;  // from low to high
+
+  friend bool operator<(const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.patch) < std::tie(b.low, b.high, b.patch);
+  }
+  bool has_edge_of(const EdgeUse& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<EdgeUse> sorted_edge_uses(const PatchSet& patches) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * patches.size());
+  for (std::uint32_t p = 0; p < patches.size(); ++p)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = patches.corners[p][k];
+      const auto b = patches.corners[p][(k + 1) % 3];
+      uses.push_back({std::min(a, b), std::max(a, b), p, a < b});
+    }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+void join_across_edges(const PatchSet& patches, DisjointSets& sheets) {
+  const auto uses = sorted_edge_uses(patches);
+  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+    while (end < uses.size() && uses[end].has_edge_of(uses[begin])) ++end;
+    if (end - begin != 2) continue;
+    const auto& a = uses[begin];
+    const auto& b = uses[begin + 1];
+    const bool same_winding = a.is_forward != b.is_forward;
+    const auto cosine = glm::dot(patches.normal[a.patch], patches.normal[b.patch]);
+    if ((same_winding ? cosine : -cosine) < min_edge_cosine) continue;
+    for (std::uint32_t side = 0; side < fronts_and_backs; ++side)
+      sheets.join(2 * a.patch + side, 2 * b.patch + (same_winding ? side : 1 - side));
+  }
+}
+
+void join_planes(const PatchTree& tree, DisjointSets& sheets) {
+  for (const auto region : tree.regions) {
+    const auto& node = tree.nodes[region];
+    for (auto i = node.first + 1; i < node.first + node.count; ++i)
+      for (std::uint32_t side = 0; side < fronts_and_backs; ++side)
+        sheets.join(2 * tree.order[node.first] + side, 2 * tree.order[i] + side);
+  }
+}
+
+Vec3 normal_of_side(const PatchSet& patches, std::uint32_t side) {
+  return side % 2 == 0 ? patches.normal[side / 2] : -patches.normal[side / 2];
+}
+
+// Puts the slots of a sheet into its frame.
+void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& sheet) {
+  Vec3d centre(0.0);
+  Vec3d normals(0.0);
+  for (const auto slot : sheet.slots) {
+    const auto side = sides.side[slot];
+    centre += Vec3d(patches.centroid(side / 2));
+    normals += Vec3d(normal_of_side(patches, side)) * static_cast<double>(patches.area[side / 2]);
+  }
+  const Vec3 origin(centre / static_cast<double>(sheet.size()));
+  const auto length = glm::length(normals);
+  const auto mean = length > 0.0 ? Vec3(normals / length) : Vec3(0.0f, 0.0f, 1.0f);
+  float radius = 0.0f;
+  float thickness = 0.0f;
+  float cosine = 1.0f;
+  for (const auto slot : sheet.slots) {
+    const auto at = patches.centroid(sides.side[slot] / 2) - origin;
+    radius = std::max(radius, glm::length(at));
+    thickness = std::max(thickness, std::abs(glm::dot(at, mean)));
+    cosine = std::min(cosine, glm::dot(normal_of_side(patches, sides.side[slot]), mean));
+  }
+  const bool is_flat = cosine > min_flat_cosine && thickness <= max_flat_thickness * radius;
+  const Frame frame(is_flat ? mean : Vec3(0.0f, 0.0f, 1.0f));
+  const auto in_frame = [&](const Vec3& v) {
+    return Vec3(glm::dot(v, frame.s), glm::dot(v, frame.t), glm::dot(v, frame.n));
+  };
+  for (const auto slot : sheet.slots) {
+    const auto side = sides.side[slot];
+    auto at = in_frame(patches.centroid(side / 2) - origin);
+    if (is_flat) at.z = 0.0f;
+    sheet.place.push_back(at);
+    if (!is_flat) sheet.normal.push_back(in_frame(normal_of_side(patches, side)));
+    sheet.area.push_back(patches.area[side / 2]);
+  }
+  sheet.low = sheet.place[0];
+  auto high = sheet.low;
+  for (const auto& at : sheet.place) {
+    sheet.low = glm::min(sheet.low, at);
+    high = glm::max(high, at);
+  }
+  const auto box = high - sheet.low;
+  sheet.extent = std::max({box.x, box.y, box.z});
+}
+
+}  // namespace
+
+std::vector<LightSheet> make_light_sheets(const PatchSet& patches, const PatchTree& tree,
+                                          const GatherSides& sides) {
+  DisjointSets joined(fronts_and_backs * patches.size());
+  join_planes(tree, joined);
+  join_across_edges(patches, joined);
+  constexpr auto none = GatherSides::none;
+  std::vector<std::uint32_t> sheet_of(fronts_and_backs * patches.size(), none);
+  std::vector<LightSheet> sheets;
+  for (std::uint32_t slot = 0; slot < sides.size(); ++slot) {
+    auto& sheet = sheet_of[joined.of(sides.side[slot])];
+    if (sheet == none) {
+      sheet = static_cast<std::uint32_t>(sheets.size());
+      sheets.emplace_back();
+    }
+    sheets[sheet].slots.push_back(slot);
+  }
+  for (auto& sheet : sheets) place_sheet(patches, sides, sheet);
+  return sheets;
+}
+
+}  // namespace luxel

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/surface/make_charts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/core/error.h"
+#include "luxel/core/trig.h"
+#include "luxel/solution/back_is_lit.h"
+#include "luxel/surface/chart_cuts.h"
+#include "luxel/surface/flat_piece.h"
+#include "luxel/surface/side_nodes.h"
+
+namespace luxel {
+namespace {
+
+void check(const PatchSet& patches, const Solution& solution, const ChartOptions& options) {
+  const auto values = patches.size() * patches.band_count();
+  if (solution.bands != patches.bands || solution.irradiance_front.size() != values ||
+      solution.irradiance_back.size() != values)
+    throw MismatchError(
+        fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
+  if (!(options.texel > 0.0f) || !std::isfinite(options.texel))
+    throw InputError(fmt::format("a texel must be larger than 0 m, but it is {}", options.texel));
+  if (!(options.max_angle >= 1.0f && options.max_angle <= 60.0f))
+    throw InputError(
+        fmt::format("a chart's angle must be from 1 to 60 degrees, but it is {}", options.max_angle));
+  if (!(options.crease_angle >= 0.0f && options.crease_angle <= 180.0f))
+    throw InputError(
+        fmt::format("the crease angle must be from 0 to 180 degrees, but it is {}", options.crease_angle));
+  if (options.most_texels < 1)
+    throw InputError(
+        fmt::format("a chart must have room for a texel, but it has for {}", options.most_texels));
+}
+
+// Grows pieces that face much the same way.
+class Pieces {
+ public:
+  Pieces(const PatchSet& patches, const std::vector<SideEdge>& edges, const EdgesOfSides& of_sides,
+         float cos_angle)
+      : patches_(patches),
+        edges_(edges),
+        of_sides_(of_sides),
+        cos_angle_(static_cast<double>(cos_angle)),
+        taken_(2 * patches.size(), true),
+        seen_(2 * patches.size(), 0) {}
+
+  // Every front, and the backs of pieces where light fell.
+  void want_lit(const Solution& solution) {
+    const auto holds_light = [&](std::uint32_t side) {
+      return side % 2 == 0 || patches_.material_of(side / 2).two_sided;
+    };
+    for (std::uint32_t p = 0; p < patches_.size(); ++p) taken_[2 * p] = false;
+    for (std::uint32_t p = 0; p < patches_.size(); ++p) {
+      if (!taken_[2 * p + 1] || !back_is_lit(solution, p)) continue;
+      for (const auto side : reach(2 * p + 1, holds_light, true)) taken_[side] = false;
+    }
+  }
+
+  bool is_taken(std::uint32_t side) const { return taken_[side]; }
+
+  // The piece around a side, and the direction it faces: the mean of its normals, so that on a bent sheet it
+  // reaches as far to both sides as it may. The seed stays in it.
+  std::vector<std::uint32_t> grow(std::uint32_t seed, Vec3d& direction) {
+    constexpr int most_rounds = 8;
+    direction = facing(patches_, seed);
+    std::vector<std::uint32_t> piece;
+    for (int round = 0; round < most_rounds; ++round) {
+      piece = reach(
+          seed, [&](auto side) { return glm::dot(facing(patches_, side), direction) >= cos_angle_; }, false);
+      Vec3d sum(0.0);
+      for (const auto side : piece)
+        sum += static_cast<double>(patches_.area[side / 2]) * facing(patches_, side);
+      const auto length = glm::length(sum);
+      if (!(length > 0.0)) break;
+      const auto mean = sum / length;
+      constexpr double as_good = 1.0 - 1e-6;
+      if (round + 1 == most_rounds || glm::dot(mean, direction) > as_good ||
+          glm::dot(facing(patches_, seed), mean) < cos_angle_)
+        break;
+      direction = mean;
+    }
+    piece = without_overlaps(patches_, piece, direction).kept;
+    for (const auto side : piece) taken_[side] = true;
+    return piece;
+  }
+
+ private:
+  // What smooth edges lead to from here through sides that may be taken, nearest first.
+  template <typename Accepts>
+  std::vector<std::uint32_t> reach(std::uint32_t seed, const Accepts& accepts, bool through_taken) {
+    ++round_;
+    std::vector<std::uint32_t> found = {seed};
+    seen_[seed] = round_;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (const auto e : of_sides_.at(found[i])) {
+        if (!edges_[e].smooth) continue;
+        const auto& halves = edges_[e].halves;
+        const auto other = halves[halves[0].side == found[i] ? 1 : 0].side;
+        if (seen_[other] == round_ || (taken_[other] && !through_taken) || !accepts(other)) continue;
+        seen_[other] = round_;
+        found.push_back(other);
+      }
+    return found;
+  }
+
+  const PatchSet& patches_;
+  const std::vector<SideEdge>& edges_;
+  const EdgesOfSides& of_sides_;
+  double cos_angle_;
+  std::vector<bool> taken_;          // [side]: in a chart, or wanted in none
+  std::vector<std::uint32_t> seen_;  // [side]: the last round that came by
+  std::uint32_t round_ = 0;
+};
+
+}  // namespace
+
+Charts make_charts(const PatchSet& patches, const Solution& solution, const ChartOptions& options,
+                   const Workers& workers, const Monitor& monitor) {
+  check(patches, solution, options);
+  Charts charts;
+  charts.edges =
+      find_side_edges(patches, make_side_nodes(patches, cosine_of_degrees(options.crease_angle), workers));
+  const EdgesOfSides of_sides(2 * patches.size(), charts.edges);
+
+  Pieces pieces(patches, charts.edges, of_sides, cosine_of_degrees(options.max_angle));
+  pieces.want_lit(solution);
+  ChartCuts cuts(patches, charts.edges, of_sides, options);
+  constexpr std::size_t sides_a_report = 256;
+  const auto all = 2 * patches.size();
+  for (std::uint32_t side = 0; side < all; ++side) {
+    const auto done = static_cast<double>(side) / static_cast<double>(all);
+    if (side % sides_a_report == 0 && tell(monitor, {"charts", done}) == Next::stop) return {};
+    if (pieces.is_taken(side)) continue;
+    Vec3d direction;
+    auto piece = pieces.grow(side, direction);
+    for (auto& chart : cuts.cut(std::move(piece), direction)) charts.charts.push_back(std::move(chart));
+  }
+
+  std::sort(charts.charts.begin(), charts.charts.end(),
+            [](const Chart& a, const Chart& b) { return a.sides.front() < b.sides.front(); });
+  charts.of_side.assign(2 * patches.size(), Charts::none);
+  for (std::uint32_t c = 0; c < charts.charts.size(); ++c)
+    for (const auto side : charts.charts[c].sides) charts.of_side[side] = c;
+  return charts;
+}
+
+}  // namespace luxel

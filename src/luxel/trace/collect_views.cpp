@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/trace/collect_views.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace luxel {
+
+Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight) {
+  const auto is_side = [](std::uint32_t s) { return s != Panorama::escaped && s != Panorama::absorbed; };
+  const auto is_focused = [&](std::uint32_t side) {
+    return patches.focus.empty() || patches.focus[side / 2] != 0;
+  };
+  Views views;
+  views.first.push_back(0);
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const auto begin = views.seen.size();
+    bool any = false;
+    for (const auto side : looks[i].side) {
+      if (side == Panorama::escaped && patches.has_sky()) views.seen.push_back(Views::sky);
+      if (!is_side(side)) continue;
+      views.seen.push_back(is_focused(side) ? side : side | Views::unfocused);
+      any |= is_focused(side);
+    }
+    if (!any) {
+      views.seen.resize(begin);
+      continue;
+    }
+    views.eye.push_back(looks[i].eye);
+    views.weight.push_back(weight[i]);
+    views.first.push_back(static_cast<std::uint32_t>(views.seen.size()));
+  }
+  const auto sum = std::accumulate(views.weight.begin(), views.weight.end(), 0.0);
+  for (auto& w : views.weight) w = static_cast<float>(w / sum);
+  // Sides become indices into the list of those seen.
+  for (const auto s : views.seen)
+    if (s != Views::sky) views.sides.push_back(s & ~Views::unfocused);
+  std::sort(views.sides.begin(), views.sides.end());
+  views.sides.erase(std::unique(views.sides.begin(), views.sides.end()), views.sides.end());
+  for (auto& s : views.seen) {
+    if (s == Views::sky) continue;
+    const auto at = std::lower_bound(views.sides.begin(), views.sides.end(), s & ~Views::unfocused);
+    s = static_cast<std::uint32_t>(at - views.sides.begin()) | (s & Views::unfocused);
+  }
+  return views;
+}
+
+}  // namespace luxel

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/trace/gather_sides.h"
+#include "luxel/trace/patch_emitter.h"
+
+namespace luxel {
+
+// Neighbouring sides whose rays are traced together: those of one block of positions, and all fronts or all
+// backs.
+constexpr std::uint32_t gather_block_positions = 1024;
+
+// Where the points of gather rays come from.
+struct GatherPoints {
+  std::uint64_t seed = 1;
+  bool low_discrepancy = true;  // Owen-scrambled Sobol points, else independent random numbers
+  bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
+};
+
+// Rays of the sides of one block or a few neighbouring ones, traced in the order of their directions: those
+// that look the same way stand together, side by side. They meet the same things, so the tracer finds its
+// nodes in the cache. What a ray is does not depend on the order, nor on which others are traced with it.
+class GatherRays {
+ public:
+  static constexpr std::size_t most_rows = 16;   // traced together
+  static constexpr std::size_t most_blocks = 4;  // likewise
+
+  // Sample `sample` of each slot, of one replicate; the element that the ray of slots[i] meets goes to
+  // to[i * per_slot].
+  struct Row {
+    std::uint32_t replicate = 0, sample = 0;
+    std::uint32_t* to = nullptr;
+  };
+
+  // The slots, rising, lie in most_blocks blocks at most, all fronts or all backs. Each has per_slot rays a
+  // replicate, a power of two, in that level.
+  GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> slots,
+             const GatherPoints& points, std::uint32_t level, std::uint32_t per_slot);
+
+  // element(hit, ray): what stands for it. rows: at most most_rows.
+  template <typename Element>
+  void trace(const Tracer& tracer, std::span<const Row> rows, Element element) {
+    std::array<Hit, batch> hits;
+    for_each_batch(rows, [&](std::span<const Ray> rays, std::span<const std::uint16_t> ids) {
+      tracer.nearest(rays, std::span(hits.data(), rays.size()));
+      for (std::size_t i = 0; i < rays.size(); ++i)
+        rows[ids[i] >> shift_].to[per_slot_ * place_of(ids[i])] = element(hits[i], rays[i]);
+    });
+  }
+
+  // Calls body(rays, ids) for all rays of these rows, in the order of tracing.
+  template <typename Body>
+  void for_each_batch(std::span<const Row> rows, Body body) {
+    make(rows);
+    std::array<Ray, batch> rays;
+    for (std::size_t from = 0; from < order_.size(); from += batch) {
+      const auto ids =
+          std::span<const std::uint16_t>(order_).subspan(from, std::min(batch, order_.size() - from));
+      for (std::size_t i = 0; i < ids.size(); ++i) rays[i] = ray(ids[i]);
+      body(std::span<const Ray>(rays.data(), ids.size()), ids);
+    }
+  }
+
+ private:
+  static constexpr std::size_t batch = 256;
+  static constexpr std::size_t cells = 256;  // of directions
+
+  // A ray's id is (row << shift_) + i: 16 bits hold most_rows rows of most_blocks blocks.
+  std::size_t place_of(std::size_t id) const { return id & ((std::size_t{1} << shift_) - 1); }
+  // The numbers of these rows, warped, and their order.
+  void make(std::span<const Row> rows);
+  void draw(const Row& row, std::size_t at);
+  void sort(std::size_t rows);
+  std::uint64_t key_of(std::uint32_t replicate) const;
+  Ray ray(std::size_t id) const {
+    return emitters_[place_of(id)].ray(Vec2{numbers_[0][id], numbers_[1][id]},
+                                       Vec3{numbers_[2][id], numbers_[3][id], height_[id]});
+  }
+
+  const GatherSides& sides_;
+  std::span<const std::uint32_t> slots_;
+  GatherPoints points_;
+  std::uint32_t level_, per_slot_;
+  int shift_;
+  std::vector<PatchEmitter> emitters_;             // [i]
+  std::array<std::vector<std::uint32_t>, 4> raw_;  // [dimension][i], of the slot's first sample
+  std::array<std::vector<float>, 4> numbers_;      // [dimension][id]; then the warped ones
+  std::vector<float> height_;                      // the direction's third coordinate
+  std::vector<std::uint8_t> cell_;                 // [id], of the direction
+  std::vector<std::uint16_t> order_;               // id, sorted by cell
+};
+
+}  // namespace luxel

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/trace/seen_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace luxel {
+namespace {
+
+constexpr double adaptation_share = 0.05;     // of a, below which differences of light are not seen
+constexpr double most_of_median = 10.0;       // lamps dazzle no more than that
+constexpr double floor_of_median_view = 0.1;  // of the median of a over views
+constexpr double quantile = 0.95;
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double squared(double x) { return x * x; }
+
+// 1 / (L + 0.05 a)², 0 where there is no light at all.
+double sensitivity(double radiance, double adaptation) {
+  const auto seen = radiance + adaptation;
+  return seen > 0.0 ? 1.0 / squared(seen) : 0.0;
+}
+
+}  // namespace
+
+bool reflects_nothing(const PatchSet& patches, const Views& views) {
+  return std::none_of(views.sides.begin(), views.sides.end(), [&](std::uint32_t side) {
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      if (patches.reflectance(side / 2, b) > 0.0f) return true;
+    return false;
+  });
+}
+
+SeenSide light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
+                       std::span<const double> squared_error, bool black) {
+  const auto bands = patches.band_count();
+  double light2 = 0.0;
+  double error2 = 0.0;
+  for (std::size_t b = 0; b < bands; ++b) {
+    const auto rho = black ? 1.0 : static_cast<double>(patches.reflectance(side / 2, b));
+    const auto emitted = side % 2 == 0 ? static_cast<double>(patches.emittance(side / 2, b)) : 0.0;
+    light2 += squared(emitted + rho * std::max(0.0, static_cast<double>(irradiance[b])));
+    error2 += squared(rho) * squared_error[b];
+  }
+  const auto scale = 1.0 / (squared(std::numbers::pi) * static_cast<double>(bands));
+  return {static_cast<float>(std::sqrt(scale * light2)), static_cast<float>(scale * error2)};
+}
+
+float sky_radiance(const PatchSet& patches) {
+  double sum = 0.0;
+  for (const auto radiance : patches.sky) sum += squared(static_cast<double>(radiance));
+  return patches.sky.empty() ? 0.0f
+                             : static_cast<float>(std::sqrt(sum / static_cast<double>(patches.sky.size())));
+}
+
+SeenError::SeenError(const Views& views, const SeenLight& light) : views_(views), light_(light) {
+  std::vector<double> radiance;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    radiance.clear();
+    for (const auto s : views.seen_by(v))
+      radiance.push_back(
+          static_cast<double>(s == Views::sky ? light.sky : light.radiance[s & ~Views::unfocused]));
+    const auto most = most_of_median * median(radiance);
+    double sum = 0.0;
+    for (const auto L : radiance) sum += std::min(L, most);
+    adaptation_.push_back(sum / static_cast<double>(std::max<std::size_t>(1, radiance.size())));
+  }
+  auto sorted = adaptation_;
+  const auto least = floor_of_median_view * median(sorted);
+  for (auto& a : adaptation_) a = adaptation_share * std::max(a, least);
+  error_ = errors(light.squared_error);
+}
+
+std::vector<double> SeenError::errors(std::span<const float> squared_error) const {
+  std::vector<double> result(views_.size());
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const auto s : views_.seen_by(v)) {
+      if (s >= Views::sky) continue;  // or outside of the focus
+      ++count;
+      sum += static_cast<double>(squared_error[s]) *
+             sensitivity(static_cast<double>(light_.radiance[s]), adaptation_[v]);
+    }
+    result[v] = count > 0 ? std::sqrt(std::max(0.0, sum) / static_cast<double>(count)) : 0.0;
+  }
+  return result;
+}
+
+double SeenError::percentile(const std::vector<double>& errors) const {
+  std::vector<std::size_t> order(errors.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return errors[a] < errors[b]; });
+  double below = 0.0;
+  for (const auto v : order) {
+    below += static_cast<double>(views_.weight[v]);
+    if (below >= quantile - 1e-6) return errors[v];
+  }
+  return order.empty() ? 0.0 : errors[order.back()];
+}
+
+double SeenError::percentile_95() const { return percentile(error_); }
+
+double SeenError::percentile_95(std::span<const float> squared_error) const {
+  return percentile(errors(squared_error));
+}
+
+std::vector<double> SeenError::importance() const {
+  const auto worst = percentile_95();
+  std::vector<double> result(views_.sides.size(), 0.0);
+  double sum = 0.0;
+  for (std::size_t v = 0; v < views_.size(); ++v) {
+    const auto seen = views_.seen_by(v);
+    const auto count = std::count_if(seen.begin(), seen.end(), [](auto s) { return s < Views::sky; });
+    const auto pressure =
+        static_cast<double>(views_.weight[v]) * squared(squared(std::min(error_[v], worst)));
+    sum += pressure * squared(error_[v]);
+    for (const auto s : seen)
+      if (s < Views::sky)
+        result[s] += pressure / static_cast<double>(count) *
+                     sensitivity(static_cast<double>(light_.radiance[s]), adaptation_[v]);
+  }
+  const auto scale = sum > 0.0 ? squared(worst) / sum : 0.0;
+  for (auto& i : result) i *= scale;
+  return result;
+}
+
+}  // namespace luxel

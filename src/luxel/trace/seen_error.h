@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/trace/views.h"
+
+namespace luxel {
+
+// Light as an eye receives it: root mean squares over bands.
+struct SeenLight {
+  std::vector<float> radiance;  // [index in Views::sides], W/(m² sr), emission included
+  // Likewise, of the radiance: spread and bias, not widened by Student's t. The bias is an estimate and may
+  // be below 0: what counts is the sum over a view.
+  std::vector<float> squared_error;
+  float sky = 0.0f;  // radiance of the sky
+};
+
+// One side's part of SeenLight.
+struct SeenSide {
+  float radiance = 0.0f;
+  float squared_error = 0.0f;
+};
+
+// Whether nothing that the views see reflects: then irradiance stands for radiance, as if all reflectances
+// were 1, so that the light of black rooms has an error too.
+bool reflects_nothing(const PatchSet& patches, const Views& views);
+
+// irradiance, squared_error: [band], of one side, W/m² and its square. black: see reflects_nothing().
+SeenSide light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
+                       std::span<const double> squared_error, bool black);
+
+// The root mean square over bands of the radiance of the sky.
+float sky_radiance(const PatchSet& patches);
+
+// The error that can be seen from each view: the root mean square, over the directions that meet a surface in
+// the focus, of
+//
+//     e = s / (L + 0.05 a),   a = mean over directions of min(L, 10 median L), at least 0.1 of the median of
+//     a
+//                             over all views
+//
+// with L the radiance of the side met and s its standard error. a is what an eye adapts to; sky and lamps
+// count in it. The floor keeps a dark cavity with a leak from owning the number.
+class SeenError {
+ public:
+  // Keeps references. Cost: about 5 ns per direction.
+  SeenError(const Views& views, const SeenLight& light);
+
+  std::span<const double> of_view() const { return error_; }  // [view]
+  // The error that 95 % of the views stay below, by weight; 0 without views.
+  double percentile_95() const;
+  // The same with other squared errors for the sides seen, by the same radiances.
+  double percentile_95(std::span<const float> squared_error) const;
+
+  // What a squared error of 1 (W/(m² sr))² at each side does to the views, [index in Views::sides]: the sum
+  // over views of u (fraction of the view) / (L + 0.05 a)². u presses on the worst views: weight times the
+  // fourth power of the view's error, but for views beyond the 95 % no more than at those; scaled so that the
+  // sum over sides of importance times squared error is the square of percentile_95(). Importance of Smits,
+  // Arvo and Salesin 1992, with views in place of one picture.
+  std::vector<double> importance() const;
+
+ private:
+  std::vector<double> errors(std::span<const float> squared_error) const;
+  double percentile(const std::vector<double>& errors) const;
+
+  const Views& views_;
+  const SeenLight& light_;
+  std::vector<double> adaptation_;  // [view], 0.05 a, W/(m² sr)
+  std::vector<double> error_;       // [view]
+};
+
+}  // namespace luxel

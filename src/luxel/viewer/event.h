@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/core/vector.h"
+
+namespace luxel {
+
+// Keys by what stands on them: letters and digits as themselves ('A', '7', ' '), and the others from here on.
+using Key = int;
+namespace key {
+inline constexpr Key escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261,
+                     right = 262, left = 263, down = 264, up = 265, page_up = 266, page_down = 267,
+                     home = 268, end = 269, f1 = 290, f12 = 301, shift = 340, control = 341, alt = 342;
+inline constexpr int count = 349;  // keys are below
+}  // namespace key
+
+enum class MouseButton { left, right, middle };
+
+// What a person does, wherever it comes from: a window of the system or a script.
+struct Event {
+  enum class Kind { key, text, move, button, wheel, resize, drop, close };
+  Kind kind = Kind::move;
+  Key key = 0;          // key
+  bool down = false;    // key, button: pressed, else released
+  bool repeat = false;  // key: held down, the system says it again
+  MouseButton button = MouseButton::left;
+  Vec2 at = Vec2(0.0f);   // move: the cursor from the top left, in units of Screen::size(); wheel: its turn;
+                          // resize: the new size
+  std::string text = {};  // text: what was typed, UTF-8; drop: the file's path
+};
+
+}  // namespace luxel

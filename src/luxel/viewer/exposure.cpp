@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/viewer/exposure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+namespace {
+
+constexpr int columns = 36, rows = 23;
+constexpr double reaction = 0.12;  // s, for two thirds of the way
+
+// What leaves the surfaces that are seen through a grid of the view, W/(m² sr), the sky where nothing is.
+std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Space& space, float aspect) {
+  const auto& patches = *light.mesh.patches;
+  const auto colours = patches.colours();
+  const auto bands = patches.band_count();
+  const Vec3 sky = patches.sky.empty() ? Vec3(0.0f) : in_gamut(colours.rgb(patches.sky));
+  std::vector<Vec3> seen;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const auto at = [](int i, int n) {
+        return 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 1.0f;
+      };
+      const auto ray = sight(pose, space, aspect, at(x, columns), at(y, rows));
+      const auto hit = light.mesh.tracer->nearest({ray.origin, ray.direction});
+      if (!hit) {
+        seen.push_back(sky);
+        continue;
+      }
+      const auto& irradiance = hit.back ? light.solution.irradiance_back : light.solution.irradiance_front;
+      seen.push_back(in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
+                                          irradiance.data() + hit.patch * bands, colours,
+                                          share_of_patch(patches, hit.patch))));
+    }
+  return seen;
+}
+
+}  // namespace
+
+void Exposure::forget() { base_.reset(); }
+
+ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const LiveLight* light,
+                          const Pose& pose, const Space& space, float aspect, double seconds) {
+  ToneCurve curve{.options = options};
+  if (options.op == ToneOperator::clamp) {
+    is_settled_ = true;
+    curve.scale = std::exp2(options.exposure);
+    return curve;
+  }
+  const bool is_other = fitted_.op != options.op || fitted_.key != options.key;
+  if ((automatic || !base_ || is_other) && light != nullptr && light->mesh.tracer) {
+    auto plain = options;
+    plain.exposure = 0.0f;
+    const auto seen = seen_light(*light, pose, space, aspect);
+    const std::vector<float> weights(seen.size(), 1.0f);
+    const float goal = std::log(fit_curve(seen, weights, plain).scale);
+    const auto share = static_cast<float>(1.0 - std::exp(-seconds / reaction));
+    base_ = base_ && !is_other ? *base_ + share * (goal - *base_) : goal;
+    is_settled_ = std::abs(*base_ - goal) < 0.01f;
+    if (is_settled_) base_ = goal;
+    fitted_ = options;
+  }
+  curve.scale = std::exp(base_.value_or(0.0f)) * std::exp2(options.exposure);
+  return curve;
+}
+
+}  // namespace luxel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "luxel/image/image.h"
+#include "luxel/image/screen_image.h"
+#include "luxel/viewer/pose.h"
+#include "luxel/viewer/screen.h"
+
+namespace luxel {
+
+// How edges become smooth.
+enum class EdgeSmoothing {
+  sampled,  // four samples a pixel, where the driver has them
+  rough,    // one: a fifth of the time where a processor draws
+  coarse,   // one for four pixels: where that still takes too long while something moves
+  coarsest  // one for nine
+};
+
+// How many pixels wide and high is what one drawn pixel stands for: 1, 2 or 3.
+int pixel_step(EdgeSmoothing edges);
+// How many pixels are drawn for a picture of this size.
+ScreenSize drawn_size(ScreenSize size, EdgeSmoothing edges);
+
+// A framebuffer of our own, sRGB, with depth: the same off screen and in a window, so that pictures of both
+// are the same. Needs the context it was made in.
+class DrawnFrame {
+ public:
+  DrawnFrame();
+  ~DrawnFrame();
+  DrawnFrame(const DrawnFrame&) = delete;
+  DrawnFrame& operator=(const DrawnFrame&) = delete;
+
+  // Makes it ready to be drawn into, at this size (pixels), filled with a colour (linear, [0, 1]). Memory is
+  // kept while the size stays. Throws DeviceError where the driver has none of this size.
+  void begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges);
+  // Samples become pixels. What is drawn from here on (panels) writes sRGB codes as they are, one sample a
+  // pixel. Leaves the pixels as the current read framebuffer, for Screen::present().
+  void resolve();
+  // After resolve(): keeps the mean of these pixels and of `count` rough pictures before, each drawn with the
+  // tile that shifted_tile() gives: edges that get smooth picture by picture while nothing moves.
+  void join(int count);
+  // The pixels become that mean: in the place of begin(), drawing and resolve().
+  void show_joined();
+  // Waits until all that was drawn is: its time is known then.
+  void wait() const;
+  // After resolve(): what is seen, and the same as linear, display-referred values. Both wait for the driver.
+  ScreenImage read_codes() const;
+  Image read() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// A part of a picture.
+struct PicturePart {
+  ScreenSize whole;        // pixels of the picture
+  PixelOffset begin = {};  // in it
+  ScreenSize size;         // of the part
+};
+Tile tile_of(const PicturePart& part, const Tile& whole = {});
+// With so many pixels more on every side, but for where the picture ends.
+PicturePart with_margin(const PicturePart& part, int margin);
+
+// The whole picture, shifted within a pixel: four of these (0 to 3) stand for four samples.
+inline constexpr int shifts = 4;
+Tile shifted_tile(int shift, ScreenSize size);
+
+}  // namespace luxel

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/viewer/event.h"
+#include "luxel/viewer/screen.h"
+
+namespace luxel {
+
+// Dear ImGui, fed with our own events, so that a script and a person press the same buttons. One at a time.
+// Needs the screen's context, which it draws with.
+class Gui {
+ public:
+  explicit Gui(Screen& screen);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  // free_cursor: false while the mouse looks around; then the panels see nothing of it.
+  void handle(const Event& event, bool free_cursor);
+  // Between these two panels are declared.
+  void begin(double seconds);
+  void draw();
+
+  // Whether the last event of its kind is for a panel, as the last frame had them.
+  bool wants_mouse() const;
+  bool wants_keys() const;
+
+ private:
+  void set_scale(float scale);
+
+  Screen& screen_;
+  float scale_ = 0.0f;
+  bool down_[3] = {};     // mouse buttons
+  bool clicked_[3] = {};  // since the last frame: seen for one frame though released in it
+};
+
+}  // namespace luxel

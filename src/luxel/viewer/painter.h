@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "luxel/session/live_answers.h"
+#include "luxel/session/live_state.h"
+#include "luxel/viewer/background.h"
+#include "luxel/viewer/frame.h"
+#include "luxel/viewer/lines.h"
+#include "luxel/viewer/local_tone.h"
+#include "luxel/viewer/look.h"
+#include "luxel/viewer/surfaces.h"
+
+namespace luxel {
+
+// Where the eye is, on what it looks, through which curve.
+struct Viewpoint {
+  Pose pose;
+  Space space;
+  Bounds box;
+  ToneCurve tone;
+  float aspect = 1.0f;  // of the picture
+};
+
+// What pictures are drawn into.
+struct Canvas {
+  DrawnFrame frame;
+  std::unique_ptr<LocalTone> local;  // once it was needed
+};
+
+// Brings what is looked at to the graphics card, as it was chosen to be seen, and draws it.
+class Painter {
+ public:
+  // scene: its number; another one is another scene. difference: from a second solution, or null.
+  void update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
+              const std::shared_ptr<const LiveLight>& light, const Look& look,
+              const std::shared_ptr<const LiveDifference>& difference);
+  // For about so many seconds. True where everything is there and shown.
+  bool upload(double seconds);
+
+  // Into the canvas, to be resolved there. all: the whole picture that the part is of, see shifted_tile().
+  void draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,
+            EdgeSmoothing edges, float point_size, const Tile& all = {});
+
+  // What no frame should wait for later, see Surfaces.
+  void try_programs() const { surfaces_.try_programs(); }
+  void set_marks(const Marks& marks) { marks_.set(marks); }
+  // How false colours are to be read now; nothing where there are none.
+  std::optional<ValueScale> scale() const { return scale_; }
+
+ private:
+  void update_light(const Look& look);
+  void update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference);
+  void update_scale(const Look& look);
+  Paint paint(const Look& look) const;
+  Vec3 sky() const;                              // W/(m² sr)
+  Vec3 background(const ToneCurve& tone) const;  // what lies behind all surfaces; linear, [0, 1]
+  void look_around(Canvas& canvas, const Viewpoint& from, const PicturePart& part, EdgeSmoothing edges,
+                   const Tile& all);
+
+  Surfaces surfaces_;
+  MarkBuffer marks_;
+  std::shared_ptr<const LiveMesh> mesh_;
+  std::shared_ptr<const LiveLight> light_;
+  std::uint64_t scene_ = 0, geometry_ = 0;
+
+  std::uint64_t light_number_ = 0;
+  std::optional<VertexValue> vertex_value_;
+  // What side values were asked for last.
+  struct Sides {
+    Show show = Show::light;
+    bool lux = false;
+    std::uint64_t light = 0;
+    const void* difference = nullptr;
+    bool operator==(const Sides&) const = default;
+  } sides_;
+  struct FoundValues {
+    const void* patches;  // that they are of
+    std::shared_ptr<const std::vector<float>> values;
+  };
+  Background<FoundValues> values_;
+  std::shared_ptr<const std::vector<float>> side_values_;
+  // What the scale was made for.
+  struct Scaled {
+    Show show = Show::light;
+    bool lux = false, logarithmic = false, automatic = false;
+    float low = 0.0f, high = 0.0f;
+    int isolines = 0;
+    const void* values = nullptr;
+    bool operator==(const Scaled&) const = default;
+  } scaled_;
+  std::optional<ValueScale> scale_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include "luxel/viewer/panels.h"
+
+namespace luxel {
+
+void panel(Viewer& viewer) {
+  if (!viewer.look.panel) return;
+  const auto& display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(10.0f, 10.0f), ImGuiCond_Always);
+  ImGui::SetNextWindowSizeConstraints(ImVec2(300.0f, 0.0f), ImVec2(300.0f, display.y - 50.0f));
+  ImGui::Begin("Luxel", nullptr,
+               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoTitleBar |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushItemWidth(150.0f);
+  solver_section(viewer);
+  look_section(viewer);
+  lamps_section(viewer);
+  instruments_section(viewer);
+  views_section(viewer);
+  files_section(viewer);
+  ImGui::PopItemWidth();
+  ImGui::End();
+}
+
+void dialogs(Viewer& viewer) {
+  if (viewer.dialogs.empty()) return;
+  if (!ImGui::IsPopupOpen("That did not work")) ImGui::OpenPopup("That did not work");
+  const auto& display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y * 0.5f), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(460.0f, 0.0f));
+  if (!ImGui::BeginPopupModal("That did not work", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  ImGui::TextWrapped("%s", viewer.dialogs.front().c_str());
+  ImGui::Spacing();
+  if (ImGui::Button("Go on", ImVec2(100.0f, 0.0f)) ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    viewer.dialogs.pop_front();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace luxel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/viewer/viewer.h"
+
+namespace luxel {
+
+// The parts of the window that are drawn over the scene, each declared between Gui::begin() and Gui::draw().
+
+void panel(Viewer& viewer);           // all of the panel: the sections below
+void solver_section(Viewer& viewer);  // stage, error, plot, pause, methods
+void look_section(Viewer& viewer);    // what is shown, tone, exposure
+void lamps_section(Viewer& viewer);   // light groups, surface colours
+void instruments_section(Viewer& viewer);
+void files_section(Viewer& viewer);
+void views_section(Viewer& viewer);
+
+void key_line(const Viewer& viewer);  // what the keys do, at the bottom; all of them where help is asked for
+void legend(const Viewer& viewer);
+void probe_card(const Viewer& viewer);
+void profile_card(Viewer& viewer);
+void dialogs(Viewer& viewer);
+
+}  // namespace luxel

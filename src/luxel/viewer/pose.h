@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/core/bounds.h"
+#include "luxel/core/matrix.h"
+#include "luxel/core/vector.h"
+#include "luxel/scene/camera.h"
+
+namespace luxel {
+
+// Which way is up, and two directions on the level that angles are counted from; all unit.
+struct Space {
+  explicit Space(const Vec3& its_up = Vec3(0.0f, 1.0f, 0.0f));
+  Vec3 up, ahead, right;
+};
+
+// Where the eye is and where it looks, the horizon level.
+struct Pose {
+  Vec3 eye = Vec3(0.0f);       // m
+  float turn = 0.0f;           // radians around up from Space::ahead to the right
+  float pitch = 0.0f;          // radians, up is positive; within steepest
+  float vertical_fov = 50.0f;  // degrees
+
+  bool operator==(const Pose&) const = default;
+};
+inline constexpr float steepest = 1.55f;  // radians: just short of straight up
+
+// The eye's own axes in the world, unit.
+struct Axes {
+  Vec3 right, up, ahead;
+};
+Axes axes(const Pose& pose, const Space& space);
+
+// A camera's pose: its roll is lost. And a camera with that pose that looks at what is `distance` (m) away.
+Pose pose_of(const Camera& camera, const Space& space);
+Camera camera_of(const Pose& pose, const Space& space, float distance = 1.0f);
+
+// Each movement gives the new pose.
+Pose look(Pose pose, float turn, float pitch);                                      // radians
+Pose fly(Pose pose, const Space& space, const Vec3& right_up_ahead, float metres);  // the way may be 0
+// Around a point, which stays where it is on the screen.
+Pose orbit(const Pose& pose, const Space& space, const Vec3& pivot, float turn, float pitch);
+// The distance to the point becomes so many times what it is; the point stays where it is on the screen.
+Pose approach(Pose pose, const Vec3& point, float factor);
+// Looks at the point from `distance` (m), in the direction it has from here.
+Pose focus(const Pose& pose, const Space& space, const Vec3& point, float distance);
+// All of a box from a corner above it, where nothing better is known.
+Pose overview(const Bounds& box, const Space& space, float aspect, float vertical_fov = 50.0f);
+// On the way from one pose to another, share 0 to 1, the shorter way round.
+Pose between(const Pose& from, const Pose& to, float share);
+
+// What a pixel sees: origin and unit direction. x, y: in [-1, 1] from the left and from the bottom.
+struct Sight {
+  Vec3 origin, direction;
+};
+Sight sight(const Pose& pose, const Space& space, float aspect, float x, float y);
+
+// A part of the picture, in the same units: all of it, or a tile of a large one.
+struct Tile {
+  float left = -1.0f, right = 1.0f, bottom = -1.0f, top = 1.0f;
+};
+
+// From the world (m) to clip space. The near plane lies before what is in the box, however near: depth is
+// shared out between the eye's distance and the far end of the box.
+Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float aspect, const Tile& tile = {});
+
+}  // namespace luxel

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/viewer/run_window.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/core/error.h"
+#include "luxel/image/image_file.h"
+#include "luxel/viewer/script_player.h"
+#include "luxel/viewer/viewer.h"
+
+namespace luxel {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// What a picture shows that nobody has written a script for: the light, when it is there, without the panel.
+constexpr const char* picture_script = "set panel off\nwait finished\nwait 60 frames\n";
+
+class WindowLoop {
+ public:
+  WindowLoop(const WindowSettings& settings, const Script* script)
+      : settings_(settings), screen_(open()), viewer_(*screen_, settings) {
+    if (script != nullptr) player_.emplace(*script, viewer_, *screen_);
+  }
+
+  WindowReport run() {
+    while (!is_over()) {
+      const auto events = screen_->poll(wait_seconds());
+      for (const auto& event : events) viewer_.handle(event);
+      const auto begin = Clock::now();
+      if (player_) player_->advance();
+      if (screen_->size().empty() || (!screen_->is_shown() && !player_)) {
+        hidden_ = true;
+        continue;
+      }
+      frame();
+      const auto seconds = seconds_since(begin);
+      viewer_.note_frame(seconds);
+      note(seconds);
+      refuse_what_failed();
+    }
+    end();
+    return std::move(report_);
+  }
+
+ private:
+  std::unique_ptr<Screen> open() const {
+    const auto file = settings_.file.string();
+    try {
+      if (settings_.off_screen) return open_off_screen(settings_.size, settings_.pixel_ratio);
+    } catch (const DeviceError& error) {
+      throw DeviceError(
+          fmt::format("{}: 'luxel bake {} -o out.png' makes a picture without OpenGL", error.what(), file));
+    }
+    try {
+      return open_window("Luxel", settings_.size);
+    } catch (const DeviceError& error) {
+      throw DeviceError(
+          fmt::format("{}: 'luxel view {} --snapshot out.png' draws off screen, and "
+                      "'luxel bake {} -o out.png' without OpenGL",
+                      error.what(), file, file));
+    }
+  }
+
+  // Nothing to draw: the processor is the solver's. Light that comes meanwhile is seen soon enough.
+  double wait_seconds() const {
+    if (hidden_) return 0.1;
+    return !player_ && viewer_.may_sleep() ? 0.04 : 0.0;
+  }
+
+  bool is_over() {
+    if (settings_.is_interrupted && settings_.is_interrupted()) report_.interrupted = true;
+    return report_.interrupted || viewer_.is_closing() ||
+           (player_ && settings_.off_screen && player_->is_done());
+  }
+
+  void frame() {
+    const double seconds = player_ ? ScriptPlayer::frame_seconds : std::min(0.1, seconds_since(last_));
+    last_ = Clock::now();
+    hidden_ = false;
+    viewer_.frame(seconds, player_ && player_->wants_fine());
+    screen_->present();
+  }
+
+  void note(double seconds) {
+    report_.frame_seconds.push_back(seconds);
+    if (viewer_.session.status().stage == "light") report_.solving_frame_seconds.push_back(seconds);
+  }
+
+  // Off screen nobody reads a dialog.
+  void refuse_what_failed() const {
+    const auto& session = viewer_.session;
+    if (settings_.off_screen && !settings_.script && !session.mesh() && !viewer_.errors().empty())
+      throw InputError(viewer_.errors().back());
+  }
+
+  void end() {
+    if (!report_.interrupted) viewer_.go_on_with_picture(true);
+    if (settings_.snapshot && !report_.interrupted) {
+      viewer_.frame(ScriptPlayer::frame_seconds, true);
+      screen_->present();
+      write_png(*settings_.snapshot, viewer_.snapshot());
+    }
+    auto ending = viewer_.session.close(settings_.save);
+    if (!ending.error.empty()) throw DeviceError(ending.error);
+    report_.saved = std::move(ending.saved);
+  }
+
+  const WindowSettings& settings_;
+  std::unique_ptr<Screen> screen_;
+  Viewer viewer_;
+  std::optional<ScriptPlayer> player_;
+  WindowReport report_;
+  Clock::time_point last_ = Clock::now();
+  bool hidden_ = false;
+};
+
+}  // namespace
+
+WindowReport run_window(const WindowSettings& settings) {
+  std::optional<Script> picture;
+  if (settings.off_screen && !settings.script) picture = parse_script("the picture", picture_script);
+  const Script* const script = settings.script ? &*settings.script : picture ? &*picture : nullptr;
+  return WindowLoop(settings, script).run();
+}
+
+}  // namespace luxel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "luxel/viewer/event.h"
+
+namespace luxel {
+
+struct ScreenSize {
+  int width = 1280, height = 800;
+
+  bool operator==(const ScreenSize&) const = default;
+  bool empty() const { return width <= 0 || height <= 0; }
+};
+
+// Where a part of a picture lies in another: pixels from the left and from the bottom.
+struct PixelOffset {
+  int left = 0, bottom = 0;
+};
+
+// Where pictures are shown, with an OpenGL 3.3 core context that is current on the thread that made it: a
+// window, or nothing but memory. All calls from that thread.
+class Screen {
+ public:
+  virtual ~Screen() = default;
+
+  virtual ScreenSize size() const = 0;    // in the cursor's units; empty while minimised
+  virtual ScreenSize pixels() const = 0;  // more where pixels are small
+  virtual float text_scale() const = 0;   // how much larger text is to be, 1 on an ordinary screen
+
+  // What happened since the last call. Waits up to so many seconds for something to happen; 0: does not.
+  virtual std::vector<Event> poll(double seconds) = 0;
+  // While captured the cursor is hidden, and moves without end.
+  virtual void capture_cursor(bool captured) = 0;
+  // Whether it has the person's eye now; pictures of a hidden window need not be made.
+  virtual bool is_shown() const = 0;
+  virtual void set_size(ScreenSize size) = 0;
+  virtual void set_title(const std::string& title) = 0;
+  // Copies the current read framebuffer to where it is seen, and waits for the screen's next turn.
+  virtual void present() = 0;
+  virtual std::string clipboard() const = 0;
+  virtual void set_clipboard(const std::string& text) = 0;
+};
+
+// Both throw DeviceError, one sentence, where it cannot be had: no display, no driver, or none that knows
+// OpenGL 3.3.
+std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size);
+// pixel_ratio: pixels a unit.
+std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio = 1.0f);
+
+// The driver that draws, as it calls itself, and whether it draws on the processor: then a frame takes
+// milliseconds, and fewer are better.
+struct Driver {
+  std::string name, version;
+  bool is_software = false;
+};
+Driver current_driver();
+
+}  // namespace luxel

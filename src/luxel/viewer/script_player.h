@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "luxel/viewer/script.h"
+#include "luxel/viewer/viewer.h"
+
+namespace luxel {
+
+// Does what a script says, as a person would: between frames, one thing after another.
+class ScriptPlayer {
+ public:
+  // Keeps references. Frames of a script are a sixtieth of a second, however long they take.
+  static constexpr double frame_seconds = 1.0 / 60.0;
+  ScriptPlayer(const Script& script, Viewer& viewer, Screen& screen)
+      : script_(script), viewer_(viewer), screen_(screen) {}
+
+  // What comes before the next frame. Throws InputError, FILE:LINE: sentence, where something cannot be done
+  // or is not as the script expects.
+  void advance();
+  bool is_done() const { return next_ == script_.actions.size() && !waits_; }
+  // The next frame is to be looked at: smooth edges, and all that was put out.
+  bool wants_fine() const { return wants_fine_; }
+
+ private:
+  using Words = std::vector<std::string>;
+  void act(const ScriptAction& action);
+  void wait(const Words& words);
+  void frames(int count);
+  void expect(const Words& words);
+  void set_view(const Words& words);
+  void change_lamp(const Words& words);
+  void paint(const Words& words);
+  void key(const std::string& name, bool down);
+  void mouse(const Words& words);
+
+  const Script& script_;
+  Viewer& viewer_;
+  Screen& screen_;
+  std::size_t next_ = 0;
+  std::function<bool()> waits_;  // until it says so
+  bool wants_fine_ = false, has_drawn_ = false;
+};
+
+}  // namespace luxel

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace luxel {
+
+// The room's own. Which paint a program is for is a define: LIGHT, LIGHT and LOCAL, LIGHT and INPUT, SMOOTH,
+// PATCHES, SIDES, WIRES; none: grey.
+
+inline constexpr std::string_view surface_vertex_shader = R"(
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec3 front_value;
+layout(location = 2) in vec3 back_value;
+uniform mat4 projection;
+uniform vec3 eye;
+#if defined(LIGHT) || defined(SMOOTH)
+out vec3 front, back;
+#elif !defined(WIRES)
+out vec3 at;
+#endif
+void main() {
+  gl_Position = projection * vec4(place, 1.0);
+#if defined(LIGHT) || defined(SMOOTH)
+  front = front_value;
+  back = back_value;
+#elif !defined(WIRES)
+  at = place - eye;
+#endif
+#ifdef WIRES
+  gl_Position.z -= 2e-5 * gl_Position.w;
+#endif
+}
+)";
+
+// Tone curves are those of image/tone.cpp, false colours those of viewer/colour_map.cpp: the tests hold them
+// against each other.
+inline constexpr std::string_view surface_fragment_shader = R"(
+out vec4 pixel;
+#ifdef LIGHT
+in vec3 front, back;
+uniform int curved;
+uniform float tone_scale, white, brightest;
+#ifdef LOCAL
+uniform sampler2D around;
+uniform ivec2 from;
+#endif
+void main() {
+  vec3 radiance = max(gl_FrontFacing ? front : back, vec3(0.0));
+  float L = tone_scale * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
+#ifdef INPUT
+  pixel = vec4(min(L, brightest), 0.0, 0.0, 1.0);
+#else
+#ifdef LOCAL
+  float V = texelFetch(around, ivec2(gl_FragCoord.xy) + from, 0).r;
+#else
+  float V = L;
+#endif
+  float burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
+  float factor = curved != 0 ? tone_scale * burn_out / (1.0 + V) : tone_scale;
+  pixel = vec4(min(factor * radiance, vec3(1.0)), 1.0);
+#endif
+}
+#elif defined(SMOOTH) || defined(PATCHES)
+uniform float low, high;
+uniform int logarithmic, isolines;
+uniform sampler2D colours;
+vec3 false_colour(float value) {
+  float share = (value - low) / (high - low);
+  if (logarithmic != 0) share = value > 0.0 ? log(value / low) / log(high / low) : 0.0;
+  vec3 colour = texture(colours, vec2((clamp(share, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+#ifdef SMOOTH
+  if (isolines > 0) {
+    float place = share * float(isolines + 1);
+    float line = abs(fract(place + 0.5) - 0.5) / max(fwidth(place), 1e-6);
+    float inside = step(0.5, place) * step(place, float(isolines) + 0.5);
+    float ink = inside * (1.0 - smoothstep(0.6, 1.4, line));
+    float lum = dot(colour, vec3(0.2126, 0.7152, 0.0722));
+    colour = mix(colour, lum > 0.2 ? vec3(0.0) : vec3(1.0), 0.85 * ink);
+  }
+#endif
+  return colour;
+}
+#ifdef SMOOTH
+in vec3 front, back;
+void main() { pixel = vec4(false_colour(gl_FrontFacing ? front.x : back.x), 1.0); }
+#else
+uniform sampler2D values;
+in vec3 at;
+void main() {
+  int width = textureSize(values, 0).x;
+  vec2 both = texelFetch(values, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0).rg;
+  float value = gl_FrontFacing ? both.x : both.y;
+  pixel = vec4(isnan(value) ? vec3(0.2) : false_colour(value), 1.0);
+}
+#endif
+#elif defined(WIRES)
+uniform vec3 ink;
+void main() { pixel = vec4(ink, 1.0); }
+#else
+in vec3 at;
+void main() {
+  vec3 across = cross(dFdx(at), dFdy(at));
+  float facing = abs(dot(across, at)) * inversesqrt(dot(across, across) * dot(at, at));
+#ifdef SIDES
+  vec3 paint = gl_FrontFacing ? vec3(0.10, 0.28, 0.72) : vec3(0.72, 0.09, 0.06);
+#else
+  vec3 paint = vec3(0.6);
+#endif
+  pixel = vec4(paint * (0.55 + 0.45 * facing), 1.0);
+}
+#endif
+)";
+
+}  // namespace luxel

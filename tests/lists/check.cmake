@@ -1,5 +1,0 @@
-luxel_test(unit/mesh_repairs ROOMS load)
-luxel_test(unit/diagnose ROOMS check load)
-luxel_test(unit/export_coloured ROOMS check export LIBRARIES luxel_truth_scenes TinyGLTF)
-luxel_test(cli/check ROOMS file LIBRARIES nlohmann_json::nlohmann_json)
-add_dependencies(cli_check_test luxel)

@@ -1,7 +1,0 @@
-luxel_test(unit/export_glb ROOMS export LIBRARIES TinyGLTF)
-luxel_test(unit/export_ply ROOMS export)
-luxel_test(unit/valid_utf8 ROOMS export)
-luxel_test(unit/page_data ROOMS export)
-luxel_test(unit/cut_along_edges ROOMS export)
-luxel_test(unit/export_kept ROOMS export load)
-luxel_test(unit/export_kept_pages ROOMS export load)

@@ -1,1 +1,0 @@
-luxel_test(unit/sobol ROOMS random)

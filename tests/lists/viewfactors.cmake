@@ -1,7 +1,0 @@
-luxel_test(truth/view_factors ROOMS viewfactors LIBRARIES luxel_truth_scenes)
-luxel_test(statistics/view_factors ROOMS viewfactors LIBRARIES luxel_truth_scenes)
-luxel_test(repeat/view_factors ROOMS viewfactors LIBRARIES luxel_truth_scenes)
-luxel_test(unit/enforce ROOMS viewfactors)
-luxel_test(unit/view_factors_file ROOMS viewfactors)
-luxel_test(cli/viewfactors ROOMS file LIBRARIES nlohmann_json::nlohmann_json)
-add_dependencies(cli_viewfactors_test luxel)

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "luxel/core/triangle.h"
+
+#include "support/scene_files.h"
+
+namespace luxel {
+namespace {
+
+constexpr const char* two_triangles = R"(
+v 0 0 0
+v 1 0 0
+v 0 1 0
+usemtl wall left
+f 1 2 3
+usemtl wall right
+f 1 2 3
+)";
+
+TEST(LoadScene, a_missing_file_is_named) {
+  SceneFiles files;
+  EXPECT_EQ(files.refusal("nothing.obj"), "nothing.obj: no such file");
+}
+
+TEST(LoadScene, a_folder_is_no_scene) {
+  SceneFiles files;
+  std::filesystem::create_directory(files.path("room.obj"));
+  EXPECT_EQ(files.refusal("room.obj"),
+            "room.obj: it is a folder; name the scene's file inside it (.obj, .glb or .gltf)");
+}
+
+TEST(LoadScene, other_endings_are_told_what_to_become) {
+  SceneFiles files;
+  for (const std::string name : {"room.fbx", "room.GLT", "room.ply", "room.stl", "room"}) {
+    files.write(name, "solid");
+    const auto refusal = files.refusal(name);
+    EXPECT_NE(refusal.find(name + ": expected a file that ends in .obj, .glb or .gltf, found "),
+              std::string::npos)
+        << refusal;
+    EXPECT_NE(refusal.find("convert"), std::string::npos) << refusal;
+  }
+}
+
+TEST(LoadScene, an_ending_in_capitals_is_fine) {
+  SceneFiles files;
+  files.write("ROOM.OBJ", two_triangles);
+  EXPECT_EQ(files.load("ROOM.OBJ").triangles.size(), 2u);
+}
+
+TEST(LoadScene, the_scene_knows_the_file_as_it_was_named) {
+  SceneFiles files;
+  EXPECT_EQ(files.load_text(two_triangles).source, files.path("room.obj").string());
+}
+
+TEST(LoadScene, scale_is_metres_a_unit) {
+  SceneFiles files;
+  const auto scene = files.load_text(two_triangles, {.scale = 0.5f});
+  EXPECT_EQ(scene.positions[1], Vec3(0.5f, 0, 0));
+}
+
+TEST(LoadScene, a_scale_that_makes_no_size_is_refused) {
+  SceneFiles files;
+  for (const float scale : {0.0f, -1.0f, std::numeric_limits<float>::infinity()})
+    EXPECT_NE(files.refusal_of_text(two_triangles, {.scale = scale}).find("expected a scale above 0"),
+              std::string::npos);
+}
+
+TEST(LoadScene, a_coordinate_too_far_for_floats_names_its_line) {
+  SceneFiles files;
+  EXPECT_EQ(files.refusal_of_text("v 1e37 0 0\n", {.scale = 1000.0f}),
+            "room.obj:1: expected coordinates up to 1e+12 m, found '1e37 0 0' at 1000 m a unit");
+}
+
+TEST(LoadScene, a_reflectance_limit_of_one_is_refused) {
+  SceneFiles files;
+  EXPECT_NE(files.refusal_of_text(two_triangles, {.max_reflectance = 1.0f}).find("max_reflectance"),
+            std::string::npos);
+}
+
+TEST(LoadScene, materials_are_two_sided_but_those_asked_for) {
+  SceneFiles files;
+  const auto scene = files.load_text(two_triangles, {.one_sided = {"*right"}});
+  EXPECT_TRUE(scene.materials[0].two_sided);
+  EXPECT_FALSE(scene.materials[1].two_sided);
+}
+
+TEST(LoadScene, flip_turns_the_triangles_of_its_materials) {
+  SceneFiles files;
+  const auto scene = files.load_text(two_triangles, {.flip = {"wall l?ft"}});
+  EXPECT_EQ(scene.triangles[0], (std::array<std::uint32_t, 3>{0, 2, 1}));
+  EXPECT_EQ(scene.triangles[1], (std::array<std::uint32_t, 3>{0, 1, 2}));
+}
+
+TEST(LoadScene, a_material_named_by_two_patterns_is_flipped_once) {
+  SceneFiles files;
+  const auto scene = files.load_text(two_triangles, {.flip = {"wall left", "wall*"}});
+  EXPECT_EQ(scene.triangles[0], (std::array<std::uint32_t, 3>{0, 2, 1}));
+}
+
+TEST(LoadScene, a_pattern_that_matches_nothing_names_the_materials) {
+  SceneFiles files;
+  EXPECT_EQ(files.refusal_of_text(two_triangles, {.one_sided = {"wal"}}),
+            "room.obj: one_sided: no material matches 'wal'; there are 'wall left', 'wall right'");
+  EXPECT_NE(files.refusal_of_text(two_triangles, {.flip = {"wal"}}).find("flip: no material"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace luxel

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/automatic_camera.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "luxel/core/error.h"
+#include "luxel/render/render.h"
+
+#include "support/lit_rooms.h"
+
+namespace luxel {
+namespace {
+
+using test::Facing;
+using test::LitPatches;
+using test::plain_material;
+
+constexpr Vec3 y_up(0.0f, 1.0f, 0.0f);
+
+Camera camera_for(const LitPatches& lit, int threads = 2, float aspect = 4.0f / 3.0f) {
+  const Workers workers(threads);
+  const Tracer tracer(lit.patches, workers);
+  return automatic_camera(lit.patches, lit.solution, tracer, workers, y_up, aspect);
+}
+
+double lit_share(const LitPatches& lit, const Camera& camera) {
+  const Workers workers(2);
+  const Tracer tracer(lit.patches, workers);
+  const auto image = render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera,
+                            {.width = 80, .height = 60, .samples_per_side = 1}, workers);
+  double lit_pixels = 0.0;
+  for (const auto& pixel : image.pixels) lit_pixels += pixel.g > 0.0f ? 1.0 : 0.0;
+  return lit_pixels / static_cast<double>(image.pixels.size());
+}
+
+bool within(const Vec3& p, const Vec3& low, const Vec3& high) {
+  return glm::all(glm::greaterThan(p, low)) && glm::all(glm::lessThan(p, high));
+}
+
+std::string as_text(const Vec3& v) {
+  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+}
+
+// Walls of different brightness, so that no two views are alike.
+LitPatches room(const Vec3& size, bool open = false) {
+  LitPatches lit;
+  test::add_box(lit, Vec3(0.0f), size, Facing::inwards, 1.0f, open);
+  auto& irradiance = lit.solution.irradiance_front;
+  for (std::size_t i = 0; i < lit.patches.size(); ++i) {
+    const auto p = lit.patches.points(i);
+    const auto middle = (p[0] + p[1] + p[2]) / (3.0f * size);
+    for (std::size_t band = 0; band < 3; ++band)
+      irradiance[3 * i + band] = 1.0f + 0.6f * middle.x + 0.3f * middle.z;
+  }
+  return lit;
+}
+
+TEST(AutomaticCamera, in_a_closed_room_it_stands_inside_and_sees_lit_walls_only) {
+  const auto lit = room({4.0f, 3.0f, 5.0f});
+  const auto camera = camera_for(lit);
+  EXPECT_TRUE(within(camera.eye, Vec3(0.0f), {4.0f, 3.0f, 5.0f})) << as_text(camera.eye);
+  EXPECT_EQ(lit_share(lit, camera), 1.0);
+}
+
+TEST(AutomaticCamera, in_a_room_it_stands_at_eye_level_and_looks_across) {
+  const Vec3 size(4.0f, 3.0f, 5.0f);
+  const auto camera = camera_for(room(size));
+  EXPECT_GT(camera.eye.y, 0.3f * size.y);
+  EXPECT_LT(camera.eye.y, 0.8f * size.y);
+  const auto view = glm::normalize(camera.target - camera.eye);
+  EXPECT_LT(std::abs(view.y), 0.5f);
+  EXPECT_EQ(camera.up, y_up);
+  const auto middle = glm::normalize(0.5f * size - camera.eye);
+  EXPECT_GT(glm::dot(view, middle), 0.5f) << "it does not look into the room";
+}
+
+TEST(AutomaticCamera, an_open_box_is_seen_through_its_opening) {
+  const Vec3 size(4.0f, 3.0f, 4.0f);
+  const auto lit = room(size, true);
+  for (const auto aspect : {1.0f, 4.0f / 3.0f, 16.0f / 9.0f}) {
+    const auto camera = camera_for(lit, 2, aspect);
+    EXPECT_LT(camera.target.z, camera.eye.z) << "it looks away from the box";
+    EXPECT_TRUE(camera.eye.z > size.z || within(camera.eye, Vec3(0.0f), size)) << as_text(camera.eye);
+  }
+  EXPECT_GE(lit_share(lit, camera_for(lit)), 0.8);
+}
+
+// The sky lights the box from outside first.
+TEST(AutomaticCamera, under_a_sky_it_looks_into_a_box_and_at_a_thing_alone) {
+  const Workers workers(2);
+  auto box = room({4.0f, 2.5f, 3.0f}, true);
+  LitPatches thing;
+  test::add_box(thing, Vec3(0.0f), Vec3(1.0f), Facing::outwards, 1.0f);
+  for (auto* lit : {&box, &thing}) {
+    lit->patches.sky = {1.0f, 1.0f, 1.0f};
+    const auto camera = camera_for(*lit);
+    const Tracer tracer(lit->patches, workers);
+    const auto seen = tracer.nearest({camera.eye, glm::normalize(camera.target - camera.eye)});
+    ASSERT_TRUE(seen);
+    EXPECT_FALSE(seen.back) << "the outside of a box, or the inside of a thing";
+  }
+}
+
+TEST(AutomaticCamera, of_two_rooms_it_chooses_the_lit_one) {
+  LitPatches lit;
+  test::add_box(lit, Vec3(0.0f), {4.0f, 3.0f, 4.0f}, Facing::inwards, 0.0f);
+  test::add_box(lit, {6.0f, 0.0f, 0.0f}, {9.0f, 3.0f, 3.0f}, Facing::inwards, 1.0f);
+  const auto camera = camera_for(lit);
+  EXPECT_TRUE(within(camera.eye, {6.0f, 0.0f, 0.0f}, {9.0f, 3.0f, 3.0f})) << as_text(camera.eye);
+  EXPECT_EQ(lit_share(lit, camera), 1.0);
+}
+
+TEST(AutomaticCamera, it_does_not_stand_in_the_furniture) {
+  const Vec3 low(1.0f, 0.01f, 1.0f);
+  const Vec3 high(3.0f, 2.0f, 3.0f);
+  auto lit = room({6.0f, 3.0f, 6.0f});
+  test::add_box(lit, low, high, Facing::outwards, 1.0f);
+  const auto camera = camera_for(lit);
+  EXPECT_TRUE(within(camera.eye, Vec3(0.0f), {6.0f, 3.0f, 6.0f})) << as_text(camera.eye);
+  EXPECT_FALSE(within(camera.eye, low, high)) << as_text(camera.eye);
+  EXPECT_EQ(lit_share(lit, camera), 1.0);
+}
+
+TEST(AutomaticCamera, a_thing_alone_is_seen_from_outside) {
+  LitPatches lit;
+  test::add_box(lit, Vec3(-1.0f), Vec3(1.0f), Facing::outwards, 1.0f);
+  const auto camera = camera_for(lit);
+  EXPECT_FALSE(within(camera.eye, Vec3(-1.0f), Vec3(1.0f))) << as_text(camera.eye);
+  EXPECT_GT(lit_share(lit, camera), 0.2);
+  EXPECT_GT(glm::dot(glm::normalize(camera.target - camera.eye), glm::normalize(-camera.eye)), 0.9f)
+      << "it does not look at the thing";
+}
+
+TEST(AutomaticCamera, the_same_room_in_millimetres_is_seen_from_the_same_place) {
+  const auto metres = room({4.0f, 3.0f, 5.0f});
+  auto millimetres = metres;
+  test::scale(millimetres, 1000.0f);
+  const auto a = camera_for(metres);
+  const auto b = camera_for(millimetres);
+  EXPECT_LT(glm::length(b.eye / 1000.0f - a.eye), 0.01f) << as_text(a.eye) << " and " << as_text(b.eye);
+  EXPECT_LT(glm::length(b.target / 1000.0f - a.target), 0.01f);
+  EXPECT_EQ(a.vertical_fov, b.vertical_fov);
+}
+
+TEST(AutomaticCamera, the_view_does_not_depend_on_threads) {
+  const auto lit = room({4.0f, 3.0f, 5.0f});
+  const auto one = camera_for(lit, 1);
+  for (const auto threads : {2, 7}) {
+    const auto many = camera_for(lit, threads);
+    EXPECT_EQ(one.eye, many.eye);
+    EXPECT_EQ(one.target, many.target);
+  }
+}
+
+TEST(AutomaticCamera, a_scene_not_solved_yet_has_a_view_too) {
+  auto lit = room({4.0f, 3.0f, 5.0f});
+  lit.solution = {};
+  const auto camera = camera_for(lit);
+  const auto lit_room = room({4.0f, 3.0f, 5.0f});
+  EXPECT_TRUE(within(camera.eye, Vec3(0.0f), {4.0f, 3.0f, 5.0f})) << as_text(camera.eye);
+  EXPECT_EQ(lit_share(lit_room, camera), 1.0);
+}
+
+TEST(AutomaticCamera, wrong_requests_are_refused) {
+  const auto lit = room(Vec3(1.0f));
+  const Workers workers(1);
+  const Tracer tracer(lit.patches, workers);
+  EXPECT_THROW(automatic_camera(lit.patches, lit.solution, tracer, workers, Vec3(0.0f)), InputError);
+  EXPECT_THROW(automatic_camera(lit.patches, lit.solution, tracer, workers, y_up, 0.0f), InputError);
+  EXPECT_THROW(automatic_camera({}, {}, tracer, workers, y_up), InputError);
+}
+
+TEST(AutomaticUp, floor_and_ceiling_say_it) {
+  EXPECT_EQ(automatic_up(room({4.0f, 2.0f, 5.0f}).patches), Vec3(0.0f, 1.0f, 0.0f));
+  EXPECT_EQ(automatic_up(room({4.0f, 5.0f, 2.0f}).patches), Vec3(0.0f, 0.0f, 1.0f));
+}
+
+TEST(AutomaticUp, in_a_cube_the_lamp_says_it_and_without_one_it_is_y) {
+  auto lit = room(Vec3(1.0f));
+  EXPECT_EQ(automatic_up(lit.patches), Vec3(0.0f, 1.0f, 0.0f));
+  lit.patches.materials.push_back(plain_material("lamp", 0.0f, true, 5.0f));
+  test::add_plate(lit, {0.45f, 0.45f, 0.99f}, {0.0f, 0.1f, 0.0f}, {0.1f, 0.0f, 0.0f}, 1, 0.0f, 0.0f, 1);
+  EXPECT_EQ(automatic_up(lit.patches), Vec3(0.0f, 0.0f, 1.0f));
+}
+
+}  // namespace
+}  // namespace luxel

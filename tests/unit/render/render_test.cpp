@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/render.h"
+
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "luxel/core/error.h"
+
+#include "support/lit_rooms.h"
+
+namespace luxel {
+namespace {
+
+using test::LitPatches;
+using test::plain_material;
+
+Image picture(const LitPatches& lit, const Camera& camera, const RenderOptions& options, int threads = 2,
+              const Monitor& monitor = {}) {
+  const Workers workers(threads);
+  const Tracer tracer(lit.patches, workers);
+  return render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera, options, workers,
+                monitor);
+}
+
+// A lit box open to nobody, with the eye inside.
+LitPatches lit_box(float reflectance = 0.5f, float irradiance = 3.0f) {
+  LitPatches lit({plain_material("wall", reflectance)});
+  test::add_box(lit, Vec3(-1.0f), Vec3(1.0f), test::Facing::inwards, irradiance);
+  return lit;
+}
+
+// One square metre at z = 0 that faces +z.
+LitPatches square(const BandMaterial& material, float front, float back) {
+  LitPatches lit({material});
+  test::add_plate(lit, {-0.5f, -0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 1, front, back);
+  return lit;
+}
+
+constexpr RenderOptions small = {.width = 40, .height = 30};
+const Camera before = {.eye = {0.0f, 0.0f, 0.5f}, .target = Vec3(0.0f)};
+const Camera behind = {.eye = {0.0f, 0.0f, -0.5f}, .target = Vec3(0.0f)};
+
+TEST(Render, a_uniformly_lit_box_has_the_radiance_rho_H_over_pi_everywhere) {
+  const auto image =
+      picture(lit_box(0.4f, 3.0f), {.eye = {0.3f, 0.1f, 0.2f}, .target = {-1.0f, -0.4f, -1.0f}},
+              {.width = 64, .height = 48});
+  ASSERT_EQ(image.pixels.size(), 64u * 48u);
+  const auto expected = 0.4f * 3.0f / pi;
+  for (const auto& pixel : image.pixels)
+    for (int band = 0; band < 3; ++band) ASSERT_NEAR(pixel[band], expected, 1e-6f * expected);
+}
+
+TEST(Render, a_lamp_shows_its_emission_from_the_front_and_only_reflects_from_behind) {
+  const auto lamp = square(plain_material("lamp", 0.5f, true, 10.0f), 2.0f, 4.0f);
+  EXPECT_NEAR(picture(lamp, before, small).at(20, 15).g, (10.0f + 0.5f * 2.0f) / pi, 1e-5f);
+  EXPECT_NEAR(picture(lamp, behind, small).at(20, 15).g, 0.5f * 4.0f / pi, 1e-5f);
+}
+
+TEST(Render, the_back_of_a_one_sided_surface_is_black) {
+  const auto wall = square(plain_material("wall", 0.5f, false, 10.0f), 2.0f, 4.0f);
+  EXPECT_GT(picture(wall, before, small).at(20, 15).g, 0.0f);
+  EXPECT_EQ(picture(wall, behind, small).at(20, 15), Vec3(0.0f));
+}
+
+TEST(Render, nothing_seen_is_zero) {
+  const auto image = picture(lit_box(), {.eye = {0.0f, 0.0f, 5.0f}, .target = {0.0f, 0.0f, 9.0f}}, small);
+  for (const auto& pixel : image.pixels) EXPECT_EQ(pixel, Vec3(0.0f));
+}
+
+// A pinhole at distance d shows an area A that is parallel to the picture on A (h / (2 d tan(fov/2)))²
+// pixels.
+TEST(Render, a_triangle_covers_as_many_pixels_as_the_pinhole_formula_says) {
+  LitPatches lit({plain_material("paint", 0.5f)});
+  const auto a = lit.vertex({-0.4f, -0.3f, 0.0f});
+  const auto b = lit.vertex({0.5f, -0.2f, 0.0f});
+  const auto c = lit.vertex({0.1f, 0.6f, 0.0f});
+  lit.patch({a, b, c}, pi / 0.5f);  // radiance 1
+  for (const auto fov : {20.0f, 60.0f, 100.0f}) {
+    const auto distance = 0.8f / std::tan(fov * pi / 360.0f);
+    const auto image =
+        picture(lit, {.eye = {0.0f, 0.0f, distance}, .target = Vec3(0.0f), .vertical_fov = fov},
+                {.width = 320, .height = 240});
+    double covered = 0.0;
+    for (const auto& pixel : image.pixels) covered += static_cast<double>(pixel.r);
+    const auto expected = static_cast<double>(lit.patches.area[0]) * std::pow(240.0 / (2.0 * 0.8), 2.0);
+    EXPECT_NEAR(covered, expected, 0.003 * expected) << "field of view " << fov;
+  }
+}
+
+TEST(Render, left_is_left_and_up_is_up) {
+  LitPatches lit({plain_material("paint", 0.5f)});
+  test::add_plate(lit, {-0.4f, 0.1f, 0.0f}, {0.2f, 0.0f, 0.0f}, {0.0f, 0.2f, 0.0f}, 1, 1.0f);
+  const auto image = picture(lit, {.eye = {0.0f, 0.0f, 1.0f}, .target = Vec3(0.0f), .vertical_fov = 90.0f},
+                             {.width = 100, .height = 100});
+  // x = -0.3 and y = 0.2 of a picture that spans -1 to 1.
+  EXPECT_GT(image.at(35, 40).r, 0.0f);
+  EXPECT_EQ(image.at(64, 40), Vec3(0.0f));
+  EXPECT_EQ(image.at(35, 59), Vec3(0.0f));
+}
+
+TEST(Render, irradiance_runs_linearly_between_the_corners) {
+  auto lit = square(plain_material("paint", 0.5f), 0.0f, 0.0f);
+  auto light = make_smooth_light(lit.patches, lit.solution);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    for (std::size_t band = 0; band < 3; ++band)
+      light.irradiance_front[3 * i + band] = lit.patches.vertices[light.vertex[i]].x + 0.5f;
+
+  const Workers workers(2);
+  const Tracer tracer(lit.patches, workers);
+  // The picture's sides are the square's.
+  const auto image = render(lit.patches, light, tracer,
+                            {.eye = {0.0f, 0.0f, 0.5f}, .target = Vec3(0.0f), .vertical_fov = 90.0f},
+                            {.width = 50, .height = 50, .samples_per_side = 4}, workers);
+  for (int x = 0; x < 50; ++x)
+    EXPECT_NEAR(image.at(x, 20).b * pi / 0.5f, (static_cast<float>(x) + 0.5f) / 50.0f, 0.25f / 50.0f);
+}
+
+TEST(Render, the_same_bytes_on_one_two_and_seven_threads) {
+  auto lit = lit_box();
+  for (std::size_t i = 0; i < lit.solution.irradiance_front.size(); ++i)
+    lit.solution.irradiance_front[i] += static_cast<float>(i % 7);
+  const Camera camera = {.eye = {0.3f, 0.1f, 0.2f}, .target = {-1.0f, -0.4f, -1.0f}};
+  const auto one = picture(lit, camera, {.width = 160, .height = 120}, 1);
+  for (const auto threads : {2, 7}) {
+    const auto many = picture(lit, camera, {.width = 160, .height = 120}, threads);
+    EXPECT_EQ(std::memcmp(one.pixels.data(), many.pixels.data(), one.pixels.size() * sizeof(Vec3)), 0)
+        << threads << " threads";
+  }
+}
+
+TEST(Render, a_stop_leaves_the_rows_not_yet_done_black) {
+  int calls = 0;
+  double last = -1.0;
+  bool elsewhere = false;
+  const auto caller = std::this_thread::get_id();
+  const auto image = picture(lit_box(), {.eye = Vec3(0.0f), .target = {1.0f, 0.3f, 0.2f}},
+                             {.width = 256, .height = 64, .samples_per_side = 8}, 2, [&](const Progress& p) {
+                               elsewhere |= std::this_thread::get_id() != caller;
+                               EXPECT_GT(p.done, last);
+                               last = p.done;
+                               return ++calls == 3 ? Next::stop : Next::go_on;
+                             });
+  EXPECT_FALSE(elsewhere);
+  ASSERT_EQ(image.pixels.size(), 256u * 64u);
+  ASSERT_GT(last, 0.0);
+  ASSERT_LT(last, 1.0);
+  const auto done = static_cast<int>(std::lround(last * 64));
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 256; ++x) ASSERT_EQ(image.at(x, y).r > 0.0f, y < done) << x << ", " << y;
+}
+
+void refuse(const Camera& camera, const RenderOptions& options, const std::string& words) {
+  try {
+    picture(lit_box(), camera, options);
+    FAIL() << "accepted, but should say: " << words;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(Render, a_camera_that_sees_nothing_definite_is_refused_with_the_reason) {
+  refuse({.eye = Vec3(1.0f), .target = Vec3(1.0f)}, small, "eye and target");
+  refuse({.eye = Vec3(0.0f), .target = {0.0f, -2.0f, 0.0f}}, small, "up");
+  refuse({.up = Vec3(0.0f)}, small, "up");
+  refuse({.eye = {NAN, 0.0f, 0.0f}}, small, "finite");
+  refuse({.eye = {1e30f, 0.0f, 0.0f}}, small, "origin");
+  refuse({.vertical_fov = 0.0f}, small, "field of view");
+  refuse({.vertical_fov = 180.0f}, small, "field of view");
+  refuse({.vertical_fov = NAN}, small, "field of view");
+  refuse({}, {.width = 0}, "pixels");
+  refuse({}, {.height = 32769}, "pixels");
+  refuse({}, {.width = 4, .height = 4, .samples_per_side = 0}, "samples_per_side");
+}
+
+TEST(Render, light_of_another_scene_is_refused) {
+  const auto lit = lit_box();
+  const Workers workers(1);
+  const Tracer tracer(lit.patches, workers);
+  EXPECT_THROW(render(lit.patches, SmoothLight{}, tracer, {}, small, workers), MismatchError);
+}
+
+TEST(Render, up_may_have_any_length) {
+  const Camera camera = {.eye = Vec3(0.0f), .target = {1.0f, 0.3f, 0.2f}};
+  auto longer = camera;
+  longer.up = {0.0f, 1024.0f, 0.0f};
+  EXPECT_EQ(picture(lit_box(), camera, small).pixels, picture(lit_box(), longer, small).pixels);
+}
+
+}  // namespace
+}  // namespace luxel

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/refine_to_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "luxel/core/address.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/trace/tracer.h"
+
+#include "support/truth_scenes.h"
+
+namespace luxel {
+namespace {
+
+constexpr float lamp_size = 0.1f;
+constexpr float lamp_height = 1.0f;
+
+// A square black floor of 2 m, a small lamp 1 m above its middle, and between them a plate with a corner over
+// the middle: a shadow with two long edges. Everything is black, so all light is direct.
+Scene shadowed_floor() {
+  truth::SceneBuilder b;
+  const float h = 0.5f * lamp_size;
+  b.material("floor", 0.0f, 0.0f).quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  b.material("lamp", 0.0f, 100.0f)
+      .quad({-h, -h, lamp_height}, {-h, h, lamp_height}, {h, h, lamp_height}, {h, -h, lamp_height});
+  b.material("plate", 0.0f, 0.0f)
+      .quad({0.05f, 0.02f, 0.4f}, {0.6f, 0.02f, 0.4f}, {0.6f, 0.6f, 0.4f}, {0.05f, 0.6f, 0.4f});
+  return b.scene();
+}
+
+// Of the floor's front at a place, by a fine grid on the lamp.
+double irradiance_at(const Vec3& place, const Tracer& tracer) {
+  constexpr int n = 24;
+  double sum = 0.0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vec3 on_lamp(lamp_size * ((static_cast<float>(i) + 0.5f) / n - 0.5f),
+                         lamp_size * ((static_cast<float>(j) + 0.5f) / n - 0.5f), lamp_height);
+      const auto way = on_lamp - place;
+      const auto distance = glm::length(way);
+      const auto cosine = way.z / distance;
+      if (tracer.occluded({place + Vec3(0, 0, 1e-5f), way / distance}, 0.999f * distance)) continue;
+      sum += static_cast<double>(cosine * cosine / (distance * distance));
+    }
+  return 100.0 / 3.14159265358979 * static_cast<double>(lamp_size * lamp_size) / (n * n) * sum;
+}
+
+// Area-weighted relative RMS of the light reconstructed on the floor against the truth, by random places.
+double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+  Solution solution;
+  solve_sampled(patches, tracer, solution, {.error = 0.002, .error_measure = ErrorMeasure::power}, workers);
+  const auto smooth = make_smooth_light(patches, solution, {}, workers);
+  double error2 = 0.0;
+  double light2 = 0.0;
+  for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    if (patches.material_of(p).name != "floor") continue;
+    constexpr int places = 4;
+    for (std::uint32_t k = 0; k < places; ++k) {
+      auto u = uniform4({.seed = 5, .step = k, .element = p, .sample = 0});
+      if (u[0] + u[1] > 1.0f) u = {1.0f - u[0], 1.0f - u[1], 0.0f, 0.0f};
+      const auto q = patches.points(p);
+      const auto truth = irradiance_at((1.0f - u[0] - u[1]) * q[0] + u[0] * q[1] + u[1] * q[2], tracer);
+      const auto& c = smooth.corners[p];
+      const auto at = [&](std::size_t i) { return static_cast<double>(smooth.irradiance_front[3 * c[i]]); };
+      const auto found = (1.0 - static_cast<double>(u[0] + u[1])) * at(0) +
+                         static_cast<double>(u[0]) * at(1) + static_cast<double>(u[1]) * at(2);
+      const auto weight = static_cast<double>(patches.area[p]) / places;
+      error2 += weight * (found - truth) * (found - truth);
+      light2 += weight * truth * truth;
+    }
+  }
+  return std::sqrt(error2 / light2);
+}
+
+TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {
+  const Workers workers(2);
+  const auto scene = shadowed_floor();
+  RefineReport report;
+  const auto patches =
+      refine_to_light(make_patches(scene, {.max_edge = 0.3f}), {.mesh_error = 0.04}, report, workers);
+  EXPECT_EQ(report.stop, RefineStop::mesh_error_reached);
+  EXPECT_LE(report.mesh_error, 0.04);
+  const Tracer tracer(patches, workers);
+  const auto error = true_error(patches, tracer, workers);
+  // What is stated bounds the truth where light jumps, and where it is smooth is above it.
+  EXPECT_LE(error, 1.15 * report.mesh_error);
+  EXPECT_GE(error, 0.4 * report.mesh_error);
+
+  // More patches of one size do worse.
+  float edge = 0.3f;
+  PatchSet uniform;
+  do {
+    edge *= 0.7f;
+    uniform = make_patches(scene, {.max_edge = edge});
+  } while (uniform.size() <= patches.size());
+  const Tracer through(uniform, workers);
+  EXPECT_GT(true_error(uniform, through, workers), 1.2 * error);
+}
+
+TEST(RefineToLight, light_that_is_the_same_everywhere_needs_no_more_patches) {
+  const Workers workers(2);
+  const auto patches = make_patches(truth::furnace(Vec3(0.5f), Vec3(0.5f)), {.max_edge = 0.25f});
+  RefineReport report;
+  const auto refined = refine_to_light(patches, {.mesh_error = 0.01}, report, workers);
+  EXPECT_NE(report.stop, RefineStop::patch_limit);
+  EXPECT_LE(report.mesh_error, 0.01);
+  EXPECT_LE(report.levels.size(), 2u);
+}
+
+TEST(RefineToLight, it_never_makes_more_patches_than_allowed) {
+  const Workers workers(2);
+  RefineReport report;
+  const auto patches = refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
+                                       {.mesh_error = 0.001, .max_patches = 700}, report, workers);
+  EXPECT_LE(patches.size(), 700u);
+  EXPECT_EQ(report.stop, RefineStop::patch_limit);
+}
+
+TEST(RefineToLight, the_same_patches_on_any_number_of_threads) {
+  const auto base = make_patches(shadowed_floor(), {.max_edge = 0.3f});
+  const RefineOptions options{.mesh_error = 0.1};
+  RefineReport report;
+  const auto one = refine_to_light(base, options, report, Workers(1));
+  const auto three = refine_to_light(base, options, report, Workers(3));
+  EXPECT_EQ(one.corners, three.corners);
+  EXPECT_EQ(one.vertices, three.vertices);
+}
+
+}  // namespace
+}  // namespace luxel
