@@ -178,9 +178,6 @@ Price predicted_price_of(const std::vector<Run>& runs, double target) {
 }
 
 Json to_json(const Run& run) {
-  std::string stop;
-  for (const auto& [reason, word] : stop_reason_words())
-    if (reason == run.stop) stop = word;
   return {{"setting", run.setting},
           {"cpu_seconds", run.cpu_seconds},
           {"wall_seconds", run.wall_seconds},
@@ -190,7 +187,7 @@ Json to_json(const Run& run) {
           {"difference_to_reference", run.difference},
           {"bias", run.bias},
           {"power_bias", run.power_bias},
-          {"stop", stop}};
+          {"stop_reason", name(run.stop)}};
 }
 
 Json to_json(const Price& price) {

@@ -77,7 +77,7 @@ constexpr Switch switches[] = {{"low_discrepancy", &SampledOptions::low_discrepa
                                {"importance", &SampledOptions::importance},
                                {"control_variate", &SampledOptions::control_variate},
                                {"multiple_importance", &SampledOptions::multiple_importance},
-                               {"share", &SampledOptions::share}};
+                               {"share", &SampledOptions::smoothing}};
 
 }  // namespace
 
@@ -99,7 +99,7 @@ Json error_against_time(const Settings& settings) {
     scene["methods"] = {
         method_of("sampled", sampled_runs(stage, reference, {}, errors, longest, workers)),
         method_of("sampled, unshared",
-                  sampled_runs(stage, reference, {.share = false}, errors, longest, workers)),
+                  sampled_runs(stage, reference, {.smoothing = false}, errors, longest, workers)),
         // Its rays are stratified over the patches by systematic sampling and plain random numbers otherwise;
         // with nothing but plain random numbers it would be a little worse.
         method_of("shooting", shooting_runs(stage, reference, {25.0, 100.0, 400.0}, workers))};
@@ -172,18 +172,18 @@ Json cost_per_patch(const Settings& settings) {
     const BareEmbree embree(stage.patches);
     const auto kernel = cost([&] { embree.trace(rays, workers); });
     const auto count = static_cast<double>(stage.patches.size());
-    const auto us_a_patch = 1e6 * price.cpu_seconds / count;
-    const auto ns_a_ray = 1e9 * kernel.cpu / static_cast<double>(rays.size());
+    const auto us_per_patch = 1e6 * price.cpu_seconds / count;
+    const auto ns_per_ray = 1e9 * kernel.cpu / static_cast<double>(rays.size());
     fmt::print(
         "{:>18} {:.1f} us of processor time a patch ({:.1f} by its own error bar); Embree alone {:.0f} ns a "
         "ray in the order of the solver\n",
-        "", us_a_patch, 1e6 * predicted.cpu_seconds / count, ns_a_ray);
+        "", us_per_patch, 1e6 * predicted.cpu_seconds / count, ns_per_ray);
     auto row = head_of(stage, reference);
     row["runs"] = {to_json(runs.front()), to_json(runs.back())};
     row["to_one_per_cent"] = to_json(price);
     row["to_one_per_cent_predicted"] = to_json(predicted);
-    row["cpu_us_a_patch"] = us_a_patch;
-    row["embree_cpu_ns_a_ray"] = ns_a_ray;
+    row["cpu_us_a_patch"] = us_per_patch;
+    row["embree_cpu_ns_a_ray"] = ns_per_ray;
     rows.push_back(row);
   }
   return {{"target", target}, {"rows", rows}};

@@ -61,7 +61,7 @@ class Tally {
     result.intervals = intervals_;
     const auto [mean, variance] =
         mean_and_variance(shares_.size(), [&](std::size_t k) { return shares_[k]; });
-    result.share = mean;
+    result.smoothing = mean;
     result.error = std::sqrt(variance);
     return result;
   }
@@ -157,18 +157,18 @@ class Pool {
     double of_truth = 0.0;
     for (std::size_t i = 0; i < irradiance.size(); ++i) {
       const auto off = static_cast<double>(irradiance[i]) - light(i);
-      const auto error2 = squared(static_cast<double>(standard_error[i]));
+      const auto squared_error = squared(static_cast<double>(standard_error[i]));
       const auto weight = area(i / bands_);
       differences_[i] += squared(off);
       power += weight * static_cast<double>(irradiance[i]);
       of_truth += weight * light(i);
       if (!(light(i) > 0.0) && !(irradiance[i] > 0.0f)) continue;
       const bool holds =
-          squared(off) <= squared(within) * (error2 + variance(i)) + squared(rounding * light(i));
+          squared(off) <= squared(within) * (squared_error + variance(i)) + squared(rounding * light(i));
       sides_.add(1.0, holds);
       by_area_.add(weight, holds);
       truth2_ += weight * variance(i);
-      stated_sides2_ += weight * error2;
+      stated_sides2_ += weight * squared_error;
     }
     sides_.end_seed();
     by_area_.end_seed();
@@ -185,13 +185,13 @@ class Pool {
   double true_error() const {
     SeenLight seen{{}, {}, sky_radiance(patches_)};
     const bool black = reflects_nothing(patches_, views_);
-    std::vector<double> error2(bands_);
+    std::vector<double> squared_error(bands_);
     for (const auto side : views_.sides) {
       for (std::size_t b = 0; b < bands_; ++b)
-        error2[b] =
+        squared_error[b] =
             differences_[side * bands_ + b] / static_cast<double>(seeds_) - variance(side * bands_ + b);
       const auto of_side = light_of_side(
-          patches_, side, std::span(truth_.irradiance).subspan(side * bands_, bands_), error2, black);
+          patches_, side, std::span(truth_.irradiance).subspan(side * bands_, bands_), squared_error, black);
       seen.radiance.push_back(of_side.radiance);
       seen.squared_error.push_back(of_side.squared_error);
     }
@@ -240,7 +240,7 @@ KnownLight known_light(const Stage& stage, std::uint64_t rays, std::uint32_t run
     for (std::uint32_t k = 0; k < runs; ++k) {
       Solution solution;
       const SampledOptions options{
-          .error = 0.0, .rays = rays / runs, .seed = first_truth_seed + k, .share = false};
+          .error = 0.0, .rays = rays / runs, .seed = first_truth_seed + k, .smoothing = false};
       head[1] += solve_sampled(stage.patches, stage.tracer, solution, options, workers).rays;
       light.runs[k] = both_sides(solution.irradiance_front, solution.irradiance_back, bands);
     }

@@ -23,7 +23,7 @@ struct KnownLight {
 
 // How often intervals of 95 % held the truth, and the standard error of that from the spread over seeds.
 struct Held {
-  double share = 0.0;
+  double smoothing = 0.0;
   double error = 0.0;
   std::size_t intervals = 0;
 };

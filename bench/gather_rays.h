@@ -25,7 +25,7 @@ enum class RayOrder {
 // The rays of a sampled operator's first round: so many of each replicate and side. Of larger scenes only as
 // many groups of those that are traced together, evenly spread, as give about `most` rays (at least one).
 struct GatherRound {
-  std::uint32_t replicates = 8, per_slot = 8;
+  std::uint32_t replicates = 8, per_receiver = 8;
   std::size_t most = 1u << 31;
 };
 std::vector<Ray> gather_rays(const PatchSet& patches, const GatherSides& sides, const GatherRound& round,

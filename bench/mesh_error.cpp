@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t coarse = 800;  // what refinement begins from
 
 // The same power from a lamp of that share of the size either way: the smaller, the sharper its shadows.
-Scene with_small_lamp(Scene scene, float share) {
+Scene with_small_lamp(Scene scene, float smoothing) {
   Vec3 middle(0.0f);
   float count = 0.0f;
   const auto each_corner = [&](auto body) {
@@ -37,9 +37,9 @@ Scene with_small_lamp(Scene scene, float share) {
   each_corner([&](std::uint32_t v) {
     if (is_done[v]) return;
     is_done[v] = true;
-    scene.positions[v] = middle + share * (scene.positions[v] - middle);
+    scene.positions[v] = middle + smoothing * (scene.positions[v] - middle);
   });
-  for (auto& m : scene.materials) m.emittance /= share * share;
+  for (auto& m : scene.materials) m.emittance /= smoothing * smoothing;
   return scene;
 }
 
@@ -110,7 +110,7 @@ class Comparison {
   }
 
   Json noted(const Row& row) const {
-    const auto percent = [](double share) { return fmt::format("{:.2f} %", 100.0 * share); };
+    const auto percent = [](double smoothing) { return fmt::format("{:.2f} %", 100.0 * smoothing); };
     const auto field = [&](const Measured& m) {
       return fmt::format("{:>8} {:>8} {:>7}", m.patches, percent(m.error), percent(m.noise));
     };
@@ -150,8 +150,8 @@ class Comparison {
 
 std::vector<Subject> subjects(const Settings& settings) {
   const auto all = reconstruction_scenes();
-  const auto box_under = [&](const char* name, float share) {
-    return Subject{{name, with_small_lamp(all[0].scene, share), all[0].normal}, {0.0f, 1.0f, 0.0f}};
+  const auto box_under = [&](const char* name, float smoothing) {
+    return Subject{{name, with_small_lamp(all[0].scene, smoothing), all[0].normal}, {0.0f, 1.0f, 0.0f}};
   };
   std::vector<Subject> result = {box_under("Cornell box, small lamp", 0.25f)};
   if (settings.small) return result;

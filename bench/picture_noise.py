@@ -11,7 +11,7 @@ rounded), in the channel where it is largest. Both pictures are shown with one e
   picture_noise.py --reference 8 scenes/cornell-box.obj
 
 --reference N also compares the mean of N seeds with a converged picture: the mean of two runs of other seeds, each with
-half of 64 times the rays (or --reference-factor) and without the smoothing of neighbours (--share off). "edges" are the
+half of 64 times the rays (or --reference-factor) and without the smoothing of neighbours (--smoothing off). "edges" are the
 pixels within 2 of a place where the converged picture changes by more than 4 codes from one pixel to the next: rims of
 shadows and contacts, and with them the outlines of things. Needs numpy (Debian: python3-numpy).
 """
@@ -79,7 +79,7 @@ def noise_row(name, bakes):
     return {"scene": name, "patches": one["solution"]["patches"],
             "rays": (one["solution"]["rays"] + other["solution"]["rays"]) / 2,
             "preparation": preparation(one), "cpu_seconds": (one["cpu_seconds"] + other["cpu_seconds"]) / 2,
-            "stated_error": error["reached"], "ended_by": error["ended_by"],
+            "stated_error": error["reached"], "stop_reason": error["stop_reason"],
             "off": float(np.mean(noise > NOISE_LIMIT)), "noise_99": float(np.percentile(noise, 99))}
 
 
@@ -104,7 +104,7 @@ def edges(shown):
 def reference_row(name, bakes, count, factor):
     runs = [bakes.run(seed) for seed in range(1, count + 1)]
     rays = str(int(factor / 2 * runs[0][1]["solution"]["rays"]))
-    converged = [bakes.run(seed, "--share", "off", "--error", "0", "--rays", rays)
+    converged = [bakes.run(seed, "--smoothing", "off", "--error", "0", "--rays", rays)
                  for seed in (FIRST_REFERENCE_SEED, FIRST_REFERENCE_SEED + 1)]
     truth = (converged[0][0] + converged[1][0]) / 2
     exposure = pictures.exposure_of(truth)
@@ -129,7 +129,7 @@ def percent(value):
 NOISE_COLUMNS = {
     "scene": lambda r: r["scene"], "patches": lambda r: f"{r['patches']:,}", "Mrays": lambda r: f"{r['rays'] / 1e6:.1f}",
     "stated error": lambda r: percent(r["stated_error"]),
-    "ended by": lambda r: r["ended_by"],
+    "ended by": lambda r: r["stop_reason"],
     "preparation, s": lambda r: f"{r['preparation']:.2f}", "CPU s": lambda r: f"{r['cpu_seconds']:.1f}",
     f"pixels above {NOISE_LIMIT:g} codes": lambda r: percent(r["off"]),
     "99 % of pixels below, codes": lambda r: f"{r['noise_99']:.1f}"}

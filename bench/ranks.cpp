@@ -33,7 +33,7 @@ struct Run {
 // A bake of scene.obj in that folder.
 Run bake(const fs::path& folder, const std::string& launcher, int threads, const std::string& options) {
   const auto line = fmt::format(
-      "cd '{}' && {} '{}' bake scene.obj {} --threads {} -o a.vtkhdf --report a.json --quiet > /dev/null",
+      "cd '{}' && {} '{}' bake scene.obj {} --threads {} -o a.vtkhdf --json-file a.json --quiet > /dev/null",
       folder.string(), launcher, LUXEL_PROGRAM, options, threads);
   if (std::system(line.c_str()) != 0) return {};
   const auto report = Json::parse(std::ifstream(folder / "a.json"));
@@ -79,8 +79,8 @@ void predict(const Model& m, const Run& run, double finer) {
   constexpr double threads = 64.0;
   const auto rounds = run.rounds + std::log2(finer);
   for (const double ranks : {1.0, 10.0, 100.0, 1000.0}) {
-    const auto share = ranks > 1.0 ? 1.0 + m.imbalance : 1.0;
-    const auto rays = share * m.ray * finer * run.rays / run.patches * patches / (threads * ranks);
+    const auto smoothing = ranks > 1.0 ? 1.0 + m.imbalance : 1.0;
+    const auto rays = smoothing * m.ray * finer * run.rays / run.patches * patches / (threads * ranks);
     const auto alike = m.patch * patches / threads * rounds / run.rounds;
     const auto exchange = m.bytes * patches * rounds / network_speed * (1.0 - 1.0 / ranks);
     fmt::print("{:>8.0f} {:>8.0f} {:>10.1f} {:>10.1f} {:>10.1f} {:>10.1f}\n", finer, ranks,

@@ -72,7 +72,7 @@ Reference by_sampling(const Stage& stage, double error, double seconds, const Wo
                                      .error_measure = ErrorMeasure::power,
                                      .seconds = seconds,
                                      .seed = reference_seed,
-                                     .share = false},
+                                     .smoothing = false},
                                     workers);
   return taken(std::move(solution), report);
 }

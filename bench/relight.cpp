@@ -33,7 +33,7 @@ Json measure(const char* name, const Scene& scene, const Workers& workers) {
   const SampledOptions options = {.error = 0.01, .error_measure = ErrorMeasure::power};
   Solution solution;
   std::shared_ptr<const SampleState> state;
-  const SampleKeeping keeping{nullptr, [&](auto kept) { state = std::move(kept); }};
+  const SampleStorage keeping{nullptr, [&](auto kept) { state = std::move(kept); }};
   const auto solve =
       seconds([&] { solve_sampled(patches, tracer, solution, options, workers, {}, keeping); });
   std::unique_ptr<Relighter> relighter;

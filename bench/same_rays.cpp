@@ -43,9 +43,9 @@ std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
   auto leaving = lamp_power(patches);
   const auto emitted = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0);
   std::vector<Ray> rays;
-  double share = 1.0;
-  for (std::uint32_t step = 0; share > options.tolerance; ++step) {
-    const auto wanted = std::max(1.0, std::round(share * static_cast<double>(options.rays)));
+  double smoothing = 1.0;
+  for (std::uint32_t step = 0; smoothing > options.tolerance; ++step) {
+    const auto wanted = std::max(1.0, std::round(smoothing * static_cast<double>(options.rays)));
     const ShootingOptions shot{
         .rays = static_cast<std::uint64_t>(wanted), .seed = options.seed, .step = step};
     append_shot(rays, patches, leaving, shot, workers);
@@ -54,7 +54,7 @@ std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
     for (std::size_t i = 0; i < leaving.watts.size(); ++i)
       leaving.watts[i] = patches.material_of(leaving.side[i / bands] / 2).reflectance[i % bands] *
                          arrival.scale.watts(arrival.arrived[i]);
-    share = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0) / emitted;
+    smoothing = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0) / emitted;
   }
   return rays;
 }

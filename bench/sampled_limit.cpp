@@ -31,24 +31,24 @@ Json sampled_against_embree(const Settings& settings) {
   const Workers one(1);
   Json rows = Json::array();
   struct Size {
-    std::uint32_t triangles, rays_per_slot;
+    std::uint32_t triangles, rays_per_receiver;
   };
   for (const auto& size : {Size{10'000, 64}, Size{50'000, 16}, Size{1'000'000, 1}}) {
-    const auto per_slot = size.rays_per_slot;
+    const auto per_receiver = size.rays_per_receiver;
     const auto scale = settings.small ? 20 : 1;
     const auto patches = make_patches(cornell_box(size.triangles / scale), {.max_edge = no_max_edge});
     const Tracer tracer(patches, one);
     const auto sides = fronts_of(patches, one);
-    std::vector<std::uint32_t> slots(sides.size());
-    std::iota(slots.begin(), slots.end(), 0u);
+    std::vector<std::uint32_t> receivers(sides.size());
+    std::iota(receivers.begin(), receivers.end(), 0u);
     const BareEmbree embree(patches);
     std::vector<float> irradiance(sides.size() * patches.band_count());
     HitStore hits(patches, sides, tracer, {.replicates = replicates});
-    const GatherRound round{.replicates = replicates, .per_slot = per_slot};
+    const GatherRound round{.replicates = replicates, .per_receiver = per_receiver};
     const auto rays = gather_rays(patches, sides, round, RayOrder::traced);
     const auto shuffled = gather_rays(patches, sides, round, RayOrder::shuffled);
     const auto count = static_cast<double>(rays.size());
-    hits.double_rays(slots, per_slot, one);
+    hits.double_rays(receivers, per_receiver, one);
     const SampledOperator transport(patches, hits, {}, one);
     const std::vector<float> radiosity(hits.elements() * patches.band_count(), 1.0f);
     const auto sweep_time = seconds([&] {
@@ -61,7 +61,7 @@ Json sampled_against_embree(const Settings& settings) {
         3, [&] { embree_time = seconds([&] { embree.trace(rays, one); }); },
         [&] {
           HitStore again(patches, sides, tracer, {.replicates = replicates});
-          traced_time = seconds([&] { again.double_rays(slots, per_slot, one); });
+          traced_time = seconds([&] { again.double_rays(receivers, per_receiver, one); });
         });
     const auto shuffled_time = seconds([&] { embree.trace(shuffled, one); });
     // A sweep reads the element at the other end of each ray, its density and its radiosity, from both ends.

@@ -90,7 +90,7 @@ Json against_polygons(const Settings& settings) {
     fmt::print("{:>10} {:>12.0f} {:>12.2f} {:>16.2f}\n", patches.size(), cost, cost / first,
                cost / first / (logarithm / first_log));
     rows.push_back(
-        {{"polygons", patches.size()}, {"nanoseconds_a_ray", cost}, {"ratio_to_first", cost / first}});
+        {{"polygons", patches.size()}, {"nanoseconds_per_ray", cost}, {"ratio_to_first", cost / first}});
   }
   return rows;
 }

@@ -44,9 +44,9 @@ std::string look_around() {
   return script + "close\n";
 }
 
-double percentile(std::vector<double> values, double share) {
+double percentile(std::vector<double> values, double smoothing) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values[static_cast<std::size_t>(smoothing * static_cast<double>(values.size() - 1))];
 }
 
 Json measure(const std::filesystem::path& folder, std::size_t triangles) {
@@ -67,9 +67,9 @@ Json measure(const std::filesystem::path& folder, std::size_t triangles) {
   const auto& solving = report.solving_frame_seconds;
   Json row = {{"triangles", triangles}, {"frames", all.size()}, {"frames_while_solving", solving.size()}};
   if (solving.empty()) return row;
-  for (const auto& [word, share] : {std::pair("median_ms", 0.5), std::pair("p95_ms", 0.95),
-                                    std::pair("p99_ms", 0.99), std::pair("longest_ms", 1.0)})
-    row[word] = 1e3 * percentile(solving, share);
+  for (const auto& [word, smoothing] : {std::pair("median_ms", 0.5), std::pair("p95_ms", 0.95),
+                                        std::pair("p99_ms", 0.99), std::pair("longest_ms", 1.0)})
+    row[word] = 1e3 * percentile(solving, smoothing);
   row["longest_of_all_ms"] = 1e3 * percentile(all, 1.0);
   fmt::print("{:>10} {:>8} {:>10.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", triangles, solving.size(),
              row["median_ms"].get<double>(), row["p95_ms"].get<double>(), row["p99_ms"].get<double>(),

@@ -17,11 +17,11 @@ set(LUXEL_PUBLIC_HEADERS
     image/image.h image/image_file.h image/raster.h
     scene/camera.h scene/material.h scene/name_pattern.h scene/point_light.h
     scene/scene.h scene/texture.h
-    scene/clean_triangles.h scene/edges.h scene/pieces.h scene/rims.h scene/t_junctions.h scene/vertex_weld.h
+    scene/clean_triangles.h scene/edges.h scene/components.h scene/boundary_loops.h scene/t_junctions.h scene/vertex_weld.h
     import/load_scene.h
     patch/colour_patches.h patch/focus.h patch/light_groups.h patch/flat_polygon.h patch/make_patches.h patch/patch_set.h patch/open_polygons.h patch/patch_tree.h patch/uncut_faces.h
     trace/point_sight.h trace/tracer.h
-    solution/error_95th.h solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h
+    solution/error_95th.h solution/merge_solutions.h solution/sample_state.h solution/solution.h solution/solution_file.h solution/stop_reason.h
     lamps/choose_portals.h classical/dense_operator.h classical/form_factor_row.h trace/gather_sides.h classical/hemicube.h
     classical/hemicube_operator.h classical/hemicube_pixels.h lamps/lamp_check.h classical/lines_operator.h
     classical/operator.h classical/row_operator.h
@@ -41,8 +41,8 @@ set(LUXEL_PUBLIC_HEADERS
     render/surface_point.h
     render/dilate.h render/gather_texels.h surface/given_layout.h render/lightmap.h render/lightmap_picture.h surface/make_charts.h render/make_lightmap.h
     render/new_layout.h surface/pack_charts.h render/radiance_pages.h surface/side_edges.h render/solve_seams.h
-    export/export_coloured.h export/export_kept.h export/export_mesh.h export/kept_layout.h export/export_page.h
-    export/mesh_program.h
+    export/export_coloured.h export/export_round_trip.h export/export_mesh.h export/round_trip_layout.h export/export_page.h
+    export/target_application.h
     session/light_value.h session/live_answers.h session/live_scene.h session/live_settings.h session/live_state.h session/patch_levels.h session/probe.h
     session/sample_rays.h session/tree_boxes.h)
 

@@ -19,10 +19,11 @@ import numpy
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 SCENES = [os.path.join(ROOT, "scenes", name) for name in ("cornell-box.obj",)]
-# Data sets of format version 1 and their names in version 2.
-RENAMED = {}
-# Spellings that changed between the two programs' command lines: option of the old one -> option of the new one.
-OPTIONS = {}
+# Data sets of format version 1 and their names in version 2, without their paths.
+RENAMED = {"sharing_bias_front": "smoothing_bias_front", "sharing_bias_back": "smoothing_bias_back",
+           "reflectance_share": "reflectance_ratio", "emittance_share": "emittance_ratio", "slot": "receiver"}
+# Options of the old program and their names in the new one.
+OPTIONS = {"--share": "--smoothing", "--keep-transport": "--store-transport", "--page": "--page-size"}
 
 # Name of a case, and its commands; SCENE and OUT are replaced.
 CASES = [
@@ -80,8 +81,13 @@ def numeric(path):
     return sets
 
 
+def renamed(name):
+    path, _, last = name.rpartition("/")
+    return f"{path}/{RENAMED.get(last, last)}" if path else last
+
+
 def difference_of_solutions(old, new):
-    old = {RENAMED.get(name, name): value for name, value in numeric(old).items()}
+    old = {renamed(name): value for name, value in numeric(old).items()}
     new = numeric(new)
     for name in sorted(set(old) | set(new)):
         if name not in old or name not in new:

@@ -201,11 +201,11 @@ def plain(name, note, points):
 def polygons_chart(rows):
     first = rows[0]
     measured = [(r["polygons"], r["ratio_to_first"],
-                 f"{r['polygons']:,} polygons: {number(r['nanoseconds_a_ray'])} ns a ray") for r in rows]
+                 f"{r['polygons']:,} polygons: {number(r['nanoseconds_per_ray'])} ns a ray") for r in rows]
     logarithm = [(r["polygons"], math.log(r["polygons"]) / math.log(first["polygons"]), "the logarithm") for r in rows]
     return chart("Time of a ray against the number of polygons", "polygons",
                  f"times that at {first['polygons']:,} polygons", number,
-                 [plain("measured", f"{number(rows[-1]['nanoseconds_a_ray'])} ns at the end", measured),
+                 [plain("measured", f"{number(rows[-1]['nanoseconds_per_ray'])} ns at the end", measured),
                   plain("the logarithm", "of the polygons", logarithm)])
 
 

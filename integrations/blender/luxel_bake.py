@@ -853,7 +853,7 @@ class Bake:
         settings, exporter = self.settings, self.exporter
         words = ["bake", "scene.glb", "--error", f"{settings.error:.6g}%"]
         if settings.target == "VERTEX":
-            words += ["-o", "lit.glb", "--as", "vertex", "--keep-topology"]
+            words += ["-o", "lit.glb", "--as", "vertex", "--preserve-topology"]
         else:
             words += ["-o", "light.vtkhdf"]
         if settings.max_edge > 0.0:
@@ -868,7 +868,7 @@ class Bake:
 
     def words_of_pages(self):
         """The light on pages, in floats; and where the corners lie on these, which the same options make the same."""
-        pages = ["--page", str(self.settings.page)]
+        pages = ["--page-size", str(self.settings.page)]
         if self.settings.texels > 0.0:
             pages += ["--texels-per-metre", f"{self.settings.texels:.6g}"]
         return [["lightmap", "light.vtkhdf", "-o", "page.exr", *pages],

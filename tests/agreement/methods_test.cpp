@@ -29,8 +29,8 @@
 // normal distribution, and sampled may leave it dark altogether.
 //
 // Risk. Seeds are fixed. With other random numbers a |z| beyond 7.5 in any of the 300,000 numbers compared
-// has a chance below one in a hundred (Student's t for 31 degrees of freedom; less for the rest); the root
-// mean square of one pair's scores beyond 2 below 2 in 100,000 where its errors have ten independent
+// has a chance below one in a hundred (Student's t for 31 degrees of degrees_of_freedom; less for the rest);
+// the root mean square of one pair's scores beyond 2 below 2 in 100,000 where its errors have ten independent
 // directions or more.
 #include <algorithm>
 #include <array>
@@ -124,12 +124,13 @@ class Room {
     auto answer = answer_of("shooting", s, report.energy, 1e-6);
     const auto emitted = light_of(report.energy);
     // Of the second step, which shoots no sky: all steps have the same.
-    const auto quantum = report.steps[0].unshot_share * emitted / static_cast<double>(report.steps[1].rays);
+    const auto quantum =
+        report.steps[0].unshot_fraction * emitted / static_cast<double>(report.steps[1].rays);
     answer.error.resize(answer.irradiance.size());
     for (std::size_t i = 0; i < answer.irradiance.size(); ++i) {
       const auto area = area_of(i);
       answer.error[i] = std::sqrt(quantum * (answer.irradiance[i] + quantum / area) / area);
-      answer.bound[i] = report.unshot_share * emitted / area;
+      answer.bound[i] = report.unshot_fraction * emitted / area;
     }
     return answer;
   }
@@ -159,7 +160,7 @@ class Room {
       area += answer.irradiance[i] > 0.0 ? area_of(i) : 0.0;
     }
     const auto last = report.steps.size() - 1;
-    const auto decay = report.steps[last].unshot_share / report.steps[last - 1].unshot_share;
+    const auto decay = report.steps[last].unshot_fraction / report.steps[last - 1].unshot_fraction;
     double allowed = 0.0, light = 0.0;
     for (std::size_t i = 0; i < coarse.size(); ++i) {
       answer.error.push_back(line_error_[i] * std::sqrt(lines_each / lines_worth));
@@ -228,7 +229,7 @@ struct Verdict {
 
 Verdict compare(const Room& room, const Answer& a, const Answer& b) {
   Verdict verdict;
-  double difference2 = 0.0, error2 = 0.0, light = 0.0, area = 0.0;
+  double difference2 = 0.0, squared_error = 0.0, light = 0.0, area = 0.0;
   for (std::size_t i = 0; i < a.irradiance.size(); ++i) {
     if (a.irradiance[i] == 0.0) continue;
     light += room.area_of(i) * a.irradiance[i];
@@ -240,14 +241,15 @@ Verdict compare(const Room& room, const Answer& a, const Answer& b) {
     const auto off = std::max(0.0, std::abs(a.irradiance[i] - b.irradiance[i]) - a.bound[i] - b.bound[i]);
     const auto variance = a.error[i] * a.error[i] + b.error[i] * b.error[i];
     difference2 += room.area_of(i) * off * off;
-    error2 += room.area_of(i) * variance;
+    squared_error += room.area_of(i) * variance;
     const auto z = off > 0.0 ? off / std::sqrt(std::max(variance, 1e-300)) : 0.0;
     if (z > verdict.worst && std::max(a.irradiance[i], b.irradiance[i]) > faint * light / area) {
       verdict.worst = z;
       verdict.where = i;
     }
   }
-  verdict.root_mean_square = difference2 > 0.0 ? std::sqrt(difference2 / std::max(error2, 1e-300)) : 0.0;
+  verdict.root_mean_square =
+      difference2 > 0.0 ? std::sqrt(difference2 / std::max(squared_error, 1e-300)) : 0.0;
   return verdict;
 }
 

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 TEST(Check, tells_findings_as_text_as_json_and_as_a_mesh) {
   const auto folder = fresh_folder("check");
   const auto text =
-      cli::run(folder, "$LUXEL check cornell-box.obj --places 2 -o faults.glb --report r.json --quiet");
+      cli::run(folder, "$LUXEL check cornell-box.obj --places 2 -o faults.glb --json-file r.json --quiet");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_EQ(text.err, "");
   EXPECT_NE(text.out.find("cornell-box.obj: 32 triangles in 4 connected pieces"), std::string::npos)

@@ -53,9 +53,9 @@ TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
 
 TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_its_pages) {
   const auto folder = fresh_folder("lightmap_repeats");
-  const auto run =
-      cli::run(folder, bake + lightmap + "-o a.exr --page 32 --final-gather none --threads 1 --quiet && " +
-                           lightmap + "-o b.exr --page 32 --final-gather none --threads 5 --quiet");
+  const auto run = cli::run(
+      folder, bake + lightmap + "-o a.exr --page-size 32 --final-gather none --threads 1 --quiet && " +
+                  lightmap + "-o b.exr --page-size 32 --final-gather none --threads 5 --quiet");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 21), "a.exr\na-2.exr\na-3.exr");
   EXPECT_EQ(read_file(folder / "a.exr"), read_file(folder / "b.exr"));
@@ -180,12 +180,12 @@ TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
     int code;
   };
   for (const auto& misuse :
-       {Misuse{"", "at least one -o", 2}, Misuse{"-o map.glb", "expected an ending among .exr .png", 2},
+       {Misuse{"", "at least one -o", 2}, Misuse{"-o map.glb", "expected one of the extensions .exr .png", 2},
         Misuse{"-o map.exr --final-gather 2", "such as 2%", 2},
-        Misuse{"-o map.exr --error-map error.png", "among .exr", 2},
+        Misuse{"-o map.exr --error-map error.png", "the extension .exr", 2},
         Misuse{"-o map.exr --error-map map.exr", "given twice", 2},
         Misuse{"-o map.exr --texels-per-metre 1e6", "fewer texels a metre", 1},
-        Misuse{"-o map.exr --page 8 --margin 4", "margin", 1}}) {
+        Misuse{"-o map.exr --page-size 8 --margin 4", "margin", 1}}) {
     const auto run = cli::run(folder, "$LUXEL lightmap box.vtkhdf " + misuse.options);
     EXPECT_EQ(run.code, misuse.code) << misuse.options;
     EXPECT_NE(run.err.find(misuse.word), std::string::npos) << misuse.options << '\n' << run.err;

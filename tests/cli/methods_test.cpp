@@ -30,7 +30,7 @@ TEST(Methods, each_says_what_it_is_likely_to_take_and_where_the_power_went) {
     EXPECT_NE(run.err.find("emitted 1.458 W = absorbed"), std::string::npos) << run.err;
     const auto json = Json::parse(run.out);
     EXPECT_EQ(json["solution"]["method"], method);
-    EXPECT_EQ(json["solve"]["error"]["ended_by"], "converged");
+    EXPECT_EQ(json["solve"]["error"]["stop_reason"], "converged");
     EXPECT_EQ(json["solve"]["error"].contains("target"), false);
     const auto& power = json["solve"]["power_W"];
     double emitted = 0.0, went = 0.0;
@@ -81,7 +81,7 @@ TEST(Methods, that_would_take_days_are_refused_with_what_they_would_take) {
   EXPECT_EQ(run.code, 1);
   for (const char* words :
        {"luxel: cornell-box.obj: --method dense for ", " patch sides, about ", " days and ",
-        " GiB of memory (", "are free): make fewer patches with a larger --max-edge", "or give --force"})
+        " GiB of memory (", "are free): make fewer patches with a larger --max-edge", "or add --force"})
     EXPECT_NE(run.err.find(words), std::string::npos) << words << "\n" << run.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "a.vtkhdf"));
 }
@@ -119,14 +119,13 @@ TEST(Methods, a_picture_after_each_step_has_the_exposure_of_the_last) {
 TEST(Methods, options_of_another_method_are_refused) {
   const auto folder = fresh_folder("methods_misused");
   for (const auto& [options, words] :
-       {std::pair{"--lines 5", "--lines belongs to --method lines"},
-        std::pair{"--method dense --rays 5", "--rays belongs to --method sampled|shooting"},
-        std::pair{"--method hemicube --seed 5", "--seed belongs to --method sampled|shooting|lines"},
-        std::pair{"--method dense --steps 5", "--steps goes with --solver jacobi"},
-        std::pair{"--method dense --solver gauss-seidel --each-step x",
-                  "--each-step goes with --solver jacobi"},
+       {std::pair{"--lines 5", "--lines needs --method lines"},
+        std::pair{"--method dense --rays 5", "--rays needs --method sampled|shooting"},
+        std::pair{"--method hemicube --seed 5", "--seed needs --method sampled|shooting|lines"},
+        std::pair{"--method dense --steps 5", "--steps needs --solver jacobi"},
+        std::pair{"--method dense --solver gauss-seidel --each-step x", "--each-step needs --solver jacobi"},
         std::pair{"--method dense --solver cramer", "expected one of direct|jacobi|gauss-seidel"},
-        std::pair{"--each-step x", "--each-step belongs to --method dense|hemicube|lines"}}) {
+        std::pair{"--each-step x", "--each-step needs --method dense|hemicube|lines"}}) {
     const auto run = cli::run(folder, bake + options);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_NE(run.err.find(words), std::string::npos) << options << ": " << run.err;

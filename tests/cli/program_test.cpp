@@ -52,16 +52,16 @@ TEST(Program, writes_the_same_bytes_on_one_two_and_seven_threads) {
 
 TEST(Program, reports_stages_power_and_options_as_json) {
   const auto folder = fresh_folder("json");
-  const auto run = cli::run(folder, quick + "-o a.png --json --report r.json --seed 7");
+  const auto run = cli::run(folder, quick + "-o a.png --json --json-file r.json --seed 7");
   ASSERT_EQ(run.code, 0) << run.err;
   const auto json = Json::parse(run.out);
   EXPECT_EQ(json["command"], "bake");
   EXPECT_EQ(json["solution"]["seed"], 7);
-  EXPECT_EQ(json["solution"]["stop"], "converged");
-  EXPECT_LE(json["solution"]["unshot_share"].get<double>(), 1e-4);
+  EXPECT_EQ(json["solution"]["stop_reason"], "converged");
+  EXPECT_LE(json["solution"]["unshot_fraction"].get<double>(), 1e-4);
   EXPECT_EQ(json["options"]["max-edge"], "0.1");
   EXPECT_GT(json["solve"]["error"]["reached"], 0.0);
-  EXPECT_EQ(json["solve"]["error"]["ended_by"], "converged");
+  EXPECT_EQ(json["solve"]["error"]["stop_reason"], "converged");
   EXPECT_FALSE(json["solve"]["error"].contains("target")) << "shooting has none";
   EXPECT_EQ(json["outputs"], Json::array({"a.png"}));
   const auto& power = json["solve"]["power_W"];
@@ -197,9 +197,10 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj -o a.jpeg", 2, ".glb .ply .html .png"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb -o a.glb", 2, "twice"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --rays 5X", 2, "50M"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.png --as lightmap", 2, "--as lightmap is of a .glb"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.ply --keep-topology", 2, "--keep-topology is of a .glb"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.html --for godot", 2, "--for godot is of a .glb"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --as lightmap", 2, "--as lightmap applies to a .glb"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.ply --preserve-topology", 2,
+               "--preserve-topology applies to a .glb"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.html --for godot", 2, "--for godot applies to a .glb"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method shooting --tolerance 2", 2, "0.9"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --tolerance 0.1", 2, "--method shooting"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --method shooting --error 1%", 2, "--method sampled"},
@@ -210,14 +211,14 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --time 3d", 2, "30s, 5min or 2h, or none"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --memory 4GB", 2, "4GiB, or auto"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --replicates 3", 2, "4 to 32"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --share yes", 2, "on or off"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.glb --smoothing yes", 2, "on or off"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge -1", 2, "--max-edge"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2", 2, "three numbers"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --fov 200", 2, "--fov"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png --eye 1,2,3 --target 1,2,3", 2, "same point"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.png -o ./a.png", 2, "twice"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.png --report nowhere/r.json", 1, "--report"},
-        Misuse{"$LUXEL bake cornell-box.obj -o a.png --report a.png", 2, "twice"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --json-file nowhere/r.json", 1, "--json-file"},
+        Misuse{"$LUXEL bake cornell-box.obj -o a.png --json-file a.png", 2, "twice"},
         Misuse{"$LUXEL bake missing.obj -o folder.glb", 1, "folder.glb: it is a folder"},
         Misuse{"$LUXEL bake missing.obj -o a.png --eye 1e30,0,0", 2, "--eye"},
         Misuse{"$LUXEL bake far.obj -o a.glb", 1, "far.obj:2"},

@@ -31,9 +31,9 @@ const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.04 --error 2%
 
 TEST_F(Ranks, two_and_three_give_the_bytes_of_one_with_all_that_is_kept) {
   const auto folder = fresh_folder("ranks_same");
-  ASSERT_EQ(cli::run(folder, bake + "--keep-transport -o one.vtkhdf --quiet").code, 0);
+  ASSERT_EQ(cli::run(folder, bake + "--store-transport -o one.vtkhdf --quiet").code, 0);
   for (const int ranks : {2, 3}) {
-    const auto run = cli::run(folder, mpirun(ranks) + bake + "--keep-transport -o many.vtkhdf");
+    const auto run = cli::run(folder, mpirun(ranks) + bake + "--store-transport -o many.vtkhdf");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.out, "many.vtkhdf\n") << "one rank speaks";
     EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf")) << ranks << " ranks";

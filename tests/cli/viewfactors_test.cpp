@@ -13,7 +13,7 @@ const std::string quick = "$LUXEL viewfactors cornell-box.obj --max-edge 0.1 --e
 
 TEST(ViewFactors, come_in_three_formats_with_their_laws_reported) {
   const auto folder = fresh_folder("viewfactors");
-  const auto run = cli::run(folder, quick + "-o f.h5 -o f.csv -o f.mtx --enforce --json --report r.json");
+  const auto run = cli::run(folder, quick + "-o f.h5 -o f.csv -o f.mtx --enforce --json --json-file r.json");
   ASSERT_EQ(run.code, 0) << run.err;
   for (const char* words :
        {"row sums: 1 to within", "reciprocity: off by", "standard errors let expect",
@@ -23,7 +23,7 @@ TEST(ViewFactors, come_in_three_formats_with_their_laws_reported) {
   EXPECT_EQ(run.out, read_file(folder / "r.json"));
   EXPECT_EQ(json["command"], "viewfactors");
   EXPECT_EQ(json["elements"], 8);
-  EXPECT_EQ(json["sampled"]["ended_by"], "error reached");
+  EXPECT_EQ(json["sampled"]["stop_reason"], "error_reached");
   EXPECT_LE(json["sampled"]["error"], 0.002);
   EXPECT_LT(json["check_after"]["worst_row_sum"], 1e-12);
   EXPECT_LT(json["check_after"]["worst_reciprocity"], 1e-15);
@@ -78,16 +78,16 @@ TEST(ViewFactors, refuse_in_a_sentence_what_cannot_be) {
     const char* words;
   };
   for (const auto& [options, code, words] : {
-           Refusal{"-o f.txt", 2, "expected an ending among .h5 .csv .mtx"},
+           Refusal{"-o f.txt", 2, "expected one of the extensions .h5 .csv .mtx"},
            {"", 2, "nothing to write"},
            {"-o f.h5 --from atrium", 2,
             "no element between groups is named 'atrium'; there are floor, ceiling"},
            {"-o f.h5 --between objects", 1, "names no objects"},
            {"-o f.h5 --between walls", 2, "expected one of groups|objects|materials|patches"},
            {"-o f.h5 --from floor --enforce", 2, "--enforce needs the rows of all elements"},
-           {"-o f.h5 --error 0", 2, "--error 0 asks for no accuracy"},
+           {"-o f.h5 --error 0", 2, "--error 0 sets no target"},
            {"-o f.h5 --error 2", 2, "expected a factor"},
-           {"-o f.h5 --exact --rays 5", 2, "--exact counts no rays"},
+           {"-o f.h5 --exact --rays 5", 2, "--exact uses no rays"},
            {"-o f.h5 --between patches --max-edge 0.05 --memory 1MiB", 1, "MiB are allowed"},
            {"-o f.h5 --exact --max-edge 0.02", 1, "--force begins all the same"},
            {"-o nowhere/f.h5", 1, "nowhere"},

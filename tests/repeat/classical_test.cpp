@@ -56,7 +56,7 @@ TEST(Classical, that_is_stopped_at_once_leaves_the_lamps_and_says_that_all_is_un
   for (const auto method : methods) {
     const auto s = solve(patches, method, 2, [](const Progress&) { return Next::stop; });
     EXPECT_EQ(s.report.stop, StopReason::stopped_by_user);
-    EXPECT_EQ(s.solution.unshot_share, 1.0);
+    EXPECT_EQ(s.solution.unshot_fraction, 1.0);
     EXPECT_EQ(s.report.energy.unshot, s.report.energy.emitted);
     EXPECT_EQ(s.solution.irradiance_front, std::vector<float>(3 * patches.size(), 0.0f));
     for (std::size_t p = 0; p < patches.size(); ++p)
@@ -76,7 +76,7 @@ TEST(Classical, that_is_stopped_while_it_solves_keeps_its_balance) {
     });
     if (method == Method::gauss_seidel) continue;  // has no moment to stop at
     EXPECT_EQ(s.report.stop, StopReason::stopped_by_user);
-    EXPECT_GT(s.report.unshot_share, 0.1);
+    EXPECT_GT(s.report.unshot_fraction, 0.1);
     const auto& e = s.report.energy;
     for (std::size_t b = 0; b < 3; ++b)
       EXPECT_NEAR((e.absorbed[b] + e.escaped[b] + e.lost_at_backs[b] + e.unshot[b]) / e.emitted[b], 1.0,

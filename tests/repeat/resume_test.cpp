@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using State = std::shared_ptr<const SampleState>;
 
-// Enough slots to share.
+// Enough receivers to share.
 PatchSet room() { return make_patches(truth::l_room(), {.max_edge = 0.12f}); }
 constexpr SampledOptions fine = {.error = 0.005};
 
@@ -35,7 +35,7 @@ Run solve(const PatchSet& patches, const SampledOptions& options, int threads = 
   const Workers workers(threads);
   const Tracer tracer(patches, workers);
   Run run;
-  const SampleKeeping keeping{std::move(from), [&](State state) { run.states.push_back(std::move(state)); }};
+  const SampleStorage keeping{std::move(from), [&](State state) { run.states.push_back(std::move(state)); }};
   solve_sampled(patches, tracer, run.solution, options, workers, {}, keeping);
   return run;
 }
@@ -58,7 +58,7 @@ TEST(Resume, from_every_doubling_gives_the_bytes_of_the_run_that_never_stopped) 
     // As a file, as a later process finds it.
     const auto path = file("state.vtkhdf");
     write_solution(path, patches, whole.solution, whole.states[i].get());
-    const auto kept = read_kept_run(path);
+    const auto kept = read_stored_run(path);
     ASSERT_TRUE(kept.samples);
     const auto rest = solve(kept.baked.patches, fine, i % 2 == 0 ? 1 : 5, kept.samples);
     EXPECT_EQ(rest.states.size(), whole.states.size() - i);
@@ -113,7 +113,7 @@ TEST(Resume, a_state_of_something_else_is_refused_in_a_sentence) {
   };
   EXPECT_NE(spoilt([](SampleState& s) { s.sides.pop_back(); }), "");
   EXPECT_NE(spoilt([](SampleState& s) { s.sides[0] = 0xfffffffeu; }), "");
-  EXPECT_NE(spoilt([](SampleState& s) { s.rounds[0].slots[0] = 0xfffffffeu; }), "");
+  EXPECT_NE(spoilt([](SampleState& s) { s.rounds[0].receivers[0] = 0xfffffffeu; }), "");
   EXPECT_NE(spoilt([](SampleState& s) { s.rounds[0].level = 1; }), "");
   EXPECT_NE(spoilt([](SampleState& s) { s.rounds[0].per_replicate = 3; }), "");
   EXPECT_NE(spoilt([](SampleState& s) { s.direct.pop_back(); }), "");
@@ -121,7 +121,7 @@ TEST(Resume, a_state_of_something_else_is_refused_in_a_sentence) {
   EXPECT_NE(spoilt([](SampleState& s) { s.direct_samples.pop_back(); }), "");
   EXPECT_NE(spoilt([](SampleState& s) { s.radiosity.pop_back(); }), "");
   EXPECT_NE(spoilt([](SampleState& s) {
-              const auto count = s.replicates * s.rounds[0].hits_a_replicate();
+              const auto count = s.replicates * s.rounds[0].hits_per_replicate();
               auto hits = std::make_shared<std::uint32_t[]>(count);
               std::copy_n(s.rounds[0].hits.get(), count, hits.get());
               hits[count / 2] = 0xfffffffeu;
@@ -142,7 +142,7 @@ TEST(Resume, a_kept_run_with_a_flipped_or_missing_byte_is_never_taken_for_anothe
     fs::remove(path);
     write_file(path, bytes);
     try {
-      const auto kept = read_kept_run(path);
+      const auto kept = read_stored_run(path);
       EXPECT_TRUE(kept.samples && kept.samples->direct == expected);
       EXPECT_EQ(sample::difference(kept.baked.solution, run.solution), "");
     } catch (const FormatError&) {

@@ -39,7 +39,7 @@ std::string difference_of_light(const Solution& a, const Solution& b) {
   if (!sample::same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
   if (!sample::same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
   if (!sample::same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
-  if (a.unshot_share != b.unshot_share) return "unshot_share";
+  if (a.unshot_fraction != b.unshot_fraction) return "unshot_fraction";
   if (a.predicted_error != b.predicted_error) return "predicted_error";
   if (a.error_95th != b.error_95th) return "error_95th";
   return a.provenance.rays == b.provenance.rays ? "" : "rays";
@@ -52,7 +52,7 @@ void expect_same_report(const SolveReport& a, const SolveReport& b) {
   EXPECT_EQ(a.energy.escaped, b.energy.escaped);
   EXPECT_EQ(a.energy.lost_at_backs, b.energy.lost_at_backs);
   EXPECT_EQ(a.back_loss, b.back_loss);
-  EXPECT_EQ(a.dark_sides, b.dark_sides);
+  EXPECT_EQ(a.unreached_sides, b.unreached_sides);
   ASSERT_EQ(a.rounds.size(), b.rounds.size());
   for (std::size_t k = 0; k < a.rounds.size(); ++k) {
     EXPECT_EQ(a.rounds[k].rays, b.rounds[k].rays);
@@ -64,11 +64,11 @@ void expect_same_report(const SolveReport& a, const SolveReport& b) {
 
 TEST(SampledRepeat, one_two_and_five_threads_give_identical_bytes) {
   const auto patches = room();
-  for (const bool share : {true, false}) {
-    const auto one = solve(patches, {.error = 0.02, .share = share}, 1);
+  for (const bool smoothing : {true, false}) {
+    const auto one = solve(patches, {.error = 0.02, .smoothing = smoothing}, 1);
     EXPECT_FALSE(one.solution.standard_error_front.empty());
     for (const int threads : {2, 5}) {
-      const auto many = solve(patches, {.error = 0.02, .share = share}, threads);
+      const auto many = solve(patches, {.error = 0.02, .smoothing = smoothing}, threads);
       EXPECT_EQ(difference_of_light(one.solution, many.solution), "") << threads << " threads";
       expect_same_report(one.report, many.report);
     }
@@ -83,15 +83,16 @@ TEST(SampledRepeat, random_numbers_without_any_of_the_switches_are_the_same_for_
                                 .importance = false,
                                 .control_variate = false,
                                 .multiple_importance = true,
-                                .share = false};
+                                .smoothing = false};
   EXPECT_EQ(difference_of_light(solve(patches, plain, 1).solution, solve(patches, plain, 5).solution), "");
 }
 
 TEST(SampledRepeat, stored_and_streamed_give_identical_bytes) {
   const auto patches = room();
-  for (const bool share : {true, false}) {
-    const auto stored = solve(patches, {.error = 0.03, .memory = std::uint64_t{1} << 33, .share = share});
-    const auto streamed = solve(patches, {.error = 0.03, .memory = 1, .share = share});
+  for (const bool smoothing : {true, false}) {
+    const auto stored =
+        solve(patches, {.error = 0.03, .memory = std::uint64_t{1} << 33, .smoothing = smoothing});
+    const auto streamed = solve(patches, {.error = 0.03, .memory = 1, .smoothing = smoothing});
     EXPECT_FALSE(stored.report.streamed);
     EXPECT_TRUE(streamed.report.streamed);
     EXPECT_EQ(difference_of_light(stored.solution, streamed.solution), "");

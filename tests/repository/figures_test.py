@@ -127,7 +127,7 @@ class Measures(unittest.TestCase):
             "lines": [{"setting": "x", "cpu_seconds": 1, "true_error": 0.1},
                       {"setting": "y", "cpu_seconds": 10, "true_error": 0.03}]}})
         polygons = draw_charts.polygons_chart([
-            {"polygons": n, "nanoseconds_a_ray": 50 * r, "ratio_to_first": r} for n, r in ((100, 1), (10000, 2))])
+            {"polygons": n, "nanoseconds_per_ray": 50 * r, "ratio_to_first": r} for n, r in ((100, 1), (10000, 2))])
         lamps = draw_charts.lamps_chart([{"triangles": n, "ratio": 1, "ratio_low": 0.9, "ratio_high": 1.1}
                                          for n in (2, 128)])
         for svg, words in ((chart, "down to 3 %"), (polygons, "100 ns at the end"), (lamps, "1.00 at the end"),

@@ -5,8 +5,8 @@
 // patches that lean on the same rays. A solver whose true coverage is 95 % fails a limit only by a deviation
 // of 4 standard errors or more (coverage is measured to 0.5 %, the limits are 2 and 3 % away); a true ratio
 // of one needs 4 too (measured to 2.5 %); bias is allowed 5 of its own standard errors. With 39 degrees of
-// freedom: 3 in ten thousand a figure at most, below 1 % for all of this file. Seeds are fixed, so an alarm
-// comes with a change of the code or never.
+// degrees_of_freedom: 3 in ten thousand a figure at most, below 1 % for all of this file. Seeds are fixed, so
+// an alarm comes with a change of the code or never.
 #include <algorithm>
 #include <cmath>
 #include <string>

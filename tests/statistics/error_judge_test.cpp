@@ -62,9 +62,9 @@ TEST_F(ErrorJudge, sees_error_bars_that_are_a_fifth_too_small_or_too_large) {
   EXPECT_NEAR(judge(room_, runs(times(0.8f))).ratio.value, 1.25, 0.05);
 }
 
-// The spread of eight numbers is itself uncertain: Student's t with seven degrees of freedom lies within 1.96
-// in 90.9 % of cases, not 95. So replicates patch by patch are not enough: what is known of neighbours has to
-// steady the error bar, or replicates have to be many.
+// The spread of eight numbers is itself uncertain: Student's t with seven degrees of degrees_of_freedom lies
+// within 1.96 in 90.9 % of cases, not 95. So replicates patch by patch are not enough: what is known of
+// neighbours has to steady the error bar, or replicates have to be many.
 TEST_F(ErrorJudge, sees_that_eight_replicates_alone_make_a_wavering_error_bar) {
   std::mt19937_64 random(2);
   std::chi_squared_distribution<double> seven(7.0);
@@ -89,8 +89,8 @@ TEST_F(ErrorJudge, sees_a_bias_that_cancels_over_the_room) {
                                  run.irradiance_front[i] *= (i / 3) % 2 == 0 ? 1.012f : 0.988f;
                              }));
   EXPECT_NEAR(verdict.bias.value, 0.0, 0.001);
-  const auto share = 0.012 * 0.012 / (0.012 * 0.012 + noise * noise);
-  EXPECT_NEAR(verdict.local_bias.value, share, 5.0 * verdict.local_bias.standard_error);
+  const auto fraction = 0.012 * 0.012 / (0.012 * 0.012 + noise * noise);
+  EXPECT_NEAR(verdict.local_bias.value, fraction, 5.0 * verdict.local_bias.standard_error);
   EXPECT_GT(verdict.local_bias.value, 6.0 * verdict.local_bias.standard_error);
 }
 

@@ -29,8 +29,8 @@ NamedSolution run(const truth::KnownRoom& room, std::uint64_t seed, double error
 
 TEST(Merge, of_four_runs_has_about_half_the_error_and_says_so) {
   // Eight merges of four runs each, of other seeds: the mean of their scores is judged as in error_bar_test,
-  // with three standard errors (risk 0.02 each by Student's t with seven degrees of freedom; measured far
-  // inside).
+  // with three standard errors (risk 0.02 each by Student's t with seven degrees of degrees_of_freedom;
+  // measured far inside).
   for (const auto& room : {truth::coloured_room(), truth::hung_plate()}) {
     std::vector<Solution> merged;
     double single = 0.0;
@@ -43,7 +43,7 @@ TEST(Merge, of_four_runs_has_about_half_the_error_and_says_so) {
     double together = 0.0;
     for (const auto& s : merged) together += s.predicted_error / 8.0;
     EXPECT_NEAR(together / single, 0.5, 0.1) << room.name;
-    EXPECT_NEAR(merged[0].error_freedom, 28.0, 3.0);
+    EXPECT_NEAR(merged[0].error_degrees_of_freedom, 28.0, 3.0);
     const auto verdict = truth::judge(room, merged);
     EXPECT_NEAR(verdict.ratio.value, 1.0, 0.1 + 3.0 * verdict.ratio.standard_error) << room.name;
     EXPECT_GT(verdict.coverage.value, 0.92 - 3.0 * verdict.coverage.standard_error) << room.name;
@@ -82,9 +82,9 @@ TEST(Merge, bias_of_sharing_is_not_taken_to_cancel) {
   auto& s = sample.solution;
   for (auto* array : {&s.standard_error_front, &s.standard_error_back})
     std::fill(array->begin(), array->end(), 0.0f);
-  for (auto* array : {&s.sharing_bias_front, &s.sharing_bias_back})
+  for (auto* array : {&s.smoothing_bias_front, &s.smoothing_bias_back})
     std::fill(array->begin(), array->end(), 2.0f);
-  s.error_freedom = 1e9;  // no widening
+  s.error_degrees_of_freedom = 1e9;  // no widening
   std::fill(s.standard_error_front.begin(), s.standard_error_front.end(), std::sqrt(4.0f + 9.0f));
   std::fill(s.standard_error_back.begin(), s.standard_error_back.end(), 2.0f);
   auto other = sample;
@@ -92,7 +92,7 @@ TEST(Merge, bias_of_sharing_is_not_taken_to_cancel) {
   const auto merged = merge_solutions({{"a", sample}, {"b", other}}).solution;
   EXPECT_NEAR(merged.standard_error_front[0], std::sqrt(4.0 + 9.0 / 2.0), 1e-5);
   EXPECT_NEAR(merged.standard_error_back[0], 2.0, 1e-5);
-  EXPECT_EQ(merged.sharing_bias_front[0], 2.0f);
+  EXPECT_EQ(merged.smoothing_bias_front[0], 2.0f);
 }
 
 std::string complaint(const std::vector<NamedSolution>& solutions) {

@@ -89,8 +89,8 @@ struct Room {
     auto values = direct(options, samples);
     for (std::uint32_t r = 0; r < options.replicates; ++r)
       for (std::size_t block = 0; block < hits.blocks(); ++block)
-        hits.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
-          if (element == hits.escaped()) values[hits.sides().side[slot]][r] += std::numbers::pi / rays;
+        hits.for_each_hit(r, block, [&](std::uint32_t receiver, std::uint32_t element) {
+          if (element == hits.escaped()) values[hits.sides().side[receiver]][r] += std::numbers::pi / rays;
         });
     return values;
   }
@@ -194,7 +194,7 @@ struct Run {
 Run solve(const Room& room, const SampledOptions& options, int threads = 2,
           std::shared_ptr<const SampleState> from = nullptr) {
   Run run;
-  const SampleKeeping keeping{std::move(from), [&](auto state) { run.states.push_back(std::move(state)); }};
+  const SampleStorage keeping{std::move(from), [&](auto state) { run.states.push_back(std::move(state)); }};
   solve_sampled(room.patches, room.tracer, run.solution, options, Workers(threads), {}, keeping);
   return run;
 }
@@ -214,7 +214,7 @@ TEST(Portals, a_solve_with_them_has_the_light_of_one_without) {
       b.push_back(mean(with));
     }
     const auto own = estimate_of(b), other = estimate_of(a);
-    // Eight seeds each: Student's t of 14 degrees of freedom, risk 1e-4.
+    // Eight seeds each: Student's t of 14 degrees of degrees_of_freedom, risk 1e-4.
     EXPECT_NEAR(own.mean, other.mean, 5.4 * std::hypot(own.sigma, other.sigma) + 1e-3 * other.mean)
         << material;
   }
@@ -257,7 +257,7 @@ TEST(Portals, threads_streams_and_resumed_files_give_the_same_bytes) {
   EXPECT_EQ(sample::difference(whole.solution, solve(room, streamed, 3).solution), "");
   const auto path = std::filesystem::path(testing::TempDir()) / "luxel_portals.vtkhdf";
   write_solution(path, room.patches, whole.solution, whole.states[0].get());
-  const auto kept = read_kept_run(path);
+  const auto kept = read_stored_run(path);
   EXPECT_EQ(kept.baked.patches.portals, room.patches.portals);
   Room again(truth::under_sky(truth::window_room()), kept.baked.patches.portals, 0.12f);
   EXPECT_EQ(sample::difference(whole.solution, solve(again, options, 2, kept.samples).solution), "");

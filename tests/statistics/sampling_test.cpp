@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t samples = 1'000'000;
 
-std::size_t cell(double share, std::size_t cells) {
-  return std::min(cells - 1, static_cast<std::size_t>(std::max(0.0, share) * static_cast<double>(cells)));
+std::size_t cell(double fraction, std::size_t cells) {
+  return std::min(cells - 1, static_cast<std::size_t>(std::max(0.0, fraction) * static_cast<double>(cells)));
 }
 
 // A cell index for barycentric weights, all cells of one area: the warp's own inverse, written the other way
@@ -108,8 +108,8 @@ TEST(Sampling, even_directions_are_distributed_evenly) {
     const auto d = uniform_hemisphere(u[2], u[3]);
     ASSERT_NEAR(glm::length(d), 1.0f, 1e-6f);
     const auto turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)) / (2.0 * M_PI) + 0.5;
-    const auto cell = [](double share) {
-      return std::min<std::size_t>(15, static_cast<std::size_t>(16.0 * share));
+    const auto cell = [](double fraction) {
+      return std::min<std::size_t>(15, static_cast<std::size_t>(16.0 * fraction));
     };
     ++counts[16 * cell(static_cast<double>(d.z)) + cell(turn)];
   }

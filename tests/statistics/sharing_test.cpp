@@ -27,7 +27,8 @@ KnownRoom room_without_sharing(const std::string& name, const Scene& scene, floa
   Solution solution;
   const auto report = solve_sampled(
       room.patches, tracer, solution,
-      {.error = target / 5.0, .error_measure = ErrorMeasure::power, .seed = 1000, .share = false}, workers);
+      {.error = target / 5.0, .error_measure = ErrorMeasure::power, .seed = 1000, .smoothing = false},
+      workers);
   EXPECT_EQ(report.stop, StopReason::error_reached);
   room.truth.irradiance_front.assign(solution.irradiance_front.begin(), solution.irradiance_front.end());
   room.truth.irradiance_back.assign(solution.irradiance_back.begin(), solution.irradiance_back.end());
@@ -51,7 +52,7 @@ void expect_honest(const KnownRoom& room) {
   Solution alone;
   const auto without =
       solve_sampled(room.patches, tracer, alone,
-                    {.error = target, .error_measure = ErrorMeasure::power, .share = false}, workers);
+                    {.error = target, .error_measure = ErrorMeasure::power, .smoothing = false}, workers);
   EXPECT_LT(3 * runs[0].provenance.rays, 2 * without.rays)
       << "sharing saves a third of the rays, or it is not at work";
 

@@ -87,7 +87,7 @@ TEST_F(CubeNoise, of_a_patch_follows_the_formula) {
     shot_power = report.energy.emitted[0] * rays / static_cast<double>(report.steps[0].rays);  // P_T
   }
   double chi2 = 0.0;
-  double freedom = 0.0;
+  double degrees_of_freedom = 0.0;
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     if (patches_.material_of(p).name != "floor") continue;
     const auto mean = sum[p] / seeds;
@@ -95,10 +95,10 @@ TEST_F(CubeNoise, of_a_patch_follows_the_formula) {
     const auto radiated = mean * patches_.area[p];  // P_i
     const auto relative = std::sqrt(0.5 * shot_power / (rays * radiated));
     chi2 += (seeds - 1) * variance / (relative * mean * relative * mean);
-    freedom += seeds - 1;
+    degrees_of_freedom += seeds - 1;
   }
-  EXPECT_LT(chi2, 1.03 * statistics::chi_square_limit(freedom));
-  EXPECT_GT(chi2, 0.97 * statistics::chi_square_lower_limit(freedom));
+  EXPECT_LT(chi2, 1.03 * statistics::chi_square_limit(degrees_of_freedom));
+  EXPECT_GT(chi2, 0.97 * statistics::chi_square_lower_limit(degrees_of_freedom));
 }
 
 }  // namespace

@@ -52,17 +52,17 @@ double seven_points(const Corners& t, const Function& f) {
 // Mean over a triangle, cut in four until the parts agree with the whole. tolerance: of this triangle's share
 // of the whole mean.
 template <typename Function>
-double adaptive_mean(const Corners& t, double whole, double share, double tolerance, int depth,
+double adaptive_mean(const Corners& t, double whole, double fraction, double tolerance, int depth,
                      const Function& f) {
   const std::array<Vec3d, 3> m = {(t[1] + t[2]) / 2.0, (t[2] + t[0]) / 2.0, (t[0] + t[1]) / 2.0};
   const std::array<Corners, 4> parts = {{{t[0], m[2], m[1]}, {m[2], t[1], m[0]}, {m[1], m[0], t[2]}, m}};
   std::array<double, 4> means{};
   for (std::size_t k = 0; k < 4; ++k) means[k] = seven_points(parts[k], f);
   auto mean = (means[0] + means[1] + means[2] + means[3]) / 4.0;
-  if (depth == 0 || std::abs(mean - whole) * share <= tolerance) return mean;
+  if (depth == 0 || std::abs(mean - whole) * fraction <= tolerance) return mean;
   mean = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
-    mean += adaptive_mean(parts[k], means[k], share / 4.0, tolerance, depth - 1, f) / 4.0;
+    mean += adaptive_mean(parts[k], means[k], fraction / 4.0, tolerance, depth - 1, f) / 4.0;
   return mean;
 }
 

@@ -52,7 +52,7 @@ inline Solution solution(const PatchSet& patches) {
   solution.irradiance_back = numbers(count, 1000.0f);
   solution.radiosity_front = numbers(count, 2000.0f);
   solution.radiosity_back = numbers(count, 3000.0f);
-  solution.unshot_share = 1.0 / 3.0;
+  solution.unshot_fraction = 1.0 / 3.0;
   solution.predicted_error = 0.01;
   solution.stop = StopReason::converged;
   solution.provenance = {"0.1.0",
@@ -78,10 +78,10 @@ inline Baked baked_with_errors(std::size_t count, std::size_t bands) {
   auto& light = sample.solution;
   light.standard_error_front = numbers(count * bands, 4000.0f);
   light.standard_error_back = numbers(count * bands, 5000.0f);
-  light.sharing_bias_front = numbers(count * bands, 6000.0f);
-  light.sharing_bias_back = numbers(count * bands, 7000.0f);
+  light.smoothing_bias_front = numbers(count * bands, 6000.0f);
+  light.smoothing_bias_back = numbers(count * bands, 7000.0f);
   light.error_95th = 0.025;
-  light.error_freedom = 6.0;
+  light.error_degrees_of_freedom = 6.0;
   light.predicted_bias = 0.003;
   light.stop = StopReason::error_reached;
   light.provenance.method = "sampled";
@@ -144,12 +144,12 @@ inline std::string difference(const Solution& a, const Solution& b) {
   if (!same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
   if (!same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
   if (!same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
-  if (!same_bits(a.sharing_bias_front, b.sharing_bias_front)) return "sharing_bias_front";
-  if (!same_bits(a.sharing_bias_back, b.sharing_bias_back)) return "sharing_bias_back";
+  if (!same_bits(a.smoothing_bias_front, b.smoothing_bias_front)) return "smoothing_bias_front";
+  if (!same_bits(a.smoothing_bias_back, b.smoothing_bias_back)) return "smoothing_bias_back";
   if (a.error_95th != b.error_95th) return "error_95th";
-  if (a.error_freedom != b.error_freedom) return "error_freedom";
+  if (a.error_degrees_of_freedom != b.error_degrees_of_freedom) return "error_degrees_of_freedom";
   if (a.predicted_bias != b.predicted_bias) return "predicted_bias";
-  if (a.unshot_share != b.unshot_share) return "unshot_share";
+  if (a.unshot_fraction != b.unshot_fraction) return "unshot_fraction";
   if (a.predicted_error != b.predicted_error) return "predicted_error";
   if (a.stop != b.stop) return "stop";
   return difference(a.provenance, b.provenance);

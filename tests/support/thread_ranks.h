@@ -55,7 +55,7 @@ class ThreadRanks {
       if (rank_ == 0) return all_gather(own, all, sizes);
       together([&] { hub_.given[rank_] = own; }, [] {});
     }
-    void from_first(std::span<std::byte> bytes) const override {
+    void broadcast(std::span<std::byte> bytes) const override {
       const std::vector<std::byte> own(bytes.begin(), bytes.end());
       together([&] { hub_.given[rank_] = own; },
                [&] { std::copy(hub_.given[0].begin(), hub_.given[0].end(), bytes.begin()); });

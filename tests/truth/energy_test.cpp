@@ -82,10 +82,10 @@ TEST(Energy, is_conserved_by_a_shot_that_was_stopped_and_its_share_is_said) {
   const auto arrival =
       shoot(patches, tracer, lamp_power(patches), {.rays = 100'000, .batch = 10'000}, workers,
             [&](const Progress&) { return ++calls == 3 ? Next::stop : Next::go_on; });
-  EXPECT_DOUBLE_EQ(arrival.share, 0.3);
+  EXPECT_DOUBLE_EQ(arrival.fraction, 0.3);
   EXPECT_EQ(arrival.rays, 30'000u);
   expect_balanced(arrival);
-  EXPECT_NEAR(arrival.scale.watts(arrival.shot[0]) / arrival.share, 1.0, 1e-3);
+  EXPECT_NEAR(arrival.scale.watts(arrival.shot[0]) / arrival.fraction, 1.0, 1e-3);
 }
 
 TEST(Energy, batches_are_parts_of_one_plan_and_change_nothing) {
@@ -112,7 +112,7 @@ TEST(Energy, emitted_equals_absorbed_escaped_lost_and_unshot) {
                 1e-9 * e.emitted[b]);
     EXPECT_GT(e.lost_at_backs[b], 0.0);
   }
-  EXPECT_LE(report.unshot_share, 1e-3);
+  EXPECT_LE(report.unshot_fraction, 1e-3);
   EXPECT_GT(report.back_loss[1], 0.0);
   EXPECT_EQ(report.back_loss[0] + report.back_loss[2], 0.0);
 }
@@ -127,7 +127,8 @@ TEST(Energy, a_step_carries_the_same_quantum_as_the_first) {
   ASSERT_GT(report.steps.size(), 3u);
   EXPECT_EQ(report.steps[0].rays, 100'000u);
   for (std::size_t k = 1; k < report.steps.size(); ++k)
-    EXPECT_EQ(static_cast<double>(report.steps[k].rays), std::round(1e5 * report.steps[k - 1].unshot_share));
+    EXPECT_EQ(static_cast<double>(report.steps[k].rays),
+              std::round(1e5 * report.steps[k - 1].unshot_fraction));
 }
 
 TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
@@ -142,7 +143,7 @@ TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
   EXPECT_EQ(solution.stop, StopReason::stopped_by_user);
   EXPECT_EQ(report.steps.size(), 1u);
   // One bounce in a closed cube: half of what the ceiling emitted is reflected and waits.
-  EXPECT_NEAR(report.unshot_share, 0.5, 0.002);
+  EXPECT_NEAR(report.unshot_fraction, 0.5, 0.002);
   double received = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
     received += static_cast<double>(patches.area[p]) * solution.irradiance_front[3 * p];

@@ -104,14 +104,14 @@ TEST(PointLights, GiveAClosedRoomTheirPower) {
     const auto a = solved(scene, 0.25f);
     const auto power =
         2.0 * (kind == PointLightKind::point ? 4.0 * pi_d : 2.0 * pi_d * ((1.0 - 0.9) + (0.9 - 0.6) / 3.0));
-    double absorbed = 0.0, noise2 = 0.0;
+    double absorbed = 0.0, squared_noise = 0.0;
     for (std::size_t p = 0; p < a.patches.size(); ++p) {
-      const auto share = double{a.patches.area[p]} * (1.0 - double{a.patches.reflectance(p, 0)});
-      absorbed += share * double{a.light.irradiance_front[3 * p]};
-      noise2 += std::pow(share * double{a.light.standard_error_front[3 * p]}, 2);
+      const auto fraction = double{a.patches.area[p]} * (1.0 - double{a.patches.reflectance(p, 0)});
+      absorbed += fraction * double{a.light.irradiance_front[3 * p]};
+      squared_noise += std::pow(fraction * double{a.light.standard_error_front[3 * p]}, 2);
     }
     // Errors of patches hang together by what they reflect: an upper bound is their sum over a few.
-    EXPECT_NEAR(absorbed, power, 6.0 * 3.0 * std::sqrt(noise2)) << static_cast<int>(kind);
+    EXPECT_NEAR(absorbed, power, 6.0 * 3.0 * std::sqrt(squared_noise)) << static_cast<int>(kind);
     EXPECT_NEAR(a.report.energy.emitted[0], power, 1e-5 * power);
   }
 }

@@ -42,7 +42,7 @@ struct Kept {
 Kept solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
            const Workers& workers) {
   Kept kept;
-  const SampleKeeping keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
+  const SampleStorage keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
   solve_sampled(patches, tracer, kept.solution, options, workers, {}, keeping);
   return kept;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sampled solver in rooms whose light is known: the exact means of the enclosures, and every switch
 // alone. Means come from eight seeds; their spread gives the standard error of the mean, of which seven are
-// allowed (Student's t with seven degrees of freedom: risk 2e-4 each, far less where the stated tolerance
-// leads).
+// allowed (Student's t with seven degrees of degrees_of_freedom: risk 2e-4 each, far less where the stated
+// tolerance leads).
 #include "luxel/solve/sampled.h"
 
 #include <cmath>
@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(EverySwitch, SampledSwitch,
                                          Switch{"importance", &SampledOptions::importance},
                                          Switch{"control_variate", &SampledOptions::control_variate},
                                          Switch{"multiple_importance", &SampledOptions::multiple_importance},
-                                         Switch{"share", &SampledOptions::share}),
+                                         Switch{"share", &SampledOptions::smoothing}),
                          [](const testing::TestParamInfo<Switch>& one) { return one.param.name; });
 
 // A room where all three fates of a ray occur: a lamp below, a one-sided plate above it that shows its back,

@@ -78,7 +78,7 @@ Answer reference(const PatchSet& patches, const Tracer& tracer, const Workers& w
 struct Method {
   const char* name;
   Solve solve;
-  double share;  // of a full sky: what the method may be off by beside its standard errors
+  double fraction;  // of a full sky: what the method may be off by beside its standard errors
   double balance;
 };
 
@@ -95,19 +95,19 @@ class Sky : public testing::TestWithParam<Method> {
     const Tracer tracer(patches_, workers);
     answer_ = GetParam().solve(patches_, tracer, workers);
     const auto& s = answer_.light;
-    double error2 = 0.0, light2 = 0.0;
+    double squared_error = 0.0, squared_light = 0.0;
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       const auto H = double{s.irradiance_front[3 * p]};
       const auto off = H - full * truth(patches_, p);
       const auto stated = s.standard_error_front.empty() ? 0.0 : double{s.standard_error_front[3 * p]};
-      error2 += double{patches_.area[p]} * off * off;
-      light2 += double{patches_.area[p]} * H * H;
+      squared_error += double{patches_.area[p]} * off * off;
+      squared_light += double{patches_.area[p]} * H * H;
       if (s.provenance.method != "stochastic-jacobi") {
-        EXPECT_LE(std::abs(off), 6.5 * stated + GetParam().share * full) << "patch " << p << " has " << H;
+        EXPECT_LE(std::abs(off), 6.5 * stated + GetParam().fraction * full) << "patch " << p << " has " << H;
       }
     }
-    if (s.provenance.method == "stochastic-jacobi" && light2 > 0.0) {
-      EXPECT_LE(std::sqrt(error2 / light2), 1.3 * s.predicted_error);
+    if (s.provenance.method == "stochastic-jacobi" && squared_light > 0.0) {
+      EXPECT_LE(std::sqrt(squared_error / squared_light), 1.3 * s.predicted_error);
     }
     const auto& e = answer_.energy;
     const auto light = e.emitted[0] + e.from_sky[0];

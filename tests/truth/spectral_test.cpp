@@ -87,11 +87,11 @@ Baked solve_sampled(const Scene& scene, const SampledOptions& options, int threa
 TEST(Spectral, a_room_of_one_paint_has_the_colour_of_the_integral) {
   const auto truth =
       fine_colour([](double w) { return lamp.at(w, Beyond::zero) / (1.0 - paint.at(w, Beyond::holds)); });
-  for (const auto& [step, share] : {std::pair(5.0, 3e-3), std::pair(1.25, 4e-4)}) {
+  for (const auto& [step, fraction] : {std::pair(5.0, 3e-3), std::pair(1.25, 4e-4)}) {
     const auto baked = solve_dense(glowing_cube(paint, lamp, step));
     for (std::size_t p = 0; p < baked.patches.size(); ++p) {
       const auto found = colour_of_patch(baked, p);
-      for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], truth[i], share * truth.r) << "patch " << p;
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], truth[i], fraction * truth.r) << "patch " << p;
     }
   }
 }
@@ -164,9 +164,9 @@ TEST(Spectral, pictures_of_a_glowing_room_are_of_its_colour_by_every_road) {
   const auto expected = colour_of_patch(baked, 0) / std::numbers::pi;
   const Workers workers(2);
   const Tracer tracer(baked.patches, workers);
-  const auto expect_mean = [&](const Image& picture, double share) {
+  const auto expect_mean = [&](const Image& picture, double fraction) {
     const auto mean = mean_color(picture);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(static_cast<double>(mean[i]), expected[i], share * expected.r);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(static_cast<double>(mean[i]), expected[i], fraction * expected.r);
   };
   expect_mean(render(baked.patches, make_smooth_light(baked.patches, baked.solution), tracer, inside,
                      {.width = 24, .height = 18}, workers),

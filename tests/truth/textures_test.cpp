@@ -103,22 +103,22 @@ TEST(Textures, LightAsMaterialsOfTheSameColoursDo) {
     }
   // Lamps are joined differently, so both are estimates: of the same light within their errors.
   const auto one = solved(plain), other = solved(textured);
-  double off2 = 0.0, light2 = 0.0;
+  double off2 = 0.0, squared_light = 0.0;
   for (std::size_t i = 0; i < one.irradiance_front.size(); ++i) {
     const double area = plain.area[i / 3];
     const auto d = double{one.irradiance_front[i]} - double{other.irradiance_front[i]};
     off2 += area * d * d;
-    light2 += area * double{one.irradiance_front[i]} * double{one.irradiance_front[i]};
+    squared_light += area * double{one.irradiance_front[i]} * double{one.irradiance_front[i]};
   }
-  EXPECT_LT(std::sqrt(off2 / light2), 1.3 * std::hypot(one.predicted_error, other.predicted_error));
+  EXPECT_LT(std::sqrt(off2 / squared_light), 1.3 * std::hypot(one.predicted_error, other.predicted_error));
 }
 
 TEST(Textures, ColourAlikeOnAnyNumberOfThreads) {
   const auto scene = chequered_box(true);
   const auto one = make_patches(scene, {.max_edge = 0.02f}, Workers(1));
   const auto four = make_patches(scene, {.max_edge = 0.02f}, Workers(4));
-  EXPECT_EQ(one.reflectance_share, four.reflectance_share);
-  EXPECT_EQ(one.emittance_share, four.emittance_share);
+  EXPECT_EQ(one.reflectance_ratio, four.reflectance_ratio);
+  EXPECT_EQ(one.emittance_ratio, four.emittance_ratio);
   EXPECT_EQ(one.uv_sets, four.uv_sets);
 }
 
@@ -141,8 +141,8 @@ TEST(Textures, ComeBackFromASolutionFile) {
   write_solution(path, patches, light);
   const auto back = read_solution(path).patches;
   std::filesystem::remove(path);
-  EXPECT_EQ(back.reflectance_share, patches.reflectance_share);
-  EXPECT_EQ(back.emittance_share, patches.emittance_share);
+  EXPECT_EQ(back.reflectance_ratio, patches.reflectance_ratio);
+  EXPECT_EQ(back.emittance_ratio, patches.emittance_ratio);
   EXPECT_EQ(back.uv_sets, patches.uv_sets);
   ASSERT_EQ(back.textures.size(), 2u);
   EXPECT_EQ(back.textures[0].raster->codes, patches.textures[0].raster->codes);
@@ -228,16 +228,16 @@ TEST(Holes, PassTheShareOfASkyThatTheyAre) {
   scene.sky = Vec3(1.0f);
   const auto patches = make_patches(scene, {.max_edge = 1.0f});
   const auto light = solved(patches);
-  double sum = 0.0, area = 0.0, error2 = 0.0;
+  double sum = 0.0, area = 0.0, squared_error = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (patches.material[p] == MaterialId{1}) {
       sum += double{patches.area[p]} * double{light.irradiance_front[3 * p]};
-      error2 += std::pow(double{patches.area[p]} * double{light.standard_error_front[3 * p]}, 2);
+      squared_error += std::pow(double{patches.area[p]} * double{light.standard_error_front[3 * p]}, 2);
       area += double{patches.area[p]};
     }
   // The plate is as wide as two pairs of strips, and at 2 cm what it sees past its own strips is the next
   // ones: a pattern of even halves moved sideways covers half of any whole number of pairs.
-  EXPECT_NEAR(sum / area, M_PI / 2.0, 6.0 * std::sqrt(error2) / area + 0.01);
+  EXPECT_NEAR(sum / area, M_PI / 2.0, 6.0 * std::sqrt(squared_error) / area + 0.01);
 }
 
 }  // namespace

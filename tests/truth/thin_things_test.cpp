@@ -30,7 +30,7 @@ constexpr float light = 100.0f;              // W/m² of a lamp
 constexpr float millimetre = 0x1p-10f;       // m; as powers of two every scale and place has the same bits
 constexpr float tenth = 0x1p-13f;            // of a millimetre
 constexpr int runs = 8;
-constexpr double most_errors = 15.0;
+constexpr double max_errors = 15.0;
 
 // x and y from low to high at height z, front down.
 SceneBuilder& add_ceiling(SceneBuilder& b, const Vec2& low, const Vec2& high, float z) {
@@ -146,7 +146,7 @@ Mean back(const std::vector<Lit>& all, const char* material) {
 // The sampled method takes the mean of unshadowed light over a patch from few points, see find_side_lamps().
 constexpr double few_points = 1e-3;
 void expect_near(const Mean& found, double truth) {
-  EXPECT_NEAR(found.value, truth, most_errors * found.error + few_points * truth);
+  EXPECT_NEAR(found.value, truth, max_errors * found.error + few_points * truth);
   EXPECT_LT(found.error, 0.01 * truth) << "too noisy to tell";
 }
 
@@ -212,7 +212,7 @@ TEST(ThinThings, the_ceiling_above_a_lamp_stays_dark_but_for_bounces) {
   }
   const auto& truth = above.back();  // of paths
   for (const auto& found : above)
-    EXPECT_NEAR(found.value, truth.value, most_errors * std::hypot(found.error, truth.error));
+    EXPECT_NEAR(found.value, truth.value, max_errors * std::hypot(found.error, truth.error));
 }
 
 enum class Pile { once, twice, other_diagonal, overlap, opposite };
@@ -240,7 +240,7 @@ TEST(ThinThings, surfaces_on_top_of_each_other_give_the_light_of_one) {
       const auto all = solve_often(table(pile), by);
       for (const auto* material : {"floor", "walls", "ceiling"}) {
         const auto a = front(once, material), b = front(all, material);
-        EXPECT_NEAR(a.value, b.value, most_errors * std::hypot(a.error, b.error))
+        EXPECT_NEAR(a.value, b.value, max_errors * std::hypot(a.error, b.error))
             << static_cast<int>(by) << ' ' << static_cast<int>(pile) << ' ' << material;
         EXPECT_LT(std::hypot(a.error, b.error), 0.003 * a.value) << "too noisy to tell";
       }

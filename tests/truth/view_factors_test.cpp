@@ -175,7 +175,7 @@ TEST(ViewFactors, of_patches_are_counted_until_a_row_is_known_and_their_number_i
   auto factors = room.counted({.error = 0.0, .row_error = 0.04, .is_enforced = true});
   EXPECT_EQ(room.report.stop, StopReason::error_reached);
   EXPECT_LE(room.report.row_error, 0.04);
-  EXPECT_EQ(room.report.rays_a_side, 1024u) << "1 / 0.04² is 625";
+  EXPECT_EQ(room.report.rays_per_side, 1024u) << "1 / 0.04² is 625";
   const auto predicted = static_cast<double>(room.report.predicted_factors);
   const auto done = enforce_laws(factors, room.workers);
   EXPECT_EQ(done.count, factors.count());
@@ -185,7 +185,7 @@ TEST(ViewFactors, of_patches_are_counted_until_a_row_is_known_and_their_number_i
 TEST(ViewFactors, dropped_ones_keep_their_sum) {
   const FactorScene room(l_room(), Between::patches, ElementSides::front, 1.0f);
   const auto all = room.counted({.rays = 1024, .error = 0.0});
-  const auto some = room.counted({.rays = 1024, .error = 0.0, .keep_above = 0.01});
+  const auto some = room.counted({.rays = 1024, .error = 0.0, .min_factor = 0.01});
   EXPECT_LT(some.count(), all.count());
   for (std::size_t i = 0; i < some.size(); ++i) {
     EXPECT_NEAR(row_sum(some, i), 1.0, 1e-12);

@@ -53,7 +53,7 @@ class Place:
     def __init__(self, luxel, folder):
         self.luxel, self.folder = luxel, folder
         self.scene = write_two_lamps(folder)
-        self.run("bake", self.scene, "--max-edge", "0.08", "--error", "5%", "--keep-transport", "-o", "box.vtkhdf")
+        self.run("bake", self.scene, "--max-edge", "0.08", "--error", "5%", "--store-transport", "-o", "box.vtkhdf")
 
     def at(self, name):
         return os.path.join(self.folder, name)

@@ -8,7 +8,7 @@ import sys
 from figures.scenes import BOX, CAMERA, ROOT
 
 # Name: the words that ask for it.
-FORMS = {"vertex": (), "own-triangles": ("--keep-topology",), "lightmap": ("--as", "lightmap"), "emissive": ("--as", "emissive")}
+FORMS = {"vertex": (), "own-triangles": ("--preserve-topology",), "lightmap": ("--as", "lightmap"), "emissive": ("--as", "emissive")}
 NAMES = [f"baking-{name}.png" for name in FORMS]
 
 

@@ -24,8 +24,8 @@ def jacobi_steps(luxel, folder):
                        *view(luxel.choose(300, 60)))
     for step in STEPS:
         shutil.copyfile(os.path.join(steps, f"step-{step:03}.png"), os.path.join(folder, f"jacobi-step-{step}.png"))
-    unshot = [step["unshot_share"] for step in report["solve"]["steps"]]
-    return {"patches": report["solution"]["patches"], "unshot_share": unshot}
+    unshot = [step["unshot_fraction"] for step in report["solve"]["steps"]]
+    return {"patches": report["solution"]["patches"], "unshot_fraction": unshot}
 
 
 def too_few_patches(luxel, folder):

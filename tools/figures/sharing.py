@@ -13,7 +13,7 @@ NAMES = [f"sharing-{name}.png" for name in ("light", "illuminance", "lamps", "wa
 def page(luxel, folder):
     """The box with two lamps."""
     solution, html = luxel.at("sharing.vtkhdf"), luxel.at("sharing.html")
-    luxel.run("bake", write_two_lamps(luxel.place), "--keep-transport", "--max-edge", luxel.choose(0.03, 0.2), "--error",
+    luxel.run("bake", write_two_lamps(luxel.place), "--store-transport", "--max-edge", luxel.choose(0.03, 0.2), "--error",
               luxel.choose("1.5%", "15%"), "-o", solution)
     luxel.run("export", solution, "--title", "Cornell box, two lamps", *CAMERA, "-o", html)
     node = shutil.which("node")

@@ -12,7 +12,7 @@ namespace luxel::showpiece {
 namespace {
 
 constexpr auto stem_count = 4;
-constexpr auto leaves_a_stem = 10;
+constexpr auto leaves_per_stem = 10;
 constexpr auto golden_angle = 137.50776;  // degrees; leaves that grow so shade each other least
 
 // A leaf that grows from the origin along +z, folded along its rib and drooping towards its tip.
@@ -92,7 +92,7 @@ Mesh plant_stems() {
 
 Mesh plant_leaves() {
   auto mesh = Mesh{};
-  for (auto k = 0; k < stem_count; ++k) add_leaves(mesh, stem(k, 24), leaves_a_stem, 0.30, k);
+  for (auto k = 0; k < stem_count; ++k) add_leaves(mesh, stem(k, 24), leaves_per_stem, 0.30, k);
   return mesh;
 }
 

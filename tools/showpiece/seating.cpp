@@ -66,7 +66,7 @@ Mesh pouf(Paint cloth) {
   auto closed = Profile{{0.0, 0.0}};
   closed.insert(closed.end(), profile.begin(), profile.end());
   closed.emplace_back(0.0, 0.34);
-  // Nine gores, drawn in where they are sewn together.
+  // Nine gores, drawn in where they are welded together.
   return painted(deformed(lathe(closed, 36),
                           [](const Vec3d& p) {
                             const auto seam = std::cos(9.0 * std::atan2(p.z, p.x));

@@ -47,17 +47,17 @@ class Run {
     for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
       part->assign(patches_.band_count(), 0.0);
     report_.back_loss.assign(patches_.materials.size(), 0.0);
-    report_.unshot_share = 1.0;
+    report_.unshot_fraction = 1.0;
     return sign(StopReason::stopped_by_user);
   }
 
   StopReason iterate(const RowOperator& transport, RowLight& light, const JacobiOptions& options) {
     const auto show = [&](const JacobiStep& step) {
-      report_.steps.push_back({0, step.unshot_share});
-      report_.unshot_share = step.unshot_share;
+      report_.steps.push_back({0, step.unshot_fraction});
+      report_.unshot_fraction = step.unshot_fraction;
       show_light(transport, light);
     };
-    report_.unshot_share = 1.0;
+    report_.unshot_fraction = 1.0;
     const auto end =
         jacobi(transport, light.area, light.emittance, light.from_sky, light.reflectance, light.before,
                light.irradiance, light.radiosity, options, workers_, monitor_, show)
@@ -80,14 +80,14 @@ class Run {
   }
 
   StopReason eliminate(const DenseOperator& transport, RowLight& light) {
-    report_.unshot_share = 1.0;
+    report_.unshot_fraction = 1.0;
     auto leaves_first = light.emittance;  // E + rho D
     for (std::size_t i = 0; i < leaves_first.size(); ++i)
       leaves_first[i] += light.reflectance[i] * light.from_sky[i];
     auto radiosity = leaves_first;
     if (!solve_directly(transport.factors(), leaves_first, light.reflectance, radiosity, workers_, monitor_))
       return StopReason::stopped_by_user;
-    report_.unshot_share = 0.0;
+    report_.unshot_fraction = 0.0;
     light.before = std::move(radiosity);
     close(transport, light);
     return StopReason::converged;
@@ -119,13 +119,13 @@ class Run {
   // What the monitor answers is asked again before the next work.
   void show_light(const RowOperator& transport, const RowLight& light) {
     write_light(transport, light, {}, solution_);
-    solution_.unshot_share = report_.unshot_share;
-    tell(monitor_, {"light", 1.0 - report_.unshot_share, 0, 0.0, &solution_});
+    solution_.unshot_fraction = report_.unshot_fraction;
+    tell(monitor_, {"light", 1.0 - report_.unshot_fraction, 0, 0.0, &solution_});
   }
 
   SolveReport sign(StopReason reason) {
     report_.stop = solution_.stop = reason;
-    solution_.unshot_share = report_.unshot_share;
+    solution_.unshot_fraction = report_.unshot_fraction;
     solution_.predicted_error = report_.predicted_error;
     solution_.provenance.rays = report_.rays;
     return report_;

@@ -61,7 +61,7 @@ struct LinesSolveOptions {
 };
 
 // Rows of local lines, stored, and Jacobi's iteration. Standard errors: see line_errors(); they do not hold
-// the bias of the iteration, which unshot_share bounds, nor the small one of a product of two noisy rows.
+// the bias of the iteration, which unshot_fraction bounds, nor the small one of a product of two noisy rows.
 // Cost: linear.
 SolveReport solve_lines(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LinesSolveOptions& options, const Workers& workers,

@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t pairs_a_chunk = 64;
+constexpr std::size_t pairs_per_chunk = 64;
 
 // Pairs are numbered (1,0) (2,0) (2,1) (3,0) ...
 struct Pair {
@@ -51,13 +51,16 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
   DenseOperator transport(patches, workers);
   const FormFactors form_factors(patches, tracer, workers);
   const auto n = transport.size();
-  const auto side = [&](std::size_t slot) { return transport.sides().side[slot]; };
-  const auto area = [&](std::size_t slot) { return static_cast<double>(patches.area[side(slot) / 2]); };
+  const auto side = [&](std::size_t receiver) { return transport.sides().side[receiver]; };
+  const auto area = [&](std::size_t receiver) {
+    return static_cast<double>(patches.area[side(receiver) / 2]);
+  };
   auto& escaped = transport.losses().escaped;
 
-  // 1. Pairs of slots, from the smaller one, whose factor is the larger: then both are within the tolerance.
+  // 1. Pairs of receivers, from the smaller one, whose factor is the larger: then both are within the
+  // tolerance.
   const auto pairs = n * (n - 1) / 2;
-  const auto chunks = (pairs + pairs_a_chunk - 1) / pairs_a_chunk;
+  const auto chunks = (pairs + pairs_per_chunk - 1) / pairs_per_chunk;
   std::vector<std::vector<Integrated>> integrated(chunks);
   std::vector<double> exact_error(chunks, 0.0);
   const auto find_pairs = [&](std::size_t begin, std::size_t end) {
@@ -70,33 +73,33 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
       const auto ratio = area(from) / area(to);
       transport.factors_[from * n + to] = static_cast<float>(factor.value);
       transport.factors_[to * n + from] = static_cast<float>(factor.value * ratio);
-      auto& error = exact_error[begin / pairs_a_chunk];
+      auto& error = exact_error[begin / pairs_per_chunk];
       if (factor.exact)
         error = std::max(error, factor.error);
       else
-        integrated[begin / pairs_a_chunk].push_back(
+        integrated[begin / pairs_per_chunk].push_back(
             {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to),
              static_cast<float>(factor.error), static_cast<float>(factor.error * ratio)});
     }
   };
-  if (!for_chunks_in_turns(pairs, pairs_a_chunk, workers, monitor, find_pairs)) return {};
+  if (!for_chunks_in_turns(pairs, pairs_per_chunk, workers, monitor, find_pairs)) return {};
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
     transport.integrated_.insert(transport.integrated_.end(), integrated[chunk].begin(),
                                  integrated[chunk].end());
     transport.exact_error_ = std::max(transport.exact_error_, exact_error[chunk]);
   }
 
-  // 2. What does not reach a slot: it ends at the backs of one-sided materials, or nowhere.
+  // 2. What does not reach a receiver: it ends at the backs of one-sided materials, or nowhere.
   const auto dead = dead_sides(patches);
   const auto find_losses = [&](std::size_t begin, std::size_t end) {
-    for (auto slot = begin; slot < end; ++slot) {
-      const auto* row = &transport.factors_[slot * n];
-      escaped[slot] = 1.0 - std::accumulate(row, row + n, 0.0);
+    for (auto receiver = begin; receiver < end; ++receiver) {
+      const auto* row = &transport.factors_[receiver * n];
+      escaped[receiver] = 1.0 - std::accumulate(row, row + n, 0.0);
       for (const auto back : dead) {
-        const auto factor = form_factors.between(side(slot), back, options.tolerance);
-        escaped[slot] -= factor.value;
-        transport.error_at_backs_[slot] += factor.error;
-        transport.losses().at_backs[slot * patches.materials.size() +
+        const auto factor = form_factors.between(side(receiver), back, options.tolerance);
+        escaped[receiver] -= factor.value;
+        transport.error_at_backs_[receiver] += factor.error;
+        transport.losses().at_backs[receiver * patches.materials.size() +
                                     static_cast<std::size_t>(patches.material[back / 2])] += factor.value;
       }
     }
@@ -108,20 +111,20 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
 void DenseOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& body) const {
   const auto n = size();
   std::vector<Factor> row;
-  for (auto slot = begin; slot < end; ++slot) {
+  for (auto receiver = begin; receiver < end; ++receiver) {
     row.clear();
     for (std::size_t other = 0; other < n; ++other)
-      if (const auto share = factors_[slot * n + other]; share > 0.0f)
-        row.push_back({static_cast<std::uint32_t>(other), share});
-    body(slot, row);
+      if (const auto fraction = factors_[receiver * n + other]; fraction > 0.0f)
+        row.push_back({static_cast<std::uint32_t>(other), fraction});
+    body(receiver, row);
   }
 }
 
 std::vector<double> DenseOperator::irradiance_error(std::span<const float> radiosity) const {
   const auto count = bands();
-  // What a slot does not see of a surface it sees of the sky.
-  const auto contrast = [&](std::size_t slot, std::size_t b) {
-    return std::abs(double{radiosity[slot * count + b]} - patches().sky_radiosity(b));
+  // What a receiver does not see of a surface it sees of the sky.
+  const auto contrast = [&](std::size_t receiver, std::size_t b) {
+    return std::abs(double{radiosity[receiver * count + b]} - patches().sky_radiosity(b));
   };
   std::vector<double> sum(count, 0.0);
   for (std::size_t i = 0; i < radiosity.size(); ++i) sum[i % count] += contrast(i / count, i % count);
@@ -131,19 +134,19 @@ std::vector<double> DenseOperator::irradiance_error(std::span<const float> radio
         exact_error_ * sum[i % count] + error_at_backs_[i / count] * patches().sky_radiosity(i % count);
   for (const auto& pair : integrated_)
     for (std::size_t b = 0; b < count; ++b) {
-      error[pair.slot * count + b] += double{pair.error} * contrast(pair.other, b);
-      error[pair.other * count + b] += double{pair.error_back} * contrast(pair.slot, b);
+      error[pair.receiver * count + b] += double{pair.error} * contrast(pair.other, b);
+      error[pair.other * count + b] += double{pair.error_back} * contrast(pair.receiver, b);
     }
   return error;
 }
 
 void DenseOperator::join_faces(std::span<const std::uint32_t> face) {
   const auto n = size();
-  // Slots by face and by which side of it they are.
+  // Receivers by face and by which side of it they are.
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t slot) {
-    const auto side = sides().side[slot];
+  const auto key = [&](std::uint32_t receiver) {
+    const auto side = sides().side[receiver];
     return 2 * std::uint64_t{face[side / 2]} + side % 2;
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });

@@ -17,8 +17,8 @@ struct DenseOptions {
 };
 
 // Transport as the whole matrix of form factors (Goral et al. 1984; closed forms of Schröder and Hanrahan
-// 1993): n² factors for n slots. Reciprocal to rounding: the factor of each pair is found once. Memory: 4 n²
-// bytes, and 16 for each pair that had to be integrated. Cost: n² / 2 form factors.
+// 1993): n² factors for n receivers. Reciprocal to rounding: the factor of each pair is found once. Memory: 4
+// n² bytes, and 16 for each pair that had to be integrated. Cost: n² / 2 form factors.
 class DenseOperator final : public RowOperator {
  public:
   // Keeps a reference to patches. Nothing if the monitor said stop.
@@ -28,12 +28,12 @@ class DenseOperator final : public RowOperator {
 
   void for_rows(std::size_t begin, std::size_t end, const RowBody& body) const override;
 
-  // [slot][slot], row by row.
+  // [receiver][receiver], row by row.
   std::span<const float> factors() const { return factors_; }
   // Pairs whose factor is integrated, not in closed form.
   std::size_t integrated_pairs() const { return integrated_.size(); }
   // How far the irradiance F radiosity, and with it what the sky sends through what F leaves free, may be off
-  // by the errors of F, should all lean the same way: [slot][band], W/m².
+  // by the errors of F, should all lean the same way: [receiver][band], W/m².
   std::vector<double> irradiance_error(std::span<const float> radiosity) const;
 
   // Makes sides of the same face receive alike: each row, and what it leaves free, becomes the mean of those
@@ -43,8 +43,9 @@ class DenseOperator final : public RowOperator {
 
  private:
   struct Integrated {
-    std::uint32_t slot = 0, other = 0;
-    float error = 0.0f, error_back = 0.0f;  // of the factor from slot to other, and from other to slot
+    std::uint32_t receiver = 0, other = 0;
+    float error = 0.0f,
+          error_back = 0.0f;  // of the factor from receiver to other, and from other to receiver
   };
 
   DenseOperator(const PatchSet& patches, const Workers& workers);
@@ -52,7 +53,7 @@ class DenseOperator final : public RowOperator {
   std::vector<float> factors_;
   std::vector<Integrated> integrated_;
   double exact_error_ = 0.0;            // the most that a factor in closed form may be off by
-  std::vector<double> error_at_backs_;  // [slot]: how far the sum of its factors to backs may be off
+  std::vector<double> error_at_backs_;  // [receiver]: how far the sum of its factors to backs may be off
 };
 
 }  // namespace luxel

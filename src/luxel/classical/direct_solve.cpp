@@ -12,7 +12,7 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t block = 48;  // columns eliminated together: their rows stay in the cache
-constexpr std::size_t rows_a_chunk = 16;
+constexpr std::size_t rows_per_chunk = 16;
 
 // A = P^-1 L U, in the place of A. Rows are not moved but named: row i of the factors is rows_[i] of A.
 class Elimination {
@@ -22,15 +22,15 @@ class Elimination {
     std::iota(rows_.begin(), rows_.end(), std::size_t{0});
   }
 
-  // share_done(columns done / n) may say stop.
-  template <typename ShareDone>
-  bool run(const ShareDone& share_done) {
+  // fraction_done(columns done / n) may say stop.
+  template <typename FractionDone>
+  bool run(const FractionDone& fraction_done) {
     for (std::size_t first = 0; first < n_; first += block) {
       const auto last = std::min(n_, first + block);
       eliminate_columns(first, last);
       finish_rows(first, last);
       update_rest(first, last);
-      if (share_done(static_cast<double>(last) / static_cast<double>(n_)) == Next::stop) return false;
+      if (fraction_done(static_cast<double>(last) / static_cast<double>(n_)) == Next::stop) return false;
     }
     return true;
   }
@@ -78,7 +78,7 @@ class Elimination {
   }
 
   void update_rest(std::size_t first, std::size_t last) {
-    workers_.for_chunks(n_ - last, rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    workers_.for_chunks(n_ - last, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto k = first; k < last; ++k)
         for (auto i = last + begin; i < last + end; ++i) subtract(row(i), row(i)[k], row(k), last);
     });
@@ -109,15 +109,15 @@ bool solve_directly(std::span<const float> factors, std::span<const float> emitt
   for (std::size_t band = 0; band < bands; ++band) {
     if (is_solved[band]) continue;
     std::vector<double> matrix(n * n);
-    workers.for_chunks(n, rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    workers.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i)
         for (std::size_t j = 0; j < n; ++j)
           matrix[i * n + j] =
               (i == j ? 1.0 : 0.0) - double{reflectance[i * bands + band]} * double{factors[i * n + j]};
     });
     Elimination elimination(n, std::move(matrix), workers);
-    const auto tell_whole = [&](double share) {
-      return tell(monitor, {"light", (static_cast<double>(band) + share) / static_cast<double>(bands)});
+    const auto tell_whole = [&](double fraction) {
+      return tell(monitor, {"light", (static_cast<double>(band) + fraction) / static_cast<double>(bands)});
     };
     if (!elimination.run(tell_whole)) return false;
     // All bands that reflect like this one.

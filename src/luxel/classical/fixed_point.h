@@ -11,10 +11,10 @@ namespace luxel {
 struct FixedPoint {
   double unit = 1.0;  // W, a power of two: conversions only move the exponent
 
-  // The finest unit in which `largest_sum` watts, spread over every counter or heaped on one, cannot
+  // The finest unit in which `max_sum` watts, spread over every counter or heaped on one, cannot
   // overflow: at most 2^61 units.
-  static FixedPoint for_sum(double largest_sum) {
-    return {largest_sum > 0.0 ? std::exp2(std::ilogb(largest_sum) - 60) : 1.0};
+  static FixedPoint for_sum(double max_sum) {
+    return {max_sum > 0.0 ? std::exp2(std::ilogb(max_sum) - 60) : 1.0};
   }
   std::int64_t units(double watts) const { return std::llround(watts / unit); }
   double watts(std::int64_t units) const { return static_cast<double>(units) * unit; }

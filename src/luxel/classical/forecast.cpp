@@ -15,10 +15,10 @@
 namespace luxel {
 namespace {
 
-constexpr double most_seconds = 0.5;        // of trials
-constexpr std::uint64_t least_trials = 30;  // some pairs take a thousand times as long as others
-constexpr double operations_a_second = 1e9;
-constexpr double factors_a_second = 3e8;  // looked up in a sweep
+constexpr double max_seconds = 0.5;       // of trials
+constexpr std::uint64_t min_trials = 30;  // some pairs take a thousand times as long as others
+constexpr double operations_per_second = 1e9;
+constexpr double factors_per_second = 3e8;  // looked up in a sweep
 constexpr std::uint64_t trials = 0x666f7265u;
 
 std::uint64_t gathering_sides(const PatchSet& patches) {
@@ -48,7 +48,7 @@ double seconds_each(std::uint64_t most, const std::function<void(std::uint64_t)>
   const auto begin = Clock::now();
   double seconds = 0.0;
   std::uint64_t done = 0;
-  while (done < most && (seconds < most_seconds || done < std::min(most, least_trials))) {
+  while (done < most && (seconds < max_seconds || done < std::min(most, min_trials))) {
     trial(done++);
     seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
@@ -87,9 +87,10 @@ Forecast forecast_dense(const PatchSet& patches, const Tracer& tracer, const Den
   if (options.solver == DenseSolver::direct) {
     forecast.bytes += direct_solve_bytes(forecast.sides);
     forecast.seconds += static_cast<double>(patches.band_count()) * n * n * n /
-                        (1.5 * operations_a_second * workers.threads());
+                        (1.5 * operations_per_second * workers.threads());
   } else {
-    forecast.seconds += steps_of(patches, options.iteration) * n * n / (factors_a_second * workers.threads());
+    forecast.seconds +=
+        steps_of(patches, options.iteration) * n * n / (factors_per_second * workers.threads());
   }
   return forecast;
 }
@@ -126,7 +127,7 @@ Forecast forecast_lines(const PatchSet& patches, const Tracer& tracer, const Lin
       static_cast<double>(forecast.sides) * entries / static_cast<double>(std::max<std::uint64_t>(1, tried));
   constexpr double error_sweeps = 80.0;
   forecast.seconds = (static_cast<double>(forecast.sides) * a_row +
-                      (steps_of(patches, options.iteration) + error_sweeps) * stored / factors_a_second) /
+                      (steps_of(patches, options.iteration) + error_sweeps) * stored / factors_per_second) /
                      workers.threads();
   forecast.bytes = static_cast<std::uint64_t>(8.0 * stored) +
                    forecast.sides * (64 + 8 * (1 + patches.materials.size()) + 60 * patches.band_count());

@@ -171,7 +171,7 @@ class Acceleration {
 
   // The normal equations, a few by a few, by Cholesky's method. A direction that adds nothing gets no weight.
   std::vector<double> least_squares() {
-    constexpr double least_pivot = 1e-10;
+    constexpr double min_pivot = 1e-10;
     const auto m = steps_.size();
     const auto middle = static_cast<std::ptrdiff_t>(m);
     auto w = new_products();
@@ -186,7 +186,7 @@ class Acceleration {
         if (j < i) a[i * m + j] *= a[j * m + j];
       }
       // The diagonal holds inverses.
-      a[i * m + i] = a[i * m + i] > least_pivot * whole ? 1.0 / std::sqrt(a[i * m + i]) : 0.0;
+      a[i * m + i] = a[i * m + i] > min_pivot * whole ? 1.0 / std::sqrt(a[i * m + i]) : 0.0;
       for (std::size_t k = 0; k < i; ++k) w[i] -= a[i * m + k] * w[k];
       w[i] *= a[i * m + i];
     }

@@ -106,13 +106,13 @@ void Hemicube::row(std::size_t side, FormFactorRow& row) {
   }
 
   std::sort(met_.begin(), met_.end());
-  const auto share = 1.0 / static_cast<double>(centres.size());
+  const auto fraction = 1.0 / static_cast<double>(centres.size());
   for (const auto other : met_) {
-    row.entries.push_back({other, static_cast<float>(sum_[other] * share)});
+    row.entries.push_back({other, static_cast<float>(sum_[other] * fraction)});
     sum_[other] = 0.0;
   }
   met_.clear();
-  row.escaped = escaped_ * share;
+  row.escaped = escaped_ * fraction;
 }
 
 void Hemicube::look(const Vec3d& eye, const Vec3d& s, const Vec3d& t, const Vec3d& n,

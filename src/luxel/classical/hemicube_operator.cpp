@@ -13,9 +13,9 @@ std::optional<HemicubeOperator> HemicubeOperator::make(const PatchSet& patches,
       for_chunks_in_turns(transport.size(), 1, workers, monitor, [&](std::size_t begin, std::size_t end) {
         Hemicube hemicube(patches, options);
         FormFactorRow row;
-        for (auto slot = begin; slot < end; ++slot) {
-          hemicube.row(transport.sides().side[slot], row);
-          transport.book_losses(slot, row);
+        for (auto receiver = begin; receiver < end; ++receiver) {
+          hemicube.row(transport.sides().side[receiver], row);
+          transport.book_losses(receiver, row);
         }
       });
   if (!is_whole) return {};
@@ -25,9 +25,9 @@ std::optional<HemicubeOperator> HemicubeOperator::make(const PatchSet& patches,
 void HemicubeOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& body) const {
   Hemicube hemicube(patches(), options_);
   FormFactorRow row;
-  for (auto slot = begin; slot < end; ++slot) {
-    hemicube.row(sides().side[slot], row);
-    body(slot, factors_of(row));
+  for (auto receiver = begin; receiver < end; ++receiver) {
+    hemicube.row(sides().side[receiver], row);
+    body(receiver, factors_of(row));
   }
 }
 

@@ -21,8 +21,8 @@ double power(std::span<const float> radiosity, std::span<const float> less, std:
 }
 
 // How far the whole is: the unshot power falls geometrically.
-double done_share(double unshot_share, double tolerance) {
-  return std::clamp(std::log(unshot_share) / std::log(tolerance), 0.0, 1.0);
+double done_fraction(double unshot_fraction, double tolerance) {
+  return std::clamp(std::log(unshot_fraction) / std::log(tolerance), 0.0, 1.0);
 }
 
 // irradiance = F radiosity, in turns of whole blocks between which the monitor is asked.
@@ -57,16 +57,18 @@ JacobiReport jacobi(const TransportOperator& transport, std::span<const float> a
   JacobiReport report;
   auto unshot = emitted > 0.0 ? 1.0 : 0.0;
   while (unshot > options.tolerance) {
-    if (options.steps > 0 && report.unshot_share.size() == static_cast<std::size_t>(options.steps)) {
+    if (options.steps > 0 && report.unshot_fraction.size() == static_cast<std::size_t>(options.steps)) {
       report.end = JacobiEnd::step_limit;
       return report;
     }
-    const auto begun = options.steps > 0 ? static_cast<double>(report.unshot_share.size()) / options.steps
-                                         : done_share(unshot, options.tolerance);
-    const auto left_of_last = report.unshot_share.empty() ? 0.3 : 1.0 - begun;
-    const auto steps_done = static_cast<double>(std::max<std::size_t>(1, report.unshot_share.size()));
+    const auto begun = options.steps > 0 ? static_cast<double>(report.unshot_fraction.size()) / options.steps
+                                         : done_fraction(unshot, options.tolerance);
+    const auto left_of_last = report.unshot_fraction.empty() ? 0.3 : 1.0 - begun;
+    const auto steps_done = static_cast<double>(std::max<std::size_t>(1, report.unshot_fraction.size()));
     const auto a_step = options.steps > 0 ? 1.0 / options.steps : std::min(left_of_last, begun / steps_done);
-    const auto tell_whole = [&](double share) { return tell(monitor, {"light", begun + share * a_step}); };
+    const auto tell_whole = [&](double fraction) {
+      return tell(monitor, {"light", begun + fraction * a_step});
+    };
     if (!gather(transport, radiosity, next, workers, tell_whole)) {
       report.end = JacobiEnd::stopped;
       return report;
@@ -79,9 +81,9 @@ JacobiReport jacobi(const TransportOperator& transport, std::span<const float> a
       }
     });
     unshot = power(radiosity, before, area, workers) / emitted;
-    report.unshot_share.push_back(unshot);
+    report.unshot_fraction.push_back(unshot);
     if (each_step)
-      each_step({static_cast<int>(report.unshot_share.size()), before, irradiance, radiosity, unshot});
+      each_step({static_cast<int>(report.unshot_fraction.size()), before, irradiance, radiosity, unshot});
   }
   return report;
 }

@@ -22,14 +22,14 @@ struct JacobiStep {
   std::span<const float> before;      // B of the step before, [row][band], W/m²
   std::span<const float> irradiance;  // H = D + F before
   std::span<const float> radiosity;   // B = E + rho H
-  double unshot_share = 1.0;          // what stands in B but not in `before`, over the power of E and D
+  double unshot_fraction = 1.0;       // what stands in B but not in `before`, over the power of E and D
 };
 using EachStep = std::function<void(const JacobiStep& step)>;
 
 enum class JacobiEnd { converged, step_limit, stopped };
 
 struct JacobiReport {
-  std::vector<double> unshot_share;  // after each step
+  std::vector<double> unshot_fraction;  // after each step
   JacobiEnd end = JacobiEnd::converged;
 };
 

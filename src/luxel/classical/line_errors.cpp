@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t probes = 8;
 constexpr std::uint32_t probe_stream = 0x70726f62u;  // keeps their signs apart from the lines
 constexpr double probe_tolerance = 0.02;
-constexpr std::size_t grain = 64;  // slots a chunk
+constexpr std::size_t grain = 64;  // receivers a chunk
 
 std::vector<double> own_variance(const LinesOperator& transport, const RowLight& light,
                                  const Workers& workers) {
@@ -27,20 +27,20 @@ std::vector<double> own_variance(const LinesOperator& transport, const RowLight&
   std::vector<double> variance(light.before.size());
   workers.for_chunks(transport.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     std::vector<double> square(bands), mean(bands);
-    transport.for_rows(begin, end, [&](std::size_t slot, std::span<const RowOperator::Factor> row) {
+    transport.for_rows(begin, end, [&](std::size_t receiver, std::span<const RowOperator::Factor> row) {
       for (std::size_t b = 0; b < bands; ++b) {
-        mean[b] = transport.losses().escaped[slot] * sky[b];
+        mean[b] = transport.losses().escaped[receiver] * sky[b];
         square[b] = mean[b] * sky[b];
       }
       for (const auto& factor : row)
         for (std::size_t b = 0; b < bands; ++b) {
-          const double B = light.before[factor.slot * bands + b];
-          square[b] += double{factor.share} * B * B;
-          mean[b] += double{factor.share} * B;
+          const double B = light.before[factor.receiver * bands + b];
+          square[b] += double{factor.fraction} * B * B;
+          mean[b] += double{factor.fraction} * B;
         }
       for (std::size_t b = 0; b < bands; ++b) {
         const auto missed = brightest[b] / lines;
-        variance[slot * bands + b] =
+        variance[receiver * bands + b] =
             std::max(0.0, square[b] - mean[b] * mean[b]) / lines + 0.5 * missed * missed;
       }
     });

@@ -10,16 +10,16 @@
 
 namespace luxel {
 
-// The standard error of the irradiance by local lines, [slot][band], W/m².
+// The standard error of the irradiance by local lines, [receiver][band], W/m².
 //
-// N lines of slot i are N draws from the radiosities around it, so what it gathers has the variance
+// N lines of receiver i are N draws from the radiosities around it, so what it gathers has the variance
 //
 //     s_i² = (sum_j F_ij B_j² - H_i²) / N + (max B / N)² / 2
 //
 // (multinomial; the sky is one of the j; the second term is half a line that met the brightest there is, for
-// lines may have missed a small lamp altogether). Errors go on from slot to slot as light does, e = s + F rho
-// e. What that adds is estimated from a few sets of errors of random signs sent through the operator. Cost:
-// some eighty apply().
+// lines may have missed a small lamp altogether). Errors go on from receiver to receiver as light does, e = s
+// + F rho e. What that adds is estimated from a few sets of errors of random signs sent through the operator.
+// Cost: some eighty apply().
 std::vector<float> line_errors(const LinesOperator& transport, const RowLight& light, std::uint64_t seed,
                                const Workers& workers);
 

@@ -13,12 +13,12 @@ std::optional<LinesOperator> LinesOperator::make(const PatchSet& patches, const 
   const bool is_whole =
       for_chunks_in_turns(transport.size(), 4, workers, monitor, [&](std::size_t begin, std::size_t end) {
         LineCounts counts;
-        for (auto slot = begin; slot < end; ++slot) {
-          count_local_lines(patches, tracer, transport.sides().side[slot], options.lines, options.seed, 0,
+        for (auto receiver = begin; receiver < end; ++receiver) {
+          count_local_lines(patches, tracer, transport.sides().side[receiver], options.lines, options.seed, 0,
                             counts);
           const auto row = row_of(counts);
-          transport.rows_[slot] = transport.factors_of(row);
-          transport.book_losses(slot, row);
+          transport.rows_[receiver] = transport.factors_of(row);
+          transport.book_losses(receiver, row);
         }
       });
   if (!is_whole) return {};
@@ -26,7 +26,7 @@ std::optional<LinesOperator> LinesOperator::make(const PatchSet& patches, const 
 }
 
 void LinesOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& body) const {
-  for (auto slot = begin; slot < end; ++slot) body(slot, rows_[slot]);
+  for (auto receiver = begin; receiver < end; ++receiver) body(receiver, rows_[receiver]);
 }
 
 }  // namespace luxel

@@ -18,8 +18,8 @@ struct LinesOptions {
 
 // Transport by local lines: from each side go so many random cosine lines, and the factor to another is the
 // share of them that meet it (listing 1 of the founding course paper). Unbiased, factor by factor. Rows are
-// stored as pairs of slot and share: 8 bytes each, at most `lines` a slot. Cost: one nearest hit a line,
-// once.
+// stored as pairs of receiver and share: 8 bytes each, at most `lines` a receiver. Cost: one nearest hit a
+// line, once.
 class LinesOperator final : public RowOperator {
  public:
   // Keeps a reference to patches. Nothing if the monitor said stop.
@@ -35,7 +35,7 @@ class LinesOperator final : public RowOperator {
       : RowOperator(patches, workers), lines_(lines), rows_(size()) {}
 
   std::uint32_t lines_;
-  std::vector<std::vector<Factor>> rows_;  // [slot]
+  std::vector<std::vector<Factor>> rows_;  // [receiver]
 };
 
 }  // namespace luxel

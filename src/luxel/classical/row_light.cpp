@@ -10,9 +10,9 @@ namespace luxel {
 
 RowLight::RowLight(const RowOperator& transport) {
   const auto& patches = transport.patches();
-  for (std::size_t slot = 0; slot < transport.size(); ++slot) {
-    const auto side = transport.sides().side[slot];
-    const auto escaped = std::max(0.0, transport.losses().escaped[slot]);
+  for (std::size_t receiver = 0; receiver < transport.size(); ++receiver) {
+    const auto side = transport.sides().side[receiver];
+    const auto escaped = std::max(0.0, transport.losses().escaped[receiver]);
     area.push_back(patches.area[side / 2]);
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
       reflectance.push_back(patches.reflectance(side / 2, b));
@@ -54,18 +54,18 @@ EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
   EnergyAccount energy(emitted_power(patches), materials);
   auto& balance = energy.balance;
   for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
-    const auto slot = i / bands;
+    const auto receiver = i / bands;
     const auto b = i % bands;
-    const double area = light.area[slot];
+    const double area = light.area[receiver];
     const auto sent = area * double{light.before[i]};
     balance.absorbed[b] += area * (1.0 - double{light.reflectance[i]}) * double{light.irradiance[i]};
-    balance.escaped[b] += sent * losses.escaped[slot];
+    balance.escaped[b] += sent * losses.escaped[receiver];
     // The irradiance holds the sky's light from the first step on.
     const auto on_its_way = double{light.from_sky[i]} - std::min(light.from_sky[i], light.irradiance[i]);
     balance.from_sky[b] += area * double{light.from_sky[i]};
     balance.unshot[b] += area * (double{light.radiosity[i]} - double{light.before[i]} + on_its_way);
     for (std::size_t m = 0; m < materials; ++m) {
-      const auto lost = sent * losses.at_backs[slot * materials + m];
+      const auto lost = sent * losses.at_backs[receiver * materials + m];
       balance.lost_at_backs[b] += lost;
       energy.back_loss[m] += lost;
     }
@@ -75,14 +75,14 @@ EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
 
 double whole_error(const RowLight& light, const std::vector<float>& standard_error) {
   const auto bands = light.irradiance.size() / light.area.size();
-  double error2 = 0.0;
-  double light2 = 0.0;
+  double squared_error = 0.0;
+  double squared_light = 0.0;
   for (std::size_t i = 0; i < standard_error.size(); ++i) {
     const double area = light.area[i / bands];
-    error2 += area * double{standard_error[i]} * double{standard_error[i]};
-    light2 += area * double{light.irradiance[i]} * double{light.irradiance[i]};
+    squared_error += area * double{standard_error[i]} * double{standard_error[i]};
+    squared_light += area * double{light.irradiance[i]} * double{light.irradiance[i]};
   }
-  return light2 > 0.0 ? std::sqrt(error2 / light2) : 0.0;
+  return squared_light > 0.0 ? std::sqrt(squared_error / squared_light) : 0.0;
 }
 
 }  // namespace luxel

@@ -9,10 +9,10 @@
 
 namespace luxel {
 
-// The light of the slots of a row operator while it is solved. [slot][band], W/m².
+// The light of the receivers of a row operator while it is solved. [receiver][band], W/m².
 struct RowLight {
-  std::vector<float> area;         // [slot], m²
-  std::vector<float> reflectance;  // of the slot's material
+  std::vector<float> area;         // [receiver], m²
+  std::vector<float> reflectance;  // of the receiver's material
   std::vector<float> emittance;    // E: fronts only
   std::vector<float> before;       // the radiosity that the irradiance comes from
   std::vector<float> from_sky;     // D: irradiance straight from the sky
@@ -24,7 +24,7 @@ struct RowLight {
 };
 
 // Writes irradiance and radiosity of both sides of every patch, and the standard errors where there are such
-// ([slot][band]).
+// ([receiver][band]).
 void write_light(const RowOperator& transport, const RowLight& light,
                  const std::vector<float>& standard_error, Solution& solution);
 

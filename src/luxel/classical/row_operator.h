@@ -13,23 +13,23 @@
 
 namespace luxel {
 
-// What the light that leaves a slot reaches beside the slots, as shares of it. With the row of factors they
-// sum to one, to rounding; where factors are integrated, what is escaped may come out below zero by their
-// error.
+// What the light that leaves a receiver reaches beside the receivers, as shares of it. With the row of
+// factors they sum to one, to rounding; where factors are integrated, what is escaped may come out below zero
+// by their error.
 struct RowLosses {
-  std::vector<double> escaped;   // [slot]: meets nothing
-  std::vector<double> at_backs;  // [slot][material]: meets the back of that one-sided material
+  std::vector<double> escaped;   // [receiver]: meets nothing
+  std::vector<double> at_backs;  // [receiver][material]: meets the back of that one-sided material
 };
 
 // A transport operator that can give its rows, factor by factor: dense, hemicube and lines. Elements are the
-// slots of all_gather_sides().
+// receivers of all_gather_sides().
 class RowOperator : public TransportOperator {
  public:
   struct Factor {
-    std::uint32_t slot = 0;
-    float share = 0.0f;  // [0, 1]
+    std::uint32_t receiver = 0;
+    float fraction = 0.0f;  // [0, 1]
   };
-  using RowBody = std::function<void(std::size_t slot, std::span<const Factor> row)>;
+  using RowBody = std::function<void(std::size_t receiver, std::span<const Factor> row)>;
 
   std::size_t size() const final { return sides_.size(); }
   std::size_t bands() const final { return patches_.band_count(); }
@@ -49,9 +49,9 @@ class RowOperator : public TransportOperator {
   // Keeps a reference to patches.
   RowOperator(const PatchSet& patches, const Workers& workers);
 
-  // The factors of such a row to slots; the rest of it becomes the slot's losses.
+  // The factors of such a row to receivers; the rest of it becomes the receiver's losses.
   std::vector<Factor> factors_of(const FormFactorRow& row) const;
-  void book_losses(std::size_t slot, const FormFactorRow& row);
+  void book_losses(std::size_t receiver, const FormFactorRow& row);
   RowLosses& losses() { return losses_; }
 
  private:

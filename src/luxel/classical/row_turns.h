@@ -14,19 +14,19 @@ namespace luxel {
 // done does not depend on it.
 class TurnLength {
  public:
-  explicit TurnLength(std::size_t first) : least_(first), length_(first) {}
+  explicit TurnLength(std::size_t first) : min_(first), length_(first) {}
 
   std::size_t length() const { return length_; }
   void begin() { begin_ = Clock::now(); }
   void end() {
     const auto seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     if (seconds < 0.1) length_ *= 2;
-    if (seconds > 0.3) length_ = std::max(least_, length_ / 2);
+    if (seconds > 0.3) length_ = std::max(min_, length_ / 2);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::size_t least_, length_;
+  std::size_t min_, length_;
   Clock::time_point begin_;
 };
 
@@ -43,8 +43,8 @@ bool for_chunks_in_turns(std::size_t count, std::size_t grain, const Workers& wo
                        [&](std::size_t begin, std::size_t end, int) { body(from + begin, from + end); });
     turn.end();
     from = to;
-    const auto share = static_cast<double>(to) / static_cast<double>(count);
-    if (tell(monitor, {"factors", share}) == Next::stop) return false;
+    const auto fraction = static_cast<double>(to) / static_cast<double>(count);
+    if (tell(monitor, {"factors", fraction}) == Next::stop) return false;
   }
   return true;
 }

@@ -37,8 +37,8 @@ std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t pla
 Deposits::Sums take(Deposits& deposits, std::size_t bands, const Ranks* ranks, const Workers& workers) {
   auto own = deposits.take(workers);
   if (!ranks) return own;
-  const auto places = joined(*ranks, own.place);
-  const auto sums = joined(*ranks, own.sum);
+  const auto places = all_gather_lists(*ranks, own.place);
+  const auto sums = all_gather_lists(*ranks, own.sum);
   for (std::size_t e = 0; e < places.size(); ++e)
     deposits.add(0, places[e], std::span(sums).subspan(e * bands, bands));
   return deposits.take(workers);
@@ -171,8 +171,8 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
     });
     traced += count;
     ++done;
-    const auto share = static_cast<double>(done) / static_cast<double>(batches);
-    if (agreed(ranks, tell(monitor, {"light", share, traced})) == Next::stop) break;
+    const auto fraction = static_cast<double>(done) / static_cast<double>(batches);
+    if (agreed(ranks, tell(monitor, {"light", fraction, traced})) == Next::stop) break;
   }
 
   Arrival arrival;
@@ -191,7 +191,7 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
   arrival.shot = part(Place::shot);
   arrival.from_sky = part(Place::from_sky);
   arrival.rays = traced;
-  arrival.share = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
+  arrival.fraction = plan.rays > 0 ? static_cast<double>(done) / static_cast<double>(batches) : 1.0;
   return arrival;
 }
 

@@ -28,7 +28,7 @@ struct Arrival {
   std::vector<std::int64_t> escaped;   // [band]: met nothing
   std::vector<std::int64_t> absorbed;  // [material][band]: met the back of a one-sided material
   std::uint64_t rays = 0;
-  double share =
+  double fraction =
       1.0;  // of the rays asked for; below 1 only when the monitor said stop. Divide by it for the whole.
 };
 

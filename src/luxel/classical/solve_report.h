@@ -13,8 +13,8 @@ namespace luxel {
 
 // One bounce of a shooting method, or one step of Jacobi's iteration.
 struct StepRecord {
-  std::uint64_t rays = 0;     // of the bounce; Jacobi's steps trace none
-  double unshot_share = 1.0;  // after the step
+  std::uint64_t rays = 0;        // of the bounce; Jacobi's steps trace none
+  double unshot_fraction = 1.0;  // after the step
 };
 
 // One doubling of a sampled solve: what there was when it ended.
@@ -45,7 +45,7 @@ struct SolveReport {
   std::vector<StepRecord> steps;    // shooting, and where Jacobi's iteration solves
   std::vector<RoundRecord> rounds;  // sampled
   std::uint64_t rays = 0;
-  double unshot_share = 0.0;       // power left over at the end: the stated bias
+  double unshot_fraction = 0.0;    // power left over at the end: the stated bias
   double predicted_error = 0.0;    // see Solution
   double seen_error = 0.0;         // see Solution
   std::size_t views = 0;           // that state the seen error
@@ -57,9 +57,9 @@ struct SolveReport {
   std::vector<double> back_loss;  // [material], W summed over bands: met the back of that one-sided material
   bool streamed = false;          // sampled: hits were traced again for every sweep, for want of memory
   std::uint64_t memory = 0;       // bytes the process was predicted to hold at its peak; 0: not predicted
-  std::uint64_t dark_sides = 0;   // sides that no light reaches, as far as their first rays could tell
-  std::size_t ranks = 1;          // processes that shared the work
-  RankTraffic traffic;            // of this one
+  std::uint64_t unreached_sides = 0;  // sides that no light reaches, as far as their first rays could tell
+  std::size_t ranks = 1;              // processes that shared the work
+  RankTraffic traffic;                // of this one
 };
 
 // The error that a person reads first: the seen one where there is one.

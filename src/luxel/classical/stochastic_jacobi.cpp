@@ -48,17 +48,17 @@ class Iteration {
       part->assign(bands_, 0.0);
     report_.back_loss.assign(patches.materials.size(), 0.0);
     unshot_power_ = sum(unshot_.watts);
-    report_.unshot_share = 1.0;
+    report_.unshot_fraction = 1.0;
     if (patches.has_sky()) add_sky(patches, tracer);
   }
 
   void run(Solution& solution, const Monitor& monitor) {
     const auto first_step_rays =
         options_.rays > 0 ? options_.rays : automatic_rays(patches_, options_.rays_per_patch);
-    while (report_.unshot_share > options_.tolerance) {
+    while (report_.unshot_fraction > options_.tolerance) {
       const auto wanted = std::round(unshot_power_ / carried_once_ * static_cast<double>(first_step_rays));
-      const auto share = step(static_cast<std::uint64_t>(std::max(1.0, wanted)), monitor);
-      if (share < 1.0 || show(solution, monitor) == Next::stop) return finish(StopReason::stopped_by_user);
+      const auto fraction = step(static_cast<std::uint64_t>(std::max(1.0, wanted)), monitor);
+      if (fraction < 1.0 || show(solution, monitor) == Next::stop) return finish(StopReason::stopped_by_user);
     }
     finish(StopReason::converged);
   }
@@ -69,28 +69,28 @@ class Iteration {
  private:
   // The sky shoots with the first step. How much of it arrives is guessed, for the number of rays alone.
   void add_sky(const PatchSet& patches, const Tracer& tracer) {
-    constexpr double least_share = 1.0 / 16.0;
+    constexpr double min_fraction = 1.0 / 16.0;
     const SkyBox box(patches);
     add_sky_power(patches, box, unshot_);
     const auto lamps = unshot_power_;
     unshot_power_ = sum(unshot_.watts);
-    const auto hits = sky_hit_share(patches, tracer, box);
-    carried_once_ += (hits > 0.0 ? std::max(least_share, hits) : 1.0) * (unshot_power_ - lamps);
+    const auto hits = sky_hit_fraction(patches, tracer, box);
+    carried_once_ += (hits > 0.0 ? std::max(min_fraction, hits) : 1.0) * (unshot_power_ - lamps);
   }
 
   // The light of all bounces so far.
   Next show(Solution& solution, const Monitor& monitor) {
     if (!options_.shows_bounces || !monitor) return agreed(options_.ranks, Next::go_on);
     fill(solution);
-    return agreed(options_.ranks, monitor({"light", 1.0 - report_.unshot_share, report_.rays,
+    return agreed(options_.ranks, monitor({"light", 1.0 - report_.unshot_fraction, report_.rays,
                                            report_.predicted_error, &solution}));
   }
 
   // One bounce. Returns the share of it that was done before the monitor said stop.
   double step(std::uint64_t rays, const Monitor& monitor) {
     // The bar of the whole run: unshot power falls geometrically, and the rays follow it.
-    const auto before = report_.unshot_share;
-    const auto reflected = guess_reflected_share();
+    const auto before = report_.unshot_fraction;
+    const auto reflected = guessed_reflected_fraction();
     const auto tell_whole = [&](const Progress& p) {
       const auto here = before * (1.0 - p.done * (1.0 - reflected));
       return tell(monitor, {p.stage, std::clamp(1.0 - here, 0.0, 1.0), report_.rays + p.rays});
@@ -102,9 +102,9 @@ class Iteration {
                                          .ranks = options_.ranks},
                                         tell_whole);
     report_.rays += arrival.rays;
-    if (arrival.share > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
-    report_.steps.push_back({arrival.rays, report_.unshot_share});
-    return arrival.share;
+    if (arrival.fraction > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
+    report_.steps.push_back({arrival.rays, report_.unshot_fraction});
+    return arrival.fraction;
   }
 
   // Books what arrived, in quanta of that many watts (all bands together); what is reflected of it becomes
@@ -112,7 +112,7 @@ class Iteration {
   // variance q H / A.
   void receive(const Arrival& arrival, double quantum) {
     auto& energy = report_.energy;
-    const auto watts = [&](std::int64_t units) { return arrival.scale.watts(units) / arrival.share; };
+    const auto watts = [&](std::int64_t units) { return arrival.scale.watts(units) / arrival.fraction; };
     unshot_.side = arrival.side;
     unshot_.watts.resize(arrival.arrived.size());
     // Sums per chunk, added in order: the same bits on any number of threads.
@@ -150,14 +150,14 @@ class Iteration {
       emitted_ += watts(arrival.from_sky[b]);
     }
     unshot_power_ = sum(unshot);
-    report_.unshot_share = emitted_ > 0.0 ? unshot_power_ / emitted_ : 0.0;
+    report_.unshot_fraction = emitted_ > 0.0 ? unshot_power_ / emitted_ : 0.0;
   }
 
-  double guess_reflected_share() const {
+  double guessed_reflected_fraction() const {
     const auto n = report_.steps.size();
     if (n == 0) return 0.5;
-    const auto before = n > 1 ? report_.steps[n - 2].unshot_share : 1.0;
-    return std::clamp(report_.steps[n - 1].unshot_share / before, 0.0, 0.99);
+    const auto before = n > 1 ? report_.steps[n - 2].unshot_fraction : 1.0;
+    return std::clamp(report_.steps[n - 1].unshot_fraction / before, 0.0, 0.99);
   }
 
   void finish(StopReason reason) {
@@ -216,7 +216,7 @@ void Iteration::fill(Solution& solution) {
   const auto square = sum(squares);
   report_.predicted_error = square > 0.0 ? std::sqrt(variance_ / square) : 0.0;
 
-  solution.unshot_share = report_.unshot_share;
+  solution.unshot_fraction = report_.unshot_fraction;
   solution.predicted_error = report_.predicted_error;
   solution.stop = report_.stop;
   solution.provenance.method = "stochastic-jacobi";
@@ -253,9 +253,9 @@ std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {
 }
 
 StochasticJacobiOptions glance(const PatchSet& patches) {
-  constexpr std::uint64_t least_rays = 50'000;
-  constexpr std::uint64_t most_rays = 250'000;
-  return {.rays = std::clamp<std::uint64_t>(2 * patches.size(), least_rays, most_rays), .tolerance = 0.2};
+  constexpr std::uint64_t min_rays = 50'000;
+  constexpr std::uint64_t max_rays = 250'000;
+  return {.rays = std::clamp<std::uint64_t>(2 * patches.size(), min_rays, max_rays), .tolerance = 0.2};
 }
 
 SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& tracer, Solution& solution,

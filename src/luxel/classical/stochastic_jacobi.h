@@ -35,7 +35,7 @@ struct StochasticJacobiOptions {
 // Fills irradiance and radiosity of both sides of every patch, and everything else in `solution` but its
 // command line and options. The same input and seed give the same bits on any number of threads. A stop from
 // the monitor ends it within a fraction of a second with an unbiased estimate of the bounces begun so far;
-// the rest is in unshot_share. Neither lamp nor sky is an InputError that says how to add one.
+// the rest is in unshot_fraction. Neither lamp nor sky is an InputError that says how to add one.
 //
 // Error: relative standard error of a side's irradiance sqrt(P_T / (N P_i)), with P_T the power shot over the
 // run by N rays and P_i the power that arrives. Cost: one nearest hit a ray.

@@ -124,7 +124,7 @@ class Bake final : public Command {
 
 std::unique_ptr<Command> make_bake(CommandLine& line) {
   return std::make_unique<Bake>(
-      line.command("bake", "solve a scene's light and write it: mesh, picture or solution"));
+      line.command("bake", "solve the light of a scene; write meshes, pictures or a solution"));
 }
 
 }  // namespace luxel

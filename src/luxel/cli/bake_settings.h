@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/cli/keep_settings.h"
 #include "luxel/cli/mesh_settings.h"
 #include "luxel/cli/settings.h"
+#include "luxel/cli/store_settings.h"
 
 namespace luxel {
 
@@ -12,7 +12,7 @@ struct BakeSettings {
   SceneSettings scene;
   RefineSettings refine;
   LightSettings light;
-  KeepSettings keep;
+  StoreSettings keep;
   LookSettings look;
   MeshSettings mesh;
   PictureSettings picture;

@@ -24,8 +24,9 @@ class Check final : public Command {
     scene_.declare_sky(options);
     scene_.declare_spectra(options);
     options.heading("Check");
-    options.add_number("places", "count", places_, 0u, 1'000'000u, "how many places to tell of each finding");
-    options.add_flag("strict", strict_, "exit with 1 where a fault or a doubt was found");
+    options.add_number("places", "count", places_, 0u, 1'000'000u,
+                       "number of positions to list per diagnostic");
+    options.add_flag("strict", strict_, "exit with 1 if there are errors or warnings");
     look_.declare_up(options);
     run_.declare(options, kinds);
   }
@@ -83,7 +84,7 @@ class Check final : public Command {
 
 std::unique_ptr<Command> make_check(CommandLine& line) {
   return std::make_unique<Check>(
-      line.command("check", "say what is wrong with a scene, and where, before its light is solved"));
+      line.command("check", "report defects of a scene, with positions, before solving it"));
 }
 
 }  // namespace luxel

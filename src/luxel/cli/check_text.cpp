@@ -79,8 +79,8 @@ std::string summary(const Scene& scene, const CheckReport& report) {
   const auto size = report.box.size();
   auto text = fmt::format("{}: {} in {} ({} closed), {:.4g} x {:.4g} x {:.4g} m, {:.4g} m²\n", scene.source,
                           counted_things(report.triangles, "triangle"),
-                          counted_things(report.pieces, "connected piece"), with_commas(report.closed_pieces),
-                          size.x, size.y, size.z, report.area);
+                          counted_things(report.components, "connected piece"),
+                          with_commas(report.closed_components), size.x, size.y, size.z, report.area);
   const auto& walks = report.walks;
   if (walks.from == LightWalks::From::lamps)
     text +=
@@ -168,8 +168,8 @@ std::string CheckText::as_json() const {
                {"notes", report->count(Gravity::note)},
                {"triangles", report->triangles},
                {"lit_triangles", report->lit_triangles},
-               {"pieces", report->pieces},
-               {"closed_pieces", report->closed_pieces},
+               {"pieces", report->components},
+               {"closed_components", report->closed_components},
                {"area_m2", report->area},
                {"low_m", to_json(scene->origin + Vec3d(report->box.low))},
                {"high_m", to_json(scene->origin + Vec3d(report->box.high))},

@@ -9,12 +9,12 @@
 
 namespace luxel {
 
-SampleKeeping Checkpoint::keeping(const Baked& baked, std::shared_ptr<const SampleState> from,
+SampleStorage Checkpoint::storage(const Baked& baked, std::shared_ptr<const SampleState> from,
                                   Console& console) {
-  SampleKeeping keeping;
-  keeping.from = std::move(from);
-  if (settings_.checkpoint.empty() && !settings_.transport) return keeping;
-  keeping.keep = [this, &baked, &console](std::shared_ptr<const SampleState> state) {
+  SampleStorage storage;
+  storage.from = std::move(from);
+  if (settings_.checkpoint.empty() && !settings_.transport) return storage;
+  storage.keep = [this, &baked, &console](std::shared_ptr<const SampleState> state) {
     state_ = std::move(state);
     const auto now = std::chrono::steady_clock::now();
     const auto since = written_ ? std::chrono::duration<double>(now - *written_).count() : settings_.every;
@@ -27,7 +27,7 @@ SampleKeeping Checkpoint::keeping(const Baked& baked, std::shared_ptr<const Samp
     }
     written_ = std::chrono::steady_clock::now();
   };
-  return keeping;
+  return storage;
 }
 
 void Checkpoint::write(const Baked& baked) {
@@ -38,14 +38,14 @@ void Checkpoint::finish(const Baked& baked) {
   if (!settings_.checkpoint.empty() && state_) write(baked);
 }
 
-std::optional<KeptRun> run_to_go_on(const KeepSettings& settings, std::uint64_t scene_fingerprint,
-                                    const OptionSet& options) {
+std::optional<StoredRun> run_to_go_on(const StoreSettings& settings, std::uint64_t scene_fingerprint,
+                                      const OptionSet& options) {
   const auto& file = settings.checkpoint;
   if (file.empty() || !std::filesystem::exists(file)) return {};
-  auto run = read_kept_run(file);
+  auto run = read_stored_run(file);
   const auto& provenance = run.baked.solution.provenance;
   const auto refuse = [&](const std::string& what) {
-    throw InputError(file, fmt::format("it holds {}, which this run would overwrite: go on with it by 'luxel "
+    throw InputError(file, fmt::format("it holds {}, which this run would overwrite: continue it with 'luxel "
                                        "resume', name another file, or remove it",
                                        what));
   };

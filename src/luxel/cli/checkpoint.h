@@ -7,7 +7,7 @@
 #include <string>
 
 #include "luxel/cli/console.h"
-#include "luxel/cli/keep_settings.h"
+#include "luxel/cli/store_settings.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/sampled.h"
 
@@ -18,11 +18,11 @@ namespace luxel {
 class Checkpoint {
  public:
   // writes: whether this process is the one that does; others take part in gathering what is written.
-  explicit Checkpoint(const KeepSettings& settings, bool writes = true)
+  explicit Checkpoint(const StoreSettings& settings, bool writes = true)
       : settings_(settings), writes_(writes) {}
 
   // For the solver. Keeps references to all three, and to this.
-  SampleKeeping keeping(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console);
+  SampleStorage storage(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console);
 
   // After the last answer, if it is not yet in the file. Throws DeviceError where it cannot be written.
   void finish(const Baked& baked);
@@ -33,7 +33,7 @@ class Checkpoint {
  private:
   void write(const Baked& baked);
 
-  const KeepSettings& settings_;
+  const StoreSettings& settings_;
   bool writes_;
   std::shared_ptr<const SampleState> state_;
   std::optional<std::chrono::steady_clock::time_point> written_;
@@ -42,7 +42,7 @@ class Checkpoint {
 // The run that a checkpoint holds, to go on with: of the same scene and options. Nothing where there is no
 // such file. Throws InputError where it holds another run, which must not be lost; FormatError where it is
 // damaged or no solution at all.
-std::optional<KeptRun> run_to_go_on(const KeepSettings& settings, std::uint64_t scene_fingerprint,
-                                    const OptionSet& options);
+std::optional<StoredRun> run_to_go_on(const StoreSettings& settings, std::uint64_t scene_fingerprint,
+                                      const OptionSet& options);
 
 }  // namespace luxel

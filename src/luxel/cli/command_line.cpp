@@ -61,9 +61,9 @@ std::string without_comments_after_headings(const std::string& text) {
 
 // The text without the mark that some editors begin UTF-8 with. Throws InputError where it is none.
 std::string config_text(const std::string& path) {
-  constexpr std::uint64_t most_bytes = 1 << 20;
+  constexpr std::uint64_t max_bytes = 1 << 20;
   constexpr std::string_view mark = "\xef\xbb\xbf";
-  auto text = luxel::read_file(path, most_bytes);
+  auto text = luxel::read_file(path, max_bytes);
   if (text.find('\0') != std::string::npos)
     throw InputError(path, "expected lines of text of the form 'name = value', found binary data or UTF-16");
   if (text.starts_with(mark)) text.erase(0, mark.size());
@@ -99,7 +99,8 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(38);
   app.footer(
-      "'luxel COMMAND --help' explains a command. Exit codes: 0 fine, 1 failed, 2 misused, 3 stopped early.");
+      "'luxel COMMAND --help' explains a command. Exit codes: 0 success, 1 failure, 2 wrong usage, 3 stopped "
+      "early.");
 
   Given given;
   std::vector<CLI::App*> subcommands;

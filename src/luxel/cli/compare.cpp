@@ -24,18 +24,18 @@ using Json = nlohmann::ordered_json;
 class Compare final : public Command {
  public:
   explicit Compare(OptionSet& options) : Command(options) {
-    options.set_positional("A", a_,
-                           "a solution (.vtkhdf) or a picture (.exr .hdr .png): what B is held against");
-    options.set_positional("B", b_, "another of the same mesh, or of the same size");
+    options.set_positional("A", a_, "the reference: a solution (.vtkhdf) or a picture (.exr .hdr .png)");
+    options.set_positional("B", b_, "a solution of the same mesh, or a picture of the same size");
     options.heading("Comparison");
-    options.add_number("places", "count", places_, 0, 1000, "how many of the largest differences to list");
+    options.add_number("places", "count", places_, 0, 1000, "number of largest differences to list");
     options.add_text("error-a", "FILE", error_a_,
-                     "pictures: standard errors of A, see reference --error-picture");
+                     "pictures: standard errors of A, from reference --error-picture");
     options.add_text("error-b", "FILE", error_b_, "pictures: standard errors of B");
     options.heading("Difference picture");
-    options.add({"scale", "share", "difference that is shown in full colour, such as 10%; auto fits most",
+    options.add({"scale", "fraction",
+                 "difference shown in full colour, such as 10%; auto: fits most differences",
                  [this](const std::string& text) { scale_ = parse_scale(text); },
-                 [this] { return scale_ > 0.0 ? as_share(scale_) : std::string("auto"); }});
+                 [this] { return scale_ > 0.0 ? as_fraction(scale_) : std::string("auto"); }});
     picture_.declare_view(options);
     look_.declare_up(options);
     run_.declare(options, ".png");
@@ -51,10 +51,10 @@ class Compare final : public Command {
  private:
   static double parse_scale(const std::string& text) {
     if (text == "auto") return 0.0;
-    const auto share = parse_share(text);
-    if (!share || !(*share > 0.0))
+    const auto fraction = parse_fraction(text);
+    if (!fraction || !(*fraction > 0.0))
       throw UsageError(fmt::format("--scale: expected auto or a share such as 10%, not '{}'", text));
-    return *share;
+    return *fraction;
   }
 
   void check() const {
@@ -71,7 +71,7 @@ class Compare final : public Command {
     const auto a = read_solution(a_);
     const auto b = read_solution(b_);
     const auto result = compare_solutions(a, b, places_);
-    const auto shares = relative_differences(a, b);
+    const auto fractions = relative_differences(a, b);
     if (a.patches.scene_fingerprint != b.patches.scene_fingerprint)
       warn(console.log(), "the meshes are the same, but the scenes have different materials, or skies");
     if (!run_.outputs.empty()) {
@@ -80,7 +80,7 @@ class Compare final : public Command {
       const auto camera = camera_of(picture_, look_, a, tracer, workers);
       const auto width = picture_.render.width;
       const auto height = picture_.render.height;
-      draw(seen_shares(a.patches, shares, tracer, camera, width, height), width, height);
+      draw(seen_fractions(a.patches, fractions, tracer, camera, width, height), width, height);
     }
     say(result, "irradiance of patch sides, W/m²", "side",
         [&](std::size_t side) { return place_of(a, side); });
@@ -109,9 +109,9 @@ class Compare final : public Command {
             {"position_m", {middle.x, middle.y, middle.z}}};
   }
 
-  void draw(const std::vector<float>& shares, int width, int height) const {
-    const auto scale = scale_ > 0.0 ? static_cast<float>(scale_) : automatic_scale(shares);
-    const auto image = difference_picture(shares, width, height, scale);
+  void draw(const std::vector<float>& fractions, int width, int height) const {
+    const auto scale = scale_ > 0.0 ? static_cast<float>(scale_) : automatic_scale(fractions);
+    const auto image = difference_picture(fractions, width, height, scale);
     for (const auto& output : run_.outputs) write_png(output, image);
   }
 
@@ -192,7 +192,8 @@ class Compare final : public Command {
 
 std::unique_ptr<Command> make_compare(CommandLine& line) {
   return std::make_unique<Compare>(line.command(
-      "compare", "say how two solutions or two pictures differ, and whether their errors explain it"));
+      "compare",
+      "compare two solutions or pictures, and test whether their standard errors explain the difference"));
 }
 
 }  // namespace luxel

@@ -16,8 +16,8 @@ void finish(const RunReport& report, const RunSettings& run, Console& console) {
 
 int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
                      const RunSettings& run, const LookSettings& look, const PictureSettings& picture,
-                     const Workers& workers, Console& console, RunRecord& record, const KeptSamples& samples,
-                     const MeshWish& mesh) {
+                     const Workers& workers, Console& console, RunRecord& record,
+                     const StoredSamples& samples, const MeshWish& mesh) {
   const auto written =
       write_outputs(baked, tracer, run, look, picture, workers, console, record, samples, mesh);
   finish({.command = options.name(),

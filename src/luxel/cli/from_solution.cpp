@@ -26,8 +26,8 @@ class FromSolution final : public Command {
     } else {
       mesh_.declare(options);
       options.add_text("scene", "FILE", scene_,
-                       "what was solved: a .glb keeps what a glTF file says, or, with --keep-topology, any "
-                       "file's triangles");
+                       "the solved scene: a .glb preserves the contents of a glTF file or, with "
+                       "--preserve-topology, the triangles of any file");
       look_.declare_title(options);
       picture_.declare_camera(options);
     }
@@ -39,12 +39,12 @@ class FromSolution final : public Command {
     mesh_.check();
     mesh_.check_outputs(run_.outputs);
     if (mesh_.keep_topology && scene_.empty())
-      throw UsageError("--keep-topology needs the file that has the triangles: give --scene FILE as well");
+      throw UsageError("--preserve-topology needs --scene FILE, the file with the triangles");
     Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
     const auto kept = record.stage("read", [&](auto&) { return read(); });
-    take_up_from(kept.baked.solution.provenance);
+    restore_from(kept.baked.solution.provenance);
     std::optional<SolvedScene> solved;
     if (!scene_.empty()) {
       solved =
@@ -53,20 +53,20 @@ class FromSolution final : public Command {
     }
     if (interrupted()) return stopped_before_light(console);
     MeshWish mesh{&mesh_};
-    if (solved) mesh = {&mesh_, &solved->scene, solved->metres_a_unit};
+    if (solved) mesh = {&mesh_, &solved->scene, solved->metres_per_unit};
     return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,
                             {nullptr, kept.samples}, mesh);
   }
 
  private:
   // Pages dim lamps by what the run kept of each; nothing else here needs it.
-  KeptRun read() const {
-    if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_page)) return read_kept_run(file_);
+  StoredRun read() const {
+    if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_page)) return read_stored_run(file_);
     return {read_solution(file_), nullptr};
   }
 
   // Which way is up was said when the solution was made; it need not be said again.
-  void take_up_from(const Provenance& provenance) {
+  void restore_from(const Provenance& provenance) {
     if (look_.up != "auto") return;
     for (const auto& [key, value] : provenance.options)
       if (key == "up" && (value == "y" || value == "z")) look_.up = value;
@@ -84,14 +84,13 @@ class FromSolution final : public Command {
 }  // namespace
 
 std::unique_ptr<Command> make_render(CommandLine& line) {
-  return std::make_unique<FromSolution>(line.command("render", "make a picture of a solution"), picture_kinds,
+  return std::make_unique<FromSolution>(line.command("render", "draw a picture of a solution"), picture_kinds,
                                         true);
 }
 
 std::unique_ptr<Command> make_export(CommandLine& line) {
   return std::make_unique<FromSolution>(
-      line.command("export", "make a lit mesh, a page to share, or a copy, of a solution"), mesh_kinds,
-      false);
+      line.command("export", "write a solution as a lit mesh, an HTML page or a copy"), mesh_kinds, false);
 }
 
 }  // namespace luxel

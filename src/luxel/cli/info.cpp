@@ -103,7 +103,7 @@ class Info final : public Command {
 }  // namespace
 
 std::unique_ptr<Command> make_info(CommandLine& line) {
-  return std::make_unique<Info>(line.command("info", "say what is in a solution or a scene"));
+  return std::make_unique<Info>(line.command("info", "summarise a solution or a scene"));
 }
 
 }  // namespace luxel

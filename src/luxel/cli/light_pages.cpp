@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/export/kept_layout.h"
+#include "luxel/export/round_trip_layout.h"
 #include "luxel/render/new_layout.h"
 
 namespace luxel {
@@ -13,7 +13,7 @@ namespace {
 
 // A layout that leaves pages empty is not worth its memory.
 constexpr double many_texels = 0x1p24;
-constexpr double most_a_texel_of_surface = 64.0;
+constexpr double max_texels_per_surface_texel = 64.0;
 
 // What the scene's file says of where its surfaces lie, where that is wanted and can be used.
 std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSettings& settings,
@@ -21,15 +21,15 @@ std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSet
   if (!input.scene || settings.layout == "new") return std::nullopt;
   const auto& scene = *input.scene;
   std::string why;
-  const auto given = kept_layout(scene, input.patches, input.metres_a_unit, why);
+  const auto given = round_trip_layout(scene, input.patches, input.metres_per_unit, why);
   int size = 0;
   if (given) {
     const auto texels = texels_per_metre(input.patches, input.solution, settings.lightmap);
     size = page_size_for(scene, *given, texels, settings.lightmap.page_size);
     const auto area = std::accumulate(input.patches.area.begin(), input.patches.area.end(), 0.0);
     if (const auto all = static_cast<double>(given->pages) * size * size;
-        all > most_texels_of_pages ||
-        (all > many_texels && all > most_a_texel_of_surface * texels * texels * area))
+        all > max_texels_of_pages ||
+        (all > many_texels && all > max_texels_per_surface_texel * texels * texels * area))
       why = fmt::format(
           "their {} pages of {} x {} texels would be {:.0f} million for {:.2g} million of surfaces",
           given->pages, size, size, 1e-6 * all, 1e-6 * texels * texels * area);

@@ -27,12 +27,12 @@ struct LightPages {
   PagesRecord record;
 };
 
-// What pages are made of. scene: none where it is not at hand; metres_a_unit: as it was loaded.
+// What pages are made of. scene: none where it is not at hand; metres_per_unit: as it was loaded.
 struct PagesInput {
   const PatchSet& patches;
   const Solution& solution;
   const Scene* scene = nullptr;
-  double metres_a_unit = 1.0;
+  double metres_per_unit = 1.0;
 };
 
 // Lays surfaces out, as the scene's file has them where that is wanted and can be used, and gathers their

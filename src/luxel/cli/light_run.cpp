@@ -51,10 +51,10 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   // The light.
   focus_on_picture(baked, tracer);
   foresee(baked.patches, tracer);
-  const auto keeping = checkpoint.keeping(baked, std::move(from), console_);
+  const auto storage = checkpoint.storage(baked, std::move(from), console_);
   const auto solved = record_.stage("light", [&](auto& stage) {
     auto result =
-        solve(baked, tracer, faces, steps.watch(record_.watch_for_light(console_.monitor())), keeping);
+        solve(baked, tracer, faces, steps.watch(record_.watch_for_light(console_.monitor())), storage);
     stage.rays = result.rays;
     if (ranks) {
       result.ranks = ranks->size();
@@ -112,11 +112,11 @@ void LightRun::find_portals(const Scene& scene, const Tracer& tracer, PatchSet& 
 }
 
 SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
-                            const Monitor& monitor, const SampleKeeping& keeping) const {
+                            const Monitor& monitor, const SampleStorage& storage) const {
   LightOptions options = settings_.light;
   options.dense.face = faces;
   try {
-    return solve_light(baked.patches, tracer, baked.solution, options, workers_, monitor, keeping);
+    return solve_light(baked.patches, tracer, baked.solution, options, workers_, monitor, storage);
   } catch (const InputError& error) {
     throw InputError(name_, error.what());  // it has no light; the solver knows no file
   }
@@ -142,7 +142,7 @@ void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
     throw InputError(
         name_,
         fmt::format("--method {} ({} are free): make fewer patches with a larger --max-edge, choose --method "
-                    "sampled, or give --force to begin all the same",
+                    "sampled, or add --force to start anyway",
                     text, rough_bytes(free_memory())));
   console_.say("--method " + text);
 }
@@ -185,14 +185,14 @@ void LightRun::report_light(const Baked& baked, const SolveReport& solved) const
   if (!fell_short(solved)) return;
   const auto by = solved.stop == StopReason::stopped_by_user
                       ? std::string()
-                      : fmt::format(" by the {}", stop_name(solved.stop));
+                      : fmt::format(" by the {}", description(solved.stop));
   warn(console_.log(), fmt::format("stopped{}: {}; writing the light there is", by, shortfall(solved)));
 }
 
 std::string LightRun::shortfall(const SolveReport& solved) const {
-  if (!error_target() && solved.unshot_share == 1.0) return "no light had left the lamps yet";
+  if (!error_target() && solved.unshot_fraction == 1.0) return "no light had left the lamps yet";
   if (!error_target())
-    return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_share);
+    return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_fraction);
   auto text = solved.seen_error > 0.0
                   ? fmt::format("seen error {:.2g} %", 100.0 * solved.seen_error)
                   : fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);

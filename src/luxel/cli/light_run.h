@@ -33,7 +33,7 @@ class LightRun {
  private:
   void find_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches);
   SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
-                    const Monitor& monitor, const SampleKeeping& keeping) const;
+                    const Monitor& monitor, const SampleStorage& storage) const;
   void focus_on_picture(Baked& baked, const Tracer& tracer) const;
   void foresee(const PatchSet& patches, const Tracer& tracer) const;
   void report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const;

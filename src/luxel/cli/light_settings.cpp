@@ -46,21 +46,22 @@ DenseSolver solver_named(const std::string& text) {
 void LightSettings::check() const {
   if (method == by_dense && dense.solver != DenseSolver::jacobi &&
       (dense.iteration.steps > 0 || !each_step.empty()))
-    throw UsageError(fmt::format("--{} goes with --solver jacobi: --solver {} knows no bounces",
+    throw UsageError(fmt::format("--{} needs --solver jacobi: --solver {} has no bounces",
                                  each_step.empty() ? "steps" : "each-step", name(dense.solver)));
   const bool is_bounded = sampled.rays > 0 || sampled.seconds > 0.0;
   if (method == by_sampling && sampled.error == 0.0 && !is_bounded)
-    throw UsageError("--error 0 asks for no accuracy: give --rays or --time to say when to stop");
+    throw UsageError("--error 0 sets no target: give --rays or --time as the limit");
 }
 
 void LightSettings::declare(OptionSet& set) {
   set.heading("Light");
-  set.add_choice("method", {by_sampling, by_shooting, by_dense, by_hemicube, by_lines}, method,
-                 "sampled stops at the error asked for; the others are classics: see docs/methods.md");
+  set.add_choice(
+      "method", {by_sampling, by_shooting, by_dense, by_hemicube, by_lines}, method,
+      "the solver; sampled stops at --error, the others are classical methods, see docs/methods.md");
   set.only_with("method", fmt::format("{}|{}", by_sampling, by_shooting));
   declare_rays(set);
   set.only_with("method", fmt::format("{}|{}|{}", by_sampling, by_shooting, by_lines));
-  set.add({"seed", "count", "another seed gives another, independent answer",
+  set.add({"seed", "count", "seed of the random numbers; other seeds give independent solutions",
            [this](const std::string& text) {
              sampled.seed = shooting.seed = lines.lines.seed = parse_count("seed", text);
            },
@@ -75,56 +76,58 @@ void LightSettings::declare_sampled(OptionSet& set) {
   set.heading("Light by --method sampled");
   set.only_with("method", by_sampling);
   declare_error_and_time(set);
-  set.add_text(
-      "focus", "all|camera|NAME", focus,
-      "where the seen error matters: everywhere; in the picture (of --eye, or of the file's cameras); or on "
-      "surfaces whose material, object or group has this name (with * and ?)");
+  set.add_text("focus", "all|camera|NAME", focus,
+               "where the seen error counts: all: everywhere; camera: in the picture of --eye or of the "
+               "file's cameras; "
+               "NAME: on surfaces of this material, object or group (with * and ?)");
   set.add_number("replicates", "count", sampled.replicates, 4u, 32u,
-                 "independent answers whose spread is the error bar");
+                 "independent estimates; their spread gives the standard errors");
   declare_variance_reduction(set);
 }
 
 void LightSettings::declare_rays(OptionSet& set) {
-  set.add({"rays", "count",
-           "sampled: trace no more than this; shooting: rays that carry the lamps' power once. Such as 50M",
-           [this](const std::string& text) {
-             sampled.rays = shooting.rays = text == "auto" ? 0 : parse_count("rays", text);
-           },
-           [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});
+  set.add(
+      {"rays", "count",
+       "sampled: maximum number of rays, such as 50M; shooting: rays that carry the power of the lamps once",
+       [this](const std::string& text) {
+         sampled.rays = shooting.rays = text == "auto" ? 0 : parse_count("rays", text);
+       },
+       [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});
 }
 
 void LightSettings::declare_error_and_time(OptionSet& set) {
-  set.add({"error", "share",
-           "stop at this standard error, such as 2% or 0.02: of the light seen from 95 % of viewpoints all "
-           "over the "
-           "scene, relative to the brightness there (or see --error-measure); 0 disables it",
+  set.add({"error", "fraction",
+           "stop at this error, such as 2% or 0.02: the standard error of the visible light, relative to the "
+           "brightness there, that 95 % of viewpoints all over the scene stay below (see --error-measure); 0 "
+           "disables it",
            [this](const std::string& text) {
-             const auto share = parse_share(text);
-             if (!share)
+             const auto fraction = parse_fraction(text);
+             if (!fraction)
                throw UsageError(
-                   fmt::format("--error: expected a share below 1, such as 1% or 0.01, not '{}'", text));
-             sampled.error = *share;
+                   fmt::format("--error: expected a fraction below 1, such as 1% or 0.01, not '{}'", text));
+             sampled.error = *fraction;
            },
-           [this] { return sampled.error == 0.0 ? std::string("0") : as_share(sampled.error); }});
-  set.add({"error-measure", "seen|power",
-           "what --error measures and where rays go: seen, as above, each room and the outside count alike; "
-           "power, "
-           "the RMS over all surfaces by area, where bright ones count most",
-           [this](const std::string& text) {
-             if (text != "seen" && text != "power")
-               throw UsageError(fmt::format("--error-measure: expected seen or power, not '{}'", text));
-             sampled.error_measure = text == "seen" ? ErrorMeasure::seen : ErrorMeasure::power;
-           },
-           [this] { return std::string(sampled.error_measure == ErrorMeasure::seen ? "seen" : "power"); }});
+           [this] { return sampled.error == 0.0 ? std::string("0") : as_fraction(sampled.error); }});
+  set.add(
+      {"error-measure", "seen|power",
+       "what --error measures, and so where rays are spent; seen: as above, with equal weight for each room "
+       "and the outside; power: the area-weighted RMS over all surfaces, dominated by bright ones",
+       [this](const std::string& text) {
+         if (text != "seen" && text != "power")
+           throw UsageError(fmt::format("--error-measure: expected seen or power, not '{}'", text));
+         sampled.error_measure = text == "seen" ? ErrorMeasure::seen : ErrorMeasure::power;
+       },
+       [this] { return std::string(sampled.error_measure == ErrorMeasure::seen ? "seen" : "power"); }});
   set.add(quantity("time", "duration", sampled.seconds, "none", parse_duration, as_duration,
-                   "a time such as 30s, 5min or 2h", "solve no longer than this, such as 30s, 5min or 2h"));
+                   "a time such as 30s, 5min or 2h", "maximum time to solve, such as 30s, 5min or 2h"));
 }
 
 void LightSettings::declare_memory(OptionSet& set) {
-  set.add(quantity(
-      "memory", "size", sampled.memory, "auto", parse_bytes, as_bytes, "a size such as 512MiB or 4GiB",
-      "what the sampled solver may hold, such as 4GiB; with less it is slower and gives the same "
-      "answer; auto is half of what is free"));
+  set.add(quantity("memory", "size", sampled.memory, "auto", parse_bytes, as_bytes,
+                   "a size such as 512MiB or 4GiB",
+                   "maximum memory of the sampled solver, such as 4GiB; less memory makes it slower and "
+                   "changes no result; "
+                   "auto: half of the free memory"));
 }
 
 void LightSettings::declare_bounds(OptionSet& set) {
@@ -134,37 +137,44 @@ void LightSettings::declare_bounds(OptionSet& set) {
 }
 
 void LightSettings::declare_variance_reduction(OptionSet& set) {
-  set.add_switch("low-discrepancy", sampled.low_discrepancy, "Owen-scrambled Sobol points, not random ones");
-  set.add_switch("stratified", sampled.stratified, "one sequence runs over neighbouring patches");
-  set.add_switch("importance", sampled.importance, "lamps are chosen by what they can contribute");
+  set.add_switch("low-discrepancy", sampled.low_discrepancy,
+                 "use Owen-scrambled Sobol points instead of random ones");
+  set.add_switch("stratified", sampled.stratified, "stratify samples over neighbouring patches");
+  set.add_switch("importance", sampled.importance,
+                 "choose lamps in proportion to their possible contribution");
   set.add_switch("control-variate", sampled.control_variate,
-                 "the closed form of unshadowed light carries the shadow rays");
-  set.add_switch("mis", sampled.multiple_importance,
-                 "cosine rays that meet a lamp count too, in place of the control variate");
+                 "use the closed form of unshadowed light as control variate of shadow rays");
+  set.add_switch(
+      "mis", sampled.multiple_importance,
+      "combine lamp samples with cosine rays by multiple importance sampling, instead of the control "
+      "variate");
   set.add_switch("both-ways", sampled.both_ways,
-                 "each ray counts for the surface it meets as well as for the one that sends it");
-  set.add_switch("share", sampled.share,
-                 "neighbouring patches share rays where their own do not reach the error");
+                 "use each ray for the surface it hits as well as for the one it leaves");
+  set.add_switch("smoothing", sampled.smoothing,
+                 "smooth the noise of neighbouring patches by local regression, where they miss the error");
 }
 
 void LightSettings::declare_shooting(OptionSet& set) {
   set.heading("Light by --method shooting");
   set.only_with("method", by_shooting);
-  set.add_number("rays-per-patch", "count", shooting.rays_per_patch, 1.0, 1e9, "what '--rays auto' aims at");
+  set.add_number("rays-per-patch", "count", shooting.rays_per_patch, 1.0, 1e9,
+                 "rays per patch of '--rays auto'");
   declare_tolerance(set);
 }
 
 void LightSettings::declare_tolerance(OptionSet& set) {
   set.only_with("method", by_bounces);
-  set.add({"tolerance", "share",
-           "share of the emitted power that may stay unshot: the bias; of --solver gauss-seidel, its error",
+  set.add({"tolerance", "fraction",
+           "fraction of the emitted power that may stay unshot, which is the bias; for --solver "
+           "gauss-seidel, its "
+           "error",
            [this](const std::string& text) {
-             const auto share = parse_double(text);
-             if (!share || !(*share >= 1e-12 && *share <= 0.9))
+             const auto fraction = parse_double(text);
+             if (!fraction || !(*fraction >= 1e-12 && *fraction <= 0.9))
                throw UsageError(
                    fmt::format("--tolerance: expected a number from 1e-12 to 0.9, not '{}'", text));
              shooting.tolerance = dense.iteration.tolerance = hemicube.iteration.tolerance =
-                 lines.iteration.tolerance = *share;
+                 lines.iteration.tolerance = *fraction;
            },
            [this] { return fmt::format("{}", shooting.tolerance); }});
 }
@@ -172,13 +182,13 @@ void LightSettings::declare_tolerance(OptionSet& set) {
 void LightSettings::declare_classical(OptionSet& set) {
   set.heading("Light by --method dense");
   set.only_with("method", by_dense);
-  set.add({"solver", "direct|jacobi|gauss-seidel", "how the equations are solved",
+  set.add({"solver", "direct|jacobi|gauss-seidel", "solver of the linear system",
            [this](const std::string& text) { dense.solver = solver_named(text); },
            [this] { return std::string(name(dense.solver)); }});
   set.add_number("factor-tolerance", "absolute", dense.factors.tolerance, 1e-9, 0.1,
-                 "error of each form factor that something stands before");
+                 "absolute tolerance of partially occluded form factors");
   set.add({"elements", "patches|faces",
-           "faces: the patches of a flat face that --max-edge does not cut share one value",
+           "unknowns; faces: the patches of one flat face that --max-edge leaves uncut have one value",
            [this](const std::string& text) {
              if (text != "patches" && text != "faces")
                throw UsageError(fmt::format("--elements: expected patches or faces, not '{}'", text));
@@ -188,15 +198,16 @@ void LightSettings::declare_classical(OptionSet& set) {
   set.heading("Light by --method hemicube");
   set.only_with("method", by_hemicube);
   set.add_number("hemicube-resolution", "pixels", hemicube.hemicube.resolution, 2, 4096,
-                 "along an edge of the top face; even");
+                 "pixels along an edge of the top face, an even number");
   set.add_number("hemicube-points", "count", hemicube.hemicube.points, 1, 256,
-                 "points of a patch that look: 1, 4, 16, 64 or 256");
+                 "sample points per patch: 1, 4, 16, 64 or 256");
   set.heading("Light by --method lines");
   set.only_with("method", by_lines);
-  set.add_number("lines", "count", lines.lines.lines, 1u, 100'000'000u, "cosine lines from each patch side");
+  set.add_number("lines", "count", lines.lines.lines, 1u, 100'000'000u,
+                 "cosine-distributed lines per patch side");
   set.heading("Light by --method dense, hemicube or lines");
   set.only_with("method", by_rows);
-  set.add({"steps", "count", "bounces at most, where light goes from bounce to bounce; 0: no bound",
+  set.add({"steps", "count", "maximum number of bounces, for iterations that follow bounces; 0: unlimited",
            [this](const std::string& text) {
              const auto count = parse_count("steps", text);
              if (count > 100'000) throw UsageError("--steps: expected 0 to 100000 bounces");
@@ -211,9 +222,11 @@ void LightSettings::declare_run(OptionSet& set) {
   set.only_with("method", by_sampling);
   declare_memory(set);
   set.only_with("method", by_rows);
-  set.add_text("each-step", "DIR", each_step,
-               "after every bounce a picture, DIR/step-001.png and so on, all with the exposure of the last");
-  set.add_flag("force", force, "begin even what is predicted to take hours or more memory than is free");
+  set.add_text(
+      "each-step", "DIR", each_step,
+      "write a picture after every bounce, DIR/step-001.png and so on, all with the exposure of the last");
+  set.add_flag("force", force,
+               "start even if the predicted time is hours or the predicted memory exceeds the free memory");
   set.only_with();
 }
 

@@ -49,9 +49,8 @@ class LightmapCommand final : public Command {
     options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
     settings_.declare(options);
     options.heading("Scene");
-    options.add_text(
-        "scene", "FILE", scene_,
-        "what was solved: where its surfaces lie on pages is taken from a glTF file that says so");
+    options.add_text("scene", "FILE", scene_,
+                     "the solved scene: a glTF file whose second texture coordinates give the layout");
     settings_.declare_layout(options);
     picture_.declare_view(options);
     look_.declare_up(options);
@@ -78,7 +77,7 @@ class LightmapCommand final : public Command {
     PagesInput input{baked.patches, baked.solution};
     if (solved) {
       input.scene = &solved->scene;
-      input.metres_a_unit = solved->metres_a_unit;
+      input.metres_per_unit = solved->metres_per_unit;
     }
     const bool gathers = settings_.lightmap.texels.error > 0.0;
     const auto made = record.stage("lightmap", [&](auto& stage) {
@@ -126,7 +125,7 @@ class LightmapCommand final : public Command {
     if (!settings_.directional.empty()) {
       expect_ending("--directional", settings_.directional, ".exr");
       if (settings_.lightmap.texels.error == 0.0)
-        throw UsageError("--directional needs a final gather: give --final-gather a share, such as 2%");
+        throw UsageError("--directional needs a final gather: give --final-gather a fraction, such as 2%");
       for (const auto axis : axes) run.outputs.push_back(name_of_axis(settings_.directional, axis));
     }
     if (!settings_.preview.empty()) {
@@ -184,7 +183,7 @@ class LightmapCommand final : public Command {
 
 std::unique_ptr<Command> make_lightmap_command(CommandLine& line) {
   return std::make_unique<LightmapCommand>(
-      line.command("lightmap", "lay the light of a solution out on pages of texels"));
+      line.command("lightmap", "write the light of a solution as lightmaps"));
 }
 
 }  // namespace luxel

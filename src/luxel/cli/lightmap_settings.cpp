@@ -10,9 +10,9 @@ namespace {
 
 double parse_gather(const std::string& text) {
   if (text == "none") return 0.0;
-  if (const auto share = parse_share(text); share && *share > 0.0) return *share;
+  if (const auto fraction = parse_fraction(text); fraction && *fraction > 0.0) return *fraction;
   throw UsageError(fmt::format(
-      "--final-gather: expected none or a share above 0 and below 1, such as 2% or 0.02, not '{}'", text));
+      "--final-gather: expected none or a fraction above 0 and below 1, such as 2% or 0.02, not '{}'", text));
 }
 
 std::optional<double> parse_texels(const std::string& text) {
@@ -32,57 +32,54 @@ double parse_white(const std::string& text) {
 void LightmapSettings::declare_layout(OptionSet& set) {
   set.add_choice(
       "layout", {"file", "new"}, layout,
-      "where surfaces lie on pages: as the file's second texture coordinates say, if they can be used, "
-      "or in new charts");
+      "layout of the atlas; file: the second texture coordinates of the file, where usable; new: new charts");
 }
 
 void LightmapSettings::declare_pages(OptionSet& set) {
   set.add({"texels-per-metre", "1/m",
-           "texels along a metre of a surface, at least; auto: as many as fill half of a page of 512 x 512",
+           "minimum texel density of surfaces; auto: the one that fills half an atlas page of 512 x 512",
            [this](const std::string& text) { lightmap.texels_per_metre = parse_texels(text); },
            [this] {
              return lightmap.texels_per_metre ? fmt::format("{}", *lightmap.texels_per_metre)
                                               : std::string("auto");
            }});
-  set.add_number("page", "texels", lightmap.page_size, 8, 16384,
-                 "largest width and height of a page; what does not fit goes on further ones");
+  set.add_number("page-size", "texels", lightmap.page_size, 8, 16384,
+                 "maximum width and height of an atlas page; more pages are added as needed");
   set.add_number("margin", "texels", lightmap.margin, 0, 64,
-                 "between charts, and at the edge of a page; filled with the light beside");
+                 "margin around charts and at page edges, filled by dilation");
 }
 
 void LightmapSettings::declare_texels(OptionSet& set) {
   auto& texels = lightmap.texels;
   set.add(
-      {"final-gather", "share",
-       "gather light anew where patches are too coarse, until a texel's standard error, relative to its own "
-       "irradiance, is this; 'none' disables it",
+      {"final-gather", "fraction",
+       "per-texel final gather to this standard error, relative to the texel's irradiance, where patches are "
+       "too coarse; none disables it",
        [&texels](const std::string& text) { texels.error = parse_gather(text); },
-       [&texels] { return texels.error == 0.0 ? std::string("none") : as_share(texels.error); }});
-  set.add_number("gather-rays", "count", texels.most_rays, 64u, 1u << 20,
-                 "cosine rays that a texel may take for that, and as many to lamps");
+       [&texels] { return texels.error == 0.0 ? std::string("none") : as_fraction(texels.error); }});
+  set.add_number("gather-rays", "count", texels.max_rays, 64u, 1u << 20,
+                 "maximum number of cosine rays per texel of the final gather, and as many shadow rays");
 }
 
 void LightmapSettings::declare(OptionSet& set) {
   set.heading("Pages");
   declare_pages(set);
   set.add_number("crease-angle", "degrees", lightmap.crease_angle, 0.0f, 180.0f,
-                 "neighbours that meet at a sharper angle are different surfaces");
+                 "maximum angle between neighbours in one chart");
   set.heading("Texels");
   declare_texels(set);
-  set.add_count("seed", lightmap.texels.seed, "of the gather's rays");
+  set.add_count("seed", lightmap.texels.seed, "seed of the final gather");
   set.heading("Files");
   set.add({"png-white", "W/m²",
-           "irradiance that a PNG shows as white; auto: what 999 of 1000 lit texels stay below",
+           "irradiance shown as white in PNG files; auto: the 99.9th percentile of lit texels",
            [this](const std::string& text) { white = parse_white(text); },
            [this] { return white == automatic_white ? std::string("auto") : fmt::format("{}", white); }});
-  set.add_text("error-map", "FILE", error_map,
-               "an EXR file for the standard error of each texel, W/m², in the same places");
+  set.add_text("error-map", "FILE", error_map, "EXR file for the standard error of each texel, W/m²");
   set.add_text(
       "directional", "FILE", directional,
-      "EXR files for where light comes from, for surfaces with normal maps: room.exr becomes room-x.exr, "
-      "room-y.exr and room-z.exr, the light vector in W/m²");
-  set.add_text("preview", "FILE", preview,
-               "a picture (.png .exr .hdr) of the scene as a reader of the pages sees it");
+      "EXR files for the light vector in W/m², for surfaces with normal maps: room.exr becomes room-x.exr, "
+      "room-y.exr and room-z.exr");
+  set.add_text("preview", "FILE", preview, "picture (.png .exr .hdr) of the scene drawn with the lightmap");
 }
 
 std::string describe(const Lightmap& lightmap, const LightmapReport& report) {

@@ -17,8 +17,7 @@ namespace {
 class Merge final : public Command {
  public:
   explicit Merge(OptionSet& options) : Command(options) {
-    options.set_positionals("SOLUTION", files_,
-                            "two or more .vtkhdf files, each baked with a --seed of its own");
+    options.set_positionals("SOLUTION", files_, "two or more .vtkhdf files, each baked with its own --seed");
     look_.declare(options);
     picture_.declare(options);
     picture_.declare_gather(options);
@@ -58,7 +57,7 @@ class Merge final : public Command {
 
 std::unique_ptr<Command> make_merge(CommandLine& line) {
   return std::make_unique<Merge>(
-      line.command("merge", "independent solutions of one scene become one with a smaller error"));
+      line.command("merge", "merge independent solutions of one scene into one with a smaller error"));
 }
 
 }  // namespace luxel

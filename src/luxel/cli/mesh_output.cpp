@@ -7,8 +7,8 @@
 
 #include "luxel/cli/light_pages.h"
 #include "luxel/cli/outputs.h"
-#include "luxel/export/export_kept.h"
 #include "luxel/export/export_mesh.h"
+#include "luxel/export/export_round_trip.h"
 #include "luxel/import/is_gltf.h"
 #include "luxel/render/radiance_pages.h"
 #include "luxel/surface/vertex_fit.h"
@@ -18,13 +18,13 @@ namespace {
 
 constexpr double worth_saying = 0.02;  // of the light that the file's own triangles cannot show
 
-GlbDone write_on_pages(const std::string& output, const KeptInput& input, const MeshSettings& settings,
-                       const KeptOptions& options, const LookSettings& look, const Tracer* tracer,
+GlbDone write_on_pages(const std::string& output, const RoundTripInput& input, const MeshSettings& settings,
+                       const RoundTripOptions& options, const LookSettings& look, const Tracer* tracer,
                        const Workers& workers, Console& console) {
   auto page_settings = settings.pages;
   page_settings.lightmap.crease_angle = look.smooth.crease_angle;
   const auto made =
-      make_light_pages({input.patches, input.solution, &input.scene, options.metres_a_unit}, page_settings,
+      make_light_pages({input.patches, input.solution, &input.scene, options.metres_per_unit}, page_settings,
                        needs_rays(settings) ? tracer : nullptr, workers, console);
   if (!made) return {.is_written = false};
   const auto& [lightmap, record] = *made;
@@ -32,33 +32,34 @@ GlbDone write_on_pages(const std::string& output, const KeptInput& input, const 
   if (settings.as == "emissive") {
     const auto pages = radiance_pages(input.patches, lightmap, workers, monitor);
     if (pages.empty() ||
-        !export_kept_emissive(output, input, {lightmap.atlas, pages, 1.0f, record.as_file_has_it}, options,
-                              monitor))
+        !export_round_trip_emissive(output, input, {lightmap.atlas, pages, 1.0f, record.as_file_has_it},
+                                    options, monitor))
       return {.is_written = false};
   } else {
     const auto pages = irradiance_pages(lightmap);
-    if (!export_kept_lightmap(output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it},
-                              options, monitor))
+    if (!export_round_trip_lightmap(
+            output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it}, options, monitor))
       return {.is_written = false};
   }
   return {.pages = record};
 }
 
-void write_at_vertices(const std::string& output, const KeptInput& input, const SmoothLight& light,
-                       const MeshSettings& settings, const KeptOptions& options, Console& console) {
-  if (!settings.keep_topology) return export_kept_cut(output, input, light, options);
+void write_at_vertices(const std::string& output, const RoundTripInput& input, const SmoothLight& light,
+                       const MeshSettings& settings, const RoundTripOptions& options, Console& console) {
+  if (!settings.keep_topology) return export_round_trip_cut(output, input, light, options);
   const auto fit = fit_vertices(input.scene, input.patches, light);
   if (fit.difference > worth_saying)
     console.say(
         fmt::format("{}: the file's triangles are too large to show {:.2g} % of the light (RMS); finer "
                     "ones, or --as lightmap, would",
                     output, 100.0 * fit.difference));
-  export_kept_uncut(output, input, fit, options);
+  export_round_trip_uncut(output, input, fit, options);
 }
 
-GlbDone write_kept(const std::string& output, const KeptInput& input, const std::optional<SmoothLight>& light,
-                   const MeshSettings& settings, const KeptOptions& options, const LookSettings& look,
-                   const Tracer* tracer, const Workers& workers, Console& console) {
+GlbDone write_round_trip(const std::string& output, const RoundTripInput& input,
+                         const std::optional<SmoothLight>& light, const MeshSettings& settings,
+                         const RoundTripOptions& options, const LookSettings& look, const Tracer* tracer,
+                         const Workers& workers, Console& console) {
   if (settings.on_pages())
     return write_on_pages(output, input, settings, options, look, tracer, workers, console);
   write_at_vertices(output, input, *light, settings, options, console);
@@ -78,7 +79,7 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
   const auto& settings = wish.settings ? *wish.settings : defaults;
   if (settings.keep_topology && !wish.scene)
     warn(console.log(),
-         fmt::format("{}: its triangles are the patches; 'luxel export --keep-topology --scene FILE' "
+         fmt::format("{}: its triangles are the patches; 'luxel export --preserve-topology --scene FILE' "
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
@@ -88,16 +89,16 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
                {.tone = look.tone, .program = settings.program});
     return {};
   }
-  const KeptOptions options{
-      .tone = look.tone, .program = settings.program, .metres_a_unit = wish.metres_a_unit, .up = up};
+  const RoundTripOptions options{
+      .tone = look.tone, .program = settings.program, .metres_per_unit = wish.metres_per_unit, .up = up};
   if (wish.scene)
-    return write_kept(output, {*wish.scene, baked.patches, baked.solution}, light, settings, options, look,
-                      tracer, workers, console);
+    return write_round_trip(output, {*wish.scene, baked.patches, baked.solution}, light, settings, options,
+                            look, tracer, workers, console);
   auto patches = baked.patches;
   std::iota(patches.triangle.begin(), patches.triangle.end(), 0u);
   const auto scene = scene_of(patches);
-  return write_kept(output, {scene, patches, baked.solution}, light, settings, options, look, tracer, workers,
-                    console);
+  return write_round_trip(output, {scene, patches, baked.solution}, light, settings, options, look, tracer,
+                          workers, console);
 }
 
 }  // namespace luxel

@@ -15,20 +15,20 @@ namespace luxel {
 void MeshSettings::declare(OptionSet& set) {
   set.heading("Mesh (.glb)");
   set.add({"for", "PROGRAM",
-           fmt::format("the program that a .glb is for: {}", fmt::join(mesh_program_names(), ", ")),
+           fmt::format("target application of a .glb: {}", fmt::join(mesh_program_names(), ", ")),
            [this](const std::string& text) {
-             const auto found = mesh_program(text);
+             const auto found = target_application(text);
              if (!found)
                throw UsageError(fmt::format("--for: expected one of {}, not '{}'",
                                             fmt::join(mesh_program_names(), ", "), text));
              program = *found;
            },
            [this] { return std::string(name(program)); }});
-  set.add_choice(
-      "as", {"vertex", "lightmap", "emissive"}, as,
-      "how a .glb has its light: at its vertices, in textures that light it, or in textures that shine");
-  set.add_flag("keep-topology", keep_topology,
-               "the triangles of the scene's file as they are: light is fitted to their vertices");
+  set.add_choice("as", {"vertex", "lightmap", "emissive"}, as,
+                 "how a .glb stores the light: vertex: vertex colours; lightmap: lightmap textures; "
+                 "emissive: emissive textures");
+  set.add_flag("preserve-topology", keep_topology,
+               "preserve the triangles of the scene file, with the light fitted to their vertices");
   set.only_with("as", "lightmap|emissive");
   pages.declare_layout(set);
   pages.declare_pages(set);
@@ -39,16 +39,16 @@ void MeshSettings::declare(OptionSet& set) {
 void MeshSettings::check() const {
   if (keep_topology && on_pages())
     throw UsageError(
-        fmt::format("--keep-topology goes with --as vertex: --as {} keeps triangles of itself", as));
+        fmt::format("--preserve-topology needs --as vertex: --as {} preserves the triangles anyway", as));
 }
 
 void MeshSettings::check_outputs(const std::vector<std::string>& outputs) const {
   const auto is_glb = [](const std::string& output) { return ending_of(output) == ".glb"; };
   if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_glb)) return;
   for (const auto& [option, is_asked] :
-       {std::pair(std::string("--keep-topology"), keep_topology), std::pair("--as " + as, on_pages()),
-        std::pair(fmt::format("--for {}", name(program)), program != MeshProgram::any)})
-    if (is_asked) throw UsageError(option + " is of a .glb: ask for one with -o, or leave it out");
+       {std::pair(std::string("--preserve-topology"), keep_topology), std::pair("--as " + as, on_pages()),
+        std::pair(fmt::format("--for {}", name(program)), program != TargetApplication::any)})
+    if (is_asked) throw UsageError(option + " applies to a .glb: add -o FILE.glb, or remove it");
 }
 
 }  // namespace luxel

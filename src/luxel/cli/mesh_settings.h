@@ -6,14 +6,14 @@
 
 #include "luxel/cli/lightmap_settings.h"
 #include "luxel/cli/option_set.h"
-#include "luxel/export/mesh_program.h"
+#include "luxel/export/target_application.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {
 
 // How a GLB has its light.
 struct MeshSettings {
-  MeshProgram program = MeshProgram::any;  // that reads it
+  TargetApplication program = TargetApplication::any;  // that reads it
   std::string as = "vertex";
   bool keep_topology = false;
   LightmapSettings pages;  // of as lightmap and emissive
@@ -30,7 +30,7 @@ struct MeshSettings {
 struct MeshWish {
   const MeshSettings* settings = nullptr;  // none: the defaults
   const Scene* scene = nullptr;            // none: not at hand
-  double metres_a_unit = 1.0;              // as it was loaded
+  double metres_per_unit = 1.0;            // as it was loaded
 };
 
 }  // namespace luxel

@@ -83,7 +83,7 @@ std::vector<std::pair<std::string, std::string>> OptionSet::given() const {
   return result;
 }
 
-void OptionSet::take_up(const std::vector<std::pair<std::string, std::string>>& values) {
+void OptionSet::restore(const std::vector<std::pair<std::string, std::string>>& values) {
   for (const auto& [name, value] : values)
     for (auto& e : entries_)
       if (e.declaration.name == name && value != e.declaration.print()) {
@@ -108,10 +108,10 @@ bool OptionSet::is_used(const Entry& entry) const {
 void OptionSet::check_use() const {
   for (const auto& e : entries_)
     if (e.origin == Origin::from_command_line && !is_used(e))
-      throw UsageError(fmt::format(
-          "--{} belongs to --{} {} and does nothing with --{} {}: leave out the one or change the "
-          "other",
-          e.declaration.name, e.choice, e.word, e.choice, value_of(e.choice)));
+      throw UsageError(
+          fmt::format("--{} needs --{} {} and has no effect with --{} {}: remove it or change the "
+                      "other",
+                      e.declaration.name, e.choice, e.word, e.choice, value_of(e.choice)));
 }
 
 std::string OptionSet::words(const std::function<bool(const Entry&)>& is_shown) const {

@@ -82,7 +82,7 @@ class OptionSet {
   std::string given_as_command(const std::string& without) const;
   // Sets the options of these names to these values, as values() or given() of another set has them; names
   // that this set does not know are passed over. Throws UsageError.
-  void take_up(const std::vector<std::pair<std::string, std::string>>& values);
+  void restore(const std::vector<std::pair<std::string, std::string>>& values);
   // What to type to get the same result: the positionals, and the options that are used and not at their
   // defaults, but those under the heading `without`.
   std::string as_command(const std::string& without) const;

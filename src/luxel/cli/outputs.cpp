@@ -44,7 +44,7 @@ class Places {
   // made there: one is made and taken away again.
   void add(const std::string& option, const std::string& path) {
     if (!taken_.insert(std::filesystem::absolute(path).lexically_normal()).second)
-      throw UsageError(fmt::format("{} {} is given twice: each file needs a name of its own", option, path));
+      throw UsageError(fmt::format("{} {} is given twice: each file needs its own name", option, path));
     try {
       const OutputFile trial(path);
     } catch (const DeviceError& error) {
@@ -67,8 +67,10 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
 bool is_picture(const std::string& output) { return is_among(ending_of(output), picture_kinds); }
 
 void expect_ending(const std::string& option, const std::string& file, const std::string& kinds) {
-  if (!is_among(ending_of(file), kinds))
-    throw UsageError(fmt::format("{} {}: expected an ending among {}", option, file, kinds));
+  if (is_among(ending_of(file), kinds)) return;
+  const bool is_one = kinds.find(' ') == std::string::npos;
+  throw UsageError(fmt::format("{} {}: expected {} {}", option, file,
+                               is_one ? "the extension" : "one of the extensions", kinds));
 }
 
 bool is_page(const std::string& output) { return ending_of(output) == ".html"; }
@@ -97,7 +99,7 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
   // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
   const auto aspect =
       std::clamp(static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height),
-                 smallest_aspect, largest_aspect);
+                 smallest_aspect, max_aspect);
   Camera camera;
   camera.up = up;
   if (picture.of_scene && !picture.eye && !picture.target)
@@ -124,7 +126,7 @@ void write_picture(const std::string& output, const Image& radiance, const ToneO
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
                        const std::string& checkpoint) {
   if (run.outputs.empty() && checkpoint.empty())
-    throw UsageError("nothing to write: give at least one -o FILE, ending in one of " + kinds);
+    throw UsageError("nothing to write: give at least one -o FILE with one of the extensions " + kinds);
   Places places;
   for (const auto& output : run.outputs) {
     expect_ending("-o", output, kinds);
@@ -132,14 +134,15 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
       throw DeviceError(fmt::format("-o {}: {}", output, why));
     places.add("-o", output);
   }
-  if (!run.report.empty()) places.add("--report", run.report);
+  if (!run.report.empty()) places.add("--json-file", run.report);
   if (!checkpoint.empty()) places.add("--checkpoint", checkpoint);
   picture.check();
 }
 
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const KeptSamples& samples, const MeshWish& mesh) {
+                      Console& console, RunRecord& record, const StoredSamples& samples,
+                      const MeshWish& mesh) {
   // The solution first, for hours went into it; pictures last, for they take a while.
   auto outputs = run.outputs;
   const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : is_solution(o) ? 0 : 1; };

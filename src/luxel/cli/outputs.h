@@ -46,7 +46,7 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
 void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone);
 
 // What is known of the samples behind the light, where it is.
-struct KeptSamples {
+struct StoredSamples {
   const SampleState* for_solutions = nullptr;         // kept in solutions
   std::shared_ptr<const SampleState> for_pages = {};  // the light of each group of lamps comes from it
 };
@@ -62,7 +62,7 @@ struct Written {
 // none is given. After an interrupt that came before, what there is still gets written.
 Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
                       const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const KeptSamples& samples = {},
+                      Console& console, RunRecord& record, const StoredSamples& samples = {},
                       const MeshWish& mesh = {});
 
 }  // namespace luxel

@@ -40,7 +40,7 @@ SampledOptions sampled_options_of(const Provenance& provenance) {
   BakeSettings settings;
   OptionSet all("bake", "");
   settings.declare(all);
-  all.take_up(provenance.options);
+  all.restore(provenance.options);
   return settings.light.sampled;
 }
 

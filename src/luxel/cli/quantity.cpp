@@ -32,15 +32,15 @@ std::optional<double> with_unit(const std::string& text, std::span<const Unit> u
 
 }  // namespace
 
-std::optional<double> parse_share(const std::string& text) {
+std::optional<double> parse_fraction(const std::string& text) {
   // The decimal point is moved in the text: 1.3 % and 0.013 are the same number to the bit.
-  const auto share = text.ends_with('%') ? parse_double(text.substr(0, text.size() - 1) + "e-2")  //
-                                         : parse_double(text);
-  if (!share || !(*share >= 0.0 && *share < 1.0)) return std::nullopt;
-  return share;
+  const auto fraction = text.ends_with('%') ? parse_double(text.substr(0, text.size() - 1) + "e-2")  //
+                                            : parse_double(text);
+  if (!fraction || !(*fraction >= 0.0 && *fraction < 1.0)) return std::nullopt;
+  return fraction;
 }
 
-std::string as_share(double share) { return fmt::format("{:.15g}%", 100.0 * share); }
+std::string as_fraction(double fraction) { return fmt::format("{:.15g}%", 100.0 * fraction); }
 
 std::optional<double> parse_duration(const std::string& text) {
   constexpr double longest = 1e9;

@@ -11,8 +11,8 @@ namespace luxel {
 // number. Nothing where the text is none.
 
 // "1%" or "0.01": 0 to below 1. A bare 1, which could be either, is none.
-std::optional<double> parse_share(const std::string& text);
-std::string as_share(double share);
+std::optional<double> parse_fraction(const std::string& text);
+std::string as_fraction(double fraction);
 
 // "30s", "5min", "2h", "30" (seconds): above 0, in seconds.
 std::optional<double> parse_duration(const std::string& text);

@@ -29,7 +29,7 @@ class Reference final : public Command {
     look_.declare(options);
     picture_.declare_view(options);
     options.add_text("error-picture", "FILE", error_picture_,
-                     "write the standard error of every pixel as well: .exr or .hdr");
+                     "also write the standard error of every pixel: .exr or .hdr");
     run_.declare(options, all_kinds);
   }
 
@@ -92,8 +92,8 @@ class Reference final : public Command {
          l.max_reflectance != as_it_is.load.max_reflectance || l.sky != as_it_is.load.sky ||
          !l.spectra.empty() || scene_.patches.max_edge != as_it_is.patches.max_edge))
       throw UsageError(
-          "a solution's patches are taken as they are: --scale, --max-reflectance, --one-sided, --flip, "
-          "--sky, --spectral and --max-edge belong to a scene");
+          "the patches of a solution cannot be changed: --scale, --max-reflectance, --one-sided, --flip, "
+          "--sky, --spectral and --max-edge apply to scenes");
   }
 
   // A solution's own light stays, to find a view by.
@@ -145,7 +145,7 @@ class Reference final : public Command {
     console.say(
         fmt::format("{} paths a side; {}: standard error {:.2g} % (area-weighted relative RMS over "
                     "patches), below {:.2g} % for 95 % of the lit sides; seen error {:.2g} %",
-                    traced.paths, stop_name(traced.stop), 100.0 * traced.predicted_error,
+                    traced.paths, description(traced.stop), 100.0 * traced.predicted_error,
                     100.0 * traced.error_95th, 100.0 * baked.solution.seen_error));
     if (traced.stop == StopReason::stopped_by_user)
       warn(console.log(), "stopped: writing the light there is");
@@ -183,7 +183,7 @@ class Reference final : public Command {
     console.say(
         fmt::format("{} paths a pixel; {}: standard error {:.2g} % of the reflected light (relative "
                     "RMS over pixels)",
-                    traced.paths, stop_name(traced.stop), 100.0 * traced.error));
+                    traced.paths, description(traced.stop), 100.0 * traced.error));
     if (traced.stop == StopReason::stopped_by_user)
       warn(console.log(), "stopped: writing the picture as it is");
     const auto write = [&](const std::string& output, const Image& image) {
@@ -209,7 +209,7 @@ class Reference final : public Command {
 
 std::unique_ptr<Command> make_reference(CommandLine& line) {
   return std::make_unique<Reference>(
-      line.command("reference", "the truth to hold others against: path-traced patches and pictures"));
+      line.command("reference", "path-traced patches and pictures, as ground truth for comparisons"));
 }
 
 }  // namespace luxel

@@ -10,9 +10,9 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
-#include "luxel/cli/keep_settings.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/page_output.h"
+#include "luxel/cli/store_settings.h"
 #include "luxel/scene/name_pattern.h"
 
 namespace luxel {
@@ -46,16 +46,17 @@ Declaration named_values(const char* name, const char* unit, const char* expecte
 class Relight final : public Command {
  public:
   explicit Relight(OptionSet& options) : Command(options) {
-    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake --keep-transport' wrote");
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake --store-transport' wrote");
     options.heading("Light");
     options.add(named_values("light", "GROUP=FACTOR", "GROUP=FACTOR, such as desk=0.3",
-                             "the lamps of a light group shine so many times as bright", lights_));
+                             "multiply the power of a light group by a factor", lights_));
     options.add(named_values("tint", "GROUP=COLOUR", "GROUP=COLOUR, such as ceiling=#ffd0a0",
-                             "their light is coloured: #rrggbb, or linear red,green,blue", tints_));
-    options.add_texts("off", "GROUP", off_, "they are off");
+                             "colour of the group's light: #rrggbb, or linear red,green,blue", tints_));
+    options.add_texts("off", "GROUP", off_, "switch off a light group");
     options.add(named_values(
         "reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
-        "another reflectance (0.98 at most): #rrggbb, linear red,green,blue or one number", reflectances_));
+        "new reflectance of a material, at most 0.98: #rrggbb, linear red,green,blue or one number",
+        reflectances_));
     look_.declare(options);
     look_.declare_title(options);
     picture_.declare(options);
@@ -68,9 +69,9 @@ class Relight final : public Command {
     Console console(run_);
     const Workers workers(run_.threads);
     RunRecord record;
-    auto kept = record.stage("read", [&](auto&) { return read_kept_run(file_); });
+    auto kept = record.stage("read", [&](auto&) { return read_stored_run(file_); });
     if (!kept.samples)
-      throw InputError(file_, "it keeps no transport to relight with: bake with --keep-transport");
+      throw InputError(file_, "it stores no transport to relight with: bake with --store-transport");
     const auto& patches = kept.baked.patches;
     const auto changes_lamps = !lights_.empty() || !tints_.empty() || !off_.empty();
     const auto weight = lamp_weights(patches);
@@ -189,7 +190,7 @@ class Relight final : public Command {
 
 std::unique_ptr<Command> make_relight(CommandLine& line) {
   return std::make_unique<Relight>(
-      line.command("relight", "other lamps and colours for a solution, without tracing a ray"));
+      line.command("relight", "change lamps and colours of a solution without tracing rays"));
 }
 
 }  // namespace luxel

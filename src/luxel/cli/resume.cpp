@@ -13,7 +13,7 @@ namespace {
 class Resume final : public Command {
  public:
   explicit Resume(OptionSet& options) : Command(options) {
-    options.set_positional("FILE", file_, "a .vtkhdf file of --checkpoint or --keep-transport");
+    options.set_positional("FILE", file_, "a .vtkhdf file of --checkpoint or --store-transport");
     told_.light.declare_bounds(options);
     told_.look.declare(options);
     told_.mesh.declare(options);
@@ -31,16 +31,16 @@ class Resume final : public Command {
     const Workers workers(told_.run.threads);
     RunRecord record;
 
-    auto kept = record.stage("read", [&](auto&) { return read_kept_run(file_); });
+    auto kept = record.stage("read", [&](auto&) { return read_stored_run(file_); });
     if (!kept.samples)
-      throw InputError(file_,
-                       "it keeps no samples to go on from: bake with --checkpoint FILE or --keep-transport");
+      throw InputError(
+          file_, "it stores no samples to continue from: bake with --checkpoint FILE or --store-transport");
     auto& provenance = kept.baked.solution.provenance;
     BakeSettings settings;
     OptionSet all("bake", "");
     settings.declare(all);
-    all.take_up(provenance.options);
-    all.take_up(options().given());
+    all.restore(provenance.options);
+    all.restore(options().given());
     settings.keep.checkpoint = file_;
     settings.check();
     settings.light.sampled.ranks = ranks();
@@ -66,7 +66,7 @@ class Resume final : public Command {
 
 std::unique_ptr<Command> make_resume(CommandLine& line) {
   return std::make_unique<Resume>(
-      line.command("resume", "go on with a bake that was stopped, or to a finer error"));
+      line.command("resume", "continue a stopped bake, or refine one to a smaller error"));
 }
 
 }  // namespace luxel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/cli/run_report.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -38,8 +39,8 @@ Json to_json(const Baked& baked) {
                {"method", s.provenance.method},
                {"seed", s.provenance.seed},
                {"rays", s.provenance.rays},
-               {"stop", stop_name(s.stop)},
-               {"unshot_share", s.unshot_share},
+               {"stop_reason", name(s.stop)},
+               {"unshot_fraction", s.unshot_fraction},
                {"predicted_error", s.predicted_error},
                {"standard_errors", has_standard_errors(s)},
                {"scene_fingerprint", fmt::format("{:016x}", s.provenance.scene_fingerprint)},
@@ -59,7 +60,7 @@ Json to_json(const Baked& baked) {
 Json steps_as_json(const SolveReport& report) {
   Json steps = Json::array();
   for (const auto& step : report.steps)
-    steps.push_back({{"rays", step.rays}, {"unshot_share", step.unshot_share}});
+    steps.push_back({{"rays", step.rays}, {"unshot_fraction", step.unshot_fraction}});
   return steps;
 }
 
@@ -93,17 +94,24 @@ Json surfaces_as_json(const SurfaceMeans& means) {
 std::string_view name(RefineStop stop) {
   switch (stop) {
     case RefineStop::mesh_error_reached:
-      return "mesh error reached";
+      return "mesh_error_reached";
     case RefineStop::patch_limit:
-      return "patch limit";
+      return "patch_limit";
     case RefineStop::level_limit:
-      return "level limit";
+      return "level_limit";
     case RefineStop::drowned_in_noise:
-      return "drowned in noise";
+      return "noise_limit";
     case RefineStop::stopped_by_user:
-      return "stopped by user";
+      return "stopped_by_user";
   }
   return "";
+}
+
+// "patch limit", of "patch_limit".
+std::string as_phrase(std::string_view name) {
+  std::string phrase(name);
+  std::replace(phrase.begin(), phrase.end(), '_', ' ');
+  return phrase;
 }
 
 Json to_json(const RefineReport& report, double target) {
@@ -114,7 +122,7 @@ Json to_json(const RefineReport& report, double target) {
                       {"sampling_error", level.sampling_error},
                       {"rays", level.rays}});
   return {{"mesh_error", {{"target", target}, {"reached", report.mesh_error}}},
-          {"ended_by", name(report.stop)},
+          {"stop_reason", name(report.stop)},
           {"levels", std::move(levels)}};
 }
 
@@ -150,7 +158,7 @@ Json error_as_json(const SolveReport& report, const std::optional<double>& targe
     error["places"] = report.places;
   }
   if (report.error_95th > 0.0) error["percentile_95"] = report.error_95th;
-  error["ended_by"] = stop_name(report.stop);
+  error["stop_reason"] = name(report.stop);
   return error;
 }
 
@@ -159,7 +167,7 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
   if (!report.steps.empty()) json["steps"] = steps_as_json(report);
   if (!report.rounds.empty()) {
     json["rounds"] = rounds_as_json(report);
-    json["dark_sides"] = report.dark_sides;
+    json["unreached_sides"] = report.unreached_sides;
     json["streamed"] = report.streamed;
     json["predicted_memory_bytes"] = report.memory;
   }
@@ -182,8 +190,8 @@ Json to_json(const PictureRecord& picture, const std::optional<double>& target) 
   Json error = Json::object();
   if (target) error["target"] = *target;
   error["reached"] = picture.error;
-  error["ended_by"] = stop_name(picture.stop);
-  return {{"paths_a_pixel", picture.paths}, {"rays", picture.rays}, {"error", std::move(error)}};
+  error["stop_reason"] = name(picture.stop);
+  return {{"paths_per_pixel", picture.paths}, {"rays", picture.rays}, {"error", std::move(error)}};
 }
 
 Json to_json(const PagesRecord& record) {
@@ -207,7 +215,8 @@ Json to_json(const PagesRecord& record) {
 }
 
 // Noise and bias, for a person. Those that are 0 are not estimated, and left out.
-std::string quality(ErrorKind kind, double seen_error, double error, double error_95th, double unshot_share) {
+std::string quality(ErrorKind kind, double seen_error, double error, double error_95th,
+                    double unshot_fraction) {
   std::string text;
   if (seen_error > 0.0)
     text = fmt::format("seen error {:.2g} % (95 % of the views stay below)\n", 100.0 * seen_error);
@@ -217,7 +226,7 @@ std::string quality(ErrorKind kind, double seen_error, double error, double erro
                             kind == ErrorKind::noise ? "standard error" : "error of the form factors below",
                             100.0 * error);
   if (error_95th > 0.0) text += fmt::format(", below {:.2g} % for 95 % of the lit sides", 100.0 * error_95th);
-  if (unshot_share > 0.0) text += fmt::format(", bias below {:.2g} % unshot", 100.0 * unshot_share);
+  if (unshot_fraction > 0.0) text += fmt::format(", bias below {:.2g} % unshot", 100.0 * unshot_fraction);
   return text;
 }
 
@@ -240,7 +249,7 @@ Json to_json(const RunRecord& record) {
     Json stage = {{"name", s.name}, {"seconds", s.seconds}};
     if (s.rays > 0) {
       stage["rays"] = s.rays;
-      stage["nanoseconds_a_ray"] = 1e9 * s.seconds / static_cast<double>(s.rays);
+      stage["nanoseconds_per_ray"] = 1e9 * s.seconds / static_cast<double>(s.rays);
     }
     stages.push_back(std::move(stage));
   }
@@ -248,26 +257,6 @@ Json to_json(const RunRecord& record) {
 }
 
 }  // namespace
-
-std::string_view stop_name(StopReason reason) {
-  switch (reason) {
-    case StopReason::converged:
-      return "converged";
-    case StopReason::error_reached:
-      return "error reached";
-    case StopReason::ray_limit:
-      return "ray limit";
-    case StopReason::time_limit:
-      return "time limit";
-    case StopReason::stopped_by_user:
-      return "stopped by user";
-    case StopReason::nothing_to_do:
-      return "nothing to do";
-    case StopReason::step_limit:
-      return "step limit";
-  }
-  return "";
-}
 
 std::string RunReport::as_json() const {
   Json json = {{"command", command}};
@@ -300,9 +289,9 @@ std::string describe(const Baked& baked) {
   text += s.provenance.rays > 0 ? fmt::format("{} with {} rays, seed {}", s.provenance.method,
                                               s.provenance.rays, s.provenance.seed)
                                 : s.provenance.method;
-  text += fmt::format(": {}\n", stop_name(s.stop));
+  text += fmt::format(": {}\n", description(s.stop));
   text += quality(error_kind_of(s.provenance.method), s.seen_error, s.predicted_error, s.error_95th,
-                  s.unshot_share) +
+                  s.unshot_fraction) +
           "\n";
   if (s.mesh_error > 0.0) text += fmt::format("mesh error {:.2g} %, apart from that\n", 100.0 * s.mesh_error);
   if (has_standard_errors(s))
@@ -322,7 +311,8 @@ std::string describe(const RefineReport& report) {
     patches.push_back(level.patches);
   }
   return fmt::format("patches put where the light needs them: {}; {} rays; {}: mesh error {:.2g} %",
-                     fmt::join(patches, " > "), rays, name(report.stop), 100.0 * report.mesh_error);
+                     fmt::join(patches, " > "), rays, as_phrase(name(report.stop)),
+                     100.0 * report.mesh_error);
 }
 
 std::string describe(const SolveReport& report) {
@@ -349,9 +339,9 @@ std::string describe(const SolveReport& report) {
         fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
                     report.ranks, 1e-6 * static_cast<double>(report.traffic.bytes), report.traffic.seconds);
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
-  return text + fmt::format("{}: {}", stop_name(report.stop),
+  return text + fmt::format("{}: {}", description(report.stop),
                             quality(report.error_kind, report.seen_error, report.predicted_error,
-                                    report.error_95th, report.unshot_share));
+                                    report.error_95th, report.unshot_fraction));
 }
 
 }  // namespace luxel

@@ -16,8 +16,6 @@
 
 namespace luxel {
 
-std::string_view stop_name(StopReason reason);
-
 // A picture that was traced path by path.
 struct PictureRecord {
   std::uint64_t paths = 0;  // a pixel
@@ -26,8 +24,8 @@ struct PictureRecord {
   StopReason stop = StopReason::nothing_to_do;
 };
 
-// A run as JSON, for machines: what --json prints and --report writes. docs/report.md lists its keys. Parts
-// that a command does not have are left out.
+// A run as JSON, for machines: what --json prints and --json-file writes. docs/json.md lists its keys.
+// Parts that a command does not have are left out.
 struct RunReport {
   std::string command;
   const Baked* baked = nullptr;

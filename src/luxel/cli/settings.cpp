@@ -35,10 +35,9 @@ float parse_fov(const std::string& name, const std::string& text) {
 int parse_bands(const std::string& text) {
   const auto value = parse_number(text);
   const auto count = value ? static_cast<int>(*value) : 0;
-  if (value && static_cast<float>(count) == *value && count >= fewest_bands && count <= most_bands)
-    return count;
-  throw UsageError(fmt::format("--bands: expected auto or a whole number from {} to {}, not '{}'",
-                               fewest_bands, most_bands, text));
+  if (value && static_cast<float>(count) == *value && count >= min_bands && count <= max_bands) return count;
+  throw UsageError(fmt::format("--bands: expected auto or a whole number from {} to {}, not '{}'", min_bands,
+                               max_bands, text));
 }
 
 }  // namespace
@@ -46,74 +45,74 @@ int parse_bands(const std::string& text) {
 void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
   set.set_positional("SCENE", file, what_it_takes);
   set.heading("Scene");
-  set.add_number("scale", "m", load.scale, 1e-9, far, "metres a unit of the file");
+  set.add_number("scale", "m", load.scale, 1e-9, far, "metres per unit of the file");
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,
-                 "higher reflectances are lowered to this");
-  set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose back absorbs light");
-  set.add_texts("flip", "NAME", load.flip, "materials (with * and ?) whose faces are turned round");
+                 "maximum reflectance; higher ones are lowered to it");
+  set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose backs absorb light");
+  set.add_texts("flip", "NAME", load.flip, "materials (with * and ?) whose faces are flipped");
   set.add_number("weld", "m", load.weld, 0.0f, static_cast<float>(far),
-                 "vertices nearer than this become one; 0: none");
-  set.add_flag("orient", load.orient, "turn faces round so that each connected piece faces one way");
+                 "merge vertices closer than this; 0 disables it");
+  set.add_flag("orient", load.orient, "flip faces so that each connected component has consistent winding");
 }
 
 void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
   declare_scene(set, what_it_takes);
   set.heading("Patches");
   add_or_auto(set, "max-edge", "m", patches.max_edge, automatic_edge, parse_edge,
-              "longest edge of a patch; 0 keeps the triangles as they come");
+              "maximum edge length of patches; 0 leaves the triangles uncut");
 }
 
 void SceneSettings::declare_contacts(OptionSet& set) {
   set.add_switch("contacts", patches.contacts,
-                 "cut patches where surfaces touch or pass through each other, so that no light leaks there");
+                 "cut patches where surfaces touch or intersect, so that no light leaks there");
   set.add_number("contact-gap", "m", patches.contact_gap, 0.0f, 1.0f,
-                 "surfaces no farther apart than this touch (a hundredth of their shortest edge at most)");
+                 "maximum distance of surfaces that touch (at most a hundredth of their shortest edge)");
 }
 
 void SceneSettings::declare_sky(OptionSet& set) {
   set.heading("Light");
   set.add_colour("sky", "W/(m² sr)", load.sky,
-                 "radiance all around the scene, one number or red,green,blue: windows let it in");
+                 "radiance of a uniform sky around the scene, one number or red,green,blue; it enters "
+                 "through windows; 0: none");
 }
 
 void SceneSettings::declare_spectra(OptionSet& set) {
-  set.add(
-      {"spectral", "FILE",
-       "solve by wavelength: a CSV file of measured spectra of materials, lamps and sky; see docs/spectra.md",
-       [this](const std::string& text) { load.spectra = text; }, [this] { return load.spectra.string(); }});
-  set.add({"bands", "count",
-           "with --spectral: solve at so many wavelengths, even steps apart; auto: the file's",
+  set.add({"spectral", "FILE",
+           "solve by wavelength, with measured spectra of materials, lamps and sky from a CSV file; see "
+           "docs/spectra.md",
+           [this](const std::string& text) { load.spectra = text; },
+           [this] { return load.spectra.string(); }});
+  set.add({"bands", "count", "with --spectral: number of evenly spaced wavelengths; auto: those of the file",
            [this](const std::string& text) { load.bands = text == "auto" ? 0 : parse_bands(text); },
            [this] { return load.bands == 0 ? std::string("auto") : fmt::format("{}", load.bands); }});
 }
 
 void SceneSettings::check() const {
-  if (load.bands > 0 && load.spectra.empty())
-    throw UsageError("--bands needs spectra: give --spectral FILE as well");
+  if (load.bands > 0 && load.spectra.empty()) throw UsageError("--bands needs --spectral FILE");
 }
 
 void RefineSettings::declare(OptionSet& set) {
   set.add(
-      {"mesh-error", "share",
-       "cut patches where the light needs it, until their size does no more to it than this, such as 2%; "
-       "none: they stay as they are",
+      {"mesh-error", "fraction",
+       "refine patches until the estimated discretisation error is below this, such as 2%; none disables "
+       "refinement",
        [this](const std::string& text) {
-         const auto share = text == "none" ? std::optional(0.0) : parse_share(text);
-         if (!share || (*share == 0.0 && text != "none"))
+         const auto fraction = text == "none" ? std::optional(0.0) : parse_fraction(text);
+         if (!fraction || (*fraction == 0.0 && text != "none"))
            throw UsageError(fmt::format(
-               "--mesh-error: expected a share above 0 and below 1, such as 2%, or none, not '{}'", text));
-         mesh_error = *share;
+               "--mesh-error: expected a fraction above 0 and below 1, such as 2%, or none, not '{}'", text));
+         mesh_error = *fraction;
        },
-       [this] { return mesh_error == 0.0 ? std::string("none") : as_share(mesh_error); }});
-  set.add({"max-patches", "count", "with --mesh-error: no more patches than this, such as 200k",
+       [this] { return mesh_error == 0.0 ? std::string("none") : as_fraction(mesh_error); }});
+  set.add({"max-patches", "count", "with --mesh-error: maximum number of patches, such as 200k",
            [this](const std::string& text) { max_patches = parse_count("max-patches", text); },
            [this] { return fmt::format("{}", max_patches); }});
 }
 
 void PictureSettings::declare_camera(OptionSet& set) {
   set.heading("Picture");
-  set.add_point("eye", "x,y,z m", eye, "where the camera stands");
-  set.add_point("target", "x,y,z m", target, "what the middle of the picture shows");
+  set.add_point("eye", "x,y,z m", eye, "position of the camera");
+  set.add_point("target", "x,y,z m", target, "point at the centre of the picture");
   add_or_auto(set, "fov", "degrees", vertical_fov, automatic_fov, parse_fov, "vertical field of view");
 }
 
@@ -125,12 +124,13 @@ void PictureSettings::declare_view(OptionSet& set) {
 
 void PictureSettings::declare(OptionSet& set) {
   declare_view(set);
-  set.add_number("samples", "count", render.samples_per_side, 1, 64, "this many by this many rays a pixel");
+  set.add_number("samples", "count", render.samples_per_side, 1, 64, "N for N x N rays per pixel");
 }
 
 void PictureSettings::declare_gather(OptionSet& set) {
-  set.add_number("gather", "count", gather, 0, 65536,
-                 "rays a pixel that gather light anew at each point seen (instead of --samples); 0: none");
+  set.add_number(
+      "gather", "count", gather, 0, 65536,
+      "rays per pixel of a final gather at the visible points, instead of --samples; 0 disables it");
 }
 
 void PictureSettings::check() const {
@@ -138,22 +138,20 @@ void PictureSettings::check() const {
     if (point && glm::length(*point) > far)
       throw UsageError(fmt::format("--eye and --target: expected points within {:g} m of the origin", far));
   if (eye && target && *eye == *target)
-    throw UsageError("--eye and --target are the same point: the camera would look nowhere");
+    throw UsageError("--eye and --target are the same point: the camera has no direction");
 }
 
-void LookSettings::declare_up(OptionSet& set) {
-  set.add_choice("up", {"auto", "y", "z"}, up, "which way is up");
-}
+void LookSettings::declare_up(OptionSet& set) { set.add_choice("up", {"auto", "y", "z"}, up, "the up axis"); }
 
 void LookSettings::declare_title(OptionSet& set) {
-  set.add_text("title", "TEXT", title, "of a page (.html); empty: its file's name");
+  set.add_text("title", "TEXT", title, "title of a page (.html); empty: the name of the file");
 }
 
 void LookSettings::declare(OptionSet& set) {
   set.heading("Look");
   declare_up(set);
   set.add_number("crease-angle", "degrees", smooth.crease_angle, 0.0f, 180.0f,
-                 "neighbours that meet at a sharper angle are shaded apart");
+                 "maximum angle between neighbours that are shaded smoothly");
   set.add({"tone", "OPERATOR", "tone mapping: maximum, clamp, reinhard or reinhard-local",
            [this](const std::string& text) {
              const auto op = tone_operator(text);
@@ -163,17 +161,18 @@ void LookSettings::declare(OptionSet& set) {
              tone.op = *op;
            },
            [this] { return std::string(name(tone.op)); }});
-  set.add_number("exposure", "stops", tone.exposure, -30.0f, 30.0f, "brighter by this many stops");
+  set.add_number("exposure", "stops", tone.exposure, -30.0f, 30.0f,
+                 "exposure correction; positive is brighter");
   set.add_number("key", "0..1", tone.key, 0.001f, 1.0f,
-                 "what the average luminance is shown as (Reinhard's key)");
+                 "display value of the average luminance (Reinhard's key)");
   set.add_number("white", "keyed", tone.white, 0.0f, 1e6f,
-                 "smallest keyed luminance shown as white; 0: none");
+                 "smallest luminance, after scaling by the key, that is shown as white; 0: none");
 }
 
 void RunSettings::declare(OptionSet& set, const std::string& kinds) {
   set.heading(heading);
   if (!kinds.empty()) {
-    Declaration output{"output", "FILE", "what to write, by its ending: " + kinds,
+    Declaration output{"output", "FILE", "file to write; its extension selects the format: " + kinds,
                        [this](const std::string& text) { outputs.push_back(text); },
                        [this] { return fmt::format("{}", fmt::join(outputs, "\n")); }};
     output.letter = 'o';
@@ -181,14 +180,14 @@ void RunSettings::declare(OptionSet& set, const std::string& kinds) {
     set.add(std::move(output));
   }
   set.add_number("threads", "count", threads, 0, 4096,
-                 "0 takes every core; the answer does not depend on it");
-  set.add_text("report", "FILE", report, "write what --json prints to a file as well");
+                 "number of threads; 0: all cores; results do not depend on it");
+  set.add_text("json-file", "FILE", report, "write the result as JSON to this file");
   set.add_flag("json", json, "print the result as JSON");
-  set.add_flag("quiet", quiet, "say warnings only");
-  set.add_choice(
-      "progress", {"auto", "json"}, progress,
-      "how far it has come, on the standard error: for a person, or a line of JSON a few times a second "
-      "for a program");
+  set.add_flag("quiet", quiet, "print only warnings and errors");
+  set.add_choice("progress", {"auto", "json"}, progress,
+                 "progress on the standard error; auto: for people, on a terminal; json: a line of JSON "
+                 "several times per "
+                 "second, for programs");
 }
 
 }  // namespace luxel

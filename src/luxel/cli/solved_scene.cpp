@@ -13,9 +13,9 @@ std::optional<SolvedScene> load_solved_scene(const std::string& file, const std:
   BakeSettings of_bake;
   OptionSet all("bake", "");
   of_bake.declare(all);
-  all.take_up(baked.solution.provenance.options);
+  all.restore(baked.solution.provenance.options);
   SolvedScene solved;
-  solved.metres_a_unit = of_bake.scene.load.scale;
+  solved.metres_per_unit = of_bake.scene.load.scale;
   solved.scene = load_scene(file, of_bake.scene.load, console.log(), console.monitor());
   if (interrupted()) return std::nullopt;
   if (fingerprint(solved.scene) != baked.patches.scene_fingerprint)

@@ -13,7 +13,7 @@ namespace luxel {
 // The scene that a solution was solved from, loaded with the options it was solved with.
 struct SolvedScene {
   Scene scene;
-  double metres_a_unit = 1.0;
+  double metres_per_unit = 1.0;
 };
 
 // file: of the scene; solution_file: for errors. Nothing after Ctrl-C. Throws MismatchError where it is

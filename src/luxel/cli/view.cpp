@@ -25,16 +25,13 @@ class View final : public Command {
     s.look.declare(options);
     s.picture.declare_view(options);
     options.heading(RunSettings::heading);
-    options.add_text("compare", "FILE", compare_,
-                     "a second solution: the window shows how far the light is from it");
-    options.add_text("save", "FILE", save_, "a .vtkhdf file that keeps the light when the window is closed");
-    options.add_text("snapshot", "FILE", snapshot_,
-                     "no window: draw off screen, and write this .png at the end");
-    options.add_text("script", "FILE", script_,
-                     "do what this file says, as if by a person; see docs/viewer.md");
-    options.add_flag("off-screen", off_screen_, "no window, for a script that takes its own pictures");
+    options.add_text("compare", "FILE", compare_, "second solution; the viewer shows the difference from it");
+    options.add_text("save", "FILE", save_, "solution file (.vtkhdf) written when the window closes");
+    options.add_text("snapshot", "FILE", snapshot_, "draw off screen and write this .png at the end");
+    options.add_text("script", "FILE", script_, "run the commands of this file; see docs/viewer.md");
+    options.add_flag("off-screen", off_screen_, "draw off screen, for scripts that save pictures");
     options.add_number("threads", "count", s.run.threads, 0, 4096,
-                       "that solve; 0 leaves a core to the window");
+                       "threads that solve; 0: all cores but one");
     s.light.declare_memory(options);
   }
 
@@ -86,7 +83,7 @@ class View final : public Command {
       BakeSettings bake;
       OptionSet all("bake", "");
       bake.declare(all);
-      all.take_up(provenance.options);
+      all.restore(provenance.options);
       return LightOptions(bake.light);
     };
     return live;
@@ -97,7 +94,7 @@ class View final : public Command {
     BakeSettings bake;
     OptionSet all("bake", "");
     bake.declare(all);
-    all.take_up(options().given());
+    all.restore(options().given());
     bake.scene.file = file.string();
     static_cast<LightOptions&>(bake.light) = light;
     bake.keep.transport = true;
@@ -114,8 +111,7 @@ class View final : public Command {
 }  // namespace
 
 std::unique_ptr<Command> make_view(CommandLine& line) {
-  return std::make_unique<View>(
-      line.command("view", "a window: watch light arrive, walk through it, question it"));
+  return std::make_unique<View>(line.command("view", "interactive viewer, solving in the background"));
 }
 
 }  // namespace luxel

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_shown = 12;  // elements
+constexpr std::size_t max_shown = 12;  // elements
 
 std::string describe(const FactorCheck& check, const ViewFactors& factors) {
   if (!check.is_whole) return fmt::format("stopped after {} rows had been checked", check.rows);
@@ -73,7 +73,7 @@ std::string ViewFactorReport::as_text() const {
                           between);
   if (sampled) {
     text += fmt::format("; {} rays, {} a patch side; standard error {:.3g}", sampled->rays,
-                        sampled->rays_a_side, sampled->error);
+                        sampled->rays_per_side, sampled->error);
     if (error_target > 0.0) text += fmt::format(" (asked for {:g})", error_target);
     if (sampled->row_error > 0.0) text += fmt::format(", {:.2g} % of a row", 100.0 * sampled->row_error);
     if (row_error_target > 0.0) text += fmt::format(" (asked for {:g} %)", 100.0 * row_error_target);
@@ -86,11 +86,11 @@ std::string ViewFactorReport::as_text() const {
     text += fmt::format(
         "\nenforced: factors changed by {:.2g} (root mean square; {:.2g} at most), exchange areas by {:.2g} "
         "standard errors; rows were off by {:.2g}",
-        e.rms_change, e.largest_change, e.change_in_standard_errors, e.worst_row_sum_before);
+        e.rms_change, e.max_change, e.change_in_standard_errors, e.worst_row_sum_before);
     text += fmt::format("\n{} factors after it: every pair is listed both ways\n", e.count);
     if (check_after) text += describe(*check_after, f);
   }
-  if (f.size() <= most_shown) text += matrix(f);
+  if (f.size() <= max_shown) text += matrix(f);
   return text;
 }
 
@@ -99,10 +99,10 @@ std::string ViewFactorReport::as_json() const {
                {"patches", patches},       {"elements", factors->size()}, {"factors", factors->count()}};
   if (sampled)
     json["sampled"] = {{"rays", sampled->rays},
-                       {"rays_a_side", sampled->rays_a_side},
+                       {"rays_per_side", sampled->rays_per_side},
                        {"error", sampled->error},
                        {"error_target", error_target},
-                       {"ended_by", stop_name(sampled->stop)},
+                       {"stop_reason", name(sampled->stop)},
                        {"row_error", sampled->row_error},
                        {"row_error_target", row_error_target},
                        {"predicted_factors", sampled->predicted_factors},
@@ -112,7 +112,7 @@ std::string ViewFactorReport::as_json() const {
   json["check"] = to_json(check);
   if (enforcement) {
     json["enforced"] = {{"rms_change", enforcement->rms_change},
-                        {"largest_change", enforcement->largest_change},
+                        {"largest_change", enforcement->max_change},
                         {"change_in_standard_errors", enforcement->change_in_standard_errors},
                         {"worst_row_sum_before", enforcement->worst_row_sum_before},
                         {"steps", enforcement->steps},

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t bytes_in_file = 16;
 // What a row may be off by, where factors between patches are asked for without more ado.
 constexpr double usual_row_error = 0.04;
-constexpr double memory_share = 0.8;  // of what is free
+constexpr double memory_fraction = 0.8;  // of what is free
 
 double parse_factor(const std::string& name, const std::string& text) {
   const auto value = parse_double(text);
@@ -40,32 +40,34 @@ std::string some_of(const std::vector<std::string>& names) {
 void ViewFactorSettings::declare(OptionSet& set) {
   set.heading("View factors");
   set.add_choice("between", {"groups", "objects", "materials", "patches"}, between,
-                 "what the factors are between: OBJ groups (g or o), objects (o), materials, or all patches");
-  set.add_choice("sides", {"front", "both"}, sides,
-                 "fronts of surfaces; or backs of two-sided materials as well, as elements of their own");
-  set.add_texts("from", "NAME", from, "rows of these elements (with * and ?) alone");
-  set.add({"error", "factor",
-           "stop at this root mean square standard error of the listed view factors (not of light); auto: "
-           "0.001, between patches 4 % "
-           "of a row, or none with --rays",
-           [this](const std::string& text) {
-             error = text == "auto" ? std::optional<double>() : parse_factor("error", text);
-           },
-           [this] { return error ? fmt::format("{}", *error) : std::string("auto"); }});
-  set.add({"rays", "count", "rays a patch side, at most (rounded down to a power of two a replicate)",
+                 "elements of the factors: OBJ groups (g or o), objects (o), materials, or all patches");
+  set.add_choice(
+      "sides", {"front", "both"}, sides,
+      "front: fronts of surfaces; both: also the backs of two-sided materials, as elements of their own");
+  set.add_texts("from", "NAME", from, "only the rows of these elements (with * and ?)");
+  set.add(
+      {"error", "factor",
+       "stop at this RMS standard error of the view factors; auto: 0.001, between patches 4 % of a row, none "
+       "with --rays",
+       [this](const std::string& text) {
+         error = text == "auto" ? std::optional<double>() : parse_factor("error", text);
+       },
+       [this] { return error ? fmt::format("{}", *error) : std::string("auto"); }});
+  set.add({"rays", "count",
+           "maximum number of rays per patch side (rounded down to a power of two per replicate)",
            [this](const std::string& text) { sampled.rays = text == "auto" ? 0 : parse_count("rays", text); },
            [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});
-  set.add({"keep-above", "factor", "drop factors below; their sum is kept",
-           [this](const std::string& text) { sampled.keep_above = parse_factor("keep-above", text); },
-           [this] { return fmt::format("{}", sampled.keep_above); }});
+  set.add({"min-factor", "factor", "drop smaller factors; their sum is recorded",
+           [this](const std::string& text) { sampled.min_factor = parse_factor("min-factor", text); },
+           [this] { return fmt::format("{}", sampled.min_factor); }});
   set.add_flag("enforce", enforce,
-               "make row sums and reciprocity exact by weighted least squares, and say what that changed");
+               "make row sums and reciprocity exact by weighted least squares; reports the changes");
   set.add_flag("exact", is_exact,
-               "closed forms, integrated where obstructed, in place of rays: small scenes");
-  set.add_flag("force", force, "begin what will take long (--exact) all the same");
-  set.add_count("seed", sampled.seed, "another seed gives another, independent answer");
+               "closed forms, integrated where obstructed, instead of rays; for small scenes");
+  set.add_flag("force", force, "start even if --exact is predicted to take long");
+  set.add_count("seed", sampled.seed, "seed of the random numbers; other seeds give independent results");
   set.add_number("replicates", "count", sampled.replicates, 4u, 32u,
-                 "independent answers whose spread is the standard error");
+                 "independent estimates; their spread gives the standard errors");
 }
 
 void ViewFactorSettings::declare_memory(OptionSet& set) {
@@ -76,19 +78,19 @@ void ViewFactorSettings::declare_memory(OptionSet& set) {
           fmt::format("--memory: expected a size such as 512MiB or 4GiB, or auto, not '{}'", text));
     sampled.memory = *bytes;
   };
-  set.add_flag("compress", compress, "compress the HDF5 file: smaller, and slower to write");
-  set.add({"memory", "size", "refuse what would take more; auto: four fifths of what is free", parse,
+  set.add_flag("compress", compress, "compress the HDF5 file: smaller, slower to write");
+  set.add({"memory", "size",
+           "maximum memory; a run that needs more is refused; auto: four fifths of the free memory", parse,
            [this] { return sampled.memory == 0 ? std::string("auto") : as_bytes(sampled.memory); }});
 }
 
 void ViewFactorSettings::check() const {
   if (error && *error == 0.0 && sampled.rays == 0 && !is_exact)
-    throw UsageError("--error 0 asks for no accuracy: give --rays to say when to stop");
-  if (enforce && !from.empty())
-    throw UsageError("--enforce needs the rows of all elements: leave out --from");
-  if (is_exact && !from.empty()) throw UsageError("--exact gives all rows: leave out --from");
+    throw UsageError("--error 0 sets no target: give --rays as the limit");
+  if (enforce && !from.empty()) throw UsageError("--enforce needs the rows of all elements: remove --from");
+  if (is_exact && !from.empty()) throw UsageError("--exact computes all rows: remove --from");
   if (is_exact && (error || sampled.rays > 0))
-    throw UsageError("--exact counts no rays: leave out --error and --rays");
+    throw UsageError("--exact uses no rays: remove --error and --rays");
 }
 
 Between ViewFactorSettings::kind() const {
@@ -120,7 +122,7 @@ SampleFactorsOptions ViewFactorSettings::sample_options(const ViewElements& elem
   for (const auto& output : outputs)
     if (ending_of(output) == ".h5") options.bytes_beside = bytes_in_file;
   if (options.memory == 0)
-    options.memory = static_cast<std::uint64_t>(memory_share * static_cast<double>(free_memory()));
+    options.memory = static_cast<std::uint64_t>(memory_fraction * static_cast<double>(free_memory()));
   return options;
 }
 

@@ -75,7 +75,7 @@ class ViewFactorsCommand final : public Command {
       report.check_after = record.stage("check", check);
     }
     console.say(report.as_text());
-    say_doubts(report, console);
+    report_error_estimates(report, console);
 
     // 4. What was asked for.
     const auto note = note_of(patches, elements, report);
@@ -119,7 +119,7 @@ class ViewFactorsCommand final : public Command {
                                    ViewFactorReport& report) const {
     report.exact.emplace();
     auto how = settings_.exact;
-    how.keep_above = settings_.sampled.keep_above;
+    how.min_factor = settings_.sampled.min_factor;
     if (settings_.force) how.seconds = 0.0;
     try {
       return exact_view_factors(patches, tracer, elements, how, workers, console.monitor(), *report.exact);
@@ -141,7 +141,7 @@ class ViewFactorsCommand final : public Command {
            (report.sampled->stop == StopReason::ray_limit && report.error_target > 0.0);
   }
 
-  void say_doubts(const ViewFactorReport& report, Console& console) const {
+  void report_error_estimates(const ViewFactorReport& report, Console& console) const {
     if (settings_.enforce && !is_enforced(report))
       warn(console.log(), "stopped before the laws were enforced: the file says so");
     else if (!report.check.is_whole || (report.check_after && !report.check_after->is_whole))

@@ -14,7 +14,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t largest_message = std::size_t{1} << 30;  // bytes; MPI counts in int
+constexpr std::size_t max_message = std::size_t{1} << 30;  // bytes; MPI counts in int
 
 // Whether a launcher started this: to begin MPI without one would take a tenth of a second for nothing.
 bool is_launched() {
@@ -52,7 +52,7 @@ class MpiRanks final : public Ranks {
                   std::span<const std::size_t> sizes) const override {
     const auto places = begins(sizes);
     const Wait wait(*this, places.back() - own.size());
-    if (places.back() <= largest_message) {
+    if (places.back() <= max_message) {
       const std::vector<int> counts(sizes.begin(), sizes.end());
       const std::vector<int> offsets(places.begin(), places.end() - 1);
       const void* from = own.data() == all.data() + places[rank_] ? MPI_IN_PLACE : own.data();
@@ -63,7 +63,7 @@ class MpiRanks final : public Ranks {
     for (std::size_t r = 0; r < size_; ++r) {
       auto part = all.subspan(places[r], sizes[r]);
       if (r == rank_ && own.data() != part.data()) std::copy(own.begin(), own.end(), part.begin());
-      broadcast(part, static_cast<int>(r));
+      broadcast_from(part, static_cast<int>(r));
     }
   }
 
@@ -90,7 +90,7 @@ class MpiRanks final : public Ranks {
                        std::span<const std::size_t> sizes) const override {
     if (rank_ > 0) {
       const Wait wait(*this, 0);
-      for (std::size_t i = 0; i < own.size(); i += largest_message)
+      for (std::size_t i = 0; i < own.size(); i += max_message)
         MPI_Send(own.data() + i, length(own.size(), i), MPI_BYTE, 0, 0, MPI_COMM_WORLD);
       return;
     }
@@ -98,14 +98,14 @@ class MpiRanks final : public Ranks {
     const Wait wait(*this, places.back() - own.size());
     std::copy(own.begin(), own.end(), all.begin());
     for (std::size_t r = 1; r < size_; ++r)
-      for (std::size_t i = 0; i < sizes[r]; i += largest_message)
+      for (std::size_t i = 0; i < sizes[r]; i += max_message)
         MPI_Recv(all.data() + places[r] + i, length(sizes[r], i), MPI_BYTE, static_cast<int>(r), 0,
                  MPI_COMM_WORLD, MPI_STATUS_IGNORE);
   }
 
-  void from_first(std::span<std::byte> bytes) const override {
+  void broadcast(std::span<std::byte> bytes) const override {
     const Wait wait(*this, rank_ == 0 ? 0 : bytes.size());
-    broadcast(bytes, 0);
+    broadcast_from(bytes, 0);
   }
 
   void exchange(std::span<const std::span<const std::byte>> own,
@@ -115,10 +115,10 @@ class MpiRanks final : public Ranks {
     const Wait wait(*this, bytes - come[rank_].size());
     std::vector<MPI_Request> requests;
     for (std::size_t r = 0; r < size_; ++r) {
-      for (std::size_t i = 0; i < come[r].size(); i += largest_message)
+      for (std::size_t i = 0; i < come[r].size(); i += max_message)
         MPI_Irecv(come[r].data() + i, length(come[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
                   MPI_COMM_WORLD, &requests.emplace_back());
-      for (std::size_t i = 0; i < own[r].size(); i += largest_message)
+      for (std::size_t i = 0; i < own[r].size(); i += max_message)
         MPI_Isend(own[r].data() + i, length(own[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
                   MPI_COMM_WORLD, &requests.emplace_back());
     }
@@ -159,10 +159,10 @@ class MpiRanks final : public Ranks {
     return places;
   }
   static int length(std::size_t size, std::size_t from) {
-    return static_cast<int>(std::min(largest_message, size - from));
+    return static_cast<int>(std::min(max_message, size - from));
   }
-  static void broadcast(std::span<std::byte> bytes, int from) {
-    for (std::size_t i = 0; i < bytes.size(); i += largest_message)
+  static void broadcast_from(std::span<std::byte> bytes, int from) {
+    for (std::size_t i = 0; i < bytes.size(); i += max_message)
       MPI_Bcast(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, from, MPI_COMM_WORLD);
   }
 

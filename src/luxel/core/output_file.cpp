@@ -50,10 +50,10 @@ void check_folder(const fs::path& path, const fs::path& folder) {
 // A new empty file beside `target`. The process number keeps programs apart, the counter writers within one.
 fs::path create_beside(const fs::path& path, const fs::path& target) {
   constexpr std::size_t longest_stem = 100;  // leaves room below the 255 bytes of a file name
-  constexpr int most_attempts = 1000;
+  constexpr int max_attempts = 1000;
   const auto folder = folder_of(target);
   const auto stem = target.stem().string().substr(0, longest_stem);
-  for (int i = 0; i < most_attempts; ++i) {
+  for (int i = 0; i < max_attempts; ++i) {
     auto candidate =
         folder / fmt::format(".{}.{}.{}.tmp{}", stem, ::getpid(), i, target.extension().string());
     const Descriptor file(candidate, O_CREAT | O_EXCL | O_WRONLY);

@@ -46,7 +46,7 @@ class Ranks {
   virtual void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
                                std::span<const std::size_t> sizes) const = 0;
   // What the first rank has, in all.
-  virtual void from_first(std::span<std::byte> bytes) const = 0;
+  virtual void broadcast(std::span<std::byte> bytes) const = 0;
   // own[r]: what this rank has for rank r, read only; come[r]: room for what that one has for this.
   virtual void exchange(std::span<const std::span<const std::byte>> own,
                         std::span<const std::span<std::byte>> come) const = 0;
@@ -54,7 +54,7 @@ class Ranks {
 
 // One number, or other plain bytes, of each rank, in their order.
 template <typename T>
-std::vector<T> of_all(const Ranks& ranks, const T& own) {
+std::vector<T> all_gather_value(const Ranks& ranks, const T& own) {
   std::vector<T> all(ranks.size());
   ranks.all_gather(std::as_bytes(std::span<const T>(&own, 1)), std::as_writable_bytes(std::span<T>(all)),
                    std::vector(all.size(), sizeof(T)));
@@ -64,14 +64,14 @@ std::vector<T> of_all(const Ranks& ranks, const T& own) {
 // What the first rank has, in all; without ranks, one's own.
 template <typename T>
 T agreed(const Ranks* ranks, T own) {
-  if (ranks) ranks->from_first(std::as_writable_bytes(std::span<T>(&own, 1)));
+  if (ranks) ranks->broadcast(std::as_writable_bytes(std::span<T>(&own, 1)));
   return own;
 }
 
 // The lists of all ranks, one after the other.
 template <typename T>
-std::vector<T> joined(const Ranks& ranks, const std::vector<T>& own) {
-  auto sizes = of_all(ranks, own.size() * sizeof(T));
+std::vector<T> all_gather_lists(const Ranks& ranks, const std::vector<T>& own) {
+  auto sizes = all_gather_value(ranks, own.size() * sizeof(T));
   std::vector<T> all(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) / sizeof(T));
   ranks.all_gather(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(all)), sizes);
   return all;
@@ -82,7 +82,7 @@ template <typename T>
 std::vector<std::vector<T>> exchanged(const Ranks& ranks, const std::vector<std::vector<T>>& own) {
   std::vector<std::size_t> counts;
   for (const auto& list : own) counts.push_back(list.size());
-  const auto counts_of_all = joined(ranks, counts);
+  const auto counts_of_all = all_gather_lists(ranks, counts);
   std::vector<std::vector<T>> come;
   for (std::size_t r = 0; r < own.size(); ++r)
     come.emplace_back(counts_of_all[r * own.size() + ranks.rank()]);
@@ -98,9 +98,9 @@ std::vector<std::vector<T>> exchanged(const Ranks& ranks, const std::vector<std:
 
 // A loop over [0, count) in chunks of `grain` that ranks share: each does a range of whole chunks, one after
 // the other. Without ranks, all of it is mine.
-class LoopShare {
+class LoopPartition {
  public:
-  LoopShare(const Ranks* ranks, std::size_t count, std::size_t grain)
+  LoopPartition(const Ranks* ranks, std::size_t count, std::size_t grain)
       : ranks_(ranks), count_(count), grain_(grain) {}
 
   const Ranks* ranks() const { return ranks_; }
@@ -110,12 +110,12 @@ class LoopShare {
   bool contains(std::size_t i) const { return begin() <= i && i < end(); }
   // What each rank has put in its range becomes known to all. width: numbers for each of [0, count).
   template <typename T>
-  void share(std::span<T> values, std::size_t width) const {
+  void all_gather(std::span<T> values, std::size_t width) const {
     gather(values, [&](std::size_t i) { return i * width; });
   }
   // Likewise, of one number for each chunk.
   template <typename T>
-  void share_chunks(std::span<T> values) const {
+  void all_gather_chunks(std::span<T> values) const {
     gather(values, [&](std::size_t i) { return (i + grain_ - 1) / grain_; });
   }
 

@@ -32,7 +32,7 @@ std::vector<std::array<std::uint32_t, 3>> cut_along_edges(const std::vector<Bord
       if (i != without) shared &= points[open[i]].edges;
     return open.size() == 3 || shared == 0;
   };
-  std::vector<std::array<std::uint32_t, 3>> pieces;
+  std::vector<std::array<std::uint32_t, 3>> fragments;
   while (open.size() >= 3) {
     std::size_t best = open.size();
     double best_shape = -1.0;
@@ -45,10 +45,10 @@ std::vector<std::array<std::uint32_t, 3>> cut_along_edges(const std::vector<Bord
       best_shape = here;
     }
     if (best == open.size()) break;  // a triangle without area
-    pieces.push_back(ear_at(best));
+    fragments.push_back(ear_at(best));
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(best));
   }
-  return pieces;
+  return fragments;
 }
 
 }  // namespace luxel

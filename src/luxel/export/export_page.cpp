@@ -82,7 +82,7 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
   const auto colours = patches.colours();
   const auto mesh = make_page_mesh(patches, solution, light);
   const auto lit = make_page_light(patches, mesh, light, groups);
-  const auto shares = make_page_shares(patches, mesh);
+  const auto ratios = make_page_texture_ratios(patches, mesh);
   const auto errors = make_page_errors(patches, mesh, solution, groups);
 
   std::vector<float> positions;
@@ -99,9 +99,9 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
   arrays.add("patches", mesh.patch);
   arrays.add("light", lit.halves);
   if (errors.largest > 0.0) arrays.add("errors", errors.codes);
-  if (!shares.reflectance.empty()) {
-    arrays.add("reflecting", shares.reflectance);
-    arrays.add("emitting", shares.emittance);
+  if (!ratios.reflectance.empty()) {
+    arrays.add("reflecting", ratios.reflectance);
+    arrays.add("emitting", ratios.emittance);
   }
 
   auto about = fmt::format(R"({{"version":{},"title":{},"made":{},"camera":{},"tone":{},"origin":{},)",

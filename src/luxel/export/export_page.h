@@ -31,8 +31,8 @@ struct PageOptions {
 //
 // groups: [light group of the patches], their light smoothed with the same options as `light`; or none, where
 // all light is one. Smoothing is not linear to the last per cent, so at each vertex the groups are scaled to
-// sum up to `light`: the page begins with the very light of the solution. Light is kept in halves (0.05 %) on
-// one scale, errors in steps of 6 %.
+// sum up to `light`: the page begins with the very light of the solution. Light is preserved in halves (0.05
+// %) on one scale, errors in steps of 6 %.
 //
 // The same input gives the same bytes (from one version of zlib). Whole or not at all; throws DeviceError.
 // Throws DeviceError where this program was built without Node.js and so has no page, MismatchError where the

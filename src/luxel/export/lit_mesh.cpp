@@ -48,7 +48,7 @@ constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
 
 LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, const SmoothLight& light,
                 std::size_t material, bool back, std::vector<std::uint32_t>& number) {
-  LitPart part{material, back, {}, {}, VertexShares(all)};
+  LitPart part{material, back, {}, {}, VertexTextureRatios(all)};
   part.triangles.reserve(patches.size());
   for (const auto p : patches) {
     auto corners = light.corners[p];
@@ -59,7 +59,7 @@ LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, 
         part.smooth.push_back(corner);
       }
       corner = n;
-      part.shares.add(n, p);
+      part.ratios.add(n, p);
     }
     if (back) std::swap(corners[1], corners[2]);
     part.triangles.push_back(corners);
@@ -106,7 +106,7 @@ LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
   const auto here = of_element(irradiance, s, colours_.bands());
   v.irradiance = Vec3(colours_.rgb(here));
   v.colour = curve_(in_gamut(
-      radiance_of(patches_.materials[part.material], part.back, here.data(), colours_, part.shares.at(i))));
+      radiance_of(patches_.materials[part.material], part.back, here.data(), colours_, part.ratios.at(i))));
   return v;
 }
 

@@ -10,7 +10,7 @@
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
-#include "luxel/surface/vertex_shares.h"
+#include "luxel/surface/vertex_texture_ratios.h"
 
 namespace luxel {
 
@@ -20,7 +20,7 @@ struct LitPart {
   bool back = false;                                    // triangles are wound, normals turned, to face there
   std::vector<std::uint32_t> smooth;                    // [vertex]: index into SmoothLight
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into smooth
-  VertexShares shares;                                  // of the vertices
+  VertexTextureRatios ratios;                           // of the vertices
 };
 
 // What a vertex of a part shows.

@@ -14,18 +14,18 @@ namespace {
 
 // Where the triangle's corners come to lie on a chart that has all of it: what its largest patch says, for
 // charts are flat.
-std::array<Vec2, 3> whole_uv(const KeptScene& kept, std::uint32_t triangle, std::size_t side_of_first,
-                             const Atlas& atlas) {
-  const auto& area = kept.patches.area;
-  const auto begin = kept.of_triangles.begin(triangle), end = kept.of_triangles.end(triangle);
+std::array<Vec2, 3> whole_uv(const RoundTripScene& round_trip, std::uint32_t triangle,
+                             std::size_t side_of_first, const Atlas& atlas) {
+  const auto& area = round_trip.patches.area;
+  const auto begin = round_trip.of_triangles.begin(triangle), end = round_trip.of_triangles.end(triangle);
   auto largest = begin;
   for (auto p = begin; p < end; ++p)
     if (area[p] > area[largest]) largest = p;
   const auto side = 2 * std::size_t{largest} + side_of_first;
-  const auto points = kept.patches.points(largest);
+  const auto points = round_trip.patches.points(largest);
   std::array<Vec2, 3> uv{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto w = barycentric(points, kept.scene.positions[kept.scene.triangles[triangle][i]]);
+    const auto w = barycentric(points, round_trip.scene.positions[round_trip.scene.triangles[triangle][i]]);
     for (std::size_t k = 0; k < 3; ++k)
       uv[i] += static_cast<float>(w[static_cast<int>(k)]) * atlas.uv(side, k);
   }
@@ -35,12 +35,13 @@ std::array<Vec2, 3> whole_uv(const KeptScene& kept, std::uint32_t triangle, std:
 // Surfaces by side and page, in the order in which they are first wanted.
 class PagedSurfaces {
  public:
-  PagedSurfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas, const PageCuts& cuts)
-      : kept_(kept), part_(part), atlas_(atlas), cuts_(cuts) {}
+  PagedSurfaces(const RoundTripScene& round_trip, const RoundTripPart& part, const Atlas& atlas,
+                const PageCuts& cuts)
+      : round_trip_(round_trip), part_(part), atlas_(atlas), cuts_(cuts) {}
 
   void add(std::size_t i, std::size_t back) {
     const auto t = part_.triangles[i];
-    const auto begin = kept_.of_triangles.begin(t), end = kept_.of_triangles.end(t);
+    const auto begin = round_trip_.of_triangles.begin(t), end = round_trip_.of_triangles.end(t);
     if (begin == end) return;
     if (cuts_.is_cut(t))
       for (auto p = begin; p < end; ++p) add_patch(i, p, back);
@@ -48,7 +49,7 @@ class PagedSurfaces {
       add_whole(i, chart, back);
   }
 
-  std::vector<KeptSurface> finish() { return filled(std::move(makers_)); }
+  std::vector<RoundTripSurface> finish() { return filled(std::move(makers_)); }
 
  private:
   // A corner of the border of a triangle that is not cut.
@@ -62,21 +63,23 @@ class PagedSurfaces {
   std::vector<OnBorder> border_of(std::size_t i, std::size_t back) const {
     const auto t = part_.triangles[i];
     std::array<std::map<double, std::uint32_t>, 3> between;  // [edge][share of the way]
-    for (auto p = kept_.of_triangles.begin(t); p < kept_.of_triangles.end(t); ++p)
-      for (const auto point : kept_.patches.corners[p])
+    for (auto p = round_trip_.of_triangles.begin(t); p < round_trip_.of_triangles.end(t); ++p)
+      for (const auto point : round_trip_.patches.corners[p])
         if (cuts_.is_drawn(point))
-          if (const auto place = place_on_edge(kept_, t, point)) between[place->edge][place->share] = point;
+          if (const auto place = place_on_edge(round_trip_, t, point))
+            between[place->edge][place->fraction] = point;
     const auto own = own_corners(part_, i);
-    const auto uv = whole_uv(kept_, t, back, atlas_);
-    const auto& of_scene = kept_.scene.triangles[t];
+    const auto uv = whole_uv(round_trip_, t, back, atlas_);
+    const auto& of_scene = round_trip_.scene.triangles[t];
     std::vector<OnBorder> border;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto next = (k + 1) % 3, before = (k + 2) % 3;
-      border.push_back({own[k], {Vec3d(kept_.scene.positions[of_scene[k]]), 1u << k | 1u << before}, uv[k]});
-      for (const auto& [share, point] : between[k])
-        border.push_back({corner_of(kept_, part_, i, point),
-                          {Vec3d(kept_.patches.vertices[point]), 1u << k},
-                          uv[k] + static_cast<float>(share) * (uv[next] - uv[k])});
+      border.push_back(
+          {own[k], {Vec3d(round_trip_.scene.positions[of_scene[k]]), 1u << k | 1u << before}, uv[k]});
+      for (const auto& [fraction, point] : between[k])
+        border.push_back({corner_of(round_trip_, part_, i, point),
+                          {Vec3d(round_trip_.patches.vertices[point]), 1u << k},
+                          uv[k] + static_cast<float>(fraction) * (uv[next] - uv[k])});
     }
     return border;
   }
@@ -93,7 +96,7 @@ class PagedSurfaces {
   void add_patch(std::size_t i, std::uint32_t patch, std::size_t back) {
     const auto side = 2 * std::size_t{patch} + back;
     if (!atlas_.has(side)) return;
-    add(corners_of_patch(kept_, part_, i, patch),
+    add(corners_of_patch(round_trip_, part_, i, patch),
         {atlas_.uv(side, 0), atlas_.uv(side, 1), atlas_.uv(side, 2)}, atlas_.chart_of[side], back);
   }
 
@@ -109,8 +112,8 @@ class PagedSurfaces {
     makers_[found->second].add(corners);
   }
 
-  const KeptScene& kept_;
-  const KeptPart& part_;
+  const RoundTripScene& round_trip_;
+  const RoundTripPart& part_;
   const Atlas& atlas_;
   const PageCuts& cuts_;
   std::vector<SurfaceMaker> makers_;
@@ -119,23 +122,24 @@ class PagedSurfaces {
 
 }  // namespace
 
-PageCuts::PageCuts(const KeptScene& kept, const Atlas& atlas)
-    : is_cut_(kept.scene.triangles.size(), false), is_drawn_(kept.patches.vertices.size(), false) {
+PageCuts::PageCuts(const RoundTripScene& round_trip, const Atlas& atlas)
+    : is_cut_(round_trip.scene.triangles.size(), false),
+      is_drawn_(round_trip.patches.vertices.size(), false) {
   for (std::uint32_t t = 0; t < is_cut_.size(); ++t) {
-    const auto begin = kept.of_triangles.begin(t), end = kept.of_triangles.end(t);
+    const auto begin = round_trip.of_triangles.begin(t), end = round_trip.of_triangles.end(t);
     for (auto p = begin; p < end; ++p)
       for (const std::size_t back : {0, 1})
         if (atlas.chart_of[2 * std::size_t{p} + back] != atlas.chart_of[2 * std::size_t{begin} + back])
           is_cut_[t] = true;
     if (!is_cut_[t]) continue;
     for (auto p = begin; p < end; ++p)
-      for (const auto point : kept.patches.corners[p]) is_drawn_[point] = true;
+      for (const auto point : round_trip.patches.corners[p]) is_drawn_[point] = true;
   }
 }
 
-std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas,
-                                         const PageCuts& cuts) {
-  PagedSurfaces surfaces(kept, part, atlas, cuts);
+std::vector<RoundTripSurface> mapped_surfaces(const RoundTripScene& round_trip, const RoundTripPart& part,
+                                              const Atlas& atlas, const PageCuts& cuts) {
+  PagedSurfaces surfaces(round_trip, part, atlas, cuts);
   for (std::size_t i = 0; i < part.triangles.size(); ++i)
     for (const std::size_t back : {0, 1}) surfaces.add(i, back);
   return surfaces.finish();

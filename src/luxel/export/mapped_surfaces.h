@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "luxel/export/kept_surfaces.h"
+#include "luxel/export/round_trip_surfaces.h"
 #include "luxel/surface/pack_charts.h"
 
 namespace luxel {
@@ -13,7 +13,7 @@ namespace luxel {
 // file is read again.
 class PageCuts {
  public:
-  PageCuts(const KeptScene& kept, const Atlas& atlas);
+  PageCuts(const RoundTripScene& round_trip, const Atlas& atlas);
   bool is_cut(std::size_t triangle) const { return is_cut_[triangle]; }  // into its patches
   // Whether a vertex of the patches is a corner of what is drawn there: neighbours that are not cut take it
   // too, or a crack would show between them.
@@ -25,7 +25,7 @@ class PageCuts {
 };
 
 // The file's own triangles where a chart has the whole of one, else patches; a surface for each page.
-std::vector<KeptSurface> mapped_surfaces(const KeptScene& kept, const KeptPart& part, const Atlas& atlas,
-                                         const PageCuts& cuts);
+std::vector<RoundTripSurface> mapped_surfaces(const RoundTripScene& round_trip, const RoundTripPart& part,
+                                              const Atlas& atlas, const PageCuts& cuts);
 
 }  // namespace luxel

@@ -6,28 +6,28 @@
 
 #include "luxel/core/half.h"
 #include "luxel/scene/luminous_efficacy.h"
-#include "luxel/surface/vertex_shares.h"
+#include "luxel/surface/vertex_texture_ratios.h"
 
 namespace luxel {
 namespace {
 
-constexpr float largest_half = 32768.0f;  // what the brightest light is kept as: far from a half's end
+constexpr float largest_half = 32768.0f;  // what the brightest light is preserved as: far from a half's end
 
 const std::vector<float>& irradiance_of(const SmoothLight& light, bool back) {
   return back ? light.irradiance_back : light.irradiance_front;
 }
 
 // The shares of the page's vertices; of its triangles, for nothing else knows where a vertex lies.
-VertexShares shares_of(const PatchSet& patches, const PageMesh& mesh) {
-  VertexShares shares(patches);
+VertexTextureRatios shares_of(const PatchSet& patches, const PageMesh& mesh) {
+  VertexTextureRatios ratios(patches);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const auto v : mesh.triangles[t]) shares.add(v, mesh.patch[t]);
-  return shares;
+    for (const auto v : mesh.triangles[t]) ratios.add(v, mesh.patch[t]);
+  return ratios;
 }
 
 // What a vertex holds of an irradiance [band].
 void append(std::vector<float>& out, const PatchSet& patches, const BandColours& colours,
-            std::size_t material, const SurfaceShare& share, const std::vector<float>& irradiance) {
+            std::size_t material, const TextureRatio& ratio, const std::vector<float>& irradiance) {
   if (patches.wavebands.empty()) {
     out.insert(out.end(), irradiance.begin(), irradiance.end());
     return;
@@ -36,7 +36,7 @@ void append(std::vector<float>& out, const PatchSet& patches, const BandColours&
   double watts = 0.0;
   for (std::size_t b = 0; b < irradiance.size(); ++b) {
     watts += static_cast<double>(irradiance[b]);
-    reflected[b] *= reflectance_at(patches.materials[material], share, b);
+    reflected[b] *= reflectance_at(patches.materials[material], ratio, b);
   }
   const auto rgb = colours.rgb(reflected);
   for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(rgb[c]));
@@ -45,21 +45,21 @@ void append(std::vector<float>& out, const PatchSet& patches, const BandColours&
 }
 
 // The irradiance of a vertex in a group's light, scaled so that the groups sum up to the whole.
-class SharedLight {
+class RatioLight {
  public:
-  SharedLight(const SmoothLight& whole, std::span<const GroupLight> groups, std::size_t bands)
+  RatioLight(const SmoothLight& whole, std::span<const GroupLight> groups, std::size_t bands)
       : whole_(whole), groups_(groups), bands_(bands) {}
 
   std::vector<float> at(std::size_t group, bool back, std::size_t smooth) const {
     const auto* whole = &irradiance_of(whole_, back)[smooth * bands_];
     std::vector<float> light(whole, whole + bands_);
     if (groups_.empty()) return light;
-    for (std::size_t b = 0; b < bands_; ++b) light[b] *= share(group, back, smooth * bands_ + b);
+    for (std::size_t b = 0; b < bands_; ++b) light[b] *= ratio(group, back, smooth * bands_ + b);
     return light;
   }
 
  private:
-  float share(std::size_t group, bool back, std::size_t at) const {
+  float ratio(std::size_t group, bool back, std::size_t at) const {
     double sum = 0.0;
     for (const auto& g : groups_) sum += static_cast<double>(irradiance_of(g.light, back)[at]);
     if (!(sum > 0.0)) return group == 0 ? 1.0f : 0.0f;  // nobody's: as if it were of the first
@@ -86,14 +86,14 @@ double lux_error(const BandColours& colours, const std::vector<float>& error, st
 PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const SmoothLight& light,
                           std::span<const GroupLight> groups) {
   const auto colours = patches.colours();
-  const SharedLight shared(light, groups, patches.band_count());
-  const auto shares = shares_of(patches, mesh);
+  const RatioLight shared(light, groups, patches.band_count());
+  const auto ratios = shares_of(patches, mesh);
   std::vector<float> values;
   for (std::size_t g = 0; g < std::max<std::size_t>(1, groups.size()); ++g)
     for (const bool back : {false, true})
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const auto& v = mesh.vertices[i];
-        append(values, patches, colours, v.material, shares.at(i), shared.at(g, back, v.smooth));
+        append(values, patches, colours, v.material, ratios.at(i), shared.at(g, back, v.smooth));
       }
   float largest = 0.0f;
   for (const auto v : values) largest = std::max(largest, std::abs(v));
@@ -105,24 +105,24 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
   return page;
 }
 
-PageShares make_page_shares(const PatchSet& patches, const PageMesh& mesh) {
-  PageShares page;
-  if (patches.reflectance_share.empty() && patches.emittance_share.empty()) return page;
+PageTextureRatios make_page_texture_ratios(const PatchSet& patches, const PageMesh& mesh) {
+  PageTextureRatios page;
+  if (patches.reflectance_ratio.empty() && patches.emittance_ratio.empty()) return page;
   const auto colours = patches.colours();
-  const auto shares = shares_of(patches, mesh);
+  const auto ratios = shares_of(patches, mesh);
   const auto over = [](double here, double of_material) {
     return half_of(of_material > 0.0 ? static_cast<float>(here / of_material) : 1.0f);
   };
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const auto& material = patches.materials[mesh.vertices[i].material];
-    const auto share = shares.at(i);
+    const auto ratio = ratios.at(i);
     auto emittance = material.emittance;
-    for (std::size_t b = 0; b < emittance.size() && share.emittance; ++b) emittance[b] *= share.emittance[b];
+    for (std::size_t b = 0; b < emittance.size() && ratio.emittance; ++b) emittance[b] *= ratio.emittance[b];
     const auto emitted = colours.rgb(emittance), of_material = colours.rgb(material.emittance);
     for (int c = 0; c < 3; ++c) {
       page.emittance.push_back(over(emitted[c], of_material[c]));
       page.reflectance.push_back(patches.wavebands.empty()
-                                     ? over(reflectance_at(material, share, c), material.reflectance[c])
+                                     ? over(reflectance_at(material, ratio, c), material.reflectance[c])
                                      : half_of(1.0f));
     }
   }

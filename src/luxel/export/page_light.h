@@ -27,11 +27,11 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
 // What textures, or the colours of corners, make of a material at the page's vertices, times the material's
 // own, in halves: [vertex][red, green, blue]. Empty where nothing of the scene has any. Of light by
 // wavelength the reflectance is in the light already, and here 1.
-struct PageShares {
+struct PageTextureRatios {
   std::vector<std::uint16_t> reflectance, emittance;
 };
 
-PageShares make_page_shares(const PatchSet& patches, const PageMesh& mesh);
+PageTextureRatios make_page_texture_ratios(const PatchSet& patches, const PageMesh& mesh);
 
 // Standard errors of illuminance of the sides in steps of a twelfth of an octave: [whole, then each
 // group][front, then back][triangle]. 255 is `largest`, 254 a twelfth of an octave less; 0: none, or dark.

@@ -12,7 +12,7 @@ namespace luxel {
 namespace {
 
 constexpr double on_edge = 1e-5;  // weights below are those of points on an edge
-constexpr auto no_light = KeptSurface::no_light;
+constexpr auto no_light = RoundTripSurface::no_light;
 
 DrawnCorner own_corner(std::uint32_t vertex) {
   return {.place = {{vertex, vertex, vertex}, {1.0, 0.0, 0.0}}};
@@ -20,7 +20,8 @@ DrawnCorner own_corner(std::uint32_t vertex) {
 
 // Points on an edge are told from its two ends alone, the one that comes first in space first, so that
 // whatever else shares the edge has them at the same place to the bit.
-KeptVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 2> ends, const Vec3& point) {
+RoundTripVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 2> ends,
+                            const Vec3& point) {
   auto ordered = of;
   const auto key = [](const Vec3& p) { return std::tuple(p.x, p.y, p.z); };
   if (key(ends[1]) < key(ends[0])) {
@@ -33,10 +34,10 @@ KeptVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 
   return {{ordered[0], ordered[1], ordered[1]}, {1.0 - t, t, 0.0}};
 }
 
-std::array<Vec3, 3> corners_of(const KeptScene& kept, std::uint32_t triangle) {
-  const auto& corners = kept.scene.triangles[triangle];
-  return {kept.scene.positions[corners[0]], kept.scene.positions[corners[1]],
-          kept.scene.positions[corners[2]]};
+std::array<Vec3, 3> corners_of(const RoundTripScene& round_trip, std::uint32_t triangle) {
+  const auto& corners = round_trip.scene.triangles[triangle];
+  return {round_trip.scene.positions[corners[0]], round_trip.scene.positions[corners[1]],
+          round_trip.scene.positions[corners[2]]};
 }
 
 // The edge that a point with these weights lies on; 3: none.
@@ -48,9 +49,10 @@ std::size_t edge_at(const Vec3d& weights) {
 
 }  // namespace
 
-std::optional<EdgePlace> place_on_edge(const KeptScene& kept, std::uint32_t triangle, std::uint32_t point) {
-  const auto corners = corners_of(kept, triangle);
-  const auto& at = kept.patches.vertices[point];
+std::optional<EdgePlace> place_on_edge(const RoundTripScene& round_trip, std::uint32_t triangle,
+                                       std::uint32_t point) {
+  const auto corners = corners_of(round_trip, triangle);
+  const auto& at = round_trip.patches.vertices[point];
   if (std::find(corners.begin(), corners.end(), at) != corners.end()) return std::nullopt;
   const auto weights = barycentric(corners, at);
   const auto edge = edge_at(weights);
@@ -58,10 +60,11 @@ std::optional<EdgePlace> place_on_edge(const KeptScene& kept, std::uint32_t tria
   return EdgePlace{edge, weights[static_cast<int>((edge + 1) % 3)]};
 }
 
-DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point) {
+DrawnCorner corner_of(const RoundTripScene& round_trip, const RoundTripPart& part, std::size_t i,
+                      std::uint32_t point) {
   const auto& of_file = part.corners[i];
-  const auto corners = corners_of(kept, part.triangles[i]);
-  const auto& at = kept.patches.vertices[point];
+  const auto corners = corners_of(round_trip, part.triangles[i]);
+  const auto& at = round_trip.patches.vertices[point];
   for (std::size_t c = 0; c < 3; ++c)
     if (corners[c] == at) return own_corner(of_file[c]);
   const auto weights = barycentric(corners, at);
@@ -71,19 +74,19 @@ DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i
   return corner;
 }
 
-std::array<DrawnCorner, 3> corners_of_patch(const KeptScene& kept, const KeptPart& part, std::size_t i,
-                                            std::uint32_t patch) {
-  const auto& points = kept.patches.corners[patch];
-  return {corner_of(kept, part, i, points[0]), corner_of(kept, part, i, points[1]),
-          corner_of(kept, part, i, points[2])};
+std::array<DrawnCorner, 3> corners_of_patch(const RoundTripScene& round_trip, const RoundTripPart& part,
+                                            std::size_t i, std::uint32_t patch) {
+  const auto& points = round_trip.patches.corners[patch];
+  return {corner_of(round_trip, part, i, points[0]), corner_of(round_trip, part, i, points[1]),
+          corner_of(round_trip, part, i, points[2])};
 }
 
-std::array<DrawnCorner, 3> own_corners(const KeptPart& part, std::size_t i) {
+std::array<DrawnCorner, 3> own_corners(const RoundTripPart& part, std::size_t i) {
   const auto& of_file = part.corners[i];
   return {own_corner(of_file[0]), own_corner(of_file[1]), own_corner(of_file[2])};
 }
 
-SurfaceMaker::SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page) : part_(part) {
+SurfaceMaker::SurfaceMaker(const RoundTripPart& part, bool back, std::uint32_t page) : part_(part) {
   surface_.back = back;
   surface_.page = page;
   surface_.own.resize(part.vertices);
@@ -99,7 +102,7 @@ void SurfaceMaker::add(const std::array<DrawnCorner, 3>& corners) {
   surface_.triangles.push_back(triangle);
 }
 
-KeptSurface SurfaceMaker::finish() {
+RoundTripSurface SurfaceMaker::finish() {
   surface_.as_it_was = !surface_.back && surface_.added.empty() && part_.as_read &&
                        surface_.triangles.size() == part_.corners.size();
   // Arrays that are written anew, or are used by less than half, have no room for what nothing uses.
@@ -163,8 +166,8 @@ std::uint32_t SurfaceMaker::vertex(const DrawnCorner& corner) {
   return found->second;
 }
 
-std::vector<KeptSurface> filled(std::vector<SurfaceMaker> makers) {
-  std::vector<KeptSurface> surfaces;
+std::vector<RoundTripSurface> filled(std::vector<SurfaceMaker> makers) {
+  std::vector<RoundTripSurface> surfaces;
   for (auto& maker : makers)
     if (auto surface = maker.finish(); !surface.triangles.empty()) surfaces.push_back(std::move(surface));
   return surfaces;

@@ -8,54 +8,56 @@
 #include <tuple>
 #include <vector>
 
-#include "luxel/export/kept_surfaces.h"
+#include "luxel/export/round_trip_surfaces.h"
 
 namespace luxel {
 
 // A corner of what is drawn: where it lies in its triangle of the file, and what light it has.
 struct DrawnCorner {
   static constexpr std::uint32_t none = 0xffffffffu;
-  KeptVertex place;
+  RoundTripVertex place;
   std::uint32_t point = none;  // a vertex of the patches; none: a corner of the triangle
-  std::uint32_t light = KeptSurface::no_light;
+  std::uint32_t light = RoundTripSurface::no_light;
   Vec2 uv{0.0f};
 };
 
 // Where a vertex of the patches lies on an edge of its triangle, from corner `edge` to the next.
 struct EdgePlace {
   std::size_t edge = 0;
-  double share = 0.0;  // of the way
+  double fraction = 0.0;  // of the way
 };
 // Nothing for corners, and for points inside.
-std::optional<EdgePlace> place_on_edge(const KeptScene& kept, std::uint32_t triangle, std::uint32_t point);
+std::optional<EdgePlace> place_on_edge(const RoundTripScene& round_trip, std::uint32_t triangle,
+                                       std::uint32_t point);
 
 // A corner of a patch, in the part's i-th triangle; the corners of a patch there; those of the triangle.
-DrawnCorner corner_of(const KeptScene& kept, const KeptPart& part, std::size_t i, std::uint32_t point);
-std::array<DrawnCorner, 3> corners_of_patch(const KeptScene& kept, const KeptPart& part, std::size_t i,
-                                            std::uint32_t patch);
-std::array<DrawnCorner, 3> own_corners(const KeptPart& part, std::size_t i);
+DrawnCorner corner_of(const RoundTripScene& round_trip, const RoundTripPart& part, std::size_t i,
+                      std::uint32_t point);
+std::array<DrawnCorner, 3> corners_of_patch(const RoundTripScene& round_trip, const RoundTripPart& part,
+                                            std::size_t i, std::uint32_t patch);
+std::array<DrawnCorner, 3> own_corners(const RoundTripPart& part, std::size_t i);
 
 // Fills one surface; vertices that agree in all are one.
 class SurfaceMaker {
  public:
   // Keeps a reference.
-  SurfaceMaker(const KeptPart& part, bool back, std::uint32_t page);
+  SurfaceMaker(const RoundTripPart& part, bool back, std::uint32_t page);
 
   // As the scene winds them.
   void add(const std::array<DrawnCorner, 3>& corners);
-  KeptSurface finish();
+  RoundTripSurface finish();
 
  private:
   std::vector<std::uint32_t> used_of_own() const;
   void keep_only(const std::vector<std::uint32_t>& used);
   std::uint32_t vertex(const DrawnCorner& corner);
 
-  const KeptPart& part_;
-  KeptSurface surface_;
+  const RoundTripPart& part_;
+  RoundTripSurface surface_;
   std::map<std::tuple<std::array<std::uint32_t, 3>, std::uint32_t, std::uint32_t>, std::uint32_t> added_;
 };
 
 // Those that have triangles.
-std::vector<KeptSurface> filled(std::vector<SurfaceMaker> makers);
+std::vector<RoundTripSurface> filled(std::vector<SurfaceMaker> makers);
 
 }  // namespace luxel

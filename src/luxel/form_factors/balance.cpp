@@ -7,10 +7,10 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t rows_a_chunk = 256;
-constexpr int most_steps = 60;
-constexpr int most_iterations = 400;  // of conjugate gradients a step
-constexpr int most_halvings = 20;
+constexpr std::size_t rows_per_chunk = 256;
+constexpr int max_steps = 60;
+constexpr int max_iterations = 400;  // of conjugate gradients a step
+constexpr int max_halvings = 20;
 constexpr double enough = 2e-13;  // of a row's area
 constexpr double inner_tolerance = 1e-3;
 
@@ -26,14 +26,14 @@ class Newton {
     Vector m(n, 0.0), r = residual(m);
     Balance best{m, worst(r), 0};
     first_ = best.worst;
-    for (int step = 1; step <= most_steps && best.worst > enough && !is_stopped_; ++step) {
+    for (int step = 1; step <= max_steps && best.worst > enough && !is_stopped_; ++step) {
       const auto direction = towards(r);
       // Whole steps but where pieces change: then halves.
       bool is_better = false;
-      double share = 1.0;
-      for (int h = 0; h < most_halvings && !is_better && !is_stopped_; ++h, share *= 0.5) {
+      double fraction = 1.0;
+      for (int h = 0; h < max_halvings && !is_better && !is_stopped_; ++h, fraction *= 0.5) {
         auto next = m;
-        for (std::size_t i = 0; i < n; ++i) next[i] += share * direction[i];
+        for (std::size_t i = 0; i < n; ++i) next[i] += fraction * direction[i];
         auto left = residual(next);
         is_better = dot(left, left) < dot(r, r);
         if (!is_better) continue;
@@ -51,7 +51,7 @@ class Newton {
  private:
   template <typename Body>
   void for_rows(Body body) const {
-    workers_.for_chunks(areas_.size(), rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    workers_.for_chunks(areas_.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) body(i);
     });
   }
@@ -123,7 +123,7 @@ class Newton {
     p = z;
     auto rz = dot(left, z);
     const auto goal = inner_tolerance * inner_tolerance * rz;
-    for (int k = 0; k < most_iterations && rz > goal && !is_stopped_; ++k) {
+    for (int k = 0; k < max_iterations && rz > goal && !is_stopped_; ++k) {
       apply(p, applied);
       const auto curvature = dot(p, applied);
       if (!(curvature > 0.0)) break;

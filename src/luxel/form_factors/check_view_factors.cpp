@@ -85,7 +85,7 @@ void join(const Part& part, Part& all) {
 }  // namespace
 
 FactorCheck check_view_factors(const ViewFactors& factors, const Workers& workers, const Monitor& monitor) {
-  const auto grain = ReverseRows::rows_a_run(factors);
+  const auto grain = ReverseRows::rows_per_run(factors);
   const auto runs = (factors.size() + grain - 1) / grain;
   Part start;
   start.check.smallest = 1.0;
@@ -116,7 +116,7 @@ FactorCheck check_view_factors(const ViewFactors& factors, const Workers& worker
     check.expected_reciprocity = std::sqrt(all.expected / static_cast<double>(all.pairs));
   }
   if (all.area > 0.0)
-    for (auto* share : {&check.environment, &check.backs, &check.dropped}) *share /= all.area;
+    for (auto* fraction : {&check.environment, &check.backs, &check.dropped}) *fraction /= all.area;
   if (check.smallest > check.largest) check.smallest = 0.0;
   return check;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double pi_d = std::numbers::pi;
 constexpr double parallel_sine = 1e-14;  // lines that double cannot tell from parallel ones
 constexpr double skew_sine = 0.3;        // below, the closed form loses digits as 1 / sine²
-constexpr double most_cancelled = 20.0;  // size of its terms, of edges of about one
+constexpr double max_cancelled = 20.0;   // size of its terms, of edges of about one
 constexpr double log_floor = 1e-290;
 
 double safe_log(double x) { return natural_logarithm(std::max(x, log_floor)); }
@@ -96,24 +96,24 @@ double edge_pair_integral(const Edge& p, const Edge& q) {
   const auto apart = q.from - p.from;
 
   if (S < parallel_sine) {
-    // w = s -/+ t - foot.
+    // w = s -/+ t - foot_point.
     const auto sign = c < 0.0 ? -1.0 : 1.0;
-    const auto foot = glm::dot(apart, u);
-    const auto d = glm::length(apart - foot * u);
-    const auto K = [&](double s, double t) { return parallel_corner(s - sign * t - foot, d); };
+    const auto foot_point = glm::dot(apart, u);
+    const auto d = glm::length(apart - foot_point * u);
+    const auto K = [&](double s, double t) { return parallel_corner(s - sign * t - foot_point, d); };
     return -c * sign * over_edges(K, 0.0, length_p, 0.0, length_q);
   }
 
   if (S < skew_sine) return edge_pair_quadrature(p, q);
   const auto du = glm::dot(apart, u), dv = glm::dot(apart, v);
-  const auto foot_p = (du - c * dv) / (S * S), foot_q = (c * du - dv) / (S * S);
+  const auto foot_point_p = (du - c * dv) / (S * S), foot_point_q = (c * du - dv) / (S * S);
   const auto d = std::fabs(glm::dot(apart, across)) / S;
-  const auto farthest = std::max(
-      {std::fabs(foot_p), std::fabs(length_p - foot_p), std::fabs(foot_q), std::fabs(length_q - foot_q)});
-  if (farthest * farthest + d * d / S > most_cancelled) return edge_pair_quadrature(p, q);
+  const auto farthest = std::max({std::fabs(foot_point_p), std::fabs(length_p - foot_point_p),
+                                  std::fabs(foot_point_q), std::fabs(length_q - foot_point_q)});
+  if (farthest * farthest + d * d / S > max_cancelled) return edge_pair_quadrature(p, q);
   const Skew lines{{arc_tangent(S, c), c, S}, d};
   const auto G = [&](double s, double t) { return lines.corner(s, t); };
-  return c * over_edges(G, -foot_p, length_p - foot_p, -foot_q, length_q - foot_q);
+  return c * over_edges(G, -foot_point_p, length_p - foot_point_p, -foot_point_q, length_q - foot_point_q);
 }
 
 }  // namespace luxel

@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-constexpr double smallest_piece = 1e-8;  // of an edge: what is left there goes as its square
+constexpr double smallest_interval = 1e-8;  // of an edge: what is left there goes as its square
 constexpr double log_floor = 1e-290;
 
 // A place in the complex plane of the outer variable where the integrand is not analytic.
@@ -67,7 +67,7 @@ double edge_pair_quadrature(const Edge& p, const Edge& q) {
     crossing = {(glm::dot(apart, u) - c * glm::dot(apart, v)) / (S * S),
                 std::fabs(glm::dot(apart, across)) / (S * S)};
   return c *
-         graded(inner, 0.0, length_p, {beside(q.from), beside(q.to), crossing}, smallest_piece * length_p);
+         graded(inner, 0.0, length_p, {beside(q.from), beside(q.to), crossing}, smallest_interval * length_p);
 }
 
 }  // namespace luxel

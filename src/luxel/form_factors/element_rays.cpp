@@ -19,7 +19,7 @@ GatherSides sides_with_rays(const PatchSet& patches, const ViewElements& element
     const auto element = elements.of_side[all.side[s]];
     keep[s] = element != ViewElements::none && (rows.empty() || rows[element]);
   }
-  return kept_gather_sides(all, keep);
+  return restored_gather_sides(all, keep);
 }
 
 }  // namespace
@@ -34,15 +34,15 @@ ElementRays::ElementRays(const PatchSet& patches, const Tracer& tracer, const Vi
       seed_(seed),
       replicates_(replicates) {}
 
-std::vector<std::size_t> ElementRays::runs(std::span<const std::uint32_t> slots,
+std::vector<std::size_t> ElementRays::runs(std::span<const std::uint32_t> receivers,
                                            std::uint32_t positions) const {
-  const auto block_of = [&](std::uint32_t slot) {
-    return std::pair(slot >= sides_.fronts, sides_.position[slot] / positions);
+  const auto block_of = [&](std::uint32_t receiver) {
+    return std::pair(receiver >= sides_.fronts, sides_.position[receiver] / positions);
   };
   std::vector<std::size_t> begins;
-  for (std::size_t i = 0; i < slots.size(); ++i)
-    if (i == 0 || block_of(slots[i]) != block_of(slots[i - 1])) begins.push_back(i);
-  begins.push_back(slots.size());
+  for (std::size_t i = 0; i < receivers.size(); ++i)
+    if (i == 0 || block_of(receivers[i]) != block_of(receivers[i - 1])) begins.push_back(i);
+  begins.push_back(receivers.size());
   return begins;
 }
 
@@ -53,12 +53,12 @@ std::uint32_t ElementRays::number_of(const Hit& hit) const {
   return element != ViewElements::none ? element : sinks + ViewFactors::backs;
 }
 
-void ElementRays::trace(std::span<const std::uint32_t> slots, std::uint32_t replicate, std::uint32_t level,
-                        std::uint32_t per_slot, std::span<std::uint32_t> met) const {
-  GatherRays rays(patches_, sides_, slots, {.seed = seed_}, level, per_slot);
-  std::array<GatherRays::Row, GatherRays::most_rows> rows;
-  for (std::uint32_t sample = 0; sample < per_slot;) {
-    const auto count = std::min<std::size_t>(per_slot - sample, rows.size());
+void ElementRays::trace(std::span<const std::uint32_t> receivers, std::uint32_t replicate,
+                        std::uint32_t level, std::uint32_t per_receiver, std::span<std::uint32_t> met) const {
+  GatherRays rays(patches_, sides_, receivers, {.seed = seed_}, level, per_receiver);
+  std::array<GatherRays::Row, GatherRays::max_rows> rows;
+  for (std::uint32_t sample = 0; sample < per_receiver;) {
+    const auto count = std::min<std::size_t>(per_receiver - sample, rows.size());
     for (std::size_t i = 0; i < count; ++i, ++sample) rows[i] = {replicate, sample, met.data() + sample};
     rays.trace(tracer_, std::span(rows.data(), count),
                [this](const Hit& hit, const Ray&) { return number_of(hit); });

@@ -25,22 +25,24 @@ class ElementRays {
               const Workers& workers);
 
   // The sides that have rays, neighbours together.
-  std::size_t slots() const { return sides_.size(); }
-  std::uint32_t element_of_slot(std::size_t slot) const { return elements_.of_side[sides_.side[slot]]; }
-  double area_of_slot(std::size_t slot) const {
-    return static_cast<double>(patches_.area[sides_.side[slot] / 2]);
+  std::size_t receivers() const { return sides_.size(); }
+  std::uint32_t element_of_receiver(std::size_t receiver) const {
+    return elements_.of_side[sides_.side[receiver]];
+  }
+  double area_of_receiver(std::size_t receiver) const {
+    return static_cast<double>(patches_.area[sides_.side[receiver] / 2]);
   }
   std::uint32_t replicates() const { return replicates_; }
   const ViewElements& elements() const { return elements_; }
 
-  // Where runs of these slots (rising) begin that may be traced together, and at the end their number: of
+  // Where runs of these receivers (rising) begin that may be traced together, and at the end their number: of
   // at most so many positions, a power of two up to 4096.
-  std::vector<std::size_t> runs(std::span<const std::uint32_t> slots, std::uint32_t positions) const;
+  std::vector<std::size_t> runs(std::span<const std::uint32_t> receivers, std::uint32_t positions) const;
 
-  // per_slot rays, a power of two, of each slot in one replicate, at that level of doubling. What ray k of
-  // slots[i] meets goes to met[i * per_slot + k].
-  void trace(std::span<const std::uint32_t> slots, std::uint32_t replicate, std::uint32_t level,
-             std::uint32_t per_slot, std::span<std::uint32_t> met) const;
+  // per_receiver rays, a power of two, of each receiver in one replicate, at that level of doubling. What ray
+  // k of receivers[i] meets goes to met[i * per_receiver + k].
+  void trace(std::span<const std::uint32_t> receivers, std::uint32_t replicate, std::uint32_t level,
+             std::uint32_t per_receiver, std::span<std::uint32_t> met) const;
 
  private:
   std::uint32_t number_of(const Hit& hit) const;

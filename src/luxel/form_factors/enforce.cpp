@@ -14,11 +14,11 @@ namespace {
 // Beyond what rounding leaves, m² a m²: then no choice of the listed exchange areas fills all rows.
 constexpr double balanced_enough = 1e-10;
 
-constexpr std::size_t rows_a_chunk = 256;
+constexpr std::size_t rows_per_chunk = 256;
 
 double worst_row_sum(const ExchangeAreas& areas, const std::vector<double>& area, const Workers& workers) {
   std::vector<double> off(areas.size());
-  workers.for_chunks(areas.size(), rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_chunks(areas.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       double sum = 0.0;
       for (auto at = areas.row_begin[i]; at < areas.row_begin[i + 1]; ++at) sum += areas.value[at];
@@ -59,9 +59,9 @@ struct Changes {
 // Exchange areas become factors, where they stand; those held at 0 too.
 Changes make_factors(ExchangeAreas& areas, const ViewFactors& old, std::span<const double> multiplier,
                      const Workers& workers) {
-  std::vector<Changes> parts((areas.size() + rows_a_chunk - 1) / rows_a_chunk);
-  workers.for_chunks(areas.size(), rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
-    auto& part = parts[begin / rows_a_chunk];
+  std::vector<Changes> parts((areas.size() + rows_per_chunk - 1) / rows_per_chunk);
+  workers.for_chunks(areas.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    auto& part = parts[begin / rows_per_chunk];
     for (auto i = begin; i < end; ++i) {
       OldRow old_row(old, i);
       for (auto at = areas.row_begin[i]; at < areas.row_begin[i + 1]; ++at) {
@@ -132,7 +132,7 @@ Enforcement enforce_laws(ViewFactors& factors, const Workers& workers, const Mon
   const auto changes = make_factors(areas, factors, balance.multiplier, workers);
   if (const auto count = static_cast<double>(areas.column.size()); count > 0.0) {
     done.rms_change = std::sqrt(changes.squares / count);
-    done.largest_change = changes.largest;
+    done.max_change = changes.largest;
     done.change_in_standard_errors = std::sqrt(changes.standard_errors2 / count);
   }
   std::vector<float>().swap(areas.variance);

@@ -13,7 +13,7 @@ namespace luxel {
 struct Enforcement {
   // Root mean square and largest change of a listed factor, and the root mean square of the second step's
   // change in standard errors of the exchange areas: near 1 or below where these are honest.
-  double rms_change = 0.0, largest_change = 0.0, change_in_standard_errors = 0.0;
+  double rms_change = 0.0, max_change = 0.0, change_in_standard_errors = 0.0;
   double worst_row_sum_before = 0.0;  // |sum - 1| after both directions were joined
   double worst_row_sum = 0.0;         // after all
   int steps = 0;                      // of Newton

@@ -24,8 +24,8 @@ std::vector<std::uint32_t> sides_of(const ViewElements& elements) {
 }
 
 // Seconds a pair on one thread, from pairs spread over all of them.
-double seconds_a_pair(const FormFactors& form_factors, const std::vector<std::uint32_t>& sides,
-                      double tolerance) {
+double seconds_per_pair(const FormFactors& form_factors, const std::vector<std::uint32_t>& sides,
+                        double tolerance) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   std::size_t pairs = 0;
@@ -40,7 +40,7 @@ double seconds_a_pair(const FormFactors& form_factors, const std::vector<std::ui
 
 // Sums over one row of elements: exchange areas and squares of their errors.
 struct Row {
-  std::vector<double> area, error2;  // [element], m² and m⁴
+  std::vector<double> area, squared_error;  // [element], m² and m⁴
 };
 
 }  // namespace
@@ -53,7 +53,7 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
   const auto n = sides.size();
   report.pairs = std::uint64_t{n} * (n - 1) / 2;
   const FormFactors form_factors(patches, tracer, workers);
-  report.predicted_seconds = seconds_a_pair(form_factors, sides, options.tolerance) *
+  report.predicted_seconds = seconds_per_pair(form_factors, sides, options.tolerance) *
                              static_cast<double>(report.pairs) / workers.threads();
   if (options.seconds > 0.0 && report.predicted_seconds > options.seconds)
     throw InputError(fmt::format(
@@ -67,7 +67,7 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
   const auto e = elements.size();
   std::vector<std::vector<FormFactor>> rows(n);
   const auto turn = 16 * static_cast<std::size_t>(workers.threads());
-  std::vector<double> exchange(e * e, 0.0), error2(e * e, 0.0);
+  std::vector<double> exchange(e * e, 0.0), squared_error(e * e, 0.0);
   std::uint64_t done = 0;
   for (std::size_t from = 0; from < n; from += turn) {
     const auto to = std::min(n, from + turn);
@@ -86,14 +86,14 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
         // Within one element both directions count.
         const auto times = a == b ? 2.0 : 1.0;
         exchange[std::min(a, b) * e + std::max(a, b)] += times * area * factor.value;
-        error2[std::min(a, b) * e + std::max(a, b)] += times * times * error * error;
+        squared_error[std::min(a, b) * e + std::max(a, b)] += times * times * error * error;
       }
       done += n - 1 - i;
       rows[i] = {};
     }
-    const auto share =
+    const auto fraction =
         static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(report.pairs, 1));
-    if (tell(monitor, {"view factors", share}) == Next::stop) return {};
+    if (tell(monitor, {"view factors", fraction}) == Next::stop) return {};
   }
 
   auto factors = ViewFactors::between(elements.name, elements.area);
@@ -104,15 +104,15 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
       const auto at = std::min(i, j) * e + std::max(i, j);
       const auto factor = exchange[at] / elements.area[i];
       sum += factor;
-      variance += error2[at] / (elements.area[i] * elements.area[i]);
+      variance += squared_error[at] / (elements.area[i] * elements.area[i]);
       if (factor < nothing) continue;
-      if (factor < options.keep_above) {
+      if (factor < options.min_factor) {
         dropped += factor;
         continue;
       }
       factors.column.push_back(static_cast<std::uint32_t>(j));
       factors.factor.push_back(factor);
-      factors.standard_error.push_back(static_cast<float>(std::sqrt(error2[at]) / elements.area[i]));
+      factors.standard_error.push_back(static_cast<float>(std::sqrt(squared_error[at]) / elements.area[i]));
     }
     factors.row_begin[i + 1] = factors.count();
     factors.sink[ViewFactors::environment].factor[i] = std::max(0.0, 1.0 - sum);

@@ -16,7 +16,7 @@ namespace luxel {
 
 struct ExactFactorsOptions {
   double tolerance = 1e-5;  // absolute, of each factor between two patches that only partly see each other
-  double keep_above = 0.0;  // factors below are dropped; their sum is kept
+  double min_factor = 0.0;  // factors below are dropped; their sum is kept
   double seconds = 600.0;   // predicted time beyond which it is refused; 0: never
 };
 

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t rows_a_chunk = 256;
+constexpr std::size_t rows_per_chunk = 256;
 
 struct Estimate {
   double value = 0.0, variance = 0.0;
@@ -38,7 +38,7 @@ double counted_variance(double value, double density, double full) {
 template <typename Body>
 bool for_runs(const ViewFactors& f, const Workers& workers, const Monitor& monitor, double done_before,
               Body body) {
-  const auto grain = ReverseRows::rows_a_run(f);
+  const auto grain = ReverseRows::rows_per_run(f);
   const auto turn = grain * static_cast<std::size_t>(workers.threads());
   std::vector<ReverseRows> reverse(static_cast<std::size_t>(workers.threads()));
   for (std::size_t from = 0; from < f.size(); from += turn) {
@@ -130,7 +130,7 @@ void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Wo
     const auto least = 1e-12 * area;
     return of_count > 0.0 ? 0.5 * (own + scale * of_count) + least * least : own + least * least;
   };
-  workers.for_chunks(n, rows_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       for (auto at = areas.row_begin[i]; at < areas.row_begin[i + 1]; ++at)
         areas.variance[at] =

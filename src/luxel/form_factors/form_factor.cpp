@@ -16,7 +16,7 @@ namespace luxel {
 namespace {
 
 constexpr double closed_form_error = 1e-12;
-constexpr std::size_t most_screens = 200;
+constexpr std::size_t max_screens = 200;
 constexpr std::uint64_t seed = 0x666f726d;  // of the shadow rays: any, but always the same
 
 std::array<Vec3d, 3> corners_of(const PatchSet& patches, std::size_t patch) {
@@ -51,7 +51,7 @@ FormFactor FormFactors::between(std::size_t from, std::size_t to, double toleran
   const auto open = polygon_exchange_area(a, b);
 
   std::vector<std::uint32_t> found;
-  const bool all_found = search_.find(Shaft(parts.a, parts.b, slack_), most_screens, found);
+  const bool all_found = search_.find(Shaft(parts.a, parts.b, slack_), max_screens, found);
   if (found.empty()) return {open / area, closed_form_error, true};
   // Too little to look at: between nothing and all of it.
   if (open <= 0.1 * tolerance * area) return {0.5 * open / area, 0.5 * open / area, false};

@@ -47,13 +47,13 @@ void GroupSums::add(const GroupSums& other) {
   }
 }
 
-void GroupSums::write(std::span<const double> whole, double keep_above, ViewFactors& factors) const {
+void GroupSums::write(std::span<const double> whole, double min_factor, ViewFactors& factors) const {
   std::vector<std::size_t> order(keys_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [this](auto a, auto b) { return keys_[a] < keys_[b]; });
 
   const auto elements = static_cast<std::uint32_t>(factors.size());
-  std::vector<double> share(replicates_), lost(replicates_, 0.0);
+  std::vector<double> fraction(replicates_), lost(replicates_, 0.0);
   std::size_t next = 0;
   for (std::uint32_t from = 0; from < elements; ++from) {
     factors.is_known[from] = whole[from] > 0.0 ? 1 : 0;
@@ -61,13 +61,13 @@ void GroupSums::write(std::span<const double> whole, double keep_above, ViewFact
     for (; next < order.size() && keys_[order[next]] >> 32 == from; ++next) {
       const auto met = static_cast<std::uint32_t>(keys_[order[next]]);
       for (std::uint32_t r = 0; r < replicates_; ++r)
-        share[r] = sums_[order[next] * replicates_ + r] / whole[from];
-      const auto estimate = estimate_of(share);
+        fraction[r] = sums_[order[next] * replicates_ + r] / whole[from];
+      const auto estimate = estimate_of(fraction);
       if (met >= elements) {
         factors.sink[met - elements].factor[from] = estimate.mean;
         factors.sink[met - elements].standard_error[from] = static_cast<float>(estimate.standard_error);
-      } else if (estimate.mean < keep_above) {
-        for (std::uint32_t r = 0; r < replicates_; ++r) lost[r] += share[r];
+      } else if (estimate.mean < min_factor) {
+        for (std::uint32_t r = 0; r < replicates_; ++r) lost[r] += fraction[r];
       } else {
         factors.column.push_back(met);
         factors.factor.push_back(estimate.mean);

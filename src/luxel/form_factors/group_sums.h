@@ -26,7 +26,7 @@ class GroupSums {
   std::uint64_t bytes() const { return pairs() * (replicates_ * sizeof(double) + 40); }
 
   // The sums over `whole`, [element], as factors. Elements with 0 have no row.
-  void write(std::span<const double> whole, double keep_above, ViewFactors& factors) const;
+  void write(std::span<const double> whole, double min_factor, ViewFactors& factors) const;
 
  private:
   std::size_t place_of(std::uint32_t from, std::uint32_t met);

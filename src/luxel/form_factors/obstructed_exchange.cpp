@@ -16,11 +16,11 @@ namespace {
 
 using Triangle = std::array<Vec3d, 3>;
 
-constexpr int first_cuts = 2;          // levels before any estimate is trusted
-constexpr double safety = 2.0;         // of the error: a bend can hide between points
-constexpr double near_rim = 0.02;      // not in it: there a screen may stand
-constexpr double rim_share = 0.25;     // of what a point of the rim sees, what the cell may
-constexpr double unseen_share = 0.25;  // of a cell, times its relative width: what a screen there may hide
+constexpr int first_cuts = 2;               // levels before any estimate is trusted
+constexpr double safety = 2.0;              // of the error: a bend can hide between points
+constexpr double near_boundary = 0.02;      // not in it: there a screen may stand
+constexpr double boundary_fraction = 0.25;  // of what a point of the boundary sees, what the cell may
+constexpr double unseen_fraction = 0.25;  // of a cell, times its relative width: what a screen there may hide
 
 constexpr double best_progress = 1.0 / 16.0;  // of a quarter's error over the whole's: luck is no proof
 
@@ -112,18 +112,19 @@ class Integral {
     for (const auto& [at, weight] : orbits)
       for (std::size_t k = 0; k < 3; ++k) add(point(k, at), weight);
 
-    // All in the light, or all in the dark: then the rim is asked whether it is so everywhere.
+    // All in the light, or all in the dark: then the boundary is asked whether it is so everywhere.
     if (cell.screens.empty() || (cell.seen > 0.0 && cell.seen < cell.open)) return;
     const auto ask = [&](const Vec3d& x) {
       const auto [open, seen] = look(x);
-      cell.unnoticed = std::max(cell.unnoticed, rim_share * unit * (cell.seen > 0.0 ? open - seen : seen));
+      cell.unnoticed =
+          std::max(cell.unnoticed, boundary_fraction * unit * (cell.seen > 0.0 ? open - seen : seen));
     };
     for (std::size_t k = 0; k < 3; ++k) {
-      ask(point(k, near_rim));
-      ask(point(k, 0.5 - near_rim));
+      ask(point(k, near_boundary));
+      ask(point(k, 0.5 - near_boundary));
     }
     if (cell.seen > 0.0)
-      cell.unnoticed = std::max(cell.unnoticed, unseen_share * cell.open * std::sqrt(cell.area / whole_));
+      cell.unnoticed = std::max(cell.unnoticed, unseen_fraction * cell.open * std::sqrt(cell.area / whole_));
   }
 
   struct Look {

@@ -6,7 +6,7 @@
 
 namespace luxel {
 
-CountedShare counted_share(std::span<const std::uint32_t> counts, std::uint64_t per_replicate) {
+CountedFraction counted_fraction(std::span<const std::uint32_t> counts, std::uint64_t per_replicate) {
   std::uint64_t sum = 0, squares = 0;
   for (const std::uint64_t c : counts) {
     sum += c;
@@ -20,24 +20,25 @@ CountedShare counted_share(std::span<const std::uint32_t> counts, std::uint64_t 
           std::sqrt(deviations / (r * (r - 1.0))) / n};
 }
 
-void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> slots, std::uint32_t per_slot,
-                       double keep_above, PatchRowScratch& scratch, PatchRows& rows) {
+void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> receivers,
+                       std::uint32_t per_receiver, double min_factor, PatchRowScratch& scratch,
+                       PatchRows& rows) {
   const auto replicates = rays.replicates();
   const auto elements = static_cast<std::uint32_t>(rays.elements().size());
-  const auto run = slots.size() * per_slot;
+  const auto run = receivers.size() * per_receiver;
   scratch.met.resize(replicates * run);
   scratch.place.resize(elements + ViewFactors::sinks, 0);
   for (std::uint32_t r = 0; r < replicates; ++r)
-    rays.trace(slots, r, 0, per_slot, std::span(scratch.met).subspan(r * run, run));
+    rays.trace(receivers, r, 0, per_receiver, std::span(scratch.met).subspan(r * run, run));
 
-  for (std::size_t s = 0; s < slots.size(); ++s) {
+  for (std::size_t s = 0; s < receivers.size(); ++s) {
     // 1. How often each number was met in each replicate.
     auto& numbers = scratch.numbers;
     auto& counts = scratch.counts;
     numbers.clear();
     counts.clear();
     for (std::uint32_t r = 0; r < replicates; ++r)
-      for (const auto number : std::span(scratch.met).subspan(r * run + s * per_slot, per_slot)) {
+      for (const auto number : std::span(scratch.met).subspan(r * run + s * per_receiver, per_receiver)) {
         if (scratch.place[number] == 0) {
           numbers.push_back(number);
           scratch.place[number] = static_cast<std::uint32_t>(numbers.size());
@@ -47,32 +48,33 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> s
       }
     // 2. As shares, columns rising; sinks have the highest numbers.
     std::sort(numbers.begin(), numbers.end());
-    rows.element.push_back(rays.element_of_slot(slots[s]));
+    rows.element.push_back(rays.element_of_receiver(receivers[s]));
     const auto before = rows.column.size();
-    std::array<CountedShare, ViewFactors::sinks> sink{};
+    std::array<CountedFraction, ViewFactors::sinks> sink{};
     std::vector<std::uint32_t> dropped;
     for (const auto number : numbers) {
       const auto own = std::span(counts).subspan((scratch.place[number] - 1) * replicates, replicates);
-      const auto share = counted_share(own, per_slot);
+      const auto fraction = counted_fraction(own, per_receiver);
       if (number >= elements) {
-        sink[number - elements] = share;
-      } else if (share.share < keep_above) {
+        sink[number - elements] = fraction;
+      } else if (fraction.fraction < min_factor) {
         dropped.resize(replicates, 0);
         for (std::uint32_t r = 0; r < replicates; ++r) dropped[r] += own[r];
       } else {
         rows.column.push_back(number);
-        rows.hits.push_back(share.hits);
-        rows.standard_error.push_back(static_cast<float>(share.standard_error));
-        rows.factor_error2 += share.standard_error * share.standard_error;
+        rows.hits.push_back(fraction.hits);
+        rows.standard_error.push_back(static_cast<float>(fraction.standard_error));
+        rows.factor_squared_error += fraction.standard_error * fraction.standard_error;
       }
     }
-    if (!dropped.empty()) sink[ViewFactors::dropped] = counted_share(dropped, per_slot);
+    if (!dropped.empty()) sink[ViewFactors::dropped] = counted_fraction(dropped, per_receiver);
     rows.length.push_back(static_cast<std::uint32_t>(rows.column.size() - before));
     for (std::size_t k = 0; k < sink.size(); ++k) {
-      rows.sink[k].push_back(sink[k].share);
+      rows.sink[k].push_back(sink[k].fraction);
       rows.sink_error[k].push_back(static_cast<float>(sink[k].standard_error));
     }
-    for (const auto& share : sink) rows.sink_error2 += share.standard_error * share.standard_error;
+    for (const auto& fraction : sink)
+      rows.sink_squared_error += fraction.standard_error * fraction.standard_error;
     for (const auto number : numbers) scratch.place[number] = 0;
   }
 }

@@ -20,27 +20,28 @@ struct PatchRows {
   std::array<std::vector<double>, ViewFactors::sinks> sink;       // [row]
   std::array<std::vector<float>, ViewFactors::sinks> sink_error;  // [row]
   // Sums of squared standard errors: of the listed factors; and of sinks, in addition.
-  double factor_error2 = 0.0, sink_error2 = 0.0;
+  double factor_squared_error = 0.0, sink_squared_error = 0.0;
 };
 
 // What a worker needs beside, used again and again.
 struct PatchRowScratch {
-  std::vector<std::uint32_t> met;    // [replicate][slot][ray]
+  std::vector<std::uint32_t> met;    // [replicate][receiver][ray]
   std::vector<std::uint32_t> place;  // [number met]: 1 + its place in `numbers`; else 0
   std::vector<std::uint32_t> numbers;
   std::vector<std::uint32_t> counts;  // [place][replicate]
 };
 
-// Appends the rows of these slots, per_slot rays a replicate. keep_above: factors below are dropped.
-void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> slots, std::uint32_t per_slot,
-                       double keep_above, PatchRowScratch& scratch, PatchRows& rows);
+// Appends the rows of these receivers, per_receiver rays a replicate. min_factor: factors below are dropped.
+void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> receivers,
+                       std::uint32_t per_receiver, double min_factor, PatchRowScratch& scratch,
+                       PatchRows& rows);
 
 // Mean and standard error of replicates' shares from their counts out of per_replicate rays each.
-struct CountedShare {
+struct CountedFraction {
   std::uint32_t hits = 0;
-  double share = 0.0;
+  double fraction = 0.0;
   double standard_error = 0.0;
 };
-CountedShare counted_share(std::span<const std::uint32_t> counts, std::uint64_t per_replicate);
+CountedFraction counted_fraction(std::span<const std::uint32_t> counts, std::uint64_t per_replicate);
 
 }  // namespace luxel

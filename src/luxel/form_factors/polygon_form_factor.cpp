@@ -17,8 +17,8 @@ namespace {
 using Polygon = std::vector<Vec3d>;
 
 // Polygons this much unlike in size are cut: the digits of the greater one's edges would swamp the smaller.
-constexpr double most_unlike = 4.0;
-constexpr int most_cuts = 60;
+constexpr double max_unlike = 4.0;
+constexpr int max_cuts = 60;
 
 struct Sphere {
   Vec3d centre = Vec3d(0.0);
@@ -103,7 +103,7 @@ double facing(const Polygon& a, const Polygon& b, int cuts_left) {
   if (away >= 25.0) return by_points(small, great, gauss_4);
   if (away >= 5.0) return by_points(small, great, gauss_8);
   if (away >= 2.5) return by_points(small, great, gauss_12);
-  if (outer.radius > most_unlike * inner.radius && cuts_left > 0) {
+  if (outer.radius > max_unlike * inner.radius && cuts_left > 0) {
     auto plane = middle_across(great);
     Polygon half;
     clip_polygon(great, plane, half);
@@ -159,7 +159,7 @@ FacingParts facing_parts(std::span<const Vec3d> a, std::span<const Vec3d> b) {
 double polygon_exchange_area(std::span<const Vec3d> a, std::span<const Vec3d> b) {
   const auto parts = facing_parts(a, b);
   const auto most = std::min(glm::length(polygon_area_vector(a)), glm::length(polygon_area_vector(b)));
-  return std::clamp(facing(parts.a, parts.b, most_cuts), 0.0, most);
+  return std::clamp(facing(parts.a, parts.b, max_cuts), 0.0, most);
 }
 
 double polygon_form_factor(std::span<const Vec3d> a, std::span<const Vec3d> b) {

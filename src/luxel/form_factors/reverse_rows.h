@@ -15,9 +15,9 @@ class ReverseRows {
  public:
   // Rows of one run; the last run has fewer. At most some hundred runs whatever the size, since each run
   // looks into every row.
-  static std::size_t rows_a_run(const ViewFactors& factors) {
-    constexpr std::size_t least = 256, most_runs = 128;
-    return std::max(least, (factors.size() + most_runs - 1) / most_runs);
+  static std::size_t rows_per_run(const ViewFactors& factors) {
+    constexpr std::size_t least = 256, max_runs = 128;
+    return std::max(least, (factors.size() + max_runs - 1) / max_runs);
   }
 
   // Replaces what was there. Cost: two looks at each factor of these columns, a binary search a row.

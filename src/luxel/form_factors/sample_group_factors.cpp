@@ -10,11 +10,11 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t rays_a_job = 1u << 18;
-constexpr std::uint64_t fewest_rays = 1u << 20;   // of a first round, whatever the error
+constexpr std::size_t rays_per_job = 1u << 18;
+constexpr std::uint64_t min_rays = 1u << 20;      // of a first round, whatever the error
 constexpr std::uint64_t gentle_first = 1u << 24;  // a first round takes less where there are many sides
-constexpr std::uint32_t few_a_replicate = 16;     // rays of a side that tell a spread
-constexpr std::uint32_t most_halvings = 4;        // of the rays of an element's smaller patches
+constexpr std::uint32_t few_per_replicate = 16;   // rays of a side that tell a spread
+constexpr std::uint32_t max_halvings = 4;         // of the rays of an element's smaller patches
 
 // Rays are counted in those of the element's largest patches; one with less than half that area has half as
 // many, and so on. Each counts for as much area as it stands for.
@@ -26,44 +26,45 @@ class GroupSampling {
         workers_(workers),
         monitor_(monitor),
         sums_(rays.replicates()),
-        most_(most_per_replicate(options)),
+        max_(max_per_replicate(options)),
         first_(first_rays()),
         rounds_(rays.elements().size(), 0) {
-    plan_slots();
+    plan_receivers();
   }
 
   // Doubles the rays of these elements. False where the monitor said stop; then the sums are of no use.
   bool double_rays(const std::vector<std::uint8_t>& wanted) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> alike;
-    for (std::uint32_t s = 0; s < rays_.slots(); ++s)
-      if (const auto e = rays_.element_of_slot(s); wanted[e]) alike[{rounds_[e], halvings_[s]}].push_back(s);
+    for (std::uint32_t s = 0; s < rays_.receivers(); ++s)
+      if (const auto e = rays_.element_of_receiver(s); wanted[e])
+        alike[{rounds_[e], halvings_[s]}].push_back(s);
     Turn turn;
-    for (const auto& [key, slots] : alike)
-      turn.whole += slots.size() * std::uint64_t{added(key.first) >> key.second};
-    for (const auto& [key, slots] : alike)
-      if (!trace(slots, key.first, added(key.first) >> key.second, turn)) return false;
+    for (const auto& [key, receivers] : alike)
+      turn.whole += receivers.size() * std::uint64_t{added(key.first) >> key.second};
+    for (const auto& [key, receivers] : alike)
+      if (!trace(receivers, key.first, added(key.first) >> key.second, turn)) return false;
     for (std::size_t e = 0; e < wanted.size(); ++e) rounds_[e] += wanted[e];
     traced_ += turn.whole * rays_.replicates();
     return true;
   }
 
-  bool may_double(std::size_t element) const { return whole_[element] > 0.0 && so_far(element) < most_; }
+  bool may_double(std::size_t element) const { return whole_[element] > 0.0 && so_far(element) < max_; }
   const GroupSums& sums() const { return sums_; }
   std::uint64_t traced() const { return traced_; }
-  std::uint64_t most_rays_a_side() const {
+  std::uint64_t max_rays_per_side() const {
     std::uint32_t most = 0;
     for (std::size_t e = 0; e < rounds_.size(); ++e) most = std::max(most, so_far(e));
     return std::uint64_t{rays_.replicates()} * most;
   }
 
-  ViewFactors factors(double keep_above) const {
+  ViewFactors factors(double min_factor) const {
     auto result = ViewFactors::between(rays_.elements().name, rays_.elements().area);
     auto whole = whole_;
     for (std::size_t e = 0; e < whole.size(); ++e) {
       whole[e] *= so_far(e);
       result.rays[e] = worth_[e] * rays_.replicates() * so_far(e);
     }
-    sums_.write(whole, keep_above, result);
+    sums_.write(whole, min_factor, result);
     return result;
   }
 
@@ -78,26 +79,26 @@ class GroupSampling {
   std::uint32_t so_far(std::size_t e) const { return rounds_[e] == 0 ? 0 : first_ << (rounds_[e] - 1); }
 
   std::uint32_t first_rays() const {
-    const auto sides = rays_.slots() * std::uint64_t{rays_.replicates()};
-    auto first = few_a_replicate;
+    const auto sides = rays_.receivers() * std::uint64_t{rays_.replicates()};
+    auto first = few_per_replicate;
     while (first > 1 && first * sides > gentle_first) first /= 2;
-    while (first < most_ && first * sides < fewest_rays) first *= 2;
-    return std::min(first, most_);
+    while (first < max_ && first * sides < min_rays) first *= 2;
+    return std::min(first, max_);
   }
 
-  void plan_slots() {
+  void plan_receivers() {
     const auto n = rounds_.size();
     std::vector<double> largest(n, 0.0), variance(n, 0.0);
-    for (std::size_t s = 0; s < rays_.slots(); ++s) {
-      auto& most = largest[rays_.element_of_slot(s)];
-      most = std::max(most, rays_.area_of_slot(s));
+    for (std::size_t s = 0; s < rays_.receivers(); ++s) {
+      auto& most = largest[rays_.element_of_receiver(s)];
+      most = std::max(most, rays_.area_of_receiver(s));
     }
-    const auto most = std::min<std::uint32_t>(most_halvings, std::bit_width(first_) - 1);
+    const auto most = std::min<std::uint32_t>(max_halvings, std::bit_width(first_) - 1);
     whole_.assign(n, 0.0);
     worth_.assign(n, 0.0);
-    for (std::size_t s = 0; s < rays_.slots(); ++s) {
-      const auto e = rays_.element_of_slot(s);
-      const auto area = rays_.area_of_slot(s);
+    for (std::size_t s = 0; s < rays_.receivers(); ++s) {
+      const auto e = rays_.element_of_receiver(s);
+      const auto area = rays_.area_of_receiver(s);
       std::uint32_t halvings = 0;
       while (halvings < most && area * (2u << halvings) <= largest[e]) ++halvings;
       halvings_.push_back(halvings);
@@ -108,10 +109,10 @@ class GroupSampling {
       if (variance[e] > 0.0) worth_[e] = whole_[e] * whole_[e] / variance[e];
   }
 
-  bool trace(const std::vector<std::uint32_t>& slots, std::uint32_t level, std::uint32_t per_slot,
+  bool trace(const std::vector<std::uint32_t>& receivers, std::uint32_t level, std::uint32_t per_receiver,
              Turn& turn) {
-    const auto positions = std::bit_floor(std::clamp<std::size_t>(rays_a_job / per_slot, 1, 4096));
-    const auto begins = rays_.runs(slots, static_cast<std::uint32_t>(positions));
+    const auto positions = std::bit_floor(std::clamp<std::size_t>(rays_per_job / per_receiver, 1, 4096));
+    const auto begins = rays_.runs(receivers, static_cast<std::uint32_t>(positions));
     const auto replicates = rays_.replicates();
     const auto jobs = (begins.size() - 1) * replicates;
     const auto together = 16 * static_cast<std::size_t>(workers_.threads());
@@ -121,28 +122,29 @@ class GroupSampling {
       workers_.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
         for (auto i = begin; i < end; ++i) {
           const auto run = (from + i) / replicates;
-          add_run(std::span(slots).subspan(begins[run], begins[run + 1] - begins[run]),
-                  static_cast<std::uint32_t>((from + i) % replicates), level, per_slot, parts[i]);
+          add_run(std::span(receivers).subspan(begins[run], begins[run + 1] - begins[run]),
+                  static_cast<std::uint32_t>((from + i) % replicates), level, per_receiver, parts[i]);
         }
       });
       for (const auto& part : parts) sums_.add(part);
-      const auto done = turn.done + begins[to / replicates] * std::uint64_t{per_slot};
+      const auto done = turn.done + begins[to / replicates] * std::uint64_t{per_receiver};
       if (tell(monitor_, {"view factors", static_cast<double>(done) / static_cast<double>(turn.whole),
                           traced_ + done * replicates}) == Next::stop)
         return false;
     }
-    turn.done += slots.size() * std::uint64_t{per_slot};
+    turn.done += receivers.size() * std::uint64_t{per_receiver};
     return true;
   }
 
-  void add_run(std::span<const std::uint32_t> slots, std::uint32_t replicate, std::uint32_t level,
-               std::uint32_t per_slot, GroupSums& sums) const {
-    std::vector<std::uint32_t> met(slots.size() * per_slot);
-    rays_.trace(slots, replicate, level, per_slot, met);
-    for (std::size_t s = 0; s < slots.size(); ++s) {
-      const auto element = rays_.element_of_slot(slots[s]);
-      const auto area = rays_.area_of_slot(slots[s]) * (1u << halvings_[slots[s]]);
-      for (std::uint32_t k = 0; k < per_slot; ++k) sums.add(element, met[s * per_slot + k], replicate, area);
+  void add_run(std::span<const std::uint32_t> receivers, std::uint32_t replicate, std::uint32_t level,
+               std::uint32_t per_receiver, GroupSums& sums) const {
+    std::vector<std::uint32_t> met(receivers.size() * per_receiver);
+    rays_.trace(receivers, replicate, level, per_receiver, met);
+    for (std::size_t s = 0; s < receivers.size(); ++s) {
+      const auto element = rays_.element_of_receiver(receivers[s]);
+      const auto area = rays_.area_of_receiver(receivers[s]) * (1u << halvings_[receivers[s]]);
+      for (std::uint32_t k = 0; k < per_receiver; ++k)
+        sums.add(element, met[s * per_receiver + k], replicate, area);
     }
   }
 
@@ -150,9 +152,9 @@ class GroupSampling {
   const Workers& workers_;
   const Monitor& monitor_;
   GroupSums sums_;
-  std::uint32_t most_, first_;
+  std::uint32_t max_, first_;
   std::vector<std::uint32_t> rounds_;    // [element]: begun with
-  std::vector<std::uint32_t> halvings_;  // [slot]
+  std::vector<std::uint32_t> halvings_;  // [receiver]
   std::vector<double> whole_;            // [element], m² that rays leave; 0: no row
   std::vector<double> worth_;            // [element]: rays of one area each, for every ray of a largest patch
   std::uint64_t traced_ = 0;
@@ -186,12 +188,12 @@ std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const S
       report.stop = StopReason::stopped_by_user;
       return factors;
     }
-    report.rays_a_side = sampling.most_rays_a_side();
+    report.rays_per_side = sampling.max_rays_per_side();
     report.rays = sampling.traced();
     const auto pairs = static_cast<double>(sampling.sums().pairs());
     predict(pairs, 2.0 * pairs, options, report);
     report.predicted_bytes = std::max(report.predicted_bytes, sampling.sums().bytes());
-    factors = sampling.factors(options.keep_above);
+    factors = sampling.factors(options.min_factor);
     report.error = rms_standard_error(*factors);
     if (options.error > 0.0 && report.error <= options.error) {
       report.stop = StopReason::error_reached;

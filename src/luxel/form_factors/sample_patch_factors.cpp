@@ -10,13 +10,13 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t most_rays_there_are = 1u << 21;  // a replicate, that may be doubled
+constexpr std::uint32_t max_rays_possible = 1u << 21;  // a replicate, that may be doubled
 constexpr std::size_t trial_rows = 256;
-constexpr std::size_t rays_a_job = 1u << 22;
+constexpr std::size_t rays_per_job = 1u << 22;
 constexpr double trial_margin = 0.97;  // of the error: what the trial rows may be off by
 
 struct Trial {
-  double factors_a_row = 0.0;
+  double factors_per_row = 0.0;
   double error = 0.0, row_error = 0.0;
 };
 
@@ -26,8 +26,8 @@ Trial errors_of(std::span<const PatchRows> rows) {
   for (const auto& run : rows) {
     factors += static_cast<double>(run.column.size());
     count += static_cast<double>(run.element.size());
-    of_factors += run.factor_error2;
-    of_sinks += run.sink_error2;
+    of_factors += run.factor_squared_error;
+    of_sinks += run.sink_squared_error;
   }
   if (count == 0.0) return {};
   return {factors / count, factors > 0.0 ? std::sqrt(of_factors / factors) : 0.0,
@@ -35,14 +35,15 @@ Trial errors_of(std::span<const PatchRows> rows) {
 }
 
 // Rows spread over the scene, as they would come out.
-Trial try_rows(const ElementRays& rays, std::uint32_t per_slot, double keep_above, const Workers& workers) {
-  const auto count = std::min(rays.slots(), trial_rows);
+Trial try_rows(const ElementRays& rays, std::uint32_t per_receiver, double min_factor,
+               const Workers& workers) {
+  const auto count = std::min(rays.receivers(), trial_rows);
   std::vector<PatchRows> rows(count);
   std::vector<PatchRowScratch> scratch(static_cast<std::size_t>(workers.threads()));
   workers.for_chunks(count, 1, [&](std::size_t begin, std::size_t end, int worker) {
     for (auto i = begin; i < end; ++i) {
-      const auto slot = i * rays.slots() / count;
-      append_patch_rows(rays, slot_list(slot, slot + 1), per_slot, keep_above,
+      const auto receiver = i * rays.receivers() / count;
+      append_patch_rows(rays, receiver_list(receiver, receiver + 1), per_receiver, min_factor,
                         scratch[static_cast<std::size_t>(worker)], rows[i]);
     }
   });
@@ -54,19 +55,19 @@ bool has_target(const SampleFactorsOptions& options) {
 }
 
 // Whether this share of the error asked for is reached.
-bool is_reached(const Trial& trial, const SampleFactorsOptions& options, double share) {
-  return has_target(options) && (options.error == 0.0 || trial.error <= share * options.error) &&
-         (options.row_error == 0.0 || trial.row_error <= share * options.row_error);
+bool is_reached(const Trial& trial, const SampleFactorsOptions& options, double fraction) {
+  return has_target(options) && (options.error == 0.0 || trial.error <= fraction * options.error) &&
+         (options.row_error == 0.0 || trial.row_error <= fraction * options.row_error);
 }
 
-// All rows, in runs of slots; nothing where the monitor said stop.
-std::optional<std::vector<PatchRows>> make_rows(const ElementRays& rays, std::uint32_t per_slot,
-                                                double keep_above, const Workers& workers,
+// All rows, in runs of receivers; nothing where the monitor said stop.
+std::optional<std::vector<PatchRows>> make_rows(const ElementRays& rays, std::uint32_t per_receiver,
+                                                double min_factor, const Workers& workers,
                                                 const Monitor& monitor) {
-  const auto rays_a_slot = std::size_t{rays.replicates()} * per_slot;
-  const auto positions = std::bit_floor(std::clamp<std::size_t>(rays_a_job / rays_a_slot, 1, 1024));
-  const auto slots = slot_list(0, rays.slots());
-  const auto begins = rays.runs(slots, static_cast<std::uint32_t>(positions));
+  const auto rays_per_receiver = std::size_t{rays.replicates()} * per_receiver;
+  const auto positions = std::bit_floor(std::clamp<std::size_t>(rays_per_job / rays_per_receiver, 1, 1024));
+  const auto receivers = receiver_list(0, rays.receivers());
+  const auto begins = rays.runs(receivers, static_cast<std::uint32_t>(positions));
   const auto runs = begins.size() - 1;
   std::vector<PatchRows> rows(runs);
   std::vector<PatchRowScratch> scratch(static_cast<std::size_t>(workers.threads()));
@@ -76,15 +77,15 @@ std::optional<std::vector<PatchRows>> make_rows(const ElementRays& rays, std::ui
     const auto to = std::min(runs, from + turn);
     workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int worker) {
       for (auto run = from + begin; run < from + end; ++run) {
-        append_patch_rows(rays, std::span(slots).subspan(begins[run], begins[run + 1] - begins[run]),
-                          per_slot, keep_above, scratch[static_cast<std::size_t>(worker)], rows[run]);
+        append_patch_rows(rays, std::span(receivers).subspan(begins[run], begins[run + 1] - begins[run]),
+                          per_receiver, min_factor, scratch[static_cast<std::size_t>(worker)], rows[run]);
         rows[run].column.shrink_to_fit();
         rows[run].hits.shrink_to_fit();
         rows[run].standard_error.shrink_to_fit();
       }
     });
-    const auto done = static_cast<double>(begins[to]) / static_cast<double>(rays.slots());
-    if (tell(monitor, {"view factors", done, begins[to] * std::uint64_t{rays_a_slot}}) == Next::stop)
+    const auto done = static_cast<double>(begins[to]) / static_cast<double>(rays.receivers());
+    if (tell(monitor, {"view factors", done, begins[to] * std::uint64_t{rays_per_receiver}}) == Next::stop)
       return {};
   }
   return rows;
@@ -110,13 +111,13 @@ std::vector<To> put_together(std::vector<PatchRows>& rows, std::vector<From> Pat
   return result;
 }
 
-ViewFactors put_together(std::vector<PatchRows> rows, const ElementRays& rays, double rays_a_row,
+ViewFactors put_together(std::vector<PatchRows> rows, const ElementRays& rays, double rays_per_row,
                          const Workers& workers) {
   auto factors = ViewFactors::between(rays.elements().name, rays.elements().area);
   for (const auto& run : rows)
     for (std::size_t i = 0; i < run.element.size(); ++i) {
       const auto element = run.element[i];
-      factors.rays[element] = rays_a_row;
+      factors.rays[element] = rays_per_row;
       factors.is_known[element] = 1;
       factors.row_begin[element + 1] = run.length[i];
       for (std::size_t k = 0; k < ViewFactors::sinks; ++k) {
@@ -130,7 +131,7 @@ ViewFactors put_together(std::vector<PatchRows> rows, const ElementRays& rays, d
   factors.column = put_together<std::uint32_t>(rows, &PatchRows::column, factors, workers, same);
   factors.standard_error = put_together<float>(rows, &PatchRows::standard_error, factors, workers, same);
   factors.factor = put_together<double>(rows, &PatchRows::hits, factors, workers, [&](std::uint32_t hits) {
-    return static_cast<double>(hits) / rays_a_row;
+    return static_cast<double>(hits) / rays_per_row;
   });
   return factors;
 }
@@ -141,35 +142,35 @@ std::optional<ViewFactors> sample_patch_factors(const ElementRays& rays, const S
                                                 const Workers& workers, const Monitor& monitor,
                                                 SampleFactorsReport& report) {
   // 1. How many rays are enough, and what the rows will take.
-  const auto most = most_per_replicate(options);
-  auto per_slot = has_target(options) ? std::min(most, 8u) : most;
-  auto trial = try_rows(rays, per_slot, options.keep_above, workers);
-  while (has_target(options) && !is_reached(trial, options, trial_margin) && per_slot < most) {
-    if (tell(monitor, {"trial rows", 0.0, per_slot}) == Next::stop) return {};
-    trial = try_rows(rays, per_slot *= 2, options.keep_above, workers);
+  const auto most = max_per_replicate(options);
+  auto per_receiver = has_target(options) ? std::min(most, 8u) : most;
+  auto trial = try_rows(rays, per_receiver, options.min_factor, workers);
+  while (has_target(options) && !is_reached(trial, options, trial_margin) && per_receiver < most) {
+    if (tell(monitor, {"trial rows", 0.0, per_receiver}) == Next::stop) return {};
+    trial = try_rows(rays, per_receiver *= 2, options.min_factor, workers);
   }
 
   // 2. All rows. The trial's error may have been low by chance: then again with twice the rays.
-  const auto slots = static_cast<double>(rays.slots());
-  for (;; per_slot *= 2) {
+  const auto receivers = static_cast<double>(rays.receivers());
+  for (;; per_receiver *= 2) {
     // Found from one side or the other: about what one side would find with twice the rays.
-    auto with_reverse = trial.factors_a_row;
-    if (options.is_enforced && per_slot < most_rays_there_are)
-      with_reverse = try_rows(rays, 2 * per_slot, options.keep_above, workers).factors_a_row;
-    predict(slots * trial.factors_a_row, slots * with_reverse, options, report);
-    auto rows = make_rows(rays, per_slot, options.keep_above, workers, monitor);
+    auto with_reverse = trial.factors_per_row;
+    if (options.is_enforced && per_receiver < max_rays_possible)
+      with_reverse = try_rows(rays, 2 * per_receiver, options.min_factor, workers).factors_per_row;
+    predict(receivers * trial.factors_per_row, receivers * with_reverse, options, report);
+    auto rows = make_rows(rays, per_receiver, options.min_factor, workers, monitor);
     if (!rows) return {};
-    report.rays_a_side = std::uint64_t{rays.replicates()} * per_slot;
-    report.rays += report.rays_a_side * rays.slots();
+    report.rays_per_side = std::uint64_t{rays.replicates()} * per_receiver;
+    report.rays += report.rays_per_side * rays.receivers();
     trial = errors_of(*rows);
     report.error = trial.error;
     report.row_error = trial.row_error;
     const bool is_enough = is_reached(trial, options, 1.0);
-    if (is_enough || per_slot >= most) {
+    if (is_enough || per_receiver >= most) {
       report.stop = is_enough ? StopReason::error_reached : StopReason::ray_limit;
-      return put_together(std::move(*rows), rays, static_cast<double>(report.rays_a_side), workers);
+      return put_together(std::move(*rows), rays, static_cast<double>(report.rays_per_side), workers);
     }
-    trial.factors_a_row *= 2.0;
+    trial.factors_per_row *= 2.0;
   }
 }
 

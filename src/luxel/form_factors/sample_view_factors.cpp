@@ -13,20 +13,20 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t most_rays = 1u << 22;  // a side and replicate
+constexpr std::uint32_t max_rays = 1u << 22;  // a side and replicate
 
 }  // namespace
 
-std::uint32_t most_per_replicate(const SampleFactorsOptions& options) {
-  if (options.rays == 0) return most_rays;
+std::uint32_t max_per_replicate(const SampleFactorsOptions& options) {
+  if (options.rays == 0) return max_rays;
   const auto rays = std::max<std::uint64_t>(options.rays / options.replicates, 1);
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::bit_floor(rays), most_rays));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::bit_floor(rays), max_rays));
 }
 
-std::vector<std::uint32_t> slot_list(std::size_t begin, std::size_t end) {
-  std::vector<std::uint32_t> slots(end - begin);
-  std::iota(slots.begin(), slots.end(), static_cast<std::uint32_t>(begin));
-  return slots;
+std::vector<std::uint32_t> receiver_list(std::size_t begin, std::size_t end) {
+  std::vector<std::uint32_t> receivers(end - begin);
+  std::iota(receivers.begin(), receivers.end(), static_cast<std::uint32_t>(begin));
+  return receivers;
 }
 
 double bytes_of_factors(double counted, double with_reverse, const SampleFactorsOptions& options) {
@@ -45,7 +45,7 @@ void predict(double counted, double with_reverse, const SampleFactorsOptions& op
   if (options.memory > 0 && bytes > static_cast<double>(options.memory))
     throw InputError(fmt::format(
         "about {:.3g} million factors would be listed and take {:.0f} MiB, where {:.0f} MiB are allowed; "
-        "--keep-above drops small factors, --rays counts fewer, groups or larger patches have fewer, and "
+        "--min-factor drops small factors, --rays counts fewer, groups or larger patches have fewer, and "
         "--memory allows more",
         1e-6 * factors, bytes / mib, static_cast<double>(options.memory) / mib));
   report.predicted_bytes = static_cast<std::uint64_t>(bytes);

@@ -24,7 +24,7 @@ struct SampleFactorsOptions {
   double error = 0.001;  // stop at this root mean square standard error of the listed factors; 0: never
   // Between patches: stop at this standard error of a whole row, see SampleFactorsReport; 0: never.
   double row_error = 0.0;
-  double keep_above = 0.0;   // factors below are dropped; their sum is kept
+  double min_factor = 0.0;   // factors below are dropped; their sum is kept
   std::uint64_t memory = 0;  // bytes that factors may take; 0: no bound
   // What is done afterwards, for the prediction of memory: the laws are enforced; so many bytes a factor are
   // taken beside the factors at the end.
@@ -34,9 +34,9 @@ struct SampleFactorsOptions {
 };
 
 struct SampleFactorsReport {
-  std::uint64_t rays_a_side = 0;  // the most that any side had
-  std::uint64_t rays = 0;         // traced, in all
-  double error = 0.0;             // root mean square standard error of the listed factors
+  std::uint64_t rays_per_side = 0;  // the most that any side had
+  std::uint64_t rays = 0;           // traced, in all
+  double error = 0.0;               // root mean square standard error of the listed factors
   // Between patches: root mean square over rows of a row's root of the sum of squared standard errors, sinks
   // too. So uncertain is the power a patch receives, in spreads of the radiosities around it. About 1 /
   // sqrt(rays), whatever number of patches there are.

@@ -21,10 +21,10 @@ std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const S
                                                 SampleFactorsReport& report);
 
 // Rays a side and replicate that a limit allows, a power of two; where there is none, the most there can be.
-std::uint32_t most_per_replicate(const SampleFactorsOptions& options);
+std::uint32_t max_per_replicate(const SampleFactorsOptions& options);
 
-// Slots [begin, end) as a list.
-std::vector<std::uint32_t> slot_list(std::size_t begin, std::size_t end);
+// Receivers [begin, end) as a list.
+std::vector<std::uint32_t> receiver_list(std::size_t begin, std::size_t end);
 
 // Bytes that so many factors take at most at one time, counted or afterwards. with_reverse: how many there
 // are once those are listed both ways that were found one way.

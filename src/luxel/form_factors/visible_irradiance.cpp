@@ -8,10 +8,10 @@
 
 namespace luxel {
 
-void VisibleIrradiance::keep(const Polygon& piece) {
-  if (piece.size() < 3) return;
+void VisibleIrradiance::keep(const Polygon& fragment) {
+  if (fragment.size() < 3) return;
   if (visible_count_ == visible_.size()) visible_.emplace_back();
-  visible_[visible_count_++].assign(piece.begin(), piece.end());
+  visible_[visible_count_++].assign(fragment.begin(), fragment.end());
 }
 
 void VisibleIrradiance::hide(const Vec3d& x, const std::array<Vec3d, 3>& screen) {
@@ -28,8 +28,8 @@ void VisibleIrradiance::hide(const Vec3d& x, const std::array<Vec3d, 3>& screen)
 
   cut_off_.resize(4);
   visible_count_ = 0;
-  for (std::size_t i = 0; i < piece_count_; ++i) {
-    behind_ = pieces_[i];
+  for (std::size_t i = 0; i < fragment_count_; ++i) {
+    behind_ = fragments_[i];
     for (std::size_t k = 0; k < planes.size(); ++k) {
       clip_polygon(behind_, planes[k], rest_);
       clip_polygon(behind_, {planes[k].point, -planes[k].normal}, cut_off_[k]);
@@ -37,26 +37,26 @@ void VisibleIrradiance::hide(const Vec3d& x, const std::array<Vec3d, 3>& screen)
       if (behind_.size() < 3) break;
     }
     if (behind_.size() < 3) {
-      keep(pieces_[i]);  // untouched, whole
+      keep(fragments_[i]);  // untouched, whole
     } else {
-      for (const auto& piece : cut_off_) keep(piece);
+      for (const auto& fragment : cut_off_) keep(fragment);
     }
   }
-  pieces_.swap(visible_);
-  piece_count_ = visible_count_;
+  fragments_.swap(visible_);
+  fragment_count_ = visible_count_;
 }
 
 double VisibleIrradiance::at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
                              std::span<const std::array<Vec3d, 3>> screens) {
-  if (pieces_.empty()) pieces_.emplace_back();
-  pieces_[0].assign(polygon.begin(), polygon.end());
-  piece_count_ = 1;
+  if (fragments_.empty()) fragments_.emplace_back();
+  fragments_[0].assign(polygon.begin(), polygon.end());
+  fragment_count_ = 1;
   for (const auto& screen : screens) {
     hide(x, screen);
-    if (piece_count_ == 0) return 0.0;
+    if (fragment_count_ == 0) return 0.0;
   }
   double sum = 0.0;
-  for (std::size_t i = 0; i < piece_count_; ++i) sum += unit_irradiance(pieces_[i], x, n);
+  for (std::size_t i = 0; i < fragment_count_; ++i) sum += unit_irradiance(fragments_[i], x, n);
   return sum > 0.0 ? sum : 0.0;
 }
 

@@ -17,18 +17,18 @@ class VisibleIrradiance {
   explicit VisibleIrradiance(double slack) : slack_(slack) {}
 
   // As unit_irradiance(polygon, x, n), in [0, pi]: of what x sees past all screens. About 0.3 us a screen,
-  // more where they cut it into many pieces.
+  // more where they cut it into many fragments.
   double at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
             std::span<const std::array<Vec3d, 3>> screens);
 
  private:
   using Polygon = std::vector<Vec3d>;
   void hide(const Vec3d& x, const std::array<Vec3d, 3>& screen);
-  void keep(const Polygon& piece);
+  void keep(const Polygon& fragment);
 
   double slack_;
-  std::vector<Polygon> pieces_, visible_, cut_off_;
-  std::size_t piece_count_ = 0, visible_count_ = 0;
+  std::vector<Polygon> fragments_, visible_, cut_off_;
+  std::size_t fragment_count_ = 0, visible_count_ = 0;
   Polygon behind_, rest_;
 };
 

@@ -18,14 +18,14 @@ struct ScreenImage;
 // The formats, in memory. The room's own: image_file.h adds the disk, the choice of format and the file's
 // name.
 
-inline constexpr int largest_side = 16384;  // pixels; more is refused before anything is decoded
+inline constexpr int max_side = 16384;  // pixels; more is refused before anything is decoded
 
 // What is wrong with the bytes, still without the file's name.
 struct CodecError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws CodecError unless 1 <= width, height <= largest_side.
+// Throws CodecError unless 1 <= width, height <= max_side.
 void check_size(std::int64_t width, std::int64_t height);
 
 // The pixels of a file of linear values.

@@ -17,7 +17,7 @@ namespace luxel {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint64_t largest_file = std::uint64_t{512} << 20;
+constexpr std::uint64_t max_file = std::uint64_t{512} << 20;
 
 // name: of the file, for errors.
 template <typename Picture, typename Encode>
@@ -54,9 +54,9 @@ Raster decode(const fs::path& path, std::string_view bytes) {
 
 void check_size(std::int64_t width, std::int64_t height) {
   if (width < 1 || height < 1) throw CodecError("the picture has no pixels");
-  if (width > largest_side || height > largest_side)
+  if (width > max_side || height > max_side)
     throw CodecError(fmt::format("the picture is {} x {} pixels, expected at most {} a side; make it smaller",
-                                 width, height, largest_side));
+                                 width, height, max_side));
 }
 
 void write_png(const fs::path& path, const Image& display, const PictureNotes& notes) {
@@ -92,9 +92,7 @@ Raster decode_raster(std::string_view bytes, const std::string& name) {
   }
 }
 
-Raster read_raster(const fs::path& path) {
-  return decode_raster(read_file(path, largest_file), path.string());
-}
+Raster read_raster(const fs::path& path) { return decode_raster(read_file(path, max_file), path.string()); }
 Image read_image(const fs::path& path) { return as_image(read_raster(path)); }
 
 }  // namespace luxel

@@ -33,7 +33,7 @@ void check(const ToneOptions& options) {
     throw InputError(fmt::format("the white is {}, expected 0 (none) or a luminance", options.white));
 }
 
-double largest_channel(std::span<const Vec3> radiance, std::span<const float> weights) {
+double max_channel(std::span<const Vec3> radiance, std::span<const float> weights) {
   float largest = 0.0f;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     const auto& v = radiance[i];
@@ -96,7 +96,7 @@ Vec3 ToneCurve::operator()(const Vec3& radiance) const {
 ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weights,
                     const ToneOptions& options) {
   check(options);
-  const double largest = largest_channel(radiance, weights);
+  const double largest = max_channel(radiance, weights);
   if (!(largest > 0.0)) return {.options = options};
   double scale = std::exp2(options.exposure);
   if (options.op == ToneOperator::maximum) scale /= largest;

@@ -65,11 +65,11 @@ void choose_wavelengths(const LoadOptions& options, const std::vector<MeasuredSp
     return;
   }
   scene.wavelengths = with_gaps_filled(seen);
-  if (scene.wavelengths.size() > static_cast<std::size_t>(most_bands))
+  if (scene.wavelengths.size() > static_cast<std::size_t>(max_bands))
     throw InputError(source,
                      fmt::format("the spectra have {} different wavelengths, more than {}: choose fewer "
                                  "bands at even steps, such as --bands 41",
-                                 scene.wavelengths.size(), most_bands));
+                                 scene.wavelengths.size(), max_bands));
 }
 
 Material& material_of(const MeasuredSpectrum& measured, const std::string& source, Scene& scene) {

@@ -12,7 +12,7 @@ EarClipper::EarClipper(std::span<const glm::dvec2> points)
       previous_(points.size()),
       may_block_(points.size()),
       left_(points.size()),
-      most_work_(20'000'000 + 2'000 * points.size()) {
+      max_work_(20'000'000 + 2'000 * points.size()) {
   const auto n = static_cast<std::uint32_t>(points.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     next_[i] = (i + 1) % n;
@@ -57,7 +57,7 @@ std::size_t EarClipper::row(double y) const {
 
 void EarClipper::clip(Triangles& triangles) {
   auto demand = Demand::ear;
-  while (left_ > 3 && work_ < most_work_) {
+  while (left_ > 3 && work_ < max_work_) {
     const bool has_cut = go_round(demand, triangles) > 0;
     demand = has_cut ? Demand::ear : static_cast<Demand>(static_cast<int>(demand) + 1);
     if (2 * left_ < cell_corner_.size()) build_grid();
@@ -72,7 +72,7 @@ void EarClipper::clip(Triangles& triangles) {
 std::size_t EarClipper::go_round(Demand demand, Triangles& triangles) {
   std::size_t cuts = 0;
   auto visits = left_;
-  for (; visits > 0 && left_ > 3 && work_ < most_work_; --visits, here_ = next_[here_]) {
+  for (; visits > 0 && left_ > 3 && work_ < max_work_; --visits, here_ = next_[here_]) {
     if (!meets(here_, demand)) continue;
     cut(here_, triangles);
     ++cuts;
@@ -131,8 +131,8 @@ bool EarClipper::is_ear(std::uint32_t corner) {
   return true;
 }
 
-// True where another corner lies in the ear or on its rim. One that stands on a corner of the ear, as along a
-// seam, blocks it only where the polygon goes on from there into the ear.
+// True where another corner lies in the ear or on its boundary. One that stands on a corner of the ear, as
+// along a seam, blocks it only where the polygon goes on from there into the ear.
 bool EarClipper::blocks(std::uint32_t other, std::uint32_t corner) const {
   const auto before = previous_[corner], after = next_[corner];
   if (other == before || other == corner || other == after) return false;

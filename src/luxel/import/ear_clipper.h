@@ -51,7 +51,7 @@ class EarClipper {
   std::size_t work_ = 0;                        // corners and cells looked at so far
   // About a second for a hundred thousand corners. Reached only by polygons made to be slow; what is left of
   // them becomes a fan.
-  std::size_t most_work_;
+  std::size_t max_work_;
 
   glm::dvec2 low_, cells_per_unit_;
   std::size_t side_ = 1;                   // cells along a side of the grid

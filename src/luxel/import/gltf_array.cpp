@@ -61,9 +61,9 @@ GltfArray::GltfArray(GltfFile& file, const JsonValue& index, int fewest, int mos
                              components_));
   if (accessor_["bufferView"])
     dense_ = bytes_of(file, accessor_, count_, size_of(type_) * static_cast<std::size_t>(components_));
-  else if (count_ > most_zeros)
+  else if (count_ > max_zeros)
     accessor_.refuse(fmt::format("it has {} elements and no bufferView; {} zeros are the most that are taken",
-                                 count_, most_zeros));
+                                 count_, max_zeros));
   if (const auto sparse = accessor_["sparse"]) read_sparse(file, sparse);
 }
 

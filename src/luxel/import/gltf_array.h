@@ -16,7 +16,7 @@ namespace luxel {
 class GltfArray {
  public:
   // An accessor without a bufferView is all zeros, and could say that it has any number of them.
-  static constexpr std::size_t most_zeros = std::size_t{1} << 20;
+  static constexpr std::size_t max_zeros = std::size_t{1} << 20;
 
   // index is the place that names the accessor, as primitive["indices"]. fewest, most: how many numbers an
   // element may have (of vectors and scalars; matrices are refused). Throws InputError where the file's bytes

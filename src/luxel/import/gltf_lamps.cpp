@@ -47,7 +47,7 @@ Vec3 intensity_of(const JsonValue& light) {
   return watts;
 }
 
-// Some programs write equal angles for a spot with a sharp rim: it fades within a thousandth, as the
+// Some programs write equal angles for a spot with a sharp boundary: it fades within a thousandth, as the
 // extension's own formula has it.
 void read_cone(const JsonValue& spot, PointLight& lamp) {
   constexpr double narrowest = 1e-3;

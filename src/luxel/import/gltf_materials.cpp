@@ -74,7 +74,7 @@ struct GltfMaterials::Surface {
   double passes = 0.0;  // share of the light that goes through
   bool is_unlit = false, two_sided = false;
   Vec3 emittance = Vec3(0.0f);  // W/m²
-  Slot base_picture, metal_picture, emission_picture;
+  TextureInput base_picture, metal_picture, emission_picture;
 };
 
 GltfMaterials::GltfMaterials(GltfFile& file, const LoadOptions& options)
@@ -125,9 +125,9 @@ GltfMaterials::Surface GltfMaterials::read(const JsonValue& json, const JsonValu
     surface.metal = static_cast<float>(std::clamp(metallic["metallicFactor"].number(1.0), 0.0, 1.0));
   surface.emittance = pi * radiance_of(json);
   const auto [base_info, metal_info, emission_info] = pictures_of(json);
-  surface.base_picture = slot(base_info, attributes);
-  surface.metal_picture = slot(metal_info, attributes);
-  surface.emission_picture = slot(emission_info, attributes);
+  surface.base_picture = texture_input(base_info, attributes);
+  surface.metal_picture = texture_input(metal_info, attributes);
+  surface.emission_picture = texture_input(emission_info, attributes);
 
   const auto mode = json["alphaMode"].text("OPAQUE");
   if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
@@ -140,14 +140,14 @@ GltfMaterials::Surface GltfMaterials::read(const JsonValue& json, const JsonValu
   return surface;
 }
 
-GltfMaterials::Slot GltfMaterials::slot(const JsonValue& info, const JsonValue& attributes) {
+GltfMaterials::TextureInput GltfMaterials::texture_input(const JsonValue& info, const JsonValue& attributes) {
   if (!info) return {};
   auto picture = textures_.picture(info);
-  Slot slot{.is_given = true, .texture = picture.texture};
-  if (!picture.texture || !has_coordinates(attributes, coordinates_of(info))) return slot;
+  TextureInput texture_input{.is_given = true, .texture = picture.texture};
+  if (!picture.texture || !has_coordinates(attributes, coordinates_of(info))) return texture_input;
   picture.use.uv_set = set_of(coordinates_of(info));
-  slot.use = picture.use;
-  return slot;
+  texture_input.use = picture.use;
+  return texture_input;
 }
 
 std::uint32_t GltfMaterials::set_of(std::size_t coordinates) {
@@ -162,7 +162,7 @@ Material GltfMaterials::make(const Surface& surface) {
   Material material;
   material.name = surface.name;
   material.two_sided = surface.two_sided;
-  material.textures.most_reflectance = options_.max_reflectance;
+  material.textures.max_reflectance = options_.max_reflectance;
   if (surface.is_unlit) unlit_.push_back(surface.name);
   emit(surface, material);
   let_through(surface, material);
@@ -187,7 +187,7 @@ void GltfMaterials::let_through(const Surface& surface, Material& material) {
   if (picture.texture && surface.cutoff > 0.0 && !has_hole) {
     const auto& raster = textures_.raster(*picture.texture);
     const auto threshold = static_cast<float>(surface.cutoff / surface.alpha);
-    if (picture.use && least_alpha(raster) < threshold) {
+    if (picture.use && min_alpha(raster) < threshold) {
       material.textures.cutout = picture.use;
       material.textures.cutout_threshold = threshold;
     }
@@ -201,7 +201,7 @@ void GltfMaterials::let_through(const Surface& surface, Material& material) {
 
 void GltfMaterials::reflect(const Surface& surface, Material& material) {
   auto base = surface.base_picture;
-  const auto colour = surface.base * diffuse_share(surface, base);
+  const auto colour = surface.base * diffuse_fraction(surface, base);
   material.reflectance = colour;
   if (!base.is_given) return;
   material.reflectance *=
@@ -212,10 +212,10 @@ void GltfMaterials::reflect(const Surface& surface, Material& material) {
 
 // What metal leaves to diffuse light, 1 - metallic. Where a picture says how metallic each place is, the base
 // colour's is replaced by one that has it inside, if they lie alike; if not, the mean is taken.
-float GltfMaterials::diffuse_share(const Surface& surface, Slot& base) {
+float GltfMaterials::diffuse_fraction(const Surface& surface, TextureInput& base) {
   const auto& picture = surface.metal_picture;
   if (surface.metal == 0.0f || (picture.is_given && !picture.texture)) return 1.0f;
-  auto share = 1.0f - surface.metal;
+  auto fraction = 1.0f - surface.metal;
   if (picture.texture) {
     const auto metal = metal_range(textures_.raster(*picture.texture));
     auto same_use = base.use;
@@ -227,10 +227,10 @@ float GltfMaterials::diffuse_share(const Surface& surface, Slot& base) {
       base.is_given = true;
       return 1.0f;
     }
-    share = 1.0f - surface.metal * metal.mean;
+    fraction = 1.0f - surface.metal * metal.mean;
   }
-  if (share < 0.5f) metals_.push_back(surface.name);
-  return share;
+  if (fraction < 0.5f) metals_.push_back(surface.name);
+  return fraction;
 }
 
 void GltfMaterials::cap(Material& material) {

@@ -31,7 +31,7 @@ class GltfMaterials {
 
  private:
   // A picture where a glTF material may name one.
-  struct Slot {
+  struct TextureInput {
     bool is_given = false;
     std::optional<std::uint32_t> texture = {};  // nothing where it cannot be had
     std::optional<TextureUse> use = {};         // nothing where the primitive has no coordinates for it
@@ -39,11 +39,11 @@ class GltfMaterials {
   struct Surface;  // what a glTF material says, on its way to ours
 
   Surface read(const JsonValue& json, const JsonValue& attributes);
-  Slot slot(const JsonValue& info, const JsonValue& attributes);
+  TextureInput texture_input(const JsonValue& info, const JsonValue& attributes);
   std::uint32_t set_of(std::size_t coordinates);
   Material make(const Surface& surface);
   void reflect(const Surface& surface, Material& material);
-  float diffuse_share(const Surface& surface, Slot& base);
+  float diffuse_fraction(const Surface& surface, TextureInput& base);
   void emit(const Surface& surface, Material& material) const;
   void let_through(const Surface& surface, Material& material);
   void cap(Material& material);

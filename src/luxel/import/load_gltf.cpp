@@ -45,7 +45,7 @@ class GltfLoader {
 
 // Few bytes can say that there is much of something: by instances, and by arrays of zeros without any bytes.
 void GltfLoader::check_counts() const {
-  constexpr std::size_t most_corners = 300'000'000;  // some 30 bytes each
+  constexpr std::size_t max_corners = 300'000'000;  // some 30 bytes each
   std::size_t corners = 0, zeros = 0;
   for (const auto& part : drawn_.parts) {
     if (part.primitive["extensions"]["KHR_draco_mesh_compression"]) continue;
@@ -59,13 +59,13 @@ void GltfLoader::check_counts() const {
     }
     corners += count;
     zeros += is_zero ? count : 0;
-    if (zeros > GltfArray::most_zeros)
+    if (zeros > GltfArray::max_zeros)
       part.primitive.refuse(fmt::format(
           "arrays without a bufferView have more than {} elements in all instances, the most that are taken",
-          GltfArray::most_zeros));
-    if (corners > most_corners)
+          GltfArray::max_zeros));
+    if (corners > max_corners)
       part.primitive.refuse(
-          fmt::format("expected at most {} corners of triangles in all instances, found more", most_corners));
+          fmt::format("expected at most {} corners of triangles in all instances, found more", max_corners));
   }
 }
 

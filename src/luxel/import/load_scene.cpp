@@ -35,9 +35,9 @@ void check_options(const LoadOptions& options) {
     throw InputError(fmt::format("expected max_reflectance in [0, 1), found {}", options.max_reflectance));
   if (!(options.weld >= 0.0f && std::isfinite(options.weld)))
     throw InputError(fmt::format("expected a weld distance of 0 or more metres, found {}", options.weld));
-  if (options.bands != 0 && (options.bands < fewest_bands || options.bands > most_bands))
-    throw InputError(fmt::format("expected {} to {} bands, or 0 for those of the file, found {}",
-                                 fewest_bands, most_bands, options.bands));
+  if (options.bands != 0 && (options.bands < min_bands || options.bands > max_bands))
+    throw InputError(fmt::format("expected {} to {} bands, or 0 for those of the file, found {}", min_bands,
+                                 max_bands, options.bands));
   for (int band = 0; band < 3; ++band)
     if (!(options.sky[band] >= 0.0f && std::isfinite(options.sky[band])))
       throw InputError(

@@ -11,8 +11,8 @@
 
 namespace luxel {
 
-inline constexpr int fewest_bands = 8;
-inline constexpr int most_bands = 500;
+inline constexpr int min_bands = 8;
+inline constexpr int max_bands = 500;
 
 struct LoadOptions {
   double scale = 1.0;                       // metres a file unit

@@ -53,7 +53,7 @@ Material MaterialMaker::make(const NamedLine& use) {
   Material material;
   material.name = use.name;
   material.reflectance = Vec3(default_reflectance);
-  material.textures.most_reflectance = options_.max_reflectance;
+  material.textures.max_reflectance = options_.max_reflectance;
   const auto found = library_.entries.find(use.name);
   if (found != library_.entries.end()) {
     cut_holes(found->second, material);

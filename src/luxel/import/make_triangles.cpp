@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t faces_a_report = 1 << 14;
+constexpr std::size_t faces_per_report = 1 << 14;
 
 bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 3>& corners,
                          const Scene& scene) {
@@ -79,7 +79,7 @@ std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene,
   reserve(scene, mesh.corners.size() - 2 * mesh.faces.size(), !mesh.objects.empty());
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(mesh.faces.size());
-    if (i % faces_a_report == 0 && tell(monitor, {.stage = "triangles", .done = done}) == Next::stop)
+    if (i % faces_per_report == 0 && tell(monitor, {.stage = "triangles", .done = done}) == Next::stop)
       return std::nullopt;
     const auto& face = mesh.faces[i];
     const auto end = i + 1 < mesh.faces.size() ? mesh.faces[i + 1].first_corner : mesh.corners.size();

@@ -35,7 +35,7 @@ float mean_alpha(const Raster& raster) {
   return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(pixels_of(raster), 1)));
 }
 
-float least_alpha(const Raster& raster) {
+float min_alpha(const Raster& raster) {
   float least = 1.0f;
   for (std::size_t i = 0; i < pixels_of(raster); ++i) least = std::min(least, raster.alpha(i));
   return least;
@@ -77,9 +77,9 @@ Raster without_metal(const Raster* base, const Raster& metal, float factor) {
   const bool has_codes = !base || !base->codes.empty();
   for (int y = 0; y < left.height; ++y)
     for (int x = 0; x < left.width; ++x) {
-      const auto share = 1.0f - factor * metal_at(metal, pixel_there(metal, left, x, y));
+      const auto fraction = 1.0f - factor * metal_at(metal, pixel_there(metal, left, x, y));
       const auto pixel = left.index(x, y);
-      const auto colour = share * (base ? base->colour(pixel) : Vec3(1.0f));
+      const auto colour = fraction * (base ? base->colour(pixel) : Vec3(1.0f));
       if (has_codes)
         left.codes.push_back({srgb_code(colour.r), srgb_code(colour.g), srgb_code(colour.b),
                               base ? base->codes[pixel][3] : std::uint8_t{255}});

@@ -10,7 +10,7 @@ Vec3 mean_colour(const Raster& raster);
 
 float mean_alpha(const Raster& raster);
 // The lowest alpha of all pixels.
-float least_alpha(const Raster& raster);
+float min_alpha(const Raster& raster);
 
 // A white picture that is there where the other one is bright: its alpha is the other's grey, as its codes
 // have it (no light, a plain number).

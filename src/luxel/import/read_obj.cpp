@@ -17,7 +17,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t statements_a_report = 1 << 14;
+constexpr std::size_t statements_per_report = 1 << 14;
 
 // The indices of a corner as the file counts them; 0 where there is none.
 struct CornerIndices {
@@ -225,7 +225,7 @@ void ObjReader::check_ranges() {
 
 std::optional<ObjMesh> ObjReader::read(const Monitor& monitor) {
   for (std::size_t i = 0; statements_.next(); ++i) {
-    if (i % statements_a_report == 0) {
+    if (i % statements_per_report == 0) {
       const auto left = static_cast<double>(statements_.left()) / static_cast<double>(text_.size());
       if (tell(monitor, {.stage = "load", .done = 1.0 - left}) == Next::stop) return std::nullopt;
     }

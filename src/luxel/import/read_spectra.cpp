@@ -19,7 +19,7 @@ using Quantity = MeasuredSpectrum::Quantity;
 
 constexpr std::string_view header = "material,quantity,wavelength_nm,value";
 constexpr double longest_wavelength = 1e6;  // nm; what is longer was not meant in nanometres
-constexpr double most_radiance = 1e12;      // W/(m² sr nm)
+constexpr double max_radiance = 1e12;       // W/(m² sr nm)
 
 struct Row {
   std::size_t line = 0;
@@ -128,7 +128,7 @@ class SpectraReader {
     const Row row{lines_.line(), number(words[2], "wavelength", 1.0, longest_wavelength, " nm"),
                   what == Quantity::reflectance
                       ? number(words[3], "reflectance", 0.0, 1.0, "")
-                      : number(words[3], "radiance", 0.0, most_radiance, " W/(m² sr nm)")};
+                      : number(words[3], "radiance", 0.0, max_radiance, " W/(m² sr nm)")};
     const auto [found, is_new] = index_.try_emplace({words[0], what}, spectra_.size());
     if (is_new) {
       spectra_.push_back({words[0], what, {}, row.line});

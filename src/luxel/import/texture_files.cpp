@@ -55,7 +55,7 @@ const TextureFiles::File& TextureFiles::read(const std::filesystem::path& path, 
 }
 
 std::uint32_t TextureFiles::mask_of(std::uint32_t texture) {
-  if (least_alpha(raster(texture)) < 1.0f) return texture;
+  if (min_alpha(raster(texture)) < 1.0f) return texture;
   const auto [place, is_new] = masks_.try_emplace(texture, static_cast<std::uint32_t>(textures_.size()));
   if (is_new) {
     auto name = textures_[texture].name;

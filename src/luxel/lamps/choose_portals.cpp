@@ -16,9 +16,9 @@ namespace {
 constexpr std::uint32_t stream = 0x706f7274u;  // apart from other users of random numbers
 constexpr std::uint32_t first_lines = 16, all_lines = 64;
 constexpr std::size_t compared_lines = 16;  // with other polygons
-constexpr double share_classes = 4.0;
+constexpr double fraction_classes = 4.0;
 constexpr std::uint32_t looks = 2;  // cosine rays from each point that is lit
-constexpr float least_lift = 4.0f;  // of origins, in bounds on rounding
+constexpr float min_lift = 4.0f;    // of origins, in bounds on rounding
 
 // A line along which the sky lights a surface.
 struct LitLine {
@@ -36,13 +36,13 @@ struct Trial {
   std::array<bool, 2> pays{};
 
   // Of its lines, that light something of which a cosine ray would seldom find the sky.
-  double share() const {
+  double fraction() const {
     return ((pays[0] ? lit[0] : 0) + (pays[1] ? lit[1] : 0)) / static_cast<double>(all_lines);
   }
   // Those first that few lines miss: a window before a plane that cuts through many rooms; of alike ones the
   // brighter. A plain product would do the opposite.
   std::pair<int, double> rank() const {
-    return {-static_cast<int>(share_classes * share()), -area * share()};
+    return {-static_cast<int>(fraction_classes * fraction()), -area * fraction()};
   }
 };
 
@@ -76,11 +76,11 @@ class Trials {
       const auto weights = uniform_triangle(uniform4(key, 2 * i + 1)[0], u[1]);
       const auto point =
           corner[0] + weights.x * (corner[1] - corner[0]) + weights.y * (corner[2] - corner[0]);
-      add_line(trial, point, least_lift * origin_lift(corner), u[2], u[3], mix64(key + i));
+      add_line(trial, point, min_lift * origin_lift(corner), u[2], u[3], mix64(key + i));
     }
     for (std::size_t side = 0; side < 2; ++side)
-      trial.pays[side] = trial.lit[side] >= options_.least_share * all_lines &&
-                         trial.escaped[side] <= options_.most_open * trial.looked[side];
+      trial.pays[side] = trial.lit[side] >= options_.min_fraction * all_lines &&
+                         trial.escaped[side] <= options_.max_open * trial.looked[side];
     return trial;
   }
 
@@ -101,7 +101,7 @@ class Trials {
     const auto place = ray.origin + hit.distance * ray.direction;
     trial.lines.push_back({Vec3d(place), -Vec3d(ray.direction)});
     const auto out = hit.back ? -patches_.normal[hit.patch] : patches_.normal[hit.patch];
-    const auto from = place + least_lift * origin_lift(patches_.points(hit.patch)) * out;
+    const auto from = place + min_lift * origin_lift(patches_.points(hit.patch)) * out;
     for (std::uint32_t i = 0; i < looks; ++i) {
       const auto w = uniform4(key, i);
       ++trial.looked[side];
@@ -146,7 +146,7 @@ std::vector<Portal> choose_portals(const PatchSet& patches, const Tracer& tracer
                    [&](std::size_t a, std::size_t b) { return trials[a].rank() < trials[b].rank(); });
   std::vector<std::size_t> kept;
   for (const auto i : order) {
-    if (!(trials[i].share() > 0.0)) continue;
+    if (!(trials[i].fraction() > 0.0)) continue;
     const auto lines = std::span(trials[i].lines).first(std::min(compared_lines, trials[i].lines.size()));
     const auto known = std::count_if(lines.begin(), lines.end(), [&](const LitLine& line) {
       return std::any_of(kept.begin(), kept.end(),

@@ -15,9 +15,9 @@ struct PortalOptions {
   // More are not worth it: where each room has a window and there are thousands, most shadow rays go to those
   // of other rooms. Then there are no portals.
   std::size_t max_polygons = 1024;
-  double least_share = 0.1;  // of the lines through a polygon, that bring the sky's light to a surface
+  double min_fraction = 0.1;  // of the lines through a polygon, that bring the sky's light to a surface
   // Chance that a cosine ray of what it lights finds the sky: where it is larger, cosine rays do well alone.
-  double most_open = 0.25;
+  double max_open = 0.25;
   double same_lines = 0.75;  // share of its lines that cross better ones, from which on it adds nothing
 };
 

@@ -129,10 +129,10 @@ DirectLight::DirectLight(const PatchSet& patches, const Tracer& tracer, const La
 
 // Both ends are lifted off their planes by the bound on rounding, which so keeps the lamp's own triangle
 // behind the end however flat the ray comes in, and however near the lamp is.
-bool DirectLight::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const {
+bool DirectLight::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float min_lift) const {
   if (const auto& triangle = lamps_.triangles()[lamp]; triangle.is_portal())
     return sky_is_visible(from, to, triangle.portal);
-  const auto lift = static_cast<double>(std::max(least_lift, lift_[lamp]));
+  const auto lift = static_cast<double>(std::max(min_lift, lift_[lamp]));
   const auto way = to + lift * lamps_.triangles()[lamp].normal - Vec3d(from);
   const auto distance = glm::length(way);
   return !(distance > 0.0) || !tracer_.occluded({from, Vec3(way / distance)}, static_cast<float>(distance));

@@ -101,7 +101,7 @@ class DirectLight {
   Term look_round(const Side& side, const LampChoices& choices, const Ray& ray, Ends* ends) const;
   double given(double cosine, double lamp_density) const;
   bool sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const;
-  bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float least_lift) const;
+  bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float min_lift) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;

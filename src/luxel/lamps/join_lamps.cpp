@@ -11,12 +11,12 @@
 namespace luxel {
 namespace {
 
-// How far from their common plane the corners of pieces may lie, over the largest coordinate of each triangle
+// How far from their common plane the corners of facets may lie, over the largest coordinate of each triangle
 // that takes their place: what is left between the bound of origin_lift, 26 roundings, and the 32 by which
-// ends of shadow rays are lifted, to either side. So none ends behind the piece that it should reach.
+// ends of shadow rays are lifted, to either side. So none ends behind the facet that it should reach.
 constexpr double flatness = 3 * 0x1p-24;
 constexpr double straightness = 0x1p-20;  // of edges, likewise
-constexpr double parallel = 1.0 - 5e-7;   // cosine between normals of pieces that are worth a try
+constexpr double parallel = 1.0 - 5e-7;   // cosine between normals of facets that are worth a try
 constexpr double area_tolerance = 1e-4;   // relative
 constexpr std::uint32_t none = 0xffffffffu;
 
@@ -24,13 +24,13 @@ using Point = std::array<float, 3>;  // can be ordered
 using Edge = std::array<Point, 2>;   // from, to
 Point key(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-double largest_coordinate(const Vec3& a, const Vec3& b, const Vec3& c) {
+double max_coordinate(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
   return static_cast<double>(std::max({largest.x, largest.y, largest.z}));
 }
 
-Vec3d area2_of(const LampPiece& piece) {
-  return area_vector2(piece.corner[0], piece.corner[1], piece.corner[2]);
+Vec3d area2_of(const LampFacet& facet) {
+  return area_vector2(facet.corner[0], facet.corner[1], facet.corner[2]);
 }
 
 // The only closed line made of these edges, or nothing where there are several or it meets itself.
@@ -58,7 +58,7 @@ std::vector<Vec3> convex_corners(const std::vector<Vec3>& line, const Vec3d& nor
     // From the last corner, not the last point: a curve of many short edges is not straight.
     const auto before = corners.empty() ? line[(i + n - 1) % n] : corners.back();
     const auto after = line[(i + 1) % n];
-    const auto tolerance = straightness * largest_coordinate(before, line[i], after);
+    const auto tolerance = straightness * max_coordinate(before, line[i], after);
     if (distance_to_line(Vec3d(line[i]), Vec3d(before), Vec3d(after)) <= tolerance) continue;
     if (glm::dot(normal, area_vector2(before, line[i], after)) <= 0.0) return {};
     corners.push_back(line[i]);
@@ -68,49 +68,49 @@ std::vector<Vec3> convex_corners(const std::vector<Vec3>& line, const Vec3d& nor
 
 class Joining {
  public:
-  explicit Joining(std::span<const LampPiece> pieces) : pieces_(pieces), lamp_of_(pieces.size(), none) {
-    for (std::uint32_t i = 0; i < pieces.size(); ++i)
+  explicit Joining(std::span<const LampFacet> facets) : facets_(facets), lamp_of_(facets.size(), none) {
+    for (std::uint32_t i = 0; i < facets.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto [at, is_new] = piece_of_.emplace(edge(i, k), i);
-        if (!is_new) at->second = none;  // pieces on top of each other
+        const auto [at, is_new] = facet_of_.emplace(edge(i, k), i);
+        if (!is_new) at->second = none;  // facets on top of each other
       }
   }
 
   std::vector<JoinedLamp> go() {
     std::vector<JoinedLamp> lamps;
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) {
       if (lamp_of_[i] != none) continue;
       auto group = flat_group(i);
       if (auto corners = polygon(group); !corners.empty()) {
         lamps.push_back({std::move(corners), std::move(group)});
         continue;
       }
-      for (const auto p : group) lamps.push_back({{pieces_[p].corner.begin(), pieces_[p].corner.end()}, {p}});
+      for (const auto p : group) lamps.push_back({{facets_[p].corner.begin(), facets_[p].corner.end()}, {p}});
     }
     return lamps;
   }
 
  private:
-  Edge edge(std::uint32_t piece, std::size_t k) const {
-    const auto& corner = pieces_[piece].corner;
+  Edge edge(std::uint32_t facet, std::size_t k) const {
+    const auto& corner = facets_[facet].corner;
     return {key(corner[k]), key(corner[(k + 1) % 3])};
   }
   // Across an edge.
   std::uint32_t neighbour(const Edge& edge) const {
-    const auto other = piece_of_.find({edge[1], edge[0]});
-    return other == piece_of_.end() ? none : other->second;
+    const auto other = facet_of_.find({edge[1], edge[0]});
+    return other == facet_of_.end() ? none : other->second;
   }
 
-  // What can be reached from the piece over edges and looks the same way, rising; marked as its lamp.
+  // What can be reached from the facet over edges and looks the same way, rising; marked as its lamp.
   std::vector<std::uint32_t> flat_group(std::uint32_t first) {
-    const auto normal = glm::normalize(area2_of(pieces_[first]));
+    const auto normal = glm::normalize(area2_of(facets_[first]));
     std::vector<std::uint32_t> group = {first};
     lamp_of_[first] = first;
     for (std::size_t i = 0; i < group.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto other = neighbour(edge(group[i], k));
-        if (other == none || lamp_of_[other] != none || pieces_[other].surface != pieces_[first].surface ||
-            glm::dot(normal, glm::normalize(area2_of(pieces_[other]))) < parallel)
+        if (other == none || lamp_of_[other] != none || facets_[other].surface != facets_[first].surface ||
+            glm::dot(normal, glm::normalize(area2_of(facets_[other]))) < parallel)
           continue;
         lamp_of_[other] = first;
         group.push_back(other);
@@ -125,7 +125,7 @@ class Joining {
     std::size_t edges = 0;
     Vec3d normal(0.0);
     for (const auto p : group) {
-      normal += area2_of(pieces_[p]);
+      normal += area2_of(facets_[p]);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto e = edge(p, k);
         const auto other = neighbour(e);
@@ -142,7 +142,7 @@ class Joining {
     auto coordinate = std::numeric_limits<double>::infinity();
     for (std::size_t i = 2; i < corners.size(); ++i) {
       filled2 += glm::length(area_vector2(corners[0], corners[i - 1], corners[i]));
-      coordinate = std::min(coordinate, largest_coordinate(corners[0], corners[i - 1], corners[i]));
+      coordinate = std::min(coordinate, max_coordinate(corners[0], corners[i - 1], corners[i]));
     }
     if (std::fabs(filled2 - area2) > area_tolerance * area2) return {};
     return is_flat(group, normal, flatness * coordinate) ? corners : std::vector<Vec3>();
@@ -150,11 +150,11 @@ class Joining {
 
   // Whether the corners lie between two planes so far apart at most.
   bool is_flat(const std::vector<std::uint32_t>& group, const Vec3d& normal, double apart) const {
-    const Vec3d from(pieces_[group[0]].corner[0]);
+    const Vec3d from(facets_[group[0]].corner[0]);
     double low = 0.0;
     double high = 0.0;
     for (const auto p : group)
-      for (const auto& v : pieces_[p].corner) {
+      for (const auto& v : facets_[p].corner) {
         const auto height = glm::dot(normal, Vec3d(v) - from);
         low = std::min(low, height);
         high = std::max(high, height);
@@ -162,13 +162,13 @@ class Joining {
     return high - low <= 2.0 * apart;
   }
 
-  std::span<const LampPiece> pieces_;
-  std::map<Edge, std::uint32_t> piece_of_;
-  std::vector<std::uint32_t> lamp_of_;  // [piece], named by its first piece
+  std::span<const LampFacet> facets_;
+  std::map<Edge, std::uint32_t> facet_of_;
+  std::vector<std::uint32_t> lamp_of_;  // [facet], named by its first facet
 };
 
 }  // namespace
 
-std::vector<JoinedLamp> join_lamps(std::span<const LampPiece> pieces) { return Joining(pieces).go(); }
+std::vector<JoinedLamp> join_lamps(std::span<const LampFacet> facets) { return Joining(facets).go(); }
 
 }  // namespace luxel

@@ -11,21 +11,21 @@
 namespace luxel {
 
 // A triangle of light as the mesh has it.
-struct LampPiece {
+struct LampFacet {
   std::array<Vec3, 3> corner;  // m, counter-clockwise seen from the front
-  std::size_t surface = 0;     // pieces of one surface shine alike
+  std::size_t surface = 0;     // facets of one surface shine alike
 };
 
-// Pieces that are one lamp.
+// Facets that are one lamp.
 struct JoinedLamp {
   std::vector<Vec3> corners;          // of a convex polygon, counter-clockwise seen from the front
-  std::vector<std::uint32_t> pieces;  // that fill it
+  std::vector<std::uint32_t> facets;  // that fill it
 };
 
-// Joins pieces that share edges, lie in one plane but for the rounding of floats, are of one surface and
+// Joins facets that share edges, lie in one plane but for the rounding of floats, are of one surface and
 // fill a convex polygon with at most half as many triangles (a panel that was meshed is a panel again). All
-// others stay as they are, one triangle each. Every piece, none of them without area, is in one lamp. Cost: n
+// others stay as they are, one triangle each. Every facet, none of them without area, is in one lamp. Cost: n
 // log n.
-std::vector<JoinedLamp> join_lamps(std::span<const LampPiece> pieces);
+std::vector<JoinedLamp> join_lamps(std::span<const LampFacet> facets);
 
 }  // namespace luxel

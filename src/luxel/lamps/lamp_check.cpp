@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t rays_a_side = 1000;
+constexpr std::size_t rays_per_side = 1000;
 constexpr double nearly_all = 0.98;
 constexpr double much_nearer =
     0.03;  // front distance over back distance of a lamp that hugs a wall the wrong way
@@ -40,8 +40,8 @@ std::vector<Lamp> lamp_patches(const PatchSet& patches) {
 LampView::Side look(const PatchSet& patches, const Tracer& tracer, const Lamp& lamp, bool back) {
   const auto& area_before = lamp.area_before;
   std::vector<float> distances;
-  for (std::size_t i = 0; i < rays_a_side; ++i) {
-    const auto at = area_before.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(rays_a_side);
+  for (std::size_t i = 0; i < rays_per_side; ++i) {
+    const auto at = area_before.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(rays_per_side);
     const auto k =
         std::upper_bound(area_before.begin() + 1, area_before.end() - 1, at) - area_before.begin() - 1;
     const auto side = side_of(lamp.patches[static_cast<std::size_t>(k)], back);
@@ -49,7 +49,7 @@ LampView::Side look(const PatchSet& patches, const Tracer& tracer, const Lamp& l
     if (hit) distances.push_back(hit.distance);
   }
   LampView::Side result;
-  result.escaped = 1.0 - static_cast<double>(distances.size()) / static_cast<double>(rays_a_side);
+  result.escaped = 1.0 - static_cast<double>(distances.size()) / static_cast<double>(rays_per_side);
   if (distances.empty()) return result;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());

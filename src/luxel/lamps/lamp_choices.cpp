@@ -9,7 +9,7 @@ namespace {
 
 // Of the choices, spread evenly over all lamps, for those that closed form or bound underrate: it bounds the
 // weights.
-constexpr double least_share = 0.02;
+constexpr double min_fraction = 0.02;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void LampChoices::make(const Lamps& lamps, const LightTree& tree, const std::arr
   find_side_lamps(lamps, single_, corners, n, options.closed_form, lamps_);
 
   before_.assign(1, 0.0);
-  const auto add = [&](double share) { before_.push_back(before_.back() + share); };
+  const auto add = [&](double fraction) { before_.push_back(before_.back() + fraction); };
   for (const auto& lamp : lamps_) {
     const auto& triangle = lamps.triangles()[lamp.lamp];
     add(options.importance ? triangle.weight * lamp.irradiance : triangle.area);
@@ -44,7 +44,7 @@ void LampChoices::make(const Lamps& lamps, const LightTree& tree, const std::arr
   const auto total = before_.back();
   for (std::size_t i = 0; i < before_.size(); ++i) {
     const auto even = static_cast<double>(i) / count;
-    before_[i] = total > 0.0 ? (1.0 - least_share) * before_[i] / total + least_share * even : even;
+    before_[i] = total > 0.0 ? (1.0 - min_fraction) * before_[i] / total + min_fraction * even : even;
   }
   if (!empty()) before_.back() = 1.0;
 }

@@ -53,13 +53,13 @@ bool shines(const PatchSet& patches, std::size_t patch) {
 }
 
 // What the mesh has of lamps: input triangles where patches of even light fill them, else patches.
-struct Pieces {
-  std::vector<LampPiece> pieces;
+struct Facets {
+  std::vector<LampFacet> facets;
   std::vector<std::uint32_t> patches;    // all that shine
-  std::vector<std::uint32_t> piece;      // [i], of patches[i]
-  std::vector<std::size_t> first_patch;  // [piece]
+  std::vector<std::uint32_t> facet;      // [i], of patches[i]
+  std::vector<std::size_t> first_patch;  // [facet]
 
-  explicit Pieces(const PatchSet& all) {
+  explicit Facets(const PatchSet& all) {
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
       for (end = begin + 1; end < all.size() && all.triangle[end] == all.triangle[begin] &&
                             all.material[end] == all.material[begin];)
@@ -85,14 +85,14 @@ struct Pieces {
     if (!is_even && !shines(all, begin)) return;
     for (auto p = begin; p < end; ++p) {
       patches.push_back(static_cast<std::uint32_t>(p));
-      piece.push_back(static_cast<std::uint32_t>(pieces.size()));
+      facet.push_back(static_cast<std::uint32_t>(facets.size()));
     }
-    pieces.push_back({corner, is_even ? material : all.materials.size() + begin});
+    facets.push_back({corner, is_even ? material : all.materials.size() + begin});
     first_patch.push_back(begin);
   }
 };
 
-// W/m² by band, of a piece's area: what holes leave of the patch shines for all of it.
+// W/m² by band, of a facet's area: what holes leave of the patch shines for all of it.
 std::vector<float> emittance_of(const PatchSet& patches, std::size_t patch) {
   std::vector<float> emittance;
   const auto [a, b, c] = patches.points(patch);
@@ -108,11 +108,11 @@ std::vector<float> emittance_of(const PatchSet& patches, std::size_t patch) {
 
 Lamps::Lamps(const PatchSet& patches)
     : lamp_of_patch_(patches.size(), no_lamp), bands_(patches.band_count()), groups_(patches.group_count()) {
-  const Pieces found(patches);
-  std::vector<std::uint32_t> lamp_of_piece(found.pieces.size());
-  for (const auto& lamp : join_lamps(found.pieces)) {
-    for (const auto p : lamp.pieces) lamp_of_piece[p] = static_cast<std::uint32_t>(triangles_.size());
-    const auto first = found.first_patch[lamp.pieces[0]];
+  const Facets found(patches);
+  std::vector<std::uint32_t> lamp_of_facet(found.facets.size());
+  for (const auto& lamp : join_lamps(found.facets)) {
+    for (const auto p : lamp.facets) lamp_of_facet[p] = static_cast<std::uint32_t>(triangles_.size());
+    const auto first = found.first_patch[lamp.facets[0]];
     const auto emittance = emittance_of(patches, first);
     for (std::size_t i = 2; i < lamp.corners.size(); ++i) {
       add({lamp.corners[0], lamp.corners[i - 1], lamp.corners[i]}, emittance,
@@ -122,7 +122,7 @@ Lamps::Lamps(const PatchSet& patches)
     }
   }
   for (std::size_t i = 0; i < found.patches.size(); ++i)
-    lamp_of_patch_[found.patches[i]] = lamp_of_piece[found.piece[i]];
+    lamp_of_patch_[found.patches[i]] = lamp_of_facet[found.facet[i]];
   if (patches.has_sky()) add_portals(patches);
 }
 
@@ -169,8 +169,8 @@ void Lamps::add(const std::array<Vec3, 3>& corner, std::span<const float> emitta
     for (const auto own : emittance)
       colour_.push_back(static_cast<double>(own) / (std::numbers::pi * lamp.weight));
   for (std::size_t band = 0; band < bands_; ++band) {
-    const auto share = static_cast<double>(emittance[band]) / (std::numbers::pi * lamp.weight);
-    if (std::fabs(share - colour_[band]) > colour_tolerance) one_colour_ = false;
+    const auto fraction = static_cast<double>(emittance[band]) / (std::numbers::pi * lamp.weight);
+    if (std::fabs(fraction - colour_[band]) > colour_tolerance) one_colour_ = false;
   }
   triangles_.push_back(lamp);
   group_.push_back(group);

@@ -19,11 +19,11 @@ constexpr float sphere_margin = 1.00001f;  // of a bounding sphere's radius, for
 constexpr float nearest_ball = 1.02f;      // distance over radius; nearer, facets are told apart
 // Area of lamps over that of their bounding sphere. A convex bulb shows on average a quarter of its area, and
 // the sphere shows a quarter of its own: so this is the share of rays towards the sphere that meet the bulb.
-constexpr float least_fill = 0.5f;
+constexpr float min_fill = 0.5f;
 // Facets of a ball. Variance times cost of a bulb of 20 was 0.7 of what its facets took one by one, of a bulb
 // of 8, whose closed form then counts, 1.5 times (40 lamps close to walls, 16 samples per replicate).
-constexpr std::ptrdiff_t fewest_facets = 16;
-constexpr float least_cosine = 0.05f;  // a lamp at the rim is asked seldom, not never: bounded weights
+constexpr std::ptrdiff_t min_facets = 16;
+constexpr float min_cosine = 0.05f;  // a lamp at the boundary is asked seldom, not never: bounded weights
 
 // What a split is judged by, additive over lamps.
 struct Cluster {
@@ -78,8 +78,9 @@ Split best_split(std::span<const LampTriangle> lamps, const std::uint32_t* begin
     if (!(size[axis] > 0.0f)) continue;
     std::array<Cluster, bins> cluster;
     for (auto i = begin; i != end; ++i) {
-      const auto share = (centre_of(lamps[*i])[axis] - centres.low[axis]) / size[axis];
-      cluster[std::min(bins - 1, static_cast<std::size_t>(share * static_cast<float>(bins)))].add(lamps[*i]);
+      const auto fraction = (centre_of(lamps[*i])[axis] - centres.low[axis]) / size[axis];
+      cluster[std::min(bins - 1, static_cast<std::size_t>(fraction * static_cast<float>(bins)))].add(
+          lamps[*i]);
     }
     std::array<double, bins> right{};
     Cluster sum;
@@ -91,8 +92,8 @@ Split best_split(std::span<const LampTriangle> lamps, const std::uint32_t* begin
     for (std::size_t k = 1; k < bins; ++k) {
       sum.add(cluster[k - 1]);
       // Long thin boxes are cut across.
-      const auto stretch = static_cast<double>(std::max({size.x, size.y, size.z}) / size[axis]);
-      const auto cost = stretch * (sum.cost() + right[k]);
+      const auto interval = static_cast<double>(std::max({size.x, size.y, size.z}) / size[axis]);
+      const auto cost = interval * (sum.cost() + right[k]);
       if (cost < least) {
         least = cost;
         best = {axis, centres.low[axis] + size[axis] * static_cast<float>(k) / static_cast<float>(bins)};
@@ -140,10 +141,10 @@ void LightTree::build(std::uint32_t node, const Lamps& lamps, std::uint32_t* beg
   made.radius *= sphere_margin;
   made.spread_sine = sine_of(made.spread);
   made.leaf = end - begin == 1;
-  made.round =
-      end - begin >= fewest_facets && made.area >= least_fill * 4.0f * pi * made.radius * made.radius &&
-      std::none_of(begin, end,
-                   [&](std::uint32_t i) { return triangles[i].has_holes || triangles[i].is_portal(); });
+  made.round = end - begin >= min_facets && made.area >= min_fill * 4.0f * pi * made.radius * made.radius &&
+               std::none_of(begin, end, [&](std::uint32_t i) {
+                 return triangles[i].has_holes || triangles[i].is_portal();
+               });
   made.next = made.leaf ? *begin : static_cast<std::uint32_t>(nodes_.size());
   made.parent = nodes_[node].parent;
   nodes_[node] = made;
@@ -178,7 +179,7 @@ float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n, floa
   const auto away = cosine_of_less(-glm::dot(node.axis, to) * inverse, node.spread_sine, node.spread);
   const auto there = cosine_of_less(away, sphere_sine, sphere_cosine);
   if (there < -rounding) return 0.0f;
-  return node.power * std::max(here, least_cosine) * std::max(there, least_cosine) * (inverse * inverse);
+  return node.power * std::max(here, min_cosine) * std::max(there, min_cosine) * (inverse * inverse);
 }
 
 void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most, bool balls,

@@ -78,22 +78,22 @@ struct Patch {
 
 // The part of a patch before a lamp whose plane cuts it.
 struct Part {
-  std::array<Corners, 2> piece{};
-  std::array<double, 2> piece_share{};  // of the patch
-  std::size_t pieces = 0;
-  double share = 0.0;
+  std::array<Corners, 2> facet{};
+  std::array<double, 2> facet_fraction{};  // of the patch
+  std::size_t facets = 0;
+  double fraction = 0.0;
   Vec3d middle{0.0};
 
   Part(const Corners& corners, const Heights& before) {
     std::array<Vec3d, 4> corner;
     const auto count = static_cast<std::size_t>(clip_triangle(corners, before, corner));
-    for (std::size_t i = 2; i < count; ++i, ++pieces) {
-      piece[pieces] = {corner[0], corner[i - 1], corner[i]};
-      piece_share[pieces] = doubled_area(piece[pieces]) / doubled_area(corners);
-      share += piece_share[pieces];
-      middle += piece_share[pieces] * centre_of(piece[pieces]);
+    for (std::size_t i = 2; i < count; ++i, ++facets) {
+      facet[facets] = {corner[0], corner[i - 1], corner[i]};
+      facet_fraction[facets] = doubled_area(facet[facets]) / doubled_area(corners);
+      fraction += facet_fraction[facets];
+      middle += facet_fraction[facets] * centre_of(facet[facets]);
     }
-    if (share > 0.0) middle /= share;
+    if (fraction > 0.0) middle /= fraction;
   }
 };
 
@@ -121,7 +121,7 @@ Rough rough(const LampTriangle& lamp, const Corners& at, const Patch& patch, con
   // Where the lamp's plane cuts the patch, light may jump from nothing to half of the whole.
   if (low(before) < 0.0) {
     const Part part(patch.corners, before);
-    return {part.share * unit_irradiance(lamp, part.middle, patch.n), flat, flat};
+    return {part.fraction * unit_irradiance(lamp, part.middle, patch.n), flat, flat};
   }
   const auto irradiance = unit_irradiance(lamp, patch.centroid, patch.n);
   const auto height = -glm::dot(lamp.normal, Vec3d(lamp.corner[0]) - patch.centroid);
@@ -139,20 +139,21 @@ double three_points(const LampTriangle& lamp, const Corners& t, const Vec3d& cen
 
 // The mean over a triangle that is this share of the patch, times the share: by splitting it where rules of
 // one and of three points disagree.
-double fine(const LampTriangle& lamp, const Corners& t, const Vec3d& n, double share, double allowed,
+double fine(const LampTriangle& lamp, const Corners& t, const Vec3d& n, double fraction, double allowed,
             int depth) {
   const auto centroid = centre_of(t);
   const auto three = three_points(lamp, t, centroid, n);
-  if (depth == deepest) return share * three;
+  if (depth == deepest) return fraction * three;
   const auto difference = std::fabs(three - unit_irradiance(lamp, centroid, n));
-  if (difference * std::sqrt(share) <= std::max(allowed, split_error * three * share)) return share * three;
+  if (difference * std::sqrt(fraction) <= std::max(allowed, split_error * three * fraction))
+    return fraction * three;
   const Vec3d ab = 0.5 * (t[0] + t[1]);
   const Vec3d bc = 0.5 * (t[1] + t[2]);
   const Vec3d ca = 0.5 * (t[2] + t[0]);
   double sum = 0.0;
   for (const auto& child :
        {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{bc, ca, ab}})
-    sum += fine(lamp, child, n, share / 4.0, allowed, depth + 1);
+    sum += fine(lamp, child, n, fraction / 4.0, allowed, depth + 1);
   return sum;
 }
 
@@ -160,8 +161,9 @@ double fine(const LampTriangle& lamp, const Patch& patch, const Heights& before,
   if (low(before) >= 0.0) return fine(lamp, patch.corners, patch.n, 1.0, allowed, 0);
   const Part part(patch.corners, before);
   double sum = 0.0;
-  for (std::size_t i = 0; i < part.pieces; ++i)
-    if (part.piece_share[i] > 0.0) sum += fine(lamp, part.piece[i], patch.n, part.piece_share[i], allowed, 0);
+  for (std::size_t i = 0; i < part.facets; ++i)
+    if (part.facet_fraction[i] > 0.0)
+      sum += fine(lamp, part.facet[i], patch.n, part.facet_fraction[i], allowed, 0);
   return sum;
 }
 

@@ -48,7 +48,7 @@ Ray SkyBox::ray(std::size_t face, const std::array<float, 4>& u) const {
   return {origin, Frame(inwards).to_world(cosine_hemisphere(u[2], u[3]))};
 }
 
-double sky_hit_share(const PatchSet& patches, const Tracer& tracer, const SkyBox& box) {
+double sky_hit_fraction(const PatchSet& patches, const Tracer& tracer, const SkyBox& box) {
   double area = 0.0;
   double met = 0.0;
   for (std::size_t face = 0; face < SkyBox::faces; ++face) {

@@ -37,6 +37,6 @@ inline bool takes_part(const PatchSet& patches, const Hit& hit) {
 
 // How much of that light meets a side that takes part, from a few thousand rays: good to a few per cent of
 // all, the same each time. Costs some milliseconds.
-double sky_hit_share(const PatchSet& patches, const Tracer& tracer, const SkyBox& box);
+double sky_hit_fraction(const PatchSet& patches, const Tracer& tracer, const SkyBox& box);
 
 }  // namespace luxel

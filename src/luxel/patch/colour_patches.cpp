@@ -118,10 +118,10 @@ class BandsOfColours {
   std::optional<ColourSpectra> spectra_;
 };
 
-void set_shares(std::vector<float>& shares, std::size_t patch, const std::vector<float>& own,
-                const std::vector<float>& of_material) {
+void set_texture_ratios(std::vector<float>& ratios, std::size_t patch, const std::vector<float>& own,
+                        const std::vector<float>& of_material) {
   for (std::size_t b = 0; b < own.size(); ++b)
-    if (of_material[b] > 0.0f) shares[patch * own.size() + b] = own[b] / of_material[b];
+    if (of_material[b] > 0.0f) ratios[patch * own.size() + b] = own[b] / of_material[b];
 }
 
 Vec3 mean_of(const std::array<Vec3, 3>& corners) { return (corners[0] + corners[1] + corners[2]) / 3.0f; }
@@ -135,13 +135,13 @@ void colour_patch(PatchSet& patches, std::size_t p, const PatchMeans& means, con
     auto colour = t.reflectance_factor;
     if (t.reflectance) colour *= means.reflectance(p);
     if (has_corners) colour *= mean_of(patches.corner_colours[p]);
-    set_shares(patches.reflectance_share, p,
-               bands.reflectance(glm::clamp(colour, Vec3(0.0f), Vec3(t.most_reflectance))),
-               material.reflectance);
+    set_texture_ratios(patches.reflectance_ratio, p,
+                       bands.reflectance(glm::clamp(colour, Vec3(0.0f), Vec3(t.max_reflectance))),
+                       material.reflectance);
   }
   if (t.emittance)
-    set_shares(patches.emittance_share, p, bands.light(t.emittance_factor * means.emittance(p)),
-               material.emittance);
+    set_texture_ratios(patches.emittance_ratio, p, bands.light(t.emittance_factor * means.emittance(p)),
+                       material.emittance);
 }
 
 void colour_patches(PatchSet& patches, const Workers& workers) {
@@ -151,9 +151,9 @@ void colour_patches(PatchSet& patches, const Workers& workers) {
   };
   const auto values = patches.size() * patches.band_count();
   if (!patches.corner_colours.empty() || any([](const auto& t) { return t.reflectance.has_value(); }))
-    patches.reflectance_share.assign(values, 1.0f);
+    patches.reflectance_ratio.assign(values, 1.0f);
   if (any([](const auto& t) { return t.emittance.has_value(); }))
-    patches.emittance_share.assign(values, 1.0f);
+    patches.emittance_ratio.assign(values, 1.0f);
   const PatchMeans means(patches, workers);
   const BandsOfColours bands(patches);
   workers.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {

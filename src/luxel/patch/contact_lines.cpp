@@ -119,8 +119,8 @@ class Finder {
     const auto of_i = heights(j, i);
     if (of_i.all_above(reach) || of_i.all_below(-reach)) return;
     if (are_beside(i, j, slack, reach) || are_beside(j, i, slack, reach)) return;
-    Meeting(*this, i, j, of_j, slack, reach, lines).find();
-    Meeting(*this, j, i, of_i, slack, reach, lines).find();
+    EdgeIntersection(*this, i, j, of_j, slack, reach, lines).find();
+    EdgeIntersection(*this, j, i, of_i, slack, reach, lines).find();
   }
 
   // Whether they share an edge, and do not lie on each other: then they share no more than that.
@@ -178,9 +178,9 @@ class Finder {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const auto c : {(far + 1) % 3, (far + 2) % 3}) {
-      const auto share =
+      const auto fraction =
           (inside[c] + reach * length) / (inside[c] - inside[far]);  // until it leaves the reach
-      const auto leaves = along[c] + share * (along[far] - along[c]);
+      const auto leaves = along[c] + fraction * (along[far] - along[c]);
       low = std::min({low, along[c], leaves});
       high = std::max({high, along[c], leaves});
     }
@@ -188,10 +188,10 @@ class Finder {
   }
 
   // What one triangle, `other`, does on another one, `on`.
-  class Meeting {
+  class EdgeIntersection {
    public:
-    Meeting(const Finder& finder, std::uint32_t on, std::uint32_t other, const Heights& heights, double slack,
-            double reach, std::vector<ContactLine>& lines)
+    EdgeIntersection(const Finder& finder, std::uint32_t on, std::uint32_t other, const Heights& heights,
+                     double slack, double reach, std::vector<ContactLine>& lines)
         : finder_(finder),
           on_(on),
           other_(other),
@@ -219,25 +219,25 @@ class Finder {
     void find_touching_edge(std::size_t k) {
       const auto l = (k + 1) % 3;
       if (std::min(height_[k], height_[l]) > reach_ || std::max(height_[k], height_[l]) < -reach_) return;
-      const auto p = plane_.foot(place_[k]);
-      const auto q = plane_.foot(place_[l]);
-      auto stretch = stretch_on(plane_, p, q, slack_);
-      if (!stretch || !dip(k, l, *stretch)) return;
+      const auto p = plane_.foot_point(place_[k]);
+      const auto q = plane_.foot_point(place_[l]);
+      auto interval = interval_on(plane_, p, q, slack_);
+      if (!interval || !dip(k, l, *interval)) return;
       ContactLine line;
       line.on = on_;
       line.other = other_;
-      line.ends = {p + stretch->begin * (q - p), p + stretch->end * (q - p)};
+      line.ends = {p + interval->begin * (q - p), p + interval->end * (q - p)};
       if (glm::distance(line.ends[0], line.ends[1]) <= slack_) return;
       touches_.push_back({line.ends[0], line.ends[1]});
-      if (stretch->begin == 0.0 && std::fabs(height_[k]) <= slack_) line.vertices[0] = vertex_[k];
-      if (stretch->end == 1.0 && std::fabs(height_[l]) <= slack_) line.vertices[1] = vertex_[l];
+      if (interval->begin == 0.0 && std::fabs(height_[k]) <= slack_) line.vertices[0] = vertex_[k];
+      if (interval->end == 1.0 && std::fabs(height_[l]) <= slack_) line.vertices[1] = vertex_[l];
       const auto inward = finder_.away(vertex_[k], vertex_[l], vertex_[(k + 2) % 3]);
       const auto sine = glm::dot(inward, plane_.normal);
       if (std::fabs(sine) > flat_sine && std::fabs(height_[(k + 2) % 3]) > reach_) {
         line.into[0] = inward;
       } else {
-        if (!is_rim(k, inward)) return;
-        const auto middle = 0.5 * (stretch->begin + stretch->end);
+        if (!is_boundary(k, inward)) return;
+        const auto middle = 0.5 * (interval->begin + interval->end);
         const auto lift = height_[k] + middle * (height_[l] - height_[k]);
         line.into[0] = lift < -slack_ ? -plane_.normal : plane_.normal;
         if (std::fabs(lift) <= slack_) line.into[1] = -plane_.normal;
@@ -245,20 +245,20 @@ class Finder {
       add(line);
     }
 
-    // Keeps of the stretch what is within reach of the plane. An edge that goes through it steeply does not
+    // Keeps of the interval what is within reach of the plane. An edge that goes through it steeply does not
     // lie on it; nor need one that leaves it slowly lie on it as a whole.
-    bool dip(std::size_t k, std::size_t l, Stretch& stretch) const {
+    bool dip(std::size_t k, std::size_t l, Interval& interval) const {
       const auto slope = height_[l] - height_[k];
       const auto at = [&](double t) { return height_[k] + t * slope; };
-      if (std::fabs(at(stretch.begin)) <= reach_ && std::fabs(at(stretch.end)) <= reach_) return true;
+      if (std::fabs(at(interval.begin)) <= reach_ && std::fabs(at(interval.end)) <= reach_) return true;
       const auto t = std::minmax((-reach_ - height_[k]) / slope, (reach_ - height_[k]) / slope);
-      stretch.begin = std::max(stretch.begin, t.first);
-      stretch.end = std::min(stretch.end, t.second);
-      return (stretch.end - stretch.begin) * glm::distance(place_[k], place_[l]) >= shortest_part * reach_;
+      interval.begin = std::max(interval.begin, t.first);
+      interval.end = std::min(interval.end, t.second);
+      return (interval.end - interval.begin) * glm::distance(place_[k], place_[l]) >= shortest_part * reach_;
     }
 
     // Whether the other one's surface ends at its edge k, or turns back there.
-    bool is_rim(std::size_t k, const Vec3d& inward) const {
+    bool is_boundary(std::size_t k, const Vec3d& inward) const {
       const auto a = vertex_[k];
       const auto b = vertex_[(k + 1) % 3];
       return !finder_.neighbours_.any_across(a, b, other_, [&](std::uint32_t apex) {
@@ -289,15 +289,16 @@ class Finder {
       const auto above = *std::max_element(height_.begin(), height_.end());
       const auto below = *std::min_element(height_.begin(), height_.end());
       if (count < 2 || !(above > 0.0 && below < 0.0)) return;
-      const auto stretch = stretch_on(plane_, ends[0], ends[1], slack_);
-      if (!stretch) return;
+      const auto interval = interval_on(plane_, ends[0], ends[1], slack_);
+      if (!interval) return;
       ContactLine line;
       line.on = on_;
       line.other = other_;
       const auto step = ends[1] - ends[0];
-      line.ends = {plane_.foot(ends[0] + stretch->begin * step), plane_.foot(ends[0] + stretch->end * step)};
-      if (stretch->begin == 0.0) line.vertices[0] = vertices[0];
-      if (stretch->end == 1.0) line.vertices[1] = vertices[1];
+      line.ends = {plane_.foot_point(ends[0] + interval->begin * step),
+                   plane_.foot_point(ends[0] + interval->end * step)};
+      if (interval->begin == 0.0) line.vertices[0] = vertices[0];
+      if (interval->end == 1.0) line.vertices[1] = vertices[1];
       if (glm::distance(line.ends[0], line.ends[1]) <= slack_ || is_a_touch(line)) return;
       // What goes on by no more than a hair ends here.
       auto into = glm::normalize(glm::cross(finder_.shapes_[other_].normal, step));
@@ -311,8 +312,8 @@ class Finder {
     bool is_a_touch(const ContactLine& line) const {
       const auto is_near = [&](const Vec3d& p, const Touch& t) {
         const auto along = t.q - t.p;
-        const auto share = std::clamp(glm::dot(p - t.p, along) / glm::dot(along, along), 0.0, 1.0);
-        return glm::distance(p, t.p + share * along) <= 2.0 * reach_;
+        const auto fraction = std::clamp(glm::dot(p - t.p, along) / glm::dot(along, along), 0.0, 1.0);
+        return glm::distance(p, t.p + fraction * along) <= 2.0 * reach_;
       };
       return std::any_of(touches_.begin(), touches_.end(), [&](const Touch& t) {
         return is_near(line.ends[0], t) && is_near(line.ends[1], t);
@@ -321,9 +322,9 @@ class Finder {
 
     // Unless it lies on an edge, or no farther from it than what touches, where it parts no light.
     void add(const ContactLine& line) {
-      const auto on_edge = stretch_on_edge(plane_, line.ends[0], line.ends[1], slack_);
+      const auto on_edge = interval_on_edge(plane_, line.ends[0], line.ends[1], slack_);
       if (on_edge && (on_edge->length <= slack_ || !parts(on_edge->edge))) return;
-      const auto near_edge = stretch_on_edge(plane_, line.ends[0], line.ends[1], reach_);
+      const auto near_edge = interval_on_edge(plane_, line.ends[0], line.ends[1], reach_);
       if (near_edge && near_edge->length > shortest_part * reach_ && !parts(near_edge->edge)) return;
       lines_.push_back(line);
     }

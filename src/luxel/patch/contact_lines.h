@@ -16,7 +16,7 @@ inline constexpr std::uint32_t no_vertex = 0xffffffffu;
 // the last place.
 inline constexpr double slack_roundings = 4.0;
 
-// A straight piece along which another triangle touches a triangle or passes through it.
+// A straight fragment along which another triangle touches a triangle or passes through it.
 struct ContactLine {
   std::uint32_t on = 0;         // the triangle that it lies on: an index into those given
   std::uint32_t other = 0;      // the one that touches it
@@ -32,8 +32,8 @@ struct ContactLine {
 // - an edge of a triangle that lies on another one, or no farther from it than `gap` (m; at most a hundredth
 // of
 //   the shortest edge of both, at least two units in the last place of their coordinates);
-// - where a triangle lies flat on another one, the edges at which its own surface ends: the rim of a carpet.
-// The
+// - where a triangle lies flat on another one, the edges at which its own surface ends: the boundary of a
+// carpet. The
 //   way into is then along the normal of `on`, to both sides where the two are in one place.
 // Left out is what parts no light: a line on an edge of `on` that both share, or at which the surface of `on`
 // ends or bends by more than about 85 degrees; and what is shorter than rounding.

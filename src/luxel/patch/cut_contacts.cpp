@@ -39,7 +39,7 @@ struct EdgeLine {
   std::array<std::uint32_t, 2> edge;  // the lower vertex first
   std::uint32_t line;
   std::array<std::optional<std::uint32_t>, 2> requests;  // none: an end of the edge, below
-  std::array<double, 2> shares;
+  std::array<double, 2> fractions;
 };
 
 class Cutter {
@@ -69,19 +69,19 @@ class Cutter {
     const auto& line = lines_[o.line];
     const auto flat = plane(o.patch);
     const auto near = slack(o.patch);
-    const auto p = flat.foot(line.ends[0]);
-    const auto q = flat.foot(line.ends[1]);
-    const auto stretch = stretch_on(flat, p, q, near);
-    if (!stretch) return;
-    const auto from = p + stretch->begin * (q - p);
-    const auto to = p + stretch->end * (q - p);
-    if (const auto found = stretch_on_edge(flat, from, to, 1.001 * near)) {
+    const auto p = flat.foot_point(line.ends[0]);
+    const auto q = flat.foot_point(line.ends[1]);
+    const auto interval = interval_on(flat, p, q, near);
+    if (!interval) return;
+    const auto from = p + interval->begin * (q - p);
+    const auto to = p + interval->end * (q - p);
+    if (const auto found = interval_on_edge(flat, from, to, 1.001 * near)) {
       if (found->length > near) place_on_edge(o, *found);
       return;
     }
     InnerLine inner{o.patch, o.line, {}, {}};
-    inner.from = locate(o.patch, flat, near, from, stretch->begin == 0.0 ? line.vertices[0] : no_vertex);
-    inner.to = locate(o.patch, flat, near, to, stretch->end == 1.0 ? line.vertices[1] : no_vertex);
+    inner.from = locate(o.patch, flat, near, from, interval->begin == 0.0 ? line.vertices[0] : no_vertex);
+    inner.to = locate(o.patch, flat, near, to, interval->end == 1.0 ? line.vertices[1] : no_vertex);
     inner_lines_.push_back(inner);
   }
 
@@ -108,29 +108,30 @@ class Cutter {
     return end;
   }
 
-  void place_on_edge(const LineOnPatch& o, const EdgeStretch& found) {
+  void place_on_edge(const LineOnPatch& o, const EdgeInterval& found) {
     const auto& corners = patches_.corners[o.patch];
     const auto a = corners[found.edge];
     const auto b = corners[(found.edge + 1) % 3];
     EdgeLine line{{std::min(a, b), std::max(a, b)}, o.line, {}, {}};
-    const std::array shares{found.stretch.begin, found.stretch.end};
+    const std::array fractions{found.interval.begin, found.interval.end};
     for (std::size_t i = 0; i < 2; ++i) {
-      line.shares[i] = a < b ? shares[i] : 1.0 - shares[i];
-      if (shares[i] > 0.0 && shares[i] < 1.0) line.requests[i] = edge_points_.ask(a, b, shares[i], no_vertex);
+      line.fractions[i] = a < b ? fractions[i] : 1.0 - fractions[i];
+      if (fractions[i] > 0.0 && fractions[i] < 1.0)
+        line.requests[i] = edge_points_.ask(a, b, fractions[i], no_vertex);
     }
     edge_lines_.push_back(line);
   }
 
   // Notes the contact on each part of the edge between the line's ends.
   void mark(const EdgeLine& line) {
-    auto shares = line.shares;
+    auto fractions = line.fractions;
     for (std::size_t i = 0; i < 2; ++i)
-      if (line.requests[i]) shares[i] = edge_points_.answer(*line.requests[i]).share;
-    const auto begin = std::min(shares[0], shares[1]);
-    const auto end = std::max(shares[0], shares[1]);
+      if (line.requests[i]) fractions[i] = edge_points_.answer(*line.requests[i]).fraction;
+    const auto begin = std::min(fractions[0], fractions[1]);
+    const auto end = std::max(fractions[0], fractions[1]);
     EdgePoints::Station last{0.0, line.edge[0]};
     const auto step_to = [&](const EdgePoints::Station& next) {
-      if (last.share >= begin && next.share <= end) note(last.vertex, next.vertex, line.line);
+      if (last.fraction >= begin && next.fraction <= end) note(last.vertex, next.vertex, line.line);
       last = next;
     };
     for (const auto& station : edge_points_.on(line.edge[0], line.edge[1])) step_to(station);
@@ -181,38 +182,38 @@ class Cutter {
 
   void cut_patch(std::uint32_t patch, std::span<const InnerLine> inner, PatchSet& cut) {
     const auto& c = patches_.corners[patch];
-    TriangleCut pieces(plane(patch), slack(patch));
+    TriangleCut fragments(plane(patch), slack(patch));
     std::vector<std::uint32_t> vertex(c.begin(), c.end());  // of each point
     for (std::size_t k = 0; k < 3; ++k) {
       const auto stations = on_edge(c, k);
       const bool is_forwards = c[k] < c[(k + 1) % 3];
       for (std::size_t i = 0; i < stations.size(); ++i) {
         const auto& s = is_forwards ? stations[i] : stations[stations.size() - 1 - i];
-        const auto point = pieces.add_on_edge(k, is_forwards ? s.share : 1.0 - s.share);
+        const auto point = fragments.add_on_edge(k, is_forwards ? s.fraction : 1.0 - s.fraction);
         if (point == vertex.size()) vertex.push_back(s.vertex);
       }
     }
     // All points before the lines, so that a line bends to them.
     std::vector<std::array<std::uint32_t, 2>> ends;
     for (const auto& line : inner)
-      ends.push_back({point_of(line.from, pieces, vertex), point_of(line.to, pieces, vertex)});
-    for (std::size_t i = 0; i < inner.size(); ++i) pieces.add_line(ends[i][0], ends[i][1], inner[i].line);
-    pieces.improve();
-    for (auto p = vertex.size(); p < pieces.points(); ++p)
-      vertex.push_back(weld_.index_of(Vec3(pieces.place(static_cast<std::uint32_t>(p)))));
+      ends.push_back({point_of(line.from, fragments, vertex), point_of(line.to, fragments, vertex)});
+    for (std::size_t i = 0; i < inner.size(); ++i) fragments.add_line(ends[i][0], ends[i][1], inner[i].line);
+    fragments.improve();
+    for (auto p = vertex.size(); p < fragments.points(); ++p)
+      vertex.push_back(weld_.index_of(Vec3(fragments.place(static_cast<std::uint32_t>(p)))));
 
-    for (const auto& [edge, tags] : pieces.lines())
+    for (const auto& [edge, tags] : fragments.lines())
       for (const auto line : tags)
         if (vertex[edge.first] != vertex[edge.second]) note(vertex[edge.first], vertex[edge.second], line);
-    for (const auto& piece : pieces.pieces()) {
-      const std::array corners{vertex[piece.v[0]], vertex[piece.v[1]], vertex[piece.v[2]]};
+    for (const auto& fragment : fragments.fragments()) {
+      const std::array corners{vertex[fragment.v[0]], vertex[fragment.v[1]], vertex[fragment.v[2]]};
       const auto& p = weld_.positions();
       const auto area = static_cast<float>(triangle_area(p[corners[0]], p[corners[1]], p[corners[2]]));
       if (area > 0.0f) append(patch, corners, area, cut);
     }
   }
 
-  std::uint32_t point_of(const LineEnd& end, TriangleCut& pieces, std::vector<std::uint32_t>& vertex) {
+  std::uint32_t point_of(const LineEnd& end, TriangleCut& fragments, std::vector<std::uint32_t>& vertex) {
     if (end.at == LineEnd::At::corner) return static_cast<std::uint32_t>(end.k);
     if (end.at == LineEnd::At::edge) {
       const auto wanted = edge_points_.answer(end.request).vertex;
@@ -220,7 +221,7 @@ class Cutter {
       return found == vertex.end() ? static_cast<std::uint32_t>(end.k)
                                    : static_cast<std::uint32_t>(found - vertex.begin());
     }
-    const auto point = pieces.add_inside(end.place);
+    const auto point = fragments.add_inside(end.place);
     if (point == vertex.size())
       vertex.push_back(end.vertex != no_vertex ? end.vertex : weld_.index_of(Vec3(end.place)));
     return point;

@@ -19,9 +19,9 @@ struct LineOnPatch {
 
 // Cuts patches along contact lines, and fills PatchSet::contacts: each line becomes a chain of patch edges.
 // Where a line meets an edge, all patches at that edge take the point, so that there are no T-vertices and
-// closed meshes stay closed. The pieces are Delaunay within their patch, and they stand in its place; their
-// areas sum to the patch's but for rounding. A piece that floats give no area at all is left out. Patches
-// that no line meets stay as they are.
+// closed meshes stay closed. The fragments are Delaunay within their patch, and they stand in its place;
+// their areas sum to the patch's but for rounding. A fragment that floats give no area at all is left out.
+// Patches that no line meets stay as they are.
 //
 // The vertices of `patches` are those of the weld, to which new ones are added. on: sorted by patch.
 void cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,

@@ -14,7 +14,7 @@ std::uint64_t key(std::uint32_t low, std::uint32_t high) { return (std::uint64_t
 
 }  // namespace
 
-std::uint32_t EdgePoints::ask(std::uint32_t a, std::uint32_t b, double share, std::uint32_t vertex) {
+std::uint32_t EdgePoints::ask(std::uint32_t a, std::uint32_t b, double fraction, std::uint32_t vertex) {
   const auto [low, high] = std::minmax(a, b);
   const auto [entry, is_new] = number_.try_emplace(key(low, high), static_cast<std::uint32_t>(edges_.size()));
   if (is_new) {
@@ -23,7 +23,7 @@ std::uint32_t EdgePoints::ask(std::uint32_t a, std::uint32_t b, double share, st
     is_end_[low] = is_end_[high] = true;
   }
   const auto number = static_cast<std::uint32_t>(answers_.size());
-  edges_[entry->second].requests.push_back({a < b ? share : 1.0 - share, vertex, number});
+  edges_[entry->second].requests.push_back({a < b ? fraction : 1.0 - fraction, vertex, number});
   answers_.push_back({});
   return number;
 }
@@ -40,25 +40,25 @@ void EdgePoints::settle(Edge& edge, VertexWeld& weld) {
   auto& requests = edge.requests;
   // Of those in one place the one at a vertex first.
   std::sort(requests.begin(), requests.end(), [](const Request& a, const Request& b) {
-    return std::tuple(a.share, a.vertex, a.number) < std::tuple(b.share, b.vertex, b.number);
+    return std::tuple(a.fraction, a.vertex, a.number) < std::tuple(b.fraction, b.vertex, b.number);
   });
   for (auto first = requests.begin(); first != requests.end();) {
-    const auto last =
-        std::find_if(first, requests.end(), [&](const Request& r) { return r.share > first->share + near; });
+    const auto last = std::find_if(first, requests.end(),
+                                   [&](const Request& r) { return r.fraction > first->fraction + near; });
     const auto chosen =
         std::min_element(first, last, [](const Request& a, const Request& b) { return a.vertex < b.vertex; });
-    Station station{chosen->share, chosen->vertex};
-    if (station.share <= near) {
+    Station station{chosen->fraction, chosen->vertex};
+    if (station.fraction <= near) {
       station = {0.0, edge.ends[0]};
-    } else if (station.share >= 1.0 - near) {
+    } else if (station.fraction >= 1.0 - near) {
       station = {1.0, edge.ends[1]};
     } else if (station.vertex == no_vertex) {
-      station.vertex = weld.index_of(Vec3(Vec3d(start) + station.share * way));
+      station.vertex = weld.index_of(Vec3(Vec3d(start) + station.fraction * way));
     }
-    if (station.vertex == edge.ends[0]) station.share = 0.0;
-    if (station.vertex == edge.ends[1]) station.share = 1.0;
+    if (station.vertex == edge.ends[0]) station.fraction = 0.0;
+    if (station.vertex == edge.ends[1]) station.fraction = 1.0;
     for (auto r = first; r != last; ++r) answers_[r->number] = station;
-    const bool is_between = station.share > 0.0 && station.share < 1.0;
+    const bool is_between = station.fraction > 0.0 && station.fraction < 1.0;
     if (is_between && (edge.stations.empty() || edge.stations.back().vertex != station.vertex))
       edge.stations.push_back(station);
     first = last;

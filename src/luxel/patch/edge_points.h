@@ -18,13 +18,13 @@ namespace luxel {
 class EdgePoints {
  public:
   struct Station {
-    double share;          // of the edge's length, from its lower vertex
+    double fraction;       // of the edge's length, from its lower vertex
     std::uint32_t vertex;  // in the weld
   };
 
   // Asks for a point at this share of the way from vertex a to vertex b. vertex: one that stands there
   // already, or no_vertex. Returns the number of the request.
-  std::uint32_t ask(std::uint32_t a, std::uint32_t b, double share, std::uint32_t vertex);
+  std::uint32_t ask(std::uint32_t a, std::uint32_t b, double fraction, std::uint32_t vertex);
   // Cost: a sort of each edge's requests. Vertices are made in the order in which their edges were first
   // named.
   void settle(VertexWeld& weld);
@@ -37,7 +37,7 @@ class EdgePoints {
 
  private:
   struct Request {
-    double share;
+    double fraction;
     std::uint32_t vertex;
     std::uint32_t number;
   };

@@ -28,43 +28,43 @@ double FlatTriangle::along(std::size_t k, const Vec3d& p) const {
   return glm::dot(p - corner[k], edge) / glm::dot(edge, edge);
 }
 
-std::optional<Stretch> stretch_over(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
-                                    double slack) {
-  Stretch stretch;
+std::optional<Interval> interval_over(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                      double slack) {
+  Interval interval;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto a = triangle.inside(k, p) + slack;
     const auto b = triangle.inside(k, q) + slack;
     if (a < 0.0 && b < 0.0) return std::nullopt;
-    if (a < 0.0) stretch.begin = std::max(stretch.begin, a / (a - b));
-    if (b < 0.0) stretch.end = std::min(stretch.end, a / (a - b));
+    if (a < 0.0) interval.begin = std::max(interval.begin, a / (a - b));
+    if (b < 0.0) interval.end = std::min(interval.end, a / (a - b));
   }
-  if (!(stretch.begin <= stretch.end)) return std::nullopt;
-  return stretch;
+  if (!(interval.begin <= interval.end)) return std::nullopt;
+  return interval;
 }
 
-std::optional<EdgeStretch> stretch_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
-                                           double slack) {
+std::optional<EdgeInterval> interval_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                             double slack) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (std::fabs(triangle.inside(k, p)) > slack || std::fabs(triangle.inside(k, q)) > slack) continue;
     const auto begin = std::clamp(triangle.along(k, p), 0.0, 1.0);
     const auto end = std::clamp(triangle.along(k, q), 0.0, 1.0);
     const auto edge = glm::distance(triangle.corner[k], triangle.corner[(k + 1) % 3]);
-    return EdgeStretch{k, {begin, end}, std::fabs(end - begin) * edge};
+    return EdgeInterval{k, {begin, end}, std::fabs(end - begin) * edge};
   }
   return std::nullopt;
 }
 
-std::optional<Stretch> stretch_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
-                                  double slack) {
-  const auto at = [&](double share) { return p + share * (q - p); };
-  if (const auto over = stretch_over(triangle, p, q, 0.0);
+std::optional<Interval> interval_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                    double slack) {
+  const auto at = [&](double fraction) { return p + fraction * (q - p); };
+  if (const auto over = interval_over(triangle, p, q, 0.0);
       over && glm::distance(at(over->begin), at(over->end)) > slack)
     return over;
-  const auto beside = stretch_over(triangle, p, q, slack);
+  const auto beside = interval_over(triangle, p, q, slack);
   if (!beside) return std::nullopt;
   constexpr double rounded = 1.0 + 1e-6;  // its ends may be as far out as slack to the bit
   constexpr double shortest = 32.0;       // in slacks: less is had by any line that leaves the corner
-  const auto edge = stretch_on_edge(triangle, at(beside->begin), at(beside->end), rounded * slack);
+  const auto edge = interval_on_edge(triangle, at(beside->begin), at(beside->end), rounded * slack);
   return edge && edge->length > shortest * slack ? beside : std::nullopt;
 }
 

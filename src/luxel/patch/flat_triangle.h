@@ -25,33 +25,34 @@ struct FlatTriangle {
   double height(const Vec3d& p) const { return glm::dot(normal, p - corner[0]); }
   // Distance from edge k's line, above 0 inside.
   double inside(std::size_t k, const Vec3d& p) const { return glm::dot(inward[k], p - corner[k]); }
-  Vec3d foot(const Vec3d& p) const { return p - height(p) * normal; }
+  Vec3d foot_point(const Vec3d& p) const { return p - height(p) * normal; }
   // Where p stands along edge k: 0 and 1 are its ends.
   double along(std::size_t k, const Vec3d& p) const;
 };
 
-// A stretch of a segment: shares of its length, 0 <= begin <= end <= 1.
-struct Stretch {
+// An interval of a segment: shares of its length, 0 <= begin <= end <= 1.
+struct Interval {
   double begin = 0.0;
   double end = 1.0;
 };
 
-// The stretch of the segment from p to q that lies above or below the triangle, or beyond its edges by no
+// The interval of the segment from p to q that lies above or below the triangle, or beyond its edges by no
 // more than slack (m).
-std::optional<Stretch> stretch_over(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
-                                    double slack);
+std::optional<Interval> interval_over(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                      double slack);
 
 // Where a segment lies on an edge: no farther from it than slack (m).
-struct EdgeStretch {
+struct EdgeInterval {
   std::size_t edge = 0;
-  Stretch stretch;      // of the edge; from p to q, so begin may be above end
+  Interval interval;    // of the edge; from p to q, so begin may be above end
   double length = 0.0;  // m
 };
-std::optional<EdgeStretch> stretch_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
-                                           double slack);
+std::optional<EdgeInterval> interval_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                             double slack);
 
 // What of a segment lies over the triangle, exactly; or, where that is a point at most, along an edge of it
 // but for slack. Nothing that is not longer than slack.
-std::optional<Stretch> stretch_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q, double slack);
+std::optional<Interval> interval_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
+                                    double slack);
 
 }  // namespace luxel

@@ -93,10 +93,10 @@ void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules,
           "lamps are: {}",
           rules[r].name, rules[r].pattern, fmt::join(lamp_names(patches), ", ")));
   if (patches.has_sky()) index_of(sky_group);
-  if (groups.size() > most_light_groups)
+  if (groups.size() > max_light_groups)
     throw InputError(fmt::format(
         "{} light groups, at most {} can be kept apart: put lamps together with --light-group NAME=PATTERN",
-        groups.size(), most_light_groups));
+        groups.size(), max_light_groups));
 }
 
 void join_light_groups(PatchSet& patches) {

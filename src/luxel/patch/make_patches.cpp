@@ -21,17 +21,17 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t triangles_a_report = 1 << 14;
+constexpr std::size_t triangles_per_report = 1 << 14;
 
 // Area of a triangle whose longest edge bisection has brought between h / sqrt(2) and h, as a share of h²: a
 // right isosceles triangle on such a hypotenuse, averaged.
-constexpr double split_area_share = 0.18;
+constexpr double split_area_fraction = 0.18;
 
 // An estimate, good to some tens of per cent: parts by area, and for slivers by the length of their longest
 // edge.
 double expected_parts(double area, double longest, double max_edge) {
   if (longest <= max_edge) return 1.0;
-  return std::max({1.0, area / (split_area_share * max_edge * max_edge), 1.5 * longest / max_edge});
+  return std::max({1.0, area / (split_area_fraction * max_edge * max_edge), 1.5 * longest / max_edge});
 }
 
 struct Shape {
@@ -177,7 +177,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Wor
   TriangleSplitter splitter(patches, weld, chosen_edge(scene, options), options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(triangles.size());
-    if (i % triangles_a_report == 0 && tell(monitor, {.stage = "patches", .done = done}) == Next::stop)
+    if (i % triangles_per_report == 0 && tell(monitor, {.stage = "patches", .done = done}) == Next::stop)
       return {};
     const auto& t = triangles[i];
     const auto& p = weld.positions();

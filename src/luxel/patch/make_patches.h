@@ -26,9 +26,9 @@ struct PatchOptions {
 // Splits every edge longer than max_edge in halves, and those again. Whether an edge is split depends on its
 // own two ends only, so neighbours split a shared edge alike and no cracks appear. Each step bisects a
 // triangle's longest edge: no angle gets smaller than half the smallest of the input triangle (Rosenberg and
-// Stenger 1975; Rivara 1984), and slivers become short pieces as wide as they were. Triangles without area,
-// and triangles that lie exactly on another one, are left out and counted in a warning; of two that coincide
-// the lamp, else the first, stays, two-sided if they face opposite ways.
+// Stenger 1975; Rivara 1984), and slivers become short fragments as wide as they were. Triangles without
+// area, and triangles that lie exactly on another one, are left out and counted in a warning; of two that
+// coincide the lamp, else the first, stays, two-sided if they face opposite ways.
 //
 // Then the patches are cut along the lines where other surfaces touch or pass through theirs
 // (contact_lines.h), which become edges and PatchSet::contacts; see cut_contacts.h. Patches that no such line

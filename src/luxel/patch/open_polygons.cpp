@@ -110,8 +110,8 @@ std::vector<OpenPolygon> find_panes(std::span<const Triangle3> glass, double ext
   return wide;
 }
 
-// A loop whose triangles stand on its plane: the rim of a box without a lid. (Where they lie in it, it is the
-// outline of a sheet, or a hole that find_wall_holes() finds.)
+// A loop whose triangles stand on its plane: the boundary of a box without a lid. (Where they lie in it, it
+// is the outline of a sheet, or a hole that find_wall_holes() finds.)
 std::vector<OpenPolygon> find_missing_walls(const Scene& scene) {
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld).kept;

@@ -21,7 +21,7 @@ namespace luxel {
 enum class PatchId : std::uint32_t {};
 
 // What no patch reflects more than, whatever its texture and its material are changed to.
-inline constexpr float most_reflectance = 0.999f;
+inline constexpr float max_reflectance = 0.999f;
 
 // A material as the transport sees it: one number a band.
 struct BandMaterial {
@@ -92,7 +92,7 @@ struct PatchSet {
   std::vector<std::array<Vec3, 3>> corner_colours;  // [patch][corner], linear
   // Over what the patch's material reflects, and emits: in the mean over the patch, of what holes leave of
   // it. `area` is that of what they leave.
-  std::vector<float> reflectance_share, emittance_share;  // [patch][band]
+  std::vector<float> reflectance_ratio, emittance_ratio;  // [patch][band]
 
   // Where the error of the light matters beside the open space, see trace/place_views.h. None of these
   // changes what the light converges to.
@@ -115,14 +115,14 @@ struct PatchSet {
   // Of a patch, in the mean over its area: [0, 1).
   float reflectance(std::size_t patch, std::size_t band) const {
     const auto of_material = material_of(patch).reflectance[band];
-    return reflectance_share.empty()
+    return reflectance_ratio.empty()
                ? of_material
-               : std::min(most_reflectance, of_material * reflectance_share[patch * bands.size() + band]);
+               : std::min(max_reflectance, of_material * reflectance_ratio[patch * bands.size() + band]);
   }
   // Likewise, W/m² in the band, of its front.
   float emittance(std::size_t patch, std::size_t band) const {
     const auto of_material = material_of(patch).emittance[band];
-    return emittance_share.empty() ? of_material : of_material * emittance_share[patch * bands.size() + band];
+    return emittance_ratio.empty() ? of_material : of_material * emittance_ratio[patch * bands.size() + band];
   }
   std::array<Vec3, 3> points(std::size_t patch) const {
     const auto& c = corners[patch];

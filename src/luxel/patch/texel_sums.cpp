@@ -9,7 +9,7 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t rows_grain = 16;  // rows of a table that a thread takes at a time
-constexpr double most_repeats = 24.0;   // of the picture, along a side of a triangle
+constexpr double max_repeats = 24.0;    // of the picture, along a side of a triangle
 constexpr double farthest_place = 1e9;  // in repeats; beyond, floats know no pixels
 constexpr int samples_along = 256;
 
@@ -194,7 +194,7 @@ TexelSums::Mean TexelSums::over(const std::array<Vec2, 3>& places) const {
     t[k] = Point(places[k]) * size;
   }
   const auto columns = extent(t, 0), rows = extent(t, 1);
-  if (columns.size() > most_repeats * size.x || rows.size() > most_repeats * size.y) return whole_;
+  if (columns.size() > max_repeats * size.x || rows.size() > max_repeats * size.y) return whole_;
   // On the picture itself, if it can be, sums are shorter and pixels are found without a division.
   const std::array extents = {columns, rows};
   for (int axis = 0; axis < 2; ++axis) {

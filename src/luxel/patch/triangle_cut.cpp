@@ -13,13 +13,13 @@ namespace {
 // whatever doubles round.
 constexpr double better_by = 1e-9;
 
-PieceMesh::Ends sorted(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+FragmentMesh::Ends sorted(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 }  // namespace
 
 TriangleCut::TriangleCut(const FlatTriangle& triangle, double tolerance)
     : triangle_(triangle), tolerance_(tolerance) {
-  const auto n = static_cast<double>(PieceMesh::grid);
+  const auto n = static_cast<double>(FragmentMesh::grid);
   const auto first = triangle.corner[1] - triangle.corner[0];
   const auto length = glm::length(first);
   const auto second = triangle.corner[2] - triangle.corner[0];
@@ -27,12 +27,12 @@ TriangleCut::TriangleCut(const FlatTriangle& triangle, double tolerance)
   step_[1] = {glm::dot(second, first) / length / n, triangle.inside(0, triangle.corner[2]) / n};
 }
 
-std::uint32_t TriangleCut::add_on_edge(std::size_t k, double share) {
-  constexpr auto n = PieceMesh::grid;
-  const auto steps = std::clamp<std::int64_t>(std::llround(share * static_cast<double>(n)), 1, n - 1);
-  const PieceMesh::Point place = k == 0   ? PieceMesh::Point{steps, 0}
-                                 : k == 1 ? PieceMesh::Point{n - steps, steps}
-                                          : PieceMesh::Point{0, n - steps};
+std::uint32_t TriangleCut::add_on_edge(std::size_t k, double fraction) {
+  constexpr auto n = FragmentMesh::grid;
+  const auto steps = std::clamp<std::int64_t>(std::llround(fraction * static_cast<double>(n)), 1, n - 1);
+  const FragmentMesh::Point place = k == 0   ? FragmentMesh::Point{steps, 0}
+                                    : k == 1 ? FragmentMesh::Point{n - steps, steps}
+                                             : FragmentMesh::Point{0, n - steps};
   const auto point = mesh_.add_point(place);
   const auto edge = mesh_.edge_between(last_on_edge_[k], static_cast<std::uint32_t>((k + 1) % 3));
   if (!mesh_.can_split(edge, point)) {  // it is where the one before is
@@ -46,24 +46,24 @@ std::uint32_t TriangleCut::add_on_edge(std::size_t k, double share) {
 }
 
 std::uint32_t TriangleCut::add_inside(const Vec3d& place) {
-  constexpr auto n = PieceMesh::grid;
-  const auto steps = [](double share) { return std::llround(share * static_cast<double>(n)); };
-  const auto share = [&](std::size_t edge, std::size_t corner) {
+  constexpr auto n = FragmentMesh::grid;
+  const auto steps = [](double fraction) { return std::llround(fraction * static_cast<double>(n)); };
+  const auto fraction = [&](std::size_t edge, std::size_t corner) {
     return triangle_.inside(edge, place) / triangle_.inside(edge, triangle_.corner[corner]);
   };
-  PieceMesh::Point p;
-  p.x = std::clamp<std::int64_t>(steps(share(2, 1)), 1, n - 2);
-  p.y = std::clamp<std::int64_t>(steps(share(0, 2)), 1, n - 1 - p.x);
+  FragmentMesh::Point p;
+  p.x = std::clamp<std::int64_t>(steps(fraction(2, 1)), 1, n - 2);
+  p.y = std::clamp<std::int64_t>(steps(fraction(0, 2)), 1, n - 1 - p.x);
   const auto point = mesh_.add_point(p);
-  const auto piece = mesh_.piece_with(point);
-  const auto corners = mesh_.pieces()[piece].v;
+  const auto fragment = mesh_.fragment_with(point);
+  const auto corners = mesh_.fragments()[fragment].v;
   for (const auto c : corners)
     if (distance(point, c) <= tolerance_) {
       mesh_.take_back();
       return c;
     }
   for (std::uint32_t k = 0; k < 3; ++k) {
-    const Edge e{piece, k};
+    const Edge e{fragment, k};
     const bool is_on_it = mesh_.turn(mesh_.from(e), mesh_.to(e), point) == 0;
     const bool is_near_line =
         is_line(e) && distance_to_segment(point, mesh_.from(e), mesh_.to(e)) <= tolerance_;
@@ -74,7 +74,7 @@ std::uint32_t TriangleCut::add_inside(const Vec3d& place) {
     legalize(std::move(around));
     return point;
   }
-  mesh_.split_piece(piece, point);
+  mesh_.split_fragment(fragment, point);
   legalize({sorted(corners[0], corners[1]), sorted(corners[1], corners[2]), sorted(corners[2], corners[0])});
   return point;
 }
@@ -100,8 +100,8 @@ void TriangleCut::add_line(std::uint32_t a, std::uint32_t b, std::uint32_t tag) 
 
 void TriangleCut::improve() {
   std::vector<Ends> all;
-  for (const auto& piece : mesh_.pieces())
-    for (std::uint32_t k = 0; k < 3; ++k) all.push_back(sorted(piece.v[k], piece.v[(k + 1) % 3]));
+  for (const auto& fragment : mesh_.fragments())
+    for (std::uint32_t k = 0; k < 3; ++k) all.push_back(sorted(fragment.v[k], fragment.v[(k + 1) % 3]));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   legalize(std::move(all));
@@ -109,7 +109,7 @@ void TriangleCut::improve() {
 
 Vec3d TriangleCut::place(std::uint32_t point) const {
   const auto& p = mesh_.points()[point];
-  const auto n = static_cast<double>(PieceMesh::grid);
+  const auto n = static_cast<double>(FragmentMesh::grid);
   const auto& c = triangle_.corner;
   return c[0] + static_cast<double>(p.x) / n * (c[1] - c[0]) + static_cast<double>(p.y) / n * (c[2] - c[0]);
 }
@@ -177,12 +177,12 @@ bool TriangleCut::would_better(Edge e) const {
 }
 
 void TriangleCut::legalize(std::vector<Ends> open) {
-  for (std::size_t steps = 100 + 20 * (open.size() + mesh_.pieces().size()); !open.empty() && steps > 0;
+  for (std::size_t steps = 100 + 20 * (open.size() + mesh_.fragments().size()); !open.empty() && steps > 0;
        --steps) {
     const auto [a, b] = open.back();
     open.pop_back();
     const auto e = mesh_.edge_between(a, b);
-    if (e.piece == none || is_line(e) || !mesh_.can_flip(e) || !would_better(e)) continue;
+    if (e.fragment == none || is_line(e) || !mesh_.can_flip(e) || !would_better(e)) continue;
     const auto c = mesh_.apex(e);
     const auto d = mesh_.apex(mesh_.other_side(e));
     mesh_.flip(e);
@@ -204,11 +204,11 @@ std::uint32_t TriangleCut::advance(std::uint32_t a, std::uint32_t b) {
   const auto first = std::find_if(spokes.begin(), spokes.end(), faces_it);
   if (first == spokes.end()) return none;
 
-  // From piece to piece: each edge on the way has a to its left and b to its right.
+  // From fragment to fragment: each edge on the way has a to its left and b to its right.
   std::vector<Ends> crossed;
-  for (Edge e{first->piece, (first->k + 1) % 3};;) {
+  for (Edge e{first->fragment, (first->k + 1) % 3};;) {
     const auto beyond = mesh_.other_side(e);
-    if (beyond.piece == none) return none;
+    if (beyond.fragment == none) return none;
     const auto apex = mesh_.apex(beyond);
     if (is_line(e)) {
       // A line that runs past an end of this one by a hair is bent to run through it.
@@ -225,7 +225,7 @@ std::uint32_t TriangleCut::advance(std::uint32_t a, std::uint32_t b) {
     if (is_on_the_way(apex, a, b)) return apex;
     const auto side = mesh_.turn(a, b, apex);
     if (side == 0) return none;
-    e = {beyond.piece, (beyond.k + (side > 0 ? 1 : 2)) % 3};
+    e = {beyond.fragment, (beyond.k + (side > 0 ? 1 : 2)) % 3};
   }
   return clear_way(a, b, std::move(crossed)) ? b : none;
 }
@@ -234,11 +234,11 @@ std::uint32_t TriangleCut::cross(Edge e, std::uint32_t a, std::uint32_t b) {
   const auto p = mesh_.from(e);
   const auto q = mesh_.to(e);
   const auto before = static_cast<double>(mesh_.turn(p, q, a));
-  const auto share = before / (before - static_cast<double>(mesh_.turn(p, q, b)));
+  const auto fraction = before / (before - static_cast<double>(mesh_.turn(p, q, b)));
   const auto start = mesh_.points()[a];
   const auto end = mesh_.points()[b];
-  const auto between = [share](std::int64_t s, std::int64_t t) {
-    return s + std::llround(share * static_cast<double>(t - s));
+  const auto between = [fraction](std::int64_t s, std::int64_t t) {
+    return s + std::llround(fraction * static_cast<double>(t - s));
   };
   const auto x = mesh_.add_point({between(start.x, end.x), between(start.y, end.y)});
   const auto to_p = distance(x, p);

@@ -8,13 +8,14 @@
 
 #include "luxel/core/vector.h"
 #include "luxel/patch/flat_triangle.h"
-#include "luxel/patch/piece_mesh.h"
+#include "luxel/patch/fragment_mesh.h"
 
 namespace luxel {
 
-// One triangle cut into pieces whose edges hold given points and lines: a constrained Delaunay triangulation
-// (Lawson 1977; lines enforced by flips, Sloan 1993). A point, or a crossing of lines, that is no farther
-// than `tolerance` from another point becomes that point, and a line bends by as much to run through it.
+// One triangle cut into fragments whose edges hold given points and lines: a constrained Delaunay
+// triangulation (Lawson 1977; lines enforced by flips, Sloan 1993). A point, or a crossing of lines, that is
+// no farther than `tolerance` from another point becomes that point, and a line bends by as much to run
+// through it.
 //
 // Points are known by numbers: 0, 1, 2 are the corners. Cost: about a microsecond a point, and what lines
 // cross.
@@ -25,7 +26,7 @@ class TriangleCut {
 
   // A point on edge k, at this share of its length, in (0, 1). The points of an edge come in the order from
   // corner k to the next, and before all points inside.
-  std::uint32_t add_on_edge(std::size_t k, double share);
+  std::uint32_t add_on_edge(std::size_t k, double fraction);
   // A point inside; the number of the one that is there already, if there is one.
   std::uint32_t add_inside(const Vec3d& place);
   // Makes the line from a to b a chain of edges that remember the tag.
@@ -35,14 +36,16 @@ class TriangleCut {
 
   std::size_t points() const { return mesh_.points().size(); }
   Vec3d place(std::uint32_t point) const;
-  const std::vector<PieceMesh::Piece>& pieces() const { return mesh_.pieces(); }  // counter-clockwise
+  const std::vector<FragmentMesh::Fragment>& fragments() const {
+    return mesh_.fragments();
+  }  // counter-clockwise
   // The edges that lie on lines, the lower point first, with the lines' tags.
-  const std::map<PieceMesh::Ends, std::vector<std::uint32_t>>& lines() const { return tags_; }
+  const std::map<FragmentMesh::Ends, std::vector<std::uint32_t>>& lines() const { return tags_; }
 
  private:
-  using Edge = PieceMesh::Edge;
-  using Ends = PieceMesh::Ends;
-  static constexpr auto none = PieceMesh::none;
+  using Edge = FragmentMesh::Edge;
+  using Ends = FragmentMesh::Ends;
+  static constexpr auto none = FragmentMesh::none;
   struct PlanePoint {
     double x, y;  // m
   };
@@ -71,7 +74,7 @@ class TriangleCut {
   double tolerance_;
   std::array<PlanePoint, 2> step_;  // a grid step in x and in y
   std::array<std::uint32_t, 3> last_on_edge_{0, 1, 2};
-  PieceMesh mesh_;
+  FragmentMesh mesh_;
   std::map<Ends, std::vector<std::uint32_t>> tags_;
 };
 

@@ -44,7 +44,7 @@ void TriangleSplitter::split(const std::array<std::uint32_t, 3>& c, const std::v
     split(half, near(half, lines));
 }
 
-// Those of the lines that lie over the part or along its rim.
+// Those of the lines that lie over the part or along its boundary.
 std::vector<std::uint32_t> TriangleSplitter::near(const std::array<std::uint32_t, 3>& c,
                                                   const std::vector<std::uint32_t>& lines) const {
   if (lines.empty()) return {};
@@ -54,7 +54,8 @@ std::vector<std::uint32_t> TriangleSplitter::near(const std::array<std::uint32_t
   const auto slack = slack_roundings * coordinate_rounding(points);
   std::vector<std::uint32_t> result;
   for (const auto line : lines)
-    if (stretch_over(part, all_lines_[line].ends[0], all_lines_[line].ends[1], slack)) result.push_back(line);
+    if (interval_over(part, all_lines_[line].ends[0], all_lines_[line].ends[1], slack))
+      result.push_back(line);
   return result;
 }
 

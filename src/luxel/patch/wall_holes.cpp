@@ -13,14 +13,14 @@ namespace luxel {
 namespace {
 
 constexpr double plane_tolerance = 2e-4;  // of the extent: how far apart triangles of one wall may lie
-constexpr std::size_t least_triangles = 3;
+constexpr std::size_t min_triangles = 3;
 constexpr std::size_t max_planes = 512;                          // the largest
 constexpr std::size_t all_cells = 1 << 23;                       // of all pictures together: some 0.1 s
 constexpr std::size_t min_cells = 1 << 12, max_cells = 1 << 18;  // of one picture
-constexpr std::size_t least_cells = 8;                           // of a hole
-constexpr std::size_t least_width = 3;                           // of a hole, cells
-constexpr double least_fill = 0.4;                               // area of a hole over that of its polygon
-constexpr double least_hull = 0.95;      // area of the hull of corners over that of the cells
+constexpr std::size_t min_hole_cells = 8;                        // of a hole
+constexpr std::size_t min_width = 3;                             // of a hole, cells
+constexpr double min_fill = 0.4;                                 // area of a hole over that of its polygon
+constexpr double min_hull = 0.95;        // area of the hull of corners over that of the cells
 constexpr std::size_t max_corners = 12;  // else its upright rectangle stands for it
 
 using Flat = std::array<double, 2>;
@@ -116,7 +116,7 @@ class Picture {
         }
       }
     }
-    if (hole.cells >= least_cells) return holes_.push_back(std::move(hole));
+    if (hole.cells >= min_hole_cells) return holes_.push_back(std::move(hole));
     for (auto row = hole.low[1]; row <= hole.high[1]; ++row)
       for (auto i = hole.low[0]; i <= hole.high[0]; ++i)
         if (label_[row * count_[0] + i] == label) label_[row * count_[0] + i] = speck;
@@ -144,15 +144,15 @@ class Picture {
 
   OpenPolygon polygon_of(Hole& hole) const {
     for (std::size_t i = 0; i < 2; ++i)
-      if (hole.high[i] - hole.low[i] + 1 < least_width) return {};
+      if (hole.high[i] - hole.low[i] + 1 < min_width) return {};
     const auto area = static_cast<double>(hole.cells) * cell_ * cell_;
     auto hull = convex_hull(std::move(hole.corners));
-    if (hull.size() < 3 || hull.size() > max_corners || area_of(hull) < least_hull * area) {
+    if (hull.size() < 3 || hull.size() > max_corners || area_of(hull) < min_hull * area) {
       const Flat low = {centre(0, hole.low[0]) - cell_, centre(1, hole.low[1]) - cell_};
       const Flat high = {centre(0, hole.high[0]) + cell_, centre(1, hole.high[1]) + cell_};
       hull = {low, {high[0], low[1]}, high, {low[0], high[1]}};
     }
-    if (area < least_fill * area_of(hull)) return {};
+    if (area < min_fill * area_of(hull)) return {};
     OpenPolygon polygon;
     for (const auto& p : hull) polygon.push_back(frame_.in_space(p));
     return polygon;
@@ -171,7 +171,7 @@ class Picture {
 
 std::vector<OpenPolygon> find_wall_holes(std::span<const Triangle3> triangles, double extent) {
   auto planes = group_by_plane(triangles, plane_tolerance * extent);
-  std::erase_if(planes, [](const auto& plane) { return plane.size() < least_triangles; });
+  std::erase_if(planes, [](const auto& plane) { return plane.size() < min_triangles; });
   std::vector<std::pair<double, std::size_t>> by_area;
   for (std::size_t i = 0; i < planes.size(); ++i)
     by_area.emplace_back(-std::accumulate(planes[i].begin(), planes[i].end(), 0.0,

@@ -34,13 +34,13 @@ Ranked rank(const Subject& subject, const View& view, int rows) {
   return {view, score(facts, subject.openness), facts.depth};
 }
 
-void keep_better(Ranked& best, const Ranked& other) {
+void keep_more_visible(Ranked& best, const Ranked& other) {
   if (other.score > best.score + clearly) best = other;
 }
 
 Ranked best_of(const Subject& subject, const std::vector<View>& views, int rows) {
   Ranked best;
-  for (const auto& view : views) keep_better(best, rank(subject, view, rows));
+  for (const auto& view : views) keep_more_visible(best, rank(subject, view, rows));
   return best;
 }
 
@@ -66,12 +66,12 @@ Ranked refined(const Subject& subject, const View& start) {
   for (int round = 0; round < 4; ++round) {
     const auto before = best.score;
     for (const auto sign : {-size, size}) {
-      keep_better(best, rank(subject, moved(subject, best, Vec3(0.0f), 0.05f * sign, 0.0f), fine_rows));
-      keep_better(best,
-                  rank(subject, moved(subject, best, {0.0f, 0.0f, 0.25f * sign}, 0.0f, 0.0f), fine_rows));
-      keep_better(best,
-                  rank(subject, moved(subject, best, {0.2f * sign, 0.0f, 0.0f}, 0.0f, 0.0f), fine_rows));
-      keep_better(best, rank(subject, moved(subject, best, Vec3(0.0f), 0.0f, 0.02f * sign), fine_rows));
+      keep_more_visible(best, rank(subject, moved(subject, best, Vec3(0.0f), 0.05f * sign, 0.0f), fine_rows));
+      keep_more_visible(
+          best, rank(subject, moved(subject, best, {0.0f, 0.0f, 0.25f * sign}, 0.0f, 0.0f), fine_rows));
+      keep_more_visible(
+          best, rank(subject, moved(subject, best, {0.2f * sign, 0.0f, 0.0f}, 0.0f, 0.0f), fine_rows));
+      keep_more_visible(best, rank(subject, moved(subject, best, Vec3(0.0f), 0.0f, 0.02f * sign), fine_rows));
     }
     if (best.score == before) size *= 0.5f;
   }
@@ -96,9 +96,9 @@ void check(const PatchSet& patches, const Vec3& up, float aspect) {
     throw InputError("there is nothing to look at: the scene has no surface with area");
   if (!is_finite(up) || up == Vec3(0.0f))
     throw InputError("the up direction must be finite and not zero; (0, 1, 0) and (0, 0, 1) are usual");
-  if (!(aspect >= smallest_aspect && aspect <= largest_aspect))
+  if (!(aspect >= smallest_aspect && aspect <= max_aspect))
     throw InputError(fmt::format("a picture's width / height must be from {} to {}, but it is {}",
-                                 smallest_aspect, largest_aspect, aspect));
+                                 smallest_aspect, max_aspect, aspect));
 }
 
 Bounds bounds_of(const PatchSet& patches) {
@@ -131,7 +131,7 @@ Camera automatic_camera(const PatchSet& patches, const Solution& solution, const
   });
 
   Ranked best;
-  for (const auto& one : finals) keep_better(best, one);
+  for (const auto& one : finals) keep_more_visible(best, one);
   // Far enough to differ from the eye in float, whatever stands before it.
   const auto distance = best.depth > 0.0f ? std::max(best.depth, 1e-3f * subject.diagonal) : subject.diagonal;
   return camera_of(best.view, subject.up, distance);

@@ -15,7 +15,7 @@ Vec3 automatic_up(const PatchSet& patches);
 
 // The pictures automatic_camera() can judge, as width / height.
 inline constexpr float smallest_aspect = 0.01f;
-inline constexpr float largest_aspect = 100.0f;
+inline constexpr float max_aspect = 100.0f;
 
 // A view that shows much lit surface, for a scene nobody gave a camera for: candidate views from inside and
 // from outside are traced at thumbnail size, the best are moved a little, and the best of all is kept

@@ -35,8 +35,8 @@ StopReason BatchMeans::run(const ReferenceLimits& limits, const Draw& draw, cons
     // Twice as many a pass, so that a run that is stopped has something of everything.
     auto next = std::max(first_batches, 2 * done);
     if (needed > 0) next = std::min(next, std::max(needed, done + 1));
-    const auto progress = [&](double share) {
-      const auto now = static_cast<double>(done) + share * static_cast<double>(next - done);
+    const auto progress = [&](double fraction) {
+      const auto now = static_cast<double>(done) + fraction * static_cast<double>(next - done);
       return Progress{stage, needed > 0 ? std::min(1.0, now / static_cast<double>(needed)) : 0.0, rays_,
                       reached};
     };
@@ -97,8 +97,10 @@ double BatchMeans::variance(std::size_t element, std::size_t value) const {
 
 double widening_of(std::uint64_t batches) {
   if (batches < 2) return 1.0;
-  const auto freedom = static_cast<double>(batches - 1);
-  return 1.0 + (2.37 / freedom + 2.82 / (freedom * freedom) + 2.6 / (freedom * freedom * freedom)) / 1.96;
+  const auto degrees_of_freedom = static_cast<double>(batches - 1);
+  return 1.0 + (2.37 / degrees_of_freedom + 2.82 / (degrees_of_freedom * degrees_of_freedom) +
+                2.6 / (degrees_of_freedom * degrees_of_freedom * degrees_of_freedom)) /
+                   1.96;
 }
 
 }  // namespace luxel

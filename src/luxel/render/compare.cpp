@@ -15,12 +15,12 @@
 namespace luxel {
 namespace {
 
-constexpr double most_mean_z2 = 1.5;
-constexpr double least_within = 0.9;
-constexpr double most_bias = 0.5;         // of the expected RMS
-constexpr double most_bias_errors = 5.0;  // where there are so few places that this is more
-constexpr double most_z2 = 36.0;
-constexpr double floor_share = 0.01;  // of the mean light
+constexpr double max_mean_z2 = 1.5;
+constexpr double min_within = 0.9;
+constexpr double max_bias = 0.5;         // of the expected RMS
+constexpr double max_bias_errors = 5.0;  // where there are so few places that this is more
+constexpr double max_z2 = 36.0;
+constexpr double floor_fraction = 0.01;  // of the mean light
 
 // The same place in two answers: [band]; errors may be empty.
 struct Pair {
@@ -38,35 +38,35 @@ class Sums {
     for (std::size_t i = 0; i < bands; ++i) {
       const auto a = static_cast<double>(pair.a[i]);
       const auto b = static_cast<double>(pair.b[i]);
-      const auto error2 = square_of(pair.error_a, i) + square_of(pair.error_b, i);
+      const auto squared_error = square_of(pair.error_a, i) + square_of(pair.error_b, i);
       ++result_.numbers;
       light_ += weight * a;
-      light2_ += weight * a * a;
+      squared_light_ += weight * a * a;
       bias_ += weight * (b - a);
-      bias2_ += weight * (b - a) * (b - a);
+      squared_bias_ += weight * (b - a) * (b - a);
       place.a += per_band * a;
       place.b += per_band * b;
-      variance += error2;
-      if (!(error2 > 0.0)) continue;
-      const auto z2 = (b - a) * (b - a) / error2;
+      variance += squared_error;
+      if (!(squared_error > 0.0)) continue;
+      const auto z2 = (b - a) * (b - a) / squared_error;
       ++result_.scored;
-      error2_ += weight * error2;
-      together += std::sqrt(error2);
-      z2_ += std::min(z2, most_z2);
-      if (z2 > most_z2) ++result_.outliers;
+      squared_error_ += weight * squared_error;
+      together += std::sqrt(squared_error);
+      z2_ += std::min(z2, max_z2);
+      if (z2 > max_z2) ++result_.outliers;
       within_ += z2 < 1.96 * 1.96 ? 1.0 : 0.0;
     }
-    bias_error2_ += weight * weight * together * together;
+    bias_squared_error_ += weight * weight * together * together;
     place.error = per_band * std::sqrt(variance * static_cast<double>(bands));  // bands lie on the same rays
     if (place.a != place.b) result_.largest.push_back(place);
   }
 
   Comparison result(std::size_t places) {
     auto& r = result_;
-    r.relative_rms = ratio(std::sqrt(bias2_), std::sqrt(light2_));
-    r.expected_rms = ratio(std::sqrt(error2_), std::sqrt(light2_));
+    r.relative_rms = ratio(std::sqrt(squared_bias_), std::sqrt(squared_light_));
+    r.expected_rms = ratio(std::sqrt(squared_error_), std::sqrt(squared_light_));
     r.mean_bias = ratio(bias_, light_);
-    r.bias_error = ratio(std::sqrt(bias_error2_), light_);
+    r.bias_error = ratio(std::sqrt(bias_squared_error_), light_);
     r.mean_z2 = ratio(z2_, static_cast<double>(r.scored));
     r.within = ratio(within_, static_cast<double>(r.scored));
     const auto count = std::min(places, r.largest.size());
@@ -91,8 +91,9 @@ class Sums {
   }
 
   Comparison result_;
-  double light_ = 0.0, light2_ = 0.0, bias_ = 0.0, bias2_ = 0.0, error2_ = 0.0, z2_ = 0.0, within_ = 0.0;
-  double bias_error2_ = 0.0;  // bands lie on the same rays: their errors are added, places' squared
+  double light_ = 0.0, squared_light_ = 0.0, bias_ = 0.0, squared_bias_ = 0.0, squared_error_ = 0.0,
+         z2_ = 0.0, within_ = 0.0;
+  double bias_squared_error_ = 0.0;  // bands lie on the same rays: their errors are added, places' squared
 };
 
 std::span<const float> at(const std::vector<float>& values, std::size_t patch, std::size_t bands) {
@@ -164,7 +165,7 @@ double mean(std::span<const float> bands) {
 
 // pair(index): of places [0, count).
 template <typename PairOf>
-std::vector<float> signed_shares(std::size_t count, const PairOf& pair) {
+std::vector<float> signed_fractions(std::size_t count, const PairOf& pair) {
   double light = 0.0;
   double lit = 0.0;
   for (std::size_t i = 0; i < count; ++i)
@@ -172,14 +173,14 @@ std::vector<float> signed_shares(std::size_t count, const PairOf& pair) {
       light += a;
       lit += 1.0;
     }
-  const auto floor = lit > 0.0 ? floor_share * light / lit : 1.0;
-  std::vector<float> shares(count, std::numeric_limits<float>::quiet_NaN());
+  const auto floor = lit > 0.0 ? floor_fraction * light / lit : 1.0;
+  std::vector<float> fractions(count, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < count; ++i) {
     const auto a = mean(pair(i).a);
     const auto b = mean(pair(i).b);
-    if (a != 0.0 || b != 0.0) shares[i] = static_cast<float>((b - a) / std::max(a, floor));
+    if (a != 0.0 || b != 0.0) fractions[i] = static_cast<float>((b - a) / std::max(a, floor));
   }
-  return shares;
+  return fractions;
 }
 
 bool states_every_error(const Solution& s) {
@@ -206,10 +207,10 @@ Pair side_pair(const Baked& a, const Baked& b, std::size_t side) {
 
 std::optional<bool> Comparison::agrees() const {
   if (!(expected_rms > 0.0)) return std::nullopt;
-  const auto bias = std::max(most_bias * expected_rms, most_bias_errors * bias_error);
+  const auto bias = std::max(max_bias * expected_rms, max_bias_errors * bias_error);
   if (std::fabs(mean_bias) > bias) return false;
-  if (scored > 0) return mean_z2 <= most_mean_z2 && within >= least_within;
-  return relative_rms * relative_rms <= most_mean_z2 * expected_rms * expected_rms;
+  if (scored > 0) return mean_z2 <= max_mean_z2 && within >= min_within;
+  return relative_rms * relative_rms <= max_mean_z2 * expected_rms * expected_rms;
 }
 
 Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places) {
@@ -246,12 +247,12 @@ std::vector<float> relative_differences(const Baked& a, const Baked& b) {
     const auto [plain_a, plain_b] = in_plain_colour(a, b);
     return relative_differences(plain_a, plain_b);
   }
-  return signed_shares(2 * a.patches.size(), [&](std::size_t side) { return side_pair(a, b, side); });
+  return signed_fractions(2 * a.patches.size(), [&](std::size_t side) { return side_pair(a, b, side); });
 }
 
 std::vector<float> relative_differences(const Image& a, const Image& b) {
   check_same_size(a, b);
-  return signed_shares(a.pixels.size(), [&](std::size_t i) { return Pair{at(a, i), at(b, i), {}, {}}; });
+  return signed_fractions(a.pixels.size(), [&](std::size_t i) { return Pair{at(a, i), at(b, i), {}, {}}; });
 }
 
 }  // namespace luxel

@@ -20,9 +20,9 @@ const Vec3 paper(0.02f);
 const Vec3 ink(0.85f);
 const Vec3 nothing(0.1f);
 
-Vec3 colour_of(float share, float scale) {
-  if (std::isnan(share)) return nothing;
-  const auto s = share / scale;
+Vec3 colour_of(float fraction, float scale) {
+  if (std::isnan(fraction)) return nothing;
+  const auto s = fraction / scale;
   const Vec3 full = s > 0.0f ? Vec3(0.75f, 0.03f, 0.02f) : Vec3(0.02f, 0.1f, 0.75f);
   const auto strength = std::min(1.0f, std::fabs(s));
   const auto beyond = std::clamp(0.5f * (std::fabs(s) - 1.0f), 0.0f, 0.7f);  // darker, down to three tenths
@@ -67,8 +67,9 @@ void draw_legend(Image& image, int top, float scale, int dot) {
   const auto bar_width = image.width - 2 * margin;
   const auto bar_top = top + 4 * dot;
   for (int x = 0; x < bar_width; ++x) {
-    const auto share = scale * (2.0f * (static_cast<float>(x) + 0.5f) / static_cast<float>(bar_width) - 1.0f);
-    for (int y = 0; y < 8 * dot; ++y) image.at(margin + x, bar_top + y) = colour_of(share, scale);
+    const auto fraction =
+        scale * (2.0f * (static_cast<float>(x) + 0.5f) / static_cast<float>(bar_width) - 1.0f);
+    for (int y = 0; y < 8 * dot; ++y) image.at(margin + x, bar_top + y) = colour_of(fraction, scale);
   }
   const bool is_narrow = image.width < 6 * text_width("+0.05%", dot);
   for (int i = -2; i <= 2; i += is_narrow ? 2 : 1) {
@@ -81,19 +82,19 @@ void draw_legend(Image& image, int top, float scale, int dot) {
 
 }  // namespace
 
-Image difference_picture(std::span<const float> shares, int width, int height, float scale) {
+Image difference_picture(std::span<const float> fractions, int width, int height, float scale) {
   const int dot = std::max(1, width / 480);
   const int legend = 24 * dot;
   Image image(width, height + legend, paper);
-  for (std::size_t i = 0; i < shares.size(); ++i) image.pixels[i] = colour_of(shares[i], scale);
+  for (std::size_t i = 0; i < fractions.size(); ++i) image.pixels[i] = colour_of(fractions[i], scale);
   draw_legend(image, height, scale, dot);
   return image;
 }
 
-float automatic_scale(std::span<const float> shares) {
+float automatic_scale(std::span<const float> fractions) {
   constexpr double least = 1e-6;
   std::vector<float> sizes;
-  for (const auto s : shares)
+  for (const auto s : fractions)
     if (!std::isnan(s)) sizes.push_back(std::fabs(s));
   if (sizes.empty()) return 0.01f;
   const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
@@ -106,19 +107,19 @@ float automatic_scale(std::span<const float> shares) {
   return static_cast<float>(10.0 * power);
 }
 
-std::vector<float> seen_shares(const PatchSet& patches, std::span<const float> of_side, const Tracer& tracer,
-                               const Camera& camera, int width, int height) {
+std::vector<float> seen_fractions(const PatchSet& patches, std::span<const float> of_side,
+                                  const Tracer& tracer, const Camera& camera, int width, int height) {
   const Pinhole pinhole(camera, width, height);
-  std::vector<float> shares;
-  shares.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<float> fractions;
+  fractions.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto hit = tracer.nearest(pinhole.ray(x + 0.5, y + 0.5));
       const auto is_lit = hit && (!hit.back || patches.material_of(hit.patch).two_sided);
-      shares.push_back(is_lit ? of_side[std::size_t{2} * hit.patch + (hit.back ? 1 : 0)]
-                              : std::numeric_limits<float>::quiet_NaN());
+      fractions.push_back(is_lit ? of_side[std::size_t{2} * hit.patch + (hit.back ? 1 : 0)]
+                                 : std::numeric_limits<float>::quiet_NaN());
     }
-  return shares;
+  return fractions;
 }
 
 }  // namespace luxel

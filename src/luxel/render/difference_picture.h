@@ -16,15 +16,15 @@ namespace luxel {
 // scale with its numbers. Display-referred, linear RGB in [0, 1].
 //
 // shares: [pixel], width * height, row by row. scale: above 0; automatic_scale() makes one.
-Image difference_picture(std::span<const float> shares, int width, int height, float scale);
+Image difference_picture(std::span<const float> fractions, int width, int height, float scale);
 
 // What nineteen in twenty of the shares do not exceed, rounded up to 1, 2 or 5 times a power of ten; 0.01
 // where there are none.
-float automatic_scale(std::span<const float> shares);
+float automatic_scale(std::span<const float> fractions);
 
 // The shares of patch sides ([side], see relative_differences()) as a camera sees them, one ray through the
 // middle of each pixel: what is seen, side by side; NaN where nothing is.
-std::vector<float> seen_shares(const PatchSet& patches, std::span<const float> of_side, const Tracer& tracer,
-                               const Camera& camera, int width, int height);
+std::vector<float> seen_fractions(const PatchSet& patches, std::span<const float> of_side,
+                                  const Tracer& tracer, const Camera& camera, int width, int height);
 
 }  // namespace luxel

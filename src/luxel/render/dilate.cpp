@@ -31,10 +31,10 @@ int mean_around(const LightmapPage& page, int x, int y, Filling& filling) {
         filling.light_vector[axis] += page.light_vector[axis].pixels[texel];
       ++lit;
     }
-  const auto share = 1.0f / static_cast<float>(std::max(1, lit));
-  filling.irradiance = share * irradiance;
-  filling.standard_error = share * standard_error;
-  for (auto& of_axis : filling.light_vector) of_axis *= share;
+  const auto fraction = 1.0f / static_cast<float>(std::max(1, lit));
+  filling.irradiance = fraction * irradiance;
+  filling.standard_error = fraction * standard_error;
+  for (auto& of_axis : filling.light_vector) of_axis *= fraction;
   return lit;
 }
 

@@ -15,17 +15,17 @@ namespace {
 
 constexpr std::uint32_t gather_step = 0x67617468u;      // keeps these streams apart from others of the seed
 constexpr std::size_t samples_between_calls = 1 << 17;  // of the monitor; two to three rays each
-constexpr std::size_t pixels_a_chunk = 16;
-constexpr int most_rays = 65536;
+constexpr std::size_t pixels_per_chunk = 16;
+constexpr int max_rays = 65536;
 
 void check(const PatchSet& patches, const Solution& solution, const GatherOptions& options) {
   if (solution.radiosity_front.size() != patches.size() * patches.band_count() ||
       solution.radiosity_back.size() != solution.radiosity_front.size())
     throw MismatchError(
         fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
-  if (options.rays < 1 || options.rays > most_rays)
+  if (options.rays < 1 || options.rays > max_rays)
     throw InputError(
-        fmt::format("a final gather takes 1 to {} rays a pixel, not {}", most_rays, options.rays));
+        fmt::format("a final gather takes 1 to {} rays a pixel, not {}", max_rays, options.rays));
 }
 
 }  // namespace
@@ -73,9 +73,9 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   const auto width = static_cast<std::size_t>(options.width);
   const auto rows = std::max<std::size_t>(1, samples_between_calls / (width * samples));
   for (std::size_t first = 0; first < seen.pixels(); first += rows * width) {
-    const auto share = static_cast<double>(first) / static_cast<double>(seen.pixels());
-    if (tell(monitor, {"picture", share, 3 * samples * first}) == Next::stop) return picture;
-    workers.for_chunks(std::min(rows * width, seen.pixels() - first), pixels_a_chunk,
+    const auto fraction = static_cast<double>(first) / static_cast<double>(seen.pixels());
+    if (tell(monitor, {"picture", fraction, 3 * samples * first}) == Next::stop) return picture;
+    workers.for_chunks(std::min(rows * width, seen.pixels() - first), pixels_per_chunk,
                        [&](std::size_t begin, std::size_t end, int) {
                          for (auto i = first + begin; i < first + end; ++i)
                            picture.pixels[i] = radiance_of_pixel(i);

@@ -18,13 +18,13 @@ struct Footprint {
   // at: texels, from the top left; width: of the page.
   Footprint(const Vec2& at, int width) {
     const auto low = glm::floor(at - 0.5f);
-    const auto share = at - 0.5f - low;
+    const auto fraction = at - 0.5f - low;
     for (int i = 0; i < 4; ++i) {
       const auto x = std::clamp(static_cast<int>(low.x) + i % 2, 0, width - 1);
       const auto y = std::clamp(static_cast<int>(low.y) + i / 2, 0, width - 1);
       texel[static_cast<std::size_t>(i)] = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x;
       weight[static_cast<std::size_t>(i)] =
-          (i % 2 == 0 ? 1.0f - share.x : share.x) * (i / 2 == 0 ? 1.0f - share.y : share.y);
+          (i % 2 == 0 ? 1.0f - fraction.x : fraction.x) * (i / 2 == 0 ? 1.0f - fraction.y : fraction.y);
     }
   }
 };

@@ -19,9 +19,9 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t texel_step = 0x7465786cu;  // keeps these streams apart from others of the seed
-constexpr std::uint32_t fewest_rays = 64;
-constexpr std::size_t texels_a_chunk = 64;
-constexpr std::size_t most_between_calls = 1 << 14;  // texels, of the monitor
+constexpr std::uint32_t min_rays = 64;
+constexpr std::size_t texels_per_chunk = 64;
+constexpr std::size_t max_between_calls = 1 << 14;  // texels, of the monitor
 
 void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
            const TexelOptions& options, const Lightmap& lightmap) {
@@ -36,9 +36,9 @@ void check(const PatchSet& patches, const Solution& solution, const SmoothLight&
   if (!(options.error >= 0.0 && options.error <= 1.0))
     throw InputError(
         fmt::format("the error asked of a texel must be from 0 to 1, but it is {}", options.error));
-  if (options.most_rays < fewest_rays)
+  if (options.max_rays < min_rays)
     throw InputError(
-        fmt::format("a final gather takes at least {} rays a texel, not {}", fewest_rays, options.most_rays));
+        fmt::format("a final gather takes at least {} rays a texel, not {}", min_rays, options.max_rays));
 }
 
 // What the solution says of single sides and places.
@@ -72,15 +72,15 @@ class SolvedLight {
   }
 
   // What smooth light may be wrong by on this side, W/m².
-  double doubt(std::uint32_t side) const {
+  double uncertainty(std::uint32_t side) const {
     std::array<Vec3d, 3> corner;
     for (std::size_t k = 0; k < 3; ++k)
       corner[k] = at({side, {k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f}, Texel::inside});
     const auto misfit = (corner[0] + corner[1] + corner[2]) / 3.0 - mean(side);
     double rise = 0.0;
     for (std::size_t k = 0; k < 3; ++k) rise = std::max(rise, glm::length(corner[(k + 1) % 3] - corner[k]));
-    constexpr double share_of_rise = 0.25;
-    return std::max({glm::length(standard_error(side)), glm::length(misfit), share_of_rise * rise});
+    constexpr double fraction_of_rise = 0.25;
+    return std::max({glm::length(standard_error(side)), glm::length(misfit), fraction_of_rise * rise});
   }
 
  private:
@@ -108,14 +108,14 @@ double mean_light(const PatchSet& patches, const SolvedLight& light, const Atlas
 // From where the rays of a texel leave: a little inside the patch, so that what stands along its border is
 // before the point and not above it.
 SurfacePoint point_of(const PatchSet& patches, const Atlas& atlas, const TexelPlace& place) {
-  constexpr float most_drawn_in = 0.25f;  // of the way to the centroid
-  constexpr float from_border = 0.02f;    // texels
+  constexpr float max_drawn_in = 0.25f;  // of the way to the centroid
+  constexpr float from_border = 0.02f;   // texels
   const auto& t = atlas.corners[place.side];
   const auto b = t[1] - t[0], c = t[2] - t[0];
   const auto longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
   const auto third_height = std::abs(cross(b, c)) / (3.0f * longest);
   const auto drawn_in =
-      third_height > 0.0f ? std::min(most_drawn_in, from_border / third_height) : most_drawn_in;
+      third_height > 0.0f ? std::min(max_drawn_in, from_border / third_height) : max_drawn_in;
   return surface_point(patches, place.side / 2, place.side % 2 == 1,
                        place.weights + drawn_in * (Vec2(1.0f / 3.0f) - place.weights));
 }
@@ -134,7 +134,8 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
   std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; not yet known
   const auto wants = [&](std::uint32_t side) {
     if (is_wanting[side] < 0)
-      is_wanting[side] = light.doubt(side) > error * std::max(glm::length(light.mean(side)), least) ? 1 : 0;
+      is_wanting[side] =
+          light.uncertainty(side) > error * std::max(glm::length(light.mean(side)), least) ? 1 : 0;
     return is_wanting[side] > 0;
   };
   for (std::uint32_t p = 0; p < places.size(); ++p) {
@@ -220,15 +221,15 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bo
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds between_calls(100);
   constexpr std::uint32_t rays_at_first = 1 << 17;
-  std::size_t at_a_time = std::max(1u, rays_at_first / bounds.most_rays);
+  std::size_t at_a_time = std::max(1u, rays_at_first / bounds.max_rays);
   std::vector<PointGather::Result> results;
   for (std::size_t first = 0, count = 0; first < wanting.size(); first += count) {
-    const auto share = static_cast<double>(first) / static_cast<double>(wanting.size());
-    if (tell(monitor_, {"texels", begin + share * (end - begin), report.rays}) == Next::stop) return false;
+    const auto fraction = static_cast<double>(first) / static_cast<double>(wanting.size());
+    if (tell(monitor_, {"texels", begin + fraction * (end - begin), report.rays}) == Next::stop) return false;
     const auto begun = Clock::now();
     count = std::min(wanting.size() - first, at_a_time);
     results.resize(count);
-    const auto chunk = std::clamp<std::size_t>(count / texels_a_chunk, 1, texels_a_chunk);
+    const auto chunk = std::clamp<std::size_t>(count / texels_per_chunk, 1, texels_per_chunk);
     workers_.for_chunks(count, chunk, [&](std::size_t from, std::size_t to, int) {
       for (auto i = from; i < to; ++i) {
         const auto [page, texel] = wanting[first + i];
@@ -248,7 +249,7 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bo
     }
     const auto took = Clock::now() - begun;
     if (took > between_calls) at_a_time = std::max<std::size_t>(1, at_a_time / 2);
-    if (took < between_calls / 2) at_a_time = std::min(most_between_calls, 2 * at_a_time);
+    if (took < between_calls / 2) at_a_time = std::min(max_between_calls, 2 * at_a_time);
   }
   return true;
 }
@@ -273,11 +274,11 @@ TexelReport gather_texels(const PatchSet& patches, const Solution& solution, con
 
   const PointGather gather(patches, light, *tracer);
   TexelGather texels(patches, lightmap, places, gather, options.seed, workers, monitor);
-  PointGather::Bounds bounds{options.error, least, options.most_rays, options.directional};
+  PointGather::Bounds bounds{options.error, least, options.max_rays, options.directional};
   constexpr double first_part = 0.98;
   report.stopped = !texels.run(wanting, bounds, 0.0, first_part, lightmap, report);
   if (report.stopped) return report;
-  bounds.fewest_rays = std::min(options.most_rays, 16 * bounds.fewest_rays);
+  bounds.min_rays = std::min(options.max_rays, 16 * bounds.min_rays);
   TexelReport again{.rays = report.rays};
   report.stopped = !texels.run(standing_out(lightmap, wanting), bounds, first_part, 1.0, lightmap, again);
   report.rays = again.rays;

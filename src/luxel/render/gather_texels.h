@@ -14,10 +14,10 @@
 namespace luxel {
 
 struct TexelOptions {
-  double error = 0.02;             // relative standard error asked of a texel; 0: no final gather
-  std::uint32_t most_rays = 4096;  // cosine rays a texel, and as many to lamps; 64 and more
-  bool directional = false;        // the light vector too, and so all texels by final gather
-  double dark = 0.1;               // of the mean light: below, the error is of this much
+  double error = 0.02;            // relative standard error asked of a texel; 0: no final gather
+  std::uint32_t max_rays = 4096;  // cosine rays a texel, and as many to lamps; 64 and more
+  bool directional = false;       // the light vector too, and so all texels by final gather
+  double dark = 0.1;              // of the mean light: below, the error is of this much
   std::uint64_t seed = 1;
 };
 
@@ -25,7 +25,7 @@ struct TexelOptions {
 struct TexelReport {
   std::uint64_t texels = 0;       // with light of their own
   std::uint64_t gathered = 0;     // of them, by final gather
-  std::uint64_t short_of_it = 0;  // of these, with most_rays and still a larger error than asked
+  std::uint64_t short_of_it = 0;  // of these, with max_rays and still a larger error than asked
   std::uint64_t rays = 0;         // traced
   // By the monitor in the stage "texels": those not reached hold the interpolated light.
   bool stopped = false;

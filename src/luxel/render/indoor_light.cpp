@@ -94,16 +94,16 @@ Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Worke
   const auto light = brightness_of(patches, faces, met);
 
   // How far each face is shut in, and whether there is an indoors at all.
-  std::vector<float> share(faces.size(), 0.0f);
+  std::vector<float> fraction(faces.size(), 0.0f);
   double lit_area = 0.0;
   double inside = 0.0;
-  for (std::size_t f = 0; f < share.size(); ++f) {
+  for (std::size_t f = 0; f < fraction.size(); ++f) {
     const auto first = met.begin() + static_cast<std::ptrdiff_t>(f * rays);
-    share[f] = 1.0f - static_cast<float>(std::count(first, first + rays, Faces::sky)) / rays;
+    fraction[f] = 1.0f - static_cast<float>(std::count(first, first + rays, Faces::sky)) / rays;
     for (const auto p : faces.patches(f)) {
       if (!(light[f] > 0.0f)) continue;
       lit_area += static_cast<double>(patches.area[p]);
-      if (share[f] > indoors) inside += static_cast<double>(patches.area[p]);
+      if (fraction[f] > indoors) inside += static_cast<double>(patches.area[p]);
     }
   }
   const bool has_indoors = inside > many * lit_area;
@@ -113,12 +113,12 @@ Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Worke
   result.bands = patches.bands;
   for (auto* array : {&result.irradiance_front, &result.irradiance_back})
     array->assign(patches.size() * bands, 0.0f);
-  for (std::size_t f = 0; f < share.size(); ++f) {
-    if (!(light[f] > 0.0f) || (has_indoors && share[f] <= indoors)) continue;
+  for (std::size_t f = 0; f < fraction.size(); ++f) {
+    if (!(light[f] > 0.0f) || (has_indoors && fraction[f] <= indoors)) continue;
     const auto seen = std::min(1.0f, light[f] / dim);
     auto& irradiance = f % 2 == 0 ? result.irradiance_front : result.irradiance_back;
     for (const auto p : faces.patches(f))
-      std::fill_n(&irradiance[p * bands], bands, has_indoors ? seen * share[f] * share[f] : 1.0f);
+      std::fill_n(&irradiance[p * bands], bands, has_indoors ? seen * fraction[f] * fraction[f] : 1.0f);
   }
   return result;
 }

@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t pixels_a_chunk = 64;
+constexpr std::size_t pixels_per_chunk = 64;
 
 // What stands still while a picture is made.
 struct Shot {
@@ -31,8 +31,8 @@ Vec3d radiance_at(const Shot& shot, const Hit& hit) {
     const auto at = t[0] + hit.u * (t[1] - t[0]) + hit.v * (t[2] - t[0]);
     irradiance = look_up(shot.lightmap.pages[atlas.page_of(side)].irradiance, at);
   }
-  const auto share = share_of_place(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
-  return radiance_of(shot.patches.material_of(hit.patch), hit.back, &irradiance.x, shot.colours, share);
+  const auto fraction = texture_ratio_at(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
+  return radiance_of(shot.patches.material_of(hit.patch), hit.back, &irradiance.x, shot.colours, fraction);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const 
   const auto side = options.samples_per_side;
   const auto width = static_cast<std::size_t>(options.width);
   Image picture(options.width, options.height);
-  workers.for_chunks(picture.pixels.size(), pixels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_chunks(picture.pixels.size(), pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       const auto x = static_cast<double>(i % width), y = static_cast<double>(i / width);
       Vec3d sum(0.0);

@@ -17,13 +17,13 @@ namespace {
 
 // So that the sides with light have half of the texels of a page.
 double automatic_texels(const PatchSet& patches, const Solution& solution, int page_size) {
-  constexpr int most_of_page = 512;
-  constexpr double share = 0.5;
+  constexpr int max_of_page = 512;
+  constexpr double fraction = 0.5;
   double area = 0.0;  // m²
   for (std::size_t p = 0; p < patches.size(); ++p)
     area += (back_is_lit(solution, p) ? 2.0 : 1.0) * patches.area[p];
-  const double side = std::min(page_size, most_of_page);
-  return std::sqrt(share * side * side / area);
+  const double side = std::min(page_size, max_of_page);
+  return std::sqrt(fraction * side * side / area);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ LaidOut lay_out(const PatchSet& patches, const Solution& solution, const Lightma
                          .margin = options.margin};
   check_pack_options(patches, pack);
   LaidOut laid;
-  laid.charts = make_charts(
-      patches, solution,
-      {.texel = pack.texel, .crease_angle = options.crease_angle, .most_texels = most_texels(pack)}, workers,
-      monitor);
+  laid.charts =
+      make_charts(patches, solution,
+                  {.texel = pack.texel, .crease_angle = options.crease_angle, .max_texels = max_texels(pack)},
+                  workers, monitor);
   if (laid.charts.charts.empty()) return {};
   laid.atlas = pack_charts(patches, laid.charts, pack);
   return laid;

@@ -17,13 +17,13 @@ constexpr std::size_t reflected = 3;
 
 double whole_error(const BatchMeans& means) {
   double variance = 0.0;
-  double light2 = 0.0;
+  double squared_light = 0.0;
   for (std::size_t pixel = 0; pixel < means.elements(); ++pixel)
     for (auto v = reflected; v < values; ++v) {
       variance += means.variance(pixel, v);
-      light2 += means.mean(pixel, v) * means.mean(pixel, v);
+      squared_light += means.mean(pixel, v) * means.mean(pixel, v);
     }
-  return light2 > 0.0 ? std::sqrt(variance / light2) : 0.0;
+  return squared_light > 0.0 ? std::sqrt(variance / squared_light) : 0.0;
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ class SideMeans {
   // sqrt(sum of A variance / sum of A H²) over sides and bands.
   double whole_error() const {
     double variance = 0.0;
-    double light2 = 0.0;
+    double squared_light = 0.0;
     for (std::size_t side = 0; side < means_.elements(); ++side)
       for (std::size_t b = 0; b < bands_; ++b) {
         variance += area(side) * means_.variance(side, b);
-        light2 += area(side) * means_.mean(side, b) * means_.mean(side, b);
+        squared_light += area(side) * means_.mean(side, b) * means_.mean(side, b);
       }
-    return light2 > 0.0 ? std::sqrt(variance / light2) : 0.0;
+    return squared_light > 0.0 ? std::sqrt(variance / squared_light) : 0.0;
   }
 
   double area(std::size_t side) const { return static_cast<double>(patches_.area[side / 2]); }
@@ -148,7 +148,7 @@ PathReport trace_light(const PatchSet& patches, const Tracer& tracer, Solution& 
   fill_power(patches, sides, report);
   report.error_95th = solution.error_95th;
 
-  solution.unshot_share = 0.0;
+  solution.unshot_fraction = 0.0;
   solution.predicted_error = report.predicted_error;
   solution.stop = report.stop;
   solution.provenance.method = "path-traced";

@@ -81,7 +81,7 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bou
     if (samples > first_samples) variance = 0.5 * (variance + 0.5 * of_half);
     result.standard_error = widening_of(replicates) * glm::sqrt(variance);
     const auto whole = std::max(glm::length(result.irradiance), bounds.least);
-    result.reached = samples > first_samples && samples * replicates >= bounds.fewest_rays &&
+    result.reached = samples > first_samples && samples * replicates >= bounds.min_rays &&
                      std::sqrt(variance.x + variance.y + variance.z) <= bounds.error * whole;
   };
 
@@ -91,7 +91,7 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bou
       for (auto i = from; i < to; ++i) sample(points, i, r);
     }
     judge(to);
-    if (!result.reached && 2 * to * replicates <= bounds.most_rays) continue;
+    if (!result.reached && 2 * to * replicates <= bounds.max_rays) continue;
     for (std::size_t i = 0; i < vectors.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         result.light_vector[axis] += colours_.of(i % bands) * vectors[i][static_cast<int>(axis)] /

@@ -22,9 +22,9 @@ class PointGather {
   struct Bounds {
     double error = 0.02;             // of the irradiance, relative
     double least = 0.0;              // W/m²; of darker points the error is of this much
-    std::uint32_t most_rays = 4096;  // cosine rays
+    std::uint32_t max_rays = 4096;   // cosine rays
     bool with_light_vector = false;  // half of the rays then go evenly, not by the cosine
-    std::uint32_t fewest_rays = 64;  // as many at least, before the spread is believed
+    std::uint32_t min_rays = 64;     // as many at least, before the spread is believed
   };
   struct Result {
     Vec3d irradiance{0.0};                // W/m² by linear sRGB

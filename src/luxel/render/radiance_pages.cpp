@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t texels_a_chunk = 1024;
+constexpr std::size_t texels_per_chunk = 1024;
 
 }  // namespace
 
@@ -27,17 +27,17 @@ std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& light
     const auto done = static_cast<double>(p) / static_cast<double>(shining.pages.size());
     if (tell(monitor, {"colours", done}) == Next::stop) return {};
     auto& page = shining.pages[p];
-    workers.for_chunks(places[p].size(), texels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    workers.for_chunks(places[p].size(), texels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto& place = places[p][i];
         page.texels[i] = place.kind;  // what was filled from beside is filled again
         if (place.kind == Texel::empty) continue;
         const auto patch = place.side / 2;
-        const auto share = share_of_place(patches, fine, patch, place.weights.x, place.weights.y);
+        const auto fraction = texture_ratio_at(patches, fine, patch, place.weights.x, place.weights.y);
         auto& pixel = page.irradiance.pixels[i];
         const auto light = pixel;
-        pixel =
-            in_gamut(radiance_of(patches.material_of(patch), place.side % 2 == 1, &light.x, colours, share));
+        pixel = in_gamut(
+            radiance_of(patches.material_of(patch), place.side % 2 == 1, &light.x, colours, fraction));
       }
     });
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr int max_samples_per_side = 64;
 constexpr std::size_t rays_between_calls = 1u
                                            << 18;  // of the monitor: about a tenth of a second on two cores
-constexpr std::size_t pixels_a_chunk = 64;
+constexpr std::size_t pixels_per_chunk = 64;
 
 void check(const PatchSet& patches, const SmoothLight& light, const RenderOptions& options) {
   if (light.corners.size() != patches.size())
@@ -55,8 +55,8 @@ Vec3d radiance_at(const Shot& shot, const Hit& hit, std::vector<float>& here) {
     const auto* at = &irradiance[bands * corners[corner]];
     for (std::size_t band = 0; band < bands; ++band) here[band] += weight[corner] * at[band];
   }
-  const auto share = share_of_place(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
-  return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours, share);
+  const auto fraction = texture_ratio_at(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
+  return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours, fraction);
 }
 
 // The mean over the pixel's square (a box filter), one jittered sample in each cell of a grid.
@@ -90,23 +90,23 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
 
   const auto width = static_cast<std::size_t>(options.width);
   const auto height = static_cast<std::size_t>(options.height);
-  const auto rays_a_row =
+  const auto rays_per_row =
       width * static_cast<std::size_t>(options.samples_per_side * options.samples_per_side);
-  const auto band_rows = std::max<std::size_t>(1, rays_between_calls / rays_a_row);
+  const auto band_rows = std::max<std::size_t>(1, rays_between_calls / rays_per_row);
   for (std::size_t row = 0; row < height; row += band_rows) {
     const Progress progress{"picture", static_cast<double>(row) / static_cast<double>(height),
-                            row * rays_a_row};
+                            row * rays_per_row};
     if (tell(monitor, progress) == Next::stop) return picture;
     const auto first = row * width;
     const auto count = std::min(band_rows, height - row) * width;
-    workers.for_chunks(count, pixels_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+    workers.for_chunks(count, pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       std::vector<float> scratch(colours.bands());
       for (auto i = first + begin; i < first + end; ++i)
         picture.pixels[i] =
             pixel_radiance(shot, static_cast<int>(i % width), static_cast<int>(i / width), scratch);
     });
   }
-  tell(monitor, {"picture", 1.0, height * rays_a_row});
+  tell(monitor, {"picture", 1.0, height * rays_per_row});
   return picture;
 }
 

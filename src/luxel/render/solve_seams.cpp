@@ -92,7 +92,7 @@ int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Num
   auto norm = dot(residual, residual);
   const auto enough = as_good * norm;
   int step = 0;
-  for (; step < options.most_steps && norm > enough && next_step(step); ++step) {
+  for (; step < options.max_steps && norm > enough && next_step(step); ++step) {
     const auto image = apply(direction);
     const auto length = norm / dot(direction, image);
     for (std::size_t i = 0; i < d.size(); ++i) {
@@ -109,7 +109,7 @@ int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Num
 }  // namespace
 
 std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas) {
-  constexpr double places_a_texel = 2.0;
+  constexpr double places_per_texel = 2.0;
   constexpr float same_place = 1e-2f;  // texels; nearer, the layout runs on as the surface does
   std::vector<SeamPlace> places;
   for (const auto& edge : charts.edges) {
@@ -126,12 +126,13 @@ std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas
     if (atlas.page_of(side_a) == atlas.page_of(side_b) && glm::length(ends[0][0] - ends[1][0]) < same_place &&
         glm::length(ends[0][1] - ends[1][1]) < same_place)
       continue;
-    const auto count = std::max(1, static_cast<int>(std::ceil(places_a_texel * length)));
+    const auto count = std::max(1, static_cast<int>(std::ceil(places_per_texel * length)));
     for (int i = 0; i < count; ++i) {
-      const auto share = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+      const auto fraction = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
       SeamPlace place;
       for (std::size_t h = 0; h < 2; ++h)
-        place.sides[h] = {atlas.page_of(edge.halves[h].side), ends[h][0] + share * (ends[h][1] - ends[h][0])};
+        place.sides[h] = {atlas.page_of(edge.halves[h].side),
+                          ends[h][0] + fraction * (ends[h][1] - ends[h][0])};
       places.push_back(place);
     }
   }
@@ -159,7 +160,7 @@ SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptio
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(pixel(seams.texels()[i])[c]);
     const auto found = seams.differences(x);
     const auto next_step = [&](int step) {
-      const auto done = (c + static_cast<double>(step) / options.most_steps) / 3.0;
+      const auto done = (c + static_cast<double>(step) / options.max_steps) / 3.0;
       report.stopped = report.stopped || tell(monitor, {"seams", done}) == Next::stop;
       return !report.stopped;
     };

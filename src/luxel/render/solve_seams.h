@@ -9,7 +9,7 @@ namespace luxel {
 
 struct SeamOptions {
   double weight_of_light = 0.01;  // of what a texel holds, against agreement at one place of a seam; above 0
-  int most_steps = 200;           // of conjugate gradients
+  int max_steps = 200;            // of conjugate gradients
 };
 
 struct SeamReport {

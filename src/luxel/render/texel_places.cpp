@@ -23,11 +23,11 @@ Nearest nearest_on_edge(const Triangle& t, std::size_t k, const Point& p) {
   const auto j = (k + 1) % 3;
   const auto edge = t[j] - t[k];
   const auto length2 = glm::dot(edge, edge);
-  const auto share = length2 > 0.0 ? std::clamp(glm::dot(p - t[k], edge) / length2, 0.0, 1.0) : 0.0;
-  const auto d = p - (t[k] + share * edge);
+  const auto fraction = length2 > 0.0 ? std::clamp(glm::dot(p - t[k], edge) / length2, 0.0, 1.0) : 0.0;
+  const auto d = p - (t[k] + fraction * edge);
   std::array<double, 3> weight{};
-  weight[k] += 1.0 - share;
-  weight[j] += share;
+  weight[k] += 1.0 - fraction;
+  weight[j] += fraction;
   return {glm::dot(d, d), {weight[1], weight[2]}};
 }
 

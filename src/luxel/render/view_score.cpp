@@ -138,7 +138,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
   facts.lopsided = std::abs(facts.lopsided) / pixels;
   facts.rise = static_cast<double>(glm::dot(forward, subject.up));
   facts.empty = 1.0 - static_cast<double>(hits.size()) / pixels;
-  for (auto* share : {&facts.bright, &facts.lit, &facts.glare, &facts.coverage}) *share /= pixels;
+  for (auto* fraction : {&facts.bright, &facts.lit, &facts.glare, &facts.coverage}) *fraction /= pixels;
   facts.variety = (directions_variety(subject, hits) + materials_variety(subject, hits) +
                    depth_variety(hits, facts.depth)) /
                   3.0;
@@ -146,7 +146,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
 }
 
 double score(const ViewFacts& f, double openness) {
-  const auto beyond = [](double share, double allowed) { return std::max(0.0, share - allowed); };
+  const auto beyond = [](double fraction, double allowed) { return std::max(0.0, fraction - allowed); };
   const auto allowed = std::min(0.6, openness);
   const auto filled = 1.0 - std::min(f.empty, allowed);
   // A thing alone is shown whole; in a room the picture has no other place to end than on a wall.

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr double lumens_a_watt_of_y = 683.0;  // lm/W at 555 nm, the definition of the candela
+constexpr double lumens_per_watt_of_y = 683.0;  // lm/W at 555 nm, the definition of the candela
 
 // IEC 61966-2-1, by columns. Its middle row is the luminance that RGB counts with, so that lumens come out
 // alike either way.
@@ -27,7 +27,7 @@ BandColours::BandColours(const std::vector<Waveband>& wavebands) {
     const auto seen = [&](const Spectrum& sensitivity) {
       return mean_around(wavebands, i, sensitivity, Beyond::zero);
     };
-    of_band_.push_back(lumens_a_watt_of_y / luminous_efficacy *
+    of_band_.push_back(lumens_per_watt_of_y / luminous_efficacy *
                        (rgb_of_xyz * Vec3d(seen(eye.x), seen(eye.y), seen(eye.z))));
   }
 }

@@ -158,14 +158,14 @@ void check_spectra(const Scene& scene) {
                       first_visible, last_visible, wavelength, before));
     before = wavelength;
   }
-  constexpr double most_light = 1e30;
+  constexpr double max_light = 1e30;
   for (const auto& material : scene.materials) {
     check_spectrum(scene, material.reflectance_spectrum, 1.0,
                    fmt::format("the reflectance of material '{}'", material.name));
-    check_spectrum(scene, material.emittance_spectrum, most_light,
+    check_spectrum(scene, material.emittance_spectrum, max_light,
                    fmt::format("the emittance of material '{}'", material.name));
   }
-  check_spectrum(scene, scene.sky_spectrum, most_light, "the radiance of the sky");
+  check_spectrum(scene, scene.sky_spectrum, max_light, "the radiance of the sky");
 }
 
 void check_camera(const Scene& scene, const Camera& camera) {

@@ -29,13 +29,13 @@ bool is_grey(const Vec3d& rgb) { return rgb.r == rgb.g && rgb.g == rgb.b; }
 // mean. colour_of(parabola, derivative): both of the surface that it stands for.
 template <typename ColourOf>
 Vec3d find_parabola(const Vec3d& rgb, const ColourOf& colour_of) {
-  constexpr int most_steps = 200;
+  constexpr int max_steps = 200;
   constexpr double near_enough = 1e-9;
   Vec3d best(inverse_sigmoid(std::clamp((rgb.r + rgb.g + rgb.b) / 3.0, 0.01, 0.99)), 0.0, 0.0);
   glm::dmat3 derivative;
   auto miss = rgb - colour_of(best, derivative);
   double damping = 1e-3;
-  for (int step = 0; step < most_steps && glm::length(miss) > near_enough; ++step) {
+  for (int step = 0; step < max_steps && glm::length(miss) > near_enough; ++step) {
     const auto transposed = glm::transpose(derivative);
     auto normal = transposed * derivative;
     for (int i = 0; i < 3; ++i) normal[i][i] += damping * normal[i][i] + 1e-18;
@@ -64,14 +64,14 @@ ColourSpectra::ColourSpectra(const std::vector<Waveband>& wavebands) : colours_(
                     wavebands.empty() ? 0.0 : wavebands.front().wavelength,
                     wavebands.empty() ? 0.0 : wavebands.back().wavelength, spectra_begin, spectra_end));
   std::vector<double> daylight;
-  glm::dmat3 shares(0.0);  // the colours of daylight times each power
+  glm::dmat3 fractions(0.0);  // the colours of daylight times each power
   for (std::size_t b = 0; b < wavebands.size(); ++b) {
     const auto u = (wavebands[b].wavelength - middle) / half_range;
     powers_.emplace_back(1.0, u, u * u);
     daylight.push_back(wavebands[b].width * daylight_d65().at(wavebands[b].wavelength, Beyond::holds));
-    for (int k = 0; k < 3; ++k) shares[k] += powers_[b][k] * daylight[b] * colours_.of(b);
+    for (int k = 0; k < 3; ++k) fractions[k] += powers_[b][k] * daylight[b] * colours_.of(b);
   }
-  const auto bend = glm::inverse(shares) * Vec3d(1.0);
+  const auto bend = glm::inverse(fractions) * Vec3d(1.0);
   for (std::size_t b = 0; b < wavebands.size(); ++b)
     white_.push_back(daylight[b] * std::max(0.0, glm::dot(bend, powers_[b])));
 }

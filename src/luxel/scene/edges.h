@@ -31,7 +31,7 @@ struct Edges {
   // Two triangles have it, as of any inner edge of a surface.
   bool is_inner(std::size_t edge) const { return begin[edge + 1] - begin[edge] == 2; }
   // Two triangles have it and go along it the same way: their fronts look to opposite sides.
-  bool is_twisted(std::size_t edge) const {
+  bool winds_inconsistently(std::size_t edge) const {
     return is_inner(edge) && uses[begin[edge]].forward == uses[begin[edge] + 1].forward;
   }
 };

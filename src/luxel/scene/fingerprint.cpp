@@ -94,7 +94,7 @@ void add_textures(WordHash& hash, const Scene& scene) {
     add_use(hash, material.textures.cutout);
     hash.add(material.textures.reflectance_factor);
     hash.add(material.textures.emittance_factor);
-    hash.add(material.textures.most_reflectance);
+    hash.add(material.textures.max_reflectance);
     hash.add(material.textures.cutout_threshold);
   }
 }

@@ -14,19 +14,19 @@ bool is_lamp(const Scene& scene, std::uint32_t triangle) {
   return scene.materials[static_cast<std::size_t>(scene.triangle_material[triangle])].is_lamp();
 }
 
-// Area of a piece's lamps: as its first triangle faces, and turned, m².
+// Area of a component's lamps: as its first triangle faces, and turned, m².
 struct LampArea {
   double with = 0.0, against = 0.0;
 };
 
 LampArea lamp_area(const Scene& scene, std::span<const Vec3> places, std::span<const CleanTriangle> triangles,
-                   const Pieces& pieces, std::size_t piece) {
+                   const Components& components, std::size_t component) {
   LampArea area;
-  for (auto i = pieces.begin[piece]; i < pieces.begin[piece + 1]; ++i) {
-    const auto t = pieces.order[i];
+  for (auto i = components.begin[component]; i < components.begin[component + 1]; ++i) {
+    const auto t = components.order[i];
     if (!is_lamp(scene, triangles[t].triangle)) continue;
     const auto& c = triangles[t].corners;
-    (pieces.is_turned[t] != 0 ? area.against : area.with) +=
+    (components.is_turned[t] != 0 ? area.against : area.with) +=
         triangle_area(places[c[0]], places[c[1]], places[c[2]]);
   }
   return area;
@@ -35,25 +35,26 @@ LampArea lamp_area(const Scene& scene, std::span<const Vec3> places, std::span<c
 }  // namespace
 
 WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
-                          std::span<const CleanTriangle> triangles, const Pieces& pieces) {
+                          std::span<const CleanTriangle> triangles, const Components& components) {
   WindingPlan plan;
   plan.turn.assign(triangles.size(), 0);
-  for (std::size_t p = 0; p < pieces.pieces.size(); ++p) {
-    const auto& piece = pieces.pieces[p];
-    if (!piece.is_orientable) {
+  for (std::size_t p = 0; p < components.components.size(); ++p) {
+    const auto& component = components.components[p];
+    if (!component.is_orientable) {
       ++plan.not_orientable;
       continue;
     }
-    const auto lamps = lamp_area(scene, places, triangles, pieces, p);
+    const auto lamps = lamp_area(scene, places, triangles, components, p);
     const bool has_lamps = lamps.with + lamps.against > 0.0;
     // Whether the triangles that face as the first one are those to turn.
-    const bool turns_first = has_lamps         ? lamps.against > lamps.with
-                             : piece.is_closed ? piece.volume < 0.0
-                                               : piece.area_turned > piece.area - piece.area_turned;
+    const bool turns_first = has_lamps ? lamps.against > lamps.with
+                             : component.is_closed
+                                 ? component.volume < 0.0
+                                 : component.area_turned > component.area - component.area_turned;
     std::size_t turned = 0;
-    for (auto i = pieces.begin[p]; i < pieces.begin[p + 1]; ++i) {
-      const auto t = pieces.order[i];
-      if ((pieces.is_turned[t] == 0) != turns_first) continue;
+    for (auto i = components.begin[p]; i < components.begin[p + 1]; ++i) {
+      const auto t = components.order[i];
+      if ((components.is_turned[t] == 0) != turns_first) continue;
       if (is_lamp(scene, triangles[t].triangle)) {
         ++plan.stubborn_lamps;
         continue;
@@ -63,10 +64,10 @@ WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
     }
     if (turned == 0) continue;
     plan.turned += turned;
-    ++plan.pieces;
+    ++plan.components;
     if (has_lamps)
       ++plan.lamps;
-    else if (piece.is_closed)
+    else if (component.is_closed)
       ++plan.closed;
   }
   return plan;
@@ -75,9 +76,10 @@ WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
 OrientReport orient_windings(Scene& scene) {
   VertexWeld weld;
   const auto clean = clean_triangles(scene, weld);
-  const auto pieces =
-      find_pieces(weld.positions(), clean.kept, find_edges(clean.kept, weld.positions().size()));
-  OrientReport report{plan_windings(scene, weld.positions(), clean.kept, pieces), pieces.pieces.size()};
+  const auto components =
+      find_components(weld.positions(), clean.kept, find_edges(clean.kept, weld.positions().size()));
+  OrientReport report{plan_windings(scene, weld.positions(), clean.kept, components),
+                      components.components.size()};
   for (std::size_t t = 0; t < clean.kept.size(); ++t)
     if (report.plan.turn[t] != 0) turn_triangle(scene, clean.kept[t].triangle);
   for (const auto& twin : clean.twins)
@@ -88,12 +90,12 @@ OrientReport orient_windings(Scene& scene) {
 
 std::string OrientReport::as_text() const {
   auto text = plan.turned == 0
-                  ? fmt::format("--orient: {} connected pieces looked at; nothing was turned", all_pieces)
+                  ? fmt::format("--orient: {} connected pieces looked at; nothing was turned", all_components)
                   : fmt::format(
                         "--orient: {} triangles turned round in {} of {} connected pieces ({} closed, now "
                         "facing outwards; {} that follow their lamps; {} by the greater area)",
-                        plan.turned, plan.pieces, all_pieces, plan.closed, plan.lamps,
-                        plan.pieces - plan.closed - plan.lamps);
+                        plan.turned, plan.components, all_components, plan.closed, plan.lamps,
+                        plan.components - plan.closed - plan.lamps);
   if (plan.not_orientable > 0)
     text += fmt::format("; {} pieces have no consistent side and stay as they are", plan.not_orientable);
   if (plan.stubborn_lamps > 0)

@@ -7,32 +7,32 @@
 #include <string>
 #include <vector>
 
-#include "luxel/scene/pieces.h"
+#include "luxel/scene/components.h"
 #include "luxel/scene/scene.h"
 
 namespace luxel {
 
-// Which triangles must be turned round so that each connected piece faces one way.
+// Which triangles must be turned round so that each connected component faces one way.
 struct WindingPlan {
   std::vector<std::uint8_t> turn;     // [clean triangle]
   std::size_t turned = 0;             // triangles
-  std::size_t pieces = 0;             // of which some were turned
+  std::size_t components = 0;         // of which some were turned
   std::size_t closed = 0, lamps = 0;  // of those: made to face outwards; made to follow their lamps
-  std::size_t not_orientable = 0;     // pieces left as they are: no winding makes them consistent
-  std::size_t stubborn_lamps = 0;     // lamp triangles that face otherwise than the rest of their piece
+  std::size_t not_orientable = 0;     // components left as they are: no winding makes them consistent
+  std::size_t stubborn_lamps = 0;     // lamp triangles that face otherwise than the rest of their component
 };
 
-// A piece that holds lamps follows them: its side is the one to which most of their area shines. Any other
-// closed piece faces outwards, by its signed volume. Any other piece faces where most of its area faced
-// before. Lamps are never turned, for their side is where they shine; those that face otherwise than their
-// piece stay so and are counted. Where as much faces one way as the other, the piece's first triangle
-// decides.
+// A component that holds lamps follows them: its side is the one to which most of their area shines. Any
+// other closed component faces outwards, by its signed volume. Any other component faces where most of its
+// area faced before. Lamps are never turned, for their side is where they shine; those that face otherwise
+// than their component stay so and are counted. Where as much faces one way as the other, the component's
+// first triangle decides.
 WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
-                          std::span<const CleanTriangle> triangles, const Pieces& pieces);
+                          std::span<const CleanTriangle> triangles, const Components& components);
 
 struct OrientReport {
   WindingPlan plan;
-  std::size_t all_pieces = 0;
+  std::size_t all_components = 0;
 
   // What was done, as a sentence.
   std::string as_text() const;

@@ -17,8 +17,8 @@ double Spectrum::at(double wavelength, Beyond beyond) const {
   if (next == samples_.begin()) return beyond == Beyond::holds ? samples_.front().value : 0.0;
   if (next == samples_.end()) return beyond == Beyond::holds ? samples_.back().value : 0.0;
   const auto last = next - 1;
-  const auto share = (wavelength - last->wavelength) / (next->wavelength - last->wavelength);
-  return last->value + share * (next->value - last->value);
+  const auto fraction = (wavelength - last->wavelength) / (next->wavelength - last->wavelength);
+  return last->value + fraction * (next->value - last->value);
 }
 
 bool Spectrum::any_above_zero() const {

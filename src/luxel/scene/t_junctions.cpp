@@ -53,13 +53,13 @@ double rounding_distance(std::span<const Vec3> places) {
 
 TJunctions find_t_junctions(std::span<const Vec3> places, const Edges& edges, double tolerance) {
   TJunctions result;
-  result.is_sewn.assign(edges.size(), 0);
+  result.is_welded.assign(edges.size(), 0);
   const OpenFans fans(places.size(), edges);
-  std::vector<std::uint32_t> rim;  // vertices of open edges
+  std::vector<std::uint32_t> loop;  // vertices of open edges
   std::vector<Vec3> points;
   for (std::uint32_t v = 0; v < places.size(); ++v)
     if (fans.begin[v + 1] > fans.begin[v]) {
-      rim.push_back(v);
+      loop.push_back(v);
       points.push_back(places[v]);
     }
   const PointTree tree(points);
@@ -74,7 +74,7 @@ TJunctions find_t_junctions(std::span<const Vec3> places, const Edges& edges, do
     tree.near_segment(places[a], places[b], tolerance, near);
     std::sort(near.begin(), near.end());
     for (const auto i : near) {
-      const auto v = rim[i];
+      const auto v = loop[i];
       const auto at = line.along(places[v]);
       if (v == a || v == b || at < tolerance || at > line.length - tolerance) continue;
       if (line.beside(places[v]) > tolerance) continue;
@@ -84,7 +84,7 @@ TJunctions find_t_junctions(std::span<const Vec3> places, const Edges& edges, do
         const auto end = edges.ends[other][0] == v ? edges.ends[other][1] : edges.ends[other][0];
         if (edges.uses_of(other)[0].triangle == own || line.beside(places[end]) > tolerance) continue;
         is_junction = true;
-        result.is_sewn[e] = result.is_sewn[other] = 1;
+        result.is_welded[e] = result.is_welded[other] = 1;
       }
       if (is_junction) result.found.push_back({v, e});
     }

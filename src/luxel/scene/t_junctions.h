@@ -17,8 +17,8 @@ struct TJunction {
 };
 
 struct TJunctions {
-  std::vector<TJunction> found;       // by edge, then by vertex
-  std::vector<std::uint8_t> is_sewn;  // [edge]: open, and another open edge runs along it
+  std::vector<TJunction> found;         // by edge, then by vertex
+  std::vector<std::uint8_t> is_welded;  // [edge]: open, and another open edge runs along it
 };
 
 // How far apart places may lie that are meant to be the same: four roundings of the largest coordinate, and

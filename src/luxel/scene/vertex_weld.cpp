@@ -18,25 +18,25 @@ std::uint64_t hash(const Vec3& p) {
 }  // namespace
 
 std::uint32_t VertexWeld::index_of(const Vec3& position) {
-  if (2 * positions_.size() >= slots_.size()) grow();
+  if (2 * positions_.size() >= receivers_.size()) grow();
   const auto p = position + Vec3(0.0f);  // -0 becomes +0
-  const auto mask = slots_.size() - 1;
-  auto slot = hash(p) & mask;
-  for (; slots_[slot] != empty; slot = (slot + 1) & mask)
-    if (positions_[slots_[slot]] == p) return slots_[slot];
-  slots_[slot] = static_cast<std::uint32_t>(positions_.size());
+  const auto mask = receivers_.size() - 1;
+  auto receiver = hash(p) & mask;
+  for (; receivers_[receiver] != empty; receiver = (receiver + 1) & mask)
+    if (positions_[receivers_[receiver]] == p) return receivers_[receiver];
+  receivers_[receiver] = static_cast<std::uint32_t>(positions_.size());
   positions_.push_back(p);
-  return slots_[slot];
+  return receivers_[receiver];
 }
 
 void VertexWeld::grow() {
   constexpr std::size_t smallest = 1024;
-  slots_.assign(std::max(smallest, 4 * slots_.size()), empty);
-  const auto mask = slots_.size() - 1;
+  receivers_.assign(std::max(smallest, 4 * receivers_.size()), empty);
+  const auto mask = receivers_.size() - 1;
   for (std::uint32_t i = 0; i < positions_.size(); ++i) {
-    auto slot = hash(positions_[i]) & mask;
-    while (slots_[slot] != empty) slot = (slot + 1) & mask;
-    slots_[slot] = i;
+    auto receiver = hash(positions_[i]) & mask;
+    while (receivers_[receiver] != empty) receiver = (receiver + 1) & mask;
+    receivers_[receiver] = i;
   }
 }
 

@@ -21,7 +21,7 @@ class VertexWeld {
   void grow();
   // Open addressing, at most half full: where to look for an index, or `empty`. A power of two long.
   static constexpr std::uint32_t empty = 0xffffffffu;
-  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> receivers_;
   std::vector<Vec3> positions_;
 };
 

@@ -67,7 +67,7 @@ std::size_t closed_by(const ScannedMesh& mesh, double distance) {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 2>> open;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    if (!mesh.edges.is_open(e) || mesh.junctions.is_sewn[e] != 0) continue;
+    if (!mesh.edges.is_open(e) || mesh.junctions.is_welded[e] != 0) continue;
     auto ends = mesh.edges.ends[e];
     for (auto& v : ends) {
       if (number[v] == 0xffffffffu) {
@@ -100,8 +100,8 @@ WeldTrial try_weld(const ScannedMesh& mesh) {
   // One digit, as a person would write it.
   const auto one_digit = [](double x) { return std::stod(fmt::format("{:.0e}", x)); };
   WeldTrial best;
-  for (const auto share : {1e-5, 1e-4, 1e-3}) {
-    const auto distance = one_digit(share * extent);
+  for (const auto fraction : {1e-5, 1e-4, 1e-3}) {
+    const auto distance = one_digit(fraction * extent);
     const auto closed = closed_by(mesh, distance);
     if (static_cast<double>(closed) > 1.1 * static_cast<double>(best.closed)) best = {distance, closed};
   }
@@ -109,26 +109,26 @@ WeldTrial try_weld(const ScannedMesh& mesh) {
 }
 
 void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
-  if (mesh.rims.empty()) return;
+  if (mesh.loops.empty()) return;
   Finding finding{FindingKind::open_edge, Gravity::note};
   std::vector<Candidate> candidates;
-  for (const auto& rim : mesh.rims) {
-    finding.count += rim.edges.size();
-    std::uint32_t longest = rim.edges[0];
-    for (const auto e : rim.edges) {
+  for (const auto& loop : mesh.loops) {
+    finding.count += loop.edges.size();
+    std::uint32_t longest = loop.edges[0];
+    for (const auto e : loop.edges) {
       finding.edges.push_back(mesh.ends(e));
       finding.triangles.push_back(mesh.in_scene(mesh.edges.uses_of(e)[0].triangle));
       if (length(mesh.ends(e)) > length(mesh.ends(longest))) longest = e;
     }
     candidates.push_back({mesh.in_scene(mesh.edges.uses_of(longest)[0].triangle), middle(mesh.ends(longest)),
-                          rim.length, static_cast<std::uint32_t>(rim.edges.size())});
+                          loop.length, static_cast<std::uint32_t>(loop.edges.size())});
   }
   std::sort(finding.triangles.begin(), finding.triangles.end());
   finding.triangles.erase(std::unique(finding.triangles.begin(), finding.triangles.end()),
                           finding.triangles.end());
   const auto weld = try_weld(mesh);
   finding.fact = fmt::format("{} open, in {}: surfaces end there", counted_is(finding.count, "edge"),
-                             counted_things(mesh.rims.size(), "rim"));
+                             counted_things(mesh.loops.size(), "rim"));
   if (weld.closed > 0)
     finding.fact += fmt::format(", and {} of them lie so near another one that a gap is likely",
                                 with_commas(weld.closed));
@@ -147,8 +147,8 @@ void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Fi
   findings.push_back(std::move(finding));
 }
 
-void find_crowded_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
-  Finding finding{FindingKind::crowded_edge, Gravity::note};
+void find_non_manifold_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+  Finding finding{FindingKind::non_manifold_edge, Gravity::note};
   std::vector<Candidate> candidates;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const auto uses = mesh.edges.uses_of(e);
@@ -176,15 +176,15 @@ void find_crowded_edges(const ScannedMesh& mesh, std::size_t places, std::vector
 
 // Neighbours that face opposite ways: told by what --orient would turn.
 void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
-  std::vector<std::size_t> twisted;
+  std::vector<std::size_t> inconsistent;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
-    if (mesh.edges.is_twisted(e)) twisted.push_back(e);
-  if (twisted.empty()) return;
-  Finding finding{FindingKind::windings, Gravity::note, twisted.size()};
+    if (mesh.edges.winds_inconsistently(e)) inconsistent.push_back(e);
+  if (inconsistent.empty()) return;
+  Finding finding{FindingKind::windings, Gravity::note, inconsistent.size()};
   Finding lamps{FindingKind::lamp_windings, Gravity::fault};
   std::vector<Candidate> candidates, lamp_candidates;
   std::size_t one_sided = 0;
-  for (const auto e : twisted) {
+  for (const auto e : inconsistent) {
     const auto uses = mesh.edges.uses_of(e);
     const auto edge = mesh.ends(e);
     const Candidate candidate{mesh.in_scene(uses[1].triangle), middle(edge), length(edge)};
@@ -196,16 +196,16 @@ void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Find
     lamps.edges.push_back(edge);
     for (const auto& use : uses) lamps.triangles.push_back(mesh.in_scene(use.triangle));
   }
-  const auto plan = plan_windings(*mesh.scene, mesh.places, mesh.clean.kept, mesh.pieces);
-  std::size_t pieces = 0;
-  for (const auto& piece : mesh.pieces.pieces) pieces += piece.is_consistent() ? 0 : 1;
+  const auto plan = plan_windings(*mesh.scene, mesh.places, mesh.clean.kept, mesh.components);
+  std::size_t components = 0;
+  for (const auto& component : mesh.components.components) components += component.is_consistent() ? 0 : 1;
   for (std::size_t t = 0; t < mesh.clean.kept.size(); ++t)
-    if (plan.turn[t] != 0 && !mesh.pieces.pieces[mesh.pieces.of[t]].is_consistent())
+    if (plan.turn[t] != 0 && !mesh.components.components[mesh.components.of[t]].is_consistent())
       finding.triangles.push_back(mesh.in_scene(static_cast<std::uint32_t>(t)));
   finding.gravity = one_sided > 0 ? Gravity::fault : Gravity::note;
   finding.fact = fmt::format("{} between neighbours that face opposite ways, in {} of {}",
-                             counted_lie(twisted.size(), "edge"), with_commas(pieces),
-                             counted_things(mesh.pieces.pieces.size(), "connected piece"));
+                             counted_lie(inconsistent.size(), "edge"), with_commas(components),
+                             counted_things(mesh.components.components.size(), "connected piece"));
   if (plan.not_orientable > 0)
     finding.fact += fmt::format("; {} of these no winding makes consistent (as a Moebius strip)",
                                 with_commas(plan.not_orientable));
@@ -238,7 +238,7 @@ void find_bad_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Fin
   find_windings(mesh, places, findings);
   find_t_vertices(mesh, places, findings);
   find_open_edges(mesh, places, findings);
-  find_crowded_edges(mesh, places, findings);
+  find_non_manifold_edges(mesh, places, findings);
 }
 
 }  // namespace luxel

@@ -12,10 +12,10 @@ namespace {
 
 void summarise(const ScannedMesh& mesh, CheckReport& report) {
   report.lit_triangles = mesh.clean.kept.size();
-  report.pieces = mesh.pieces.pieces.size();
-  for (const auto& piece : mesh.pieces.pieces) {
-    report.area += piece.area;
-    if (piece.is_closed) ++report.closed_pieces;
+  report.components = mesh.components.components.size();
+  for (const auto& component : mesh.components.components) {
+    report.area += component.area;
+    if (component.is_closed) ++report.closed_components;
   }
   report.box = mesh.box;
 }

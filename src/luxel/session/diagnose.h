@@ -18,7 +18,7 @@ struct CheckReport {
   std::vector<Finding> findings;  // faults before doubts before notes, the graver kinds first
   std::size_t triangles = 0;      // of the scene
   std::size_t lit_triangles = 0;  // that carry light
-  std::size_t pieces = 0, closed_pieces = 0;
+  std::size_t components = 0, closed_components = 0;
   double area = 0.0;  // m²
   Bounds box;         // m, counted from the scene's origin
   LightWalks walks;

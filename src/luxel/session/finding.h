@@ -30,7 +30,7 @@ enum class FindingKind {
   no_area,
   t_junction,
   open_edge,
-  crowded_edge,
+  non_manifold_edge,
   sliver,
 };
 
@@ -48,7 +48,7 @@ struct Place {
 struct Finding {
   FindingKind kind = FindingKind::no_lamp;
   Gravity gravity = Gravity::note;
-  std::size_t count = 0;           // of what the fact speaks of: triangles, edges, rims, materials
+  std::size_t count = 0;           // of what the fact speaks of: triangles, edges, loops, materials
   std::string fact = {};           // one sentence: what is the matter, with numbers
   std::string consequence = {};    // one sentence: what Luxel will do about it
   std::string remedy = {};         // one sentence: the flag, or the edit, that changes that

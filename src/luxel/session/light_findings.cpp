@@ -110,24 +110,24 @@ namespace {
 
 constexpr const char* directions[] = {"-x", "+x", "-y", "+y", "-z", "+z"};
 
-std::string extent(const Rim& rim) {
-  auto size = std::array<float, 3>{rim.box.size().x, rim.box.size().y, rim.box.size().z};
+std::string extent(const BoundaryLoop& loop) {
+  auto size = std::array<float, 3>{loop.box.size().x, loop.box.size().y, loop.box.size().z};
   std::sort(size.begin(), size.end());
   return fmt::format("{} x {}", in_metres(static_cast<double>(size[2])),
                      in_metres(static_cast<double>(size[1])));
 }
 
 std::string describe(const ScannedMesh& mesh, const Opening& opening) {
-  if (opening.rim == Opening::no_rim)
+  if (opening.loop == Opening::no_loop)
     return fmt::format("{} past all surfaces towards {}", percent(opening.weight),
                        directions[opening.direction]);
-  return fmt::format("{} through a hole of {}", percent(opening.weight), extent(mesh.rims[opening.rim]));
+  return fmt::format("{} through a hole of {}", percent(opening.weight), extent(mesh.loops[opening.loop]));
 }
 
-// A triangle to name the place by: one on the rim, or the nearest to where the rays left.
+// A triangle to name the place by: one on the loop, or the nearest to where the rays left.
 std::uint32_t triangle_near(const ScannedMesh& mesh, const Opening& opening) {
-  if (opening.rim != Opening::no_rim)
-    return mesh.in_scene(mesh.edges.uses_of(mesh.rims[opening.rim].edges[0])[0].triangle);
+  if (opening.loop != Opening::no_loop)
+    return mesh.in_scene(mesh.edges.uses_of(mesh.loops[opening.loop].edges[0])[0].triangle);
   std::size_t best = 0;
   auto best2 = std::numeric_limits<float>::infinity();
   for (std::size_t t = 0; t < mesh.clean.kept.size(); ++t) {
@@ -159,8 +159,8 @@ void find_escape(const ScannedMesh& mesh, const LightWalks& walks, const std::ve
   std::vector<Candidate> candidates;
   for (std::uint32_t i = 0; i < openings.size(); ++i) {
     candidates.push_back({triangle_near(mesh, openings[i]), openings[i].at, openings[i].weight, i});
-    if (openings[i].rim == Opening::no_rim) continue;
-    for (const auto e : mesh.rims[openings[i].rim].edges) finding.edges.push_back(mesh.ends(e));
+    if (openings[i].loop == Opening::no_loop) continue;
+    for (const auto e : mesh.loops[openings[i].loop].edges) finding.edges.push_back(mesh.ends(e));
   }
   tell_places(
       *mesh.scene, candidates, places, [&](const Candidate& c) { return describe(mesh, openings[c.item]); },
@@ -209,7 +209,7 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
   // Told by what a person would call one thing: connected, of one group and one material.
   struct Part {
     std::uint32_t triangles = 0, largest = 0;
-    double area = 0.0, largest_area = -1.0;
+    double area = 0.0, max_area = -1.0;
   };
   std::map<std::array<std::uint32_t, 3>, Part> parts;
   Finding finding{FindingKind::unlit, Gravity::doubt};
@@ -224,12 +224,12 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
       continue;
     dark += size;
     finding.triangles.push_back(in_scene);
-    auto& part = parts[{mesh.pieces.of[t], scene.triangle_group[in_scene],
+    auto& part = parts[{mesh.components.of[t], scene.triangle_group[in_scene],
                         static_cast<std::uint32_t>(scene.triangle_material[in_scene])}];
     ++part.triangles;
     part.area += size;
-    if (size > part.largest_area) {
-      part.largest_area = size;
+    if (size > part.max_area) {
+      part.max_area = size;
       part.largest = in_scene;
     }
   }

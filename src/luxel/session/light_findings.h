@@ -19,7 +19,7 @@ void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const Lig
                      const std::vector<Opening>& openings, std::size_t places,
                      std::vector<Finding>& findings);
 
-// Surfaces that no light reaches, told by the pieces they belong to.
+// Surfaces that no light reaches, told by the components they belong to.
 void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const Unlit& unlit,
                         std::size_t places, std::vector<Finding>& findings);
 

@@ -18,21 +18,21 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t first_step = 0x0c4ec000;  // of the random numbers: no solver counts that far
-constexpr int most_bounces = 16;
-constexpr float near_share = 0.03f;  // of the diagonal
-constexpr double too_faint = 0.002;  // of what set out
+constexpr int max_bounces = 16;
+constexpr float near_fraction = 0.03f;  // of the diagonal
+constexpr double too_faint = 0.002;     // of what set out
 
 struct Path {
   double escaped = 0.0, escaped_at_once = 0.0, lost = 0.0;
   std::uint32_t hits = 0, backs = 0;
-  std::array<std::uint32_t, most_bounces + 1> met{};  // sides, one a hit
+  std::array<std::uint32_t, max_bounces + 1> met{};  // sides, one a hit
   float reach = 0.0f;
   std::uint32_t lamp = 0, back_material = 0;  // materials
   Ray last;
 };
 
 // Of plain white light, or of all wavebands alike.
-double reflected_share(const PatchSet& patches, const BandMaterial& material) {
+double reflected_fraction(const PatchSet& patches, const BandMaterial& material) {
   const auto& of = material.reflectance;
   if (patches.wavebands.empty()) return static_cast<double>(luminance({of[0], of[1], of[2]}));
   return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
@@ -67,8 +67,8 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampByPower&
       path.back_material = static_cast<std::uint32_t>(patches.material[hit.patch]);
       break;
     }
-    weight *= reflected_share(patches, material);
-    if (weight < too_faint || b == most_bounces) break;
+    weight *= reflected_fraction(patches, material);
+    if (weight < too_faint || b == max_bounces) break;
     side = hit.patch;
     back = hit.back;
     weights = {hit.u, hit.v};
@@ -171,7 +171,7 @@ LightWalks walk_light(const PatchSet& patches, const Tracer& tracer, std::size_t
   walks.got_away.assign(patches.materials.size(), 0);
   Bounds box;
   for (const auto& p : patches.vertices) box.add(p);
-  walks.near = near_share * glm::length(box.size());
+  walks.near = near_fraction * glm::length(box.size());
   walks.set_out.assign(patches.materials.size(), 0);
   walks.is_met.assign(2 * patches.size(), 0);
   const LampByPower lamps(patches);

@@ -42,7 +42,7 @@ void LiveRun::write(const FileOrder& order) {
     auto patches = *light->mesh.patches;
     join_light_groups(patches);  // what was kept for each apart is not in the new file
     write_solution(file, patches, light->solution);
-  } else if (light->bounces || !settings_.keeps_transport) {
+  } else if (light->bounces || !settings_.stores_transport) {
     write_solution(file, *light->mesh.patches, light->solution);
   } else {
     if (light->is_last && !is_closing()) know_group_light();

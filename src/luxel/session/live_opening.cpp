@@ -53,7 +53,7 @@ void LiveRun::open_scene() {
 
 // Where nobody said which lamps belong together, too many of them are no reason to show nothing.
 void LiveRun::group_lamps(const Scene& scene, PatchSet& patches) {
-  if (!settings_.keeps_transport && settings_.groups.empty()) return;
+  if (!settings_.stores_transport && settings_.groups.empty()) return;
   try {
     set_light_groups(scene, settings_.groups, patches);
   } catch (const InputError& error) {
@@ -65,7 +65,7 @@ void LiveRun::group_lamps(const Scene& scene, PatchSet& patches) {
 
 void LiveRun::open_solution() {
   begin_stage("read");
-  auto kept = read_kept_run(file_);
+  auto kept = read_stored_run(file_);
   mesh_.patches = std::make_shared<const PatchSet>(std::move(kept.baked.patches));
   mesh_.geometry = 1;
   samples_ = std::move(kept.samples);

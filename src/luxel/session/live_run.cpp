@@ -20,7 +20,7 @@ bool same_samples(const SampledOptions& a, const SampledOptions& b) {
   return a.seed == b.seed && a.replicates == b.replicates && a.low_discrepancy == b.low_discrepancy &&
          a.stratified == b.stratified && a.importance == b.importance &&
          a.control_variate == b.control_variate && a.multiple_importance == b.multiple_importance &&
-         a.both_ways == b.both_ways && a.share == b.share;
+         a.both_ways == b.both_ways && a.smoothing == b.smoothing;
 }
 
 }  // namespace
@@ -111,21 +111,21 @@ void LiveRun::refuse_too_much(const SolveOrder& order) {
 
 // What the sampled solver knows of each lamp apart makes other lamps and colours out of its samples; other
 // methods solve for them.
-void LiveRun::begin_solve(const SolveOrder& order, SampleKeeping& keeping) {
+void LiveRun::begin_solve(const SolveOrder& order, SampleStorage& storage) {
   auto face = std::move(light_.dense.face);
   light_ = order.light;
   light_.dense.face = std::move(face);
   lit_ = mesh_;
   if (!is_sampled() && lighting_ != Lighting{})
     lit_.patches = std::make_shared<const PatchSet>(relit_patches(*mesh_.patches, lighting_));
-  if (goes_on_with_samples(light_)) keeping.from = samples_;
+  if (goes_on_with_samples(light_)) storage.from = samples_;
   if (is_sampled())
-    keeping.keep = [this](auto state) {
+    storage.keep = [this](auto state) {
       samples_ = std::move(state);
       relighter_.reset();
     };
   sampled_ = light_.sampled;
-  if (!keeping.from) samples_.reset();
+  if (!storage.from) samples_.reset();
   relighter_.reset();
   bounces_.reset();
   {
@@ -136,7 +136,7 @@ void LiveRun::begin_solve(const SolveOrder& order, SampleKeeping& keeping) {
     status.error_asked = is_sampled() ? light_.sampled.error : 0.0;
     status.is_seen = is_sampled() && light_.sampled.error_measure == ErrorMeasure::seen;
     status.stop.reset();
-    if (!keeping.from) {
+    if (!storage.from) {
       status.history.clear();
       status.error = 0.0;
       status.rays = 0;
@@ -152,8 +152,8 @@ void LiveRun::begin_solve(const SolveOrder& order, SampleKeeping& keeping) {
 void LiveRun::solve(const SolveOrder& order) {
   if (!mesh_.tracer) throw InputError(file_.string(), "it could not be opened, so there is nothing to light");
   refuse_too_much(order);
-  SampleKeeping keeping;
-  begin_solve(order, keeping);
+  SampleStorage storage;
+  begin_solve(order, storage);
   // The solver's own clock would count pauses: watch() has one that does not.
   auto asked = light_;
   if (asked.sampled.seconds > 0.0) asked.sampled.seconds = std::numeric_limits<double>::infinity();
@@ -165,7 +165,7 @@ void LiveRun::solve(const SolveOrder& order) {
   const auto monitor = [this](const Progress& progress) { return watch(progress); };
   const auto report = [&] {
     try {
-      return solve_light(*lit_.patches, *mesh_.tracer, solution, asked, workers_, monitor, keeping);
+      return solve_light(*lit_.patches, *mesh_.tracer, solution, asked, workers_, monitor, storage);
     } catch (const InputError& error) {
       throw InputError(file_.string(), error.what());  // it has no light; the solver knows no file
     }

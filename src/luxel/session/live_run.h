@@ -46,7 +46,7 @@ class LiveRun {
   void solve(const SolveOrder& order);
   void refuse_too_much(const SolveOrder& order);
   bool goes_on_with_samples(const LightOptions& light) const;
-  void begin_solve(const SolveOrder& order, SampleKeeping& keeping);
+  void begin_solve(const SolveOrder& order, SampleStorage& storage);
   void end_solve(Solution solution);
   Next watch(Progress progress);
   bool must_end(const Progress& progress) const;  // this and the next: call with the board's mutex held

@@ -28,7 +28,7 @@ struct Lighting {
 //
 // Opened with a scene (OBJ, glTF) it is read, cut and solved; opened with a solution (.vtkhdf) its light is
 // shown as it is. Once a solve has ended its light is, to the bit, that of a `luxel bake` with the same
-// options (--keep-transport where keeps_transport is set).
+// options (--store-transport where stores_transport is set).
 //
 // No call throws, and none takes long: each leaves a word for the solver's thread, or takes what it has put
 // out. The functions may be called by any one thread at a time. What goes wrong becomes a sentence in the
@@ -52,7 +52,7 @@ class LiveScene {
 
   // ---- The solver ----
 
-  // Holds and goes on, between two pieces of work of a fraction of a second.
+  // Holds and goes on, between two components of work of a fraction of a second.
   void pause();
   void resume();
   // Pauses after every picture: a bounce of the iterations, a doubling of the sampled method. step() goes on

@@ -21,7 +21,7 @@ struct LiveSettings {
   LightOptions light = {};
   bool joins_faces = false;                 // dense: patches of one uncut face share a value
   std::string focus = "all";                // where the seen error matters, see patch/focus.h
-  bool keeps_transport = true;              // sampled: so that lamps and colours can be changed, and saved
+  bool stores_transport = true;             // sampled: so that lamps and colours can be changed, and saved
   std::vector<LightGroupRule> groups = {};  // lamps that are dimmed together; the others go by material
   SmoothOptions smooth = {};
   bool begins_at_once = true;  // false: shows the mesh, and solves when it is told to

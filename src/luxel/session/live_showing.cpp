@@ -100,7 +100,7 @@ bool LiveRun::is_closing() const {
 }
 
 void LiveRun::know_group_light() {
-  if (!samples_ || !samples_->gathered.empty() || !settings_.keeps_transport) return;
+  if (!samples_ || !samples_->gathered.empty() || !settings_.stores_transport) return;
   begin_stage("light groups");
   const auto monitor = [this](const Progress& progress) {
     const std::lock_guard lock(board_.mutex);

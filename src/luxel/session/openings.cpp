@@ -10,15 +10,15 @@
 namespace luxel {
 namespace {
 
-// The lids of all rims, as something that rays can meet. PatchSet::triangle is the rim.
+// The lids of all loops, as something that rays can meet. PatchSet::triangle is the loop.
 PatchSet make_lids(const ScannedMesh& mesh) {
   PatchSet lids;
-  for (std::uint32_t r = 0; r < mesh.rims.size(); ++r) {
-    const auto& rim = mesh.rims[r];
-    if (rim.edges.size() < 3) continue;  // closes nothing
+  for (std::uint32_t r = 0; r < mesh.loops.size(); ++r) {
+    const auto& loop = mesh.loops[r];
+    if (loop.edges.size() < 3) continue;  // closes nothing
     const auto centre = static_cast<std::uint32_t>(lids.vertices.size());
-    lids.vertices.push_back(rim.centre);
-    for (const auto e : rim.edges) {
+    lids.vertices.push_back(loop.centre);
+    for (const auto e : loop.edges) {
       const auto first = static_cast<std::uint32_t>(lids.vertices.size());
       for (const auto& end : mesh.ends(e)) lids.vertices.push_back(end);
       lids.corners.push_back({centre, first, first + 1});
@@ -29,7 +29,7 @@ PatchSet make_lids(const ScannedMesh& mesh) {
 }
 
 struct Crossing {
-  std::uint32_t rim = Opening::no_rim;
+  std::uint32_t loop = Opening::no_loop;
   int direction = 0;
   Vec3 at{0.0f};
 };
@@ -80,7 +80,7 @@ std::vector<Opening> find_openings(const ScannedMesh& mesh, const std::vector<Lo
   workers.for_chunks(lost.size(), 256, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       if (tracer) crossings[i] = last_lid(lids, *tracer, lost[i].ray);
-      if (crossings[i].rim == Opening::no_rim) crossings[i] = through_box(mesh.box, lost[i].ray);
+      if (crossings[i].loop == Opening::no_loop) crossings[i] = through_box(mesh.box, lost[i].ray);
     }
   });
 
@@ -89,9 +89,9 @@ std::vector<Opening> find_openings(const ScannedMesh& mesh, const std::vector<Lo
   std::vector<Vec3d> sums;
   for (std::size_t i = 0; i < lost.size(); ++i) {
     const auto& c = crossings[i];
-    const auto [place, is_new] = number.try_emplace({c.rim, c.direction}, openings.size());
+    const auto [place, is_new] = number.try_emplace({c.loop, c.direction}, openings.size());
     if (is_new) {
-      openings.push_back({c.rim, c.direction});
+      openings.push_back({c.loop, c.direction});
       sums.emplace_back(0.0);
     }
     auto& opening = openings[place->second];

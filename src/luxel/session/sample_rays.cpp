@@ -18,14 +18,14 @@ constexpr std::uint32_t first_of_none = 32;  // samples a replicate, where the l
 // A side, and where it stands among those that gather.
 struct Place {
   std::size_t side = 0;
-  std::uint32_t position = 0;       // in the patch tree's order
-  std::optional<std::size_t> slot;  // in the samples
+  std::uint32_t position = 0;           // in the patch tree's order
+  std::optional<std::size_t> receiver;  // in the samples
 };
 
 std::optional<Place> place_of(const LiveLight& light, std::uint32_t patch, bool back) {
   const auto& mesh = light.mesh;
   if (!mesh.tracer || !mesh.tree || (back && !mesh.patches->material_of(patch).two_sided)) return {};
-  Place place{.side = side_of(patch, back), .position = 0, .slot = {}};
+  Place place{.side = side_of(patch, back), .position = 0, .receiver = {}};
   const auto& order = mesh.tree->order;
   place.position =
       mesh.tree
@@ -33,7 +33,7 @@ std::optional<Place> place_of(const LiveLight& light, std::uint32_t patch, bool 
   if (!light.samples) return place;
   const auto& sides = light.samples->sides;
   const auto at = std::find(sides.begin(), sides.end(), place.side);
-  if (at != sides.end()) place.slot = static_cast<std::size_t>(at - sides.begin());
+  if (at != sides.end()) place.receiver = static_cast<std::size_t>(at - sides.begin());
   return place;
 }
 
@@ -41,10 +41,11 @@ std::optional<Place> place_of(const LiveLight& light, std::uint32_t patch, bool 
 std::vector<std::array<std::uint32_t, 2>> rounds_of(const LiveLight& light, const Place& place) {
   if (!light.samples || light.samples->rounds.empty()) return {{0, first_of_none}};
   // The first round was everybody's; then sides that no light reaches were left out.
-  if (!place.slot) return {{0, light.samples->rounds[0].per_replicate}};
+  if (!place.receiver) return {{0, light.samples->rounds[0].per_replicate}};
   std::vector<std::array<std::uint32_t, 2>> rounds;
   for (const auto& round : light.samples->rounds)
-    if (std::binary_search(round.slots.begin(), round.slots.end(), static_cast<std::uint32_t>(*place.slot)))
+    if (std::binary_search(round.receivers.begin(), round.receivers.end(),
+                           static_cast<std::uint32_t>(*place.receiver)))
       rounds.push_back({round.level, round.per_replicate});
   return rounds;
 }
@@ -57,13 +58,13 @@ std::vector<GatherRay> gather_rays(const LiveLight& light, std::uint32_t patch, 
   const auto& patches = *light.mesh.patches;
   const GatherSides alone{.side = {static_cast<std::uint32_t>(place->side)},
                           .position = {place->position},
-                          .slot_of_side = {},
+                          .receiver_of_side = {},
                           .fronts = back ? std::size_t{0} : std::size_t{1}};
-  const std::array<std::uint32_t, 1> slots = {0};
+  const std::array<std::uint32_t, 1> receivers = {0};
   const auto& how = light.sampled;
   std::vector<GatherRay> found;
   for (const auto& [level, per_replicate] : rounds_of(light, *place)) {
-    GatherRays rays(patches, alone, slots, {how.seed, how.low_discrepancy, how.stratified}, level,
+    GatherRays rays(patches, alone, receivers, {how.seed, how.low_discrepancy, how.stratified}, level,
                     per_replicate);
     for (std::uint32_t r = 0; r < how.replicates; ++r)
       for (std::uint32_t k = 0; k < per_replicate; ++k) {
@@ -85,9 +86,9 @@ std::vector<DirectRay> direct_rays(const LiveLight& light, std::uint32_t patch, 
   const DirectLight direct(patches, *light.mesh.tracer, lamps, direct_options(light.sampled));
   std::uint32_t rounds = 1;
   auto more = first_of_none;
-  if (light.samples && place->slot) {
-    rounds = light.samples->direct_doublings[*place->slot];
-    more = light.samples->direct_samples[*place->slot] >> (rounds > 0 ? rounds - 1 : 0);
+  if (light.samples && place->receiver) {
+    rounds = light.samples->direct_doublings[*place->receiver];
+    more = light.samples->direct_samples[*place->receiver] >> (rounds > 0 ? rounds - 1 : 0);
   }
   std::vector<DirectRay> found;
   for (std::uint32_t round = 0; round < rounds; ++round) {

@@ -33,11 +33,11 @@ ScannedMesh scan_mesh(const Scene& scene, const Monitor& monitor, bool& is_whole
   if (stops(0.35)) return mesh;
   mesh.edges = find_edges(mesh.clean.kept, mesh.places.size());
   if (stops(0.6)) return mesh;
-  mesh.pieces = find_pieces(mesh.places, mesh.clean.kept, mesh.edges);
+  mesh.components = find_components(mesh.places, mesh.clean.kept, mesh.edges);
   if (stops(0.75)) return mesh;
   mesh.junctions = find_t_junctions(mesh.places, mesh.edges, rounding_distance(mesh.places));
   if (stops(0.95)) return mesh;
-  mesh.rims = find_rims(mesh.places, mesh.edges, mesh.junctions);
+  mesh.loops = find_boundary_loops(mesh.places, mesh.edges, mesh.junctions);
   is_whole = !stops(1.0);
   return mesh;
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "luxel/core/progress.h"
-#include "luxel/scene/pieces.h"
-#include "luxel/scene/rims.h"
+#include "luxel/scene/boundary_loops.h"
+#include "luxel/scene/components.h"
 #include "luxel/scene/scene.h"
 #include "luxel/session/finding.h"
 
@@ -19,9 +19,9 @@ struct ScannedMesh {
   std::vector<Vec3> places;      // m; no two are the same
   CleanTriangles clean;
   Edges edges;
-  Pieces pieces;
+  Components components;
   TJunctions junctions;
-  std::vector<Rim> rims;
+  std::vector<BoundaryLoop> loops;
   Bounds box;  // of the places, m
 
   // Of a clean triangle.

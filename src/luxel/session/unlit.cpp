@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint32_t first_step = 0x0c4ed000;  // of the random numbers: no solver counts that far
 constexpr std::uint32_t stops = 4;
-constexpr float small_share = 0.02f;  // of the scene's diagonal: light does not end within so short an edge
+constexpr float small_fraction =
+    0.02f;  // of the scene's diagonal: light does not end within so short an edge
 
 // How a walk ends. To come by a patch that is known to be lit is to find light, though perhaps not on that
 // part of it: what is known from such a walk is not built upon.
@@ -36,7 +37,7 @@ class Looker {
       : patches_(patches), tracer_(tracer), options_(options), is_lit_(is_lit), lamps_(patches) {
     Bounds box;
     for (const auto& p : patches.vertices) box.add(p);
-    const auto small = small_share * glm::length(box.size());
+    const auto small = small_fraction * glm::length(box.size());
     is_small_.resize(patches.size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
       const auto c = patches.points(p);
@@ -119,16 +120,16 @@ Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptio
     auto& left = result.patches;
     const auto begin = static_cast<std::uint32_t>(result.walks);
     const auto expected = static_cast<double>(left.size()) * (upto - begin) * 4.0 * stops;
-    if (begin >= 3 && static_cast<double>(result.rays) + expected > static_cast<double>(options.most_rays))
+    if (begin >= 3 && static_cast<double>(result.rays) + expected > static_cast<double>(options.max_rays))
       break;
     // In parts, so that somebody can be told. What was found lit is marked when all are done.
     std::vector<std::size_t> sides;
     std::vector<std::uint8_t> is_done(left.size(), 0);
     const auto part = std::max<std::size_t>(grain, left.size() / 16 / grain * grain);
     for (std::size_t first = 0; first < left.size(); first += part) {
-      const auto share = static_cast<double>(first) / static_cast<double>(left.size());
+      const auto fraction = static_cast<double>(first) / static_cast<double>(left.size());
       if (tell(monitor, {.stage = "dark places",
-                         .done = (begin + (upto - begin) * share) / 32.0,
+                         .done = (begin + (upto - begin) * fraction) / 32.0,
                          .rays = result.rays}) == Next::stop) {
         result.is_whole = false;
         return result;

@@ -12,8 +12,8 @@
 namespace luxel {
 
 struct UnlitOptions {
-  bool has_sky = false;                  // what leaves the scene meets light
-  std::uint64_t most_rays = 10'000'000;  // begin no more looks beyond
+  bool has_sky = false;                 // what leaves the scene meets light
+  std::uint64_t max_rays = 10'000'000;  // begin no more looks beyond
   std::uint64_t seed = 1;
   std::span<const std::uint8_t> is_known_lit = {};  // [side], see side_of(); empty: nothing is known
 };
@@ -30,7 +30,7 @@ struct Unlit {
 // light has met on its way is lit too, and to come by a small patch that is known to be lit is to find light.
 // An estimate: 32 walks a side of up to four stops may miss a way that is long and narrow, and a patch is lit
 // if any part of it is. Most patches take a ray or two. Where much is dark the number of walks is bounded by
-// most_rays, but not below 3 a side. Lamps count as lit. The same answer on any number of threads.
+// max_rays, but not below 3 a side. Lamps count as lit. The same answer on any number of threads.
 Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptions& options,
                  const Workers& workers, const Monitor& monitor);
 

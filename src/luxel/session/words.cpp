@@ -45,8 +45,8 @@ std::string in_metres(double length) {
   return fmt::format("{} km", rounded(1e-3 * length));
 }
 
-std::string percent(double share) {
-  const auto value = 100.0 * share;
+std::string percent(double fraction) {
+  const auto value = 100.0 * fraction;
   if (value == 0.0) return "0 %";
   if (value < 0.1) return "below 0.1 %";
   return value < 10.0 ? fmt::format("{:.1f} %", value) : fmt::format("{:.0f} %", value);

@@ -109,9 +109,9 @@ std::string fault_in_errors(const Solution& solution, std::size_t length) {
     return front.empty() && back.empty() ? 0 : length;
   };
   const auto errors = both_or_none(solution.standard_error_front, solution.standard_error_back);
-  const auto biases = both_or_none(solution.sharing_bias_front, solution.sharing_bias_back);
+  const auto biases = both_or_none(solution.smoothing_bias_front, solution.smoothing_bias_back);
   for (const auto& [name, values] : error_arrays(solution)) {
-    const bool is_bias = values == &solution.sharing_bias_front || values == &solution.sharing_bias_back;
+    const bool is_bias = values == &solution.smoothing_bias_front || values == &solution.smoothing_bias_back;
     const auto expected = is_bias ? biases : errors;
     if (values->size() != expected)
       return fmt::format("'{}' holds {} numbers, expected {}", name, values->size(), expected);
@@ -121,7 +121,7 @@ std::string fault_in_errors(const Solution& solution, std::size_t length) {
   for (const auto& [name, value] :
        {std::pair("mesh_error", solution.mesh_error), std::pair("error_95th", solution.error_95th),
         std::pair("predicted_bias", solution.predicted_bias), std::pair("seen_error", solution.seen_error),
-        std::pair("error_freedom", solution.error_freedom)})
+        std::pair("error_degrees_of_freedom", solution.error_degrees_of_freedom)})
     if (!(value >= 0.0 && std::isfinite(value))) return fmt::format("{} is {}", name, value);
   return {};
 }
@@ -134,8 +134,8 @@ std::string fault_in_light(const Solution& solution, std::size_t length) {
       return fmt::format("'{}' holds a number that is not finite", name);
   }
   if (auto fault = fault_in_errors(solution, length); !fault.empty()) return fault;
-  if (!std::isfinite(solution.unshot_share) || !std::isfinite(solution.predicted_error))
-    return "unshot_share or predicted_error is not finite";
+  if (!std::isfinite(solution.unshot_fraction) || !std::isfinite(solution.predicted_error))
+    return "unshot_fraction or predicted_error is not finite";
   return {};
 }
 

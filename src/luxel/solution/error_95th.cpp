@@ -34,10 +34,10 @@ double error_95th_of(const Solution& solution) {
   std::vector<float> relative;
   const auto add = [&](const std::vector<float>& irradiance, const std::vector<float>& standard_error) {
     for (std::size_t i = 0; i < irradiance.size(); i += bands) {
-      const auto light2 = squared_sum(irradiance.data() + i, bands);
-      if (light2 <= least * least) continue;
+      const auto squared_light = squared_sum(irradiance.data() + i, bands);
+      if (squared_light <= least * least) continue;
       relative.push_back(
-          static_cast<float>(std::sqrt(squared_sum(standard_error.data() + i, bands) / light2)));
+          static_cast<float>(std::sqrt(squared_sum(standard_error.data() + i, bands) / squared_light)));
     }
   };
   add(front, solution.standard_error_front);

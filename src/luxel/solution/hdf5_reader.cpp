@@ -19,9 +19,9 @@ namespace {
 
 // Deflate packs 1,032 bytes into one at best (zlib, "Maximum Compression Factor"), so a dataset cannot be
 // larger than so many times its place in the file.
-constexpr std::size_t most_bytes_per_stored_byte = 1040;
-constexpr double largest_chunk = 64 << 20;  // bytes; ours are far smaller
-constexpr std::size_t longest_word = 256;   // bytes
+constexpr std::size_t max_bytes_per_stored_byte = 1040;
+constexpr double max_chunk = 64 << 20;     // bytes; ours are far smaller
+constexpr std::size_t longest_word = 256;  // bytes
 
 void check_is_readable(const fs::path& path) {
   std::error_code error;
@@ -40,7 +40,7 @@ bool has_small_chunks(Hdf5Id creation, Hdf5Id type) {
   // In floating point, where no product of lengths overflows.
   return static_cast<double>(chunk[0]) * static_cast<double>(chunk[1]) *
              static_cast<double>(H5Tget_size(type)) <=
-         largest_chunk;
+         max_chunk;
 }
 
 }  // namespace
@@ -61,14 +61,22 @@ void Hdf5Reader::refuse(const std::string& sentence) const { throw FormatError(p
 
 void Hdf5Reader::refuse_as_damaged(const std::string& sentence) const { refuse("damaged: " + sentence); }
 
+std::string Hdf5Reader::name_in_file(const std::string& name) const {
+  const auto begin = name.rfind('/') + 1;  // 0 without a path
+  for (const auto& [asked, stored] : renamed_)
+    if (name.compare(begin, std::string::npos, asked) == 0)
+      return name.substr(0, begin) + std::string(stored);
+  return name;
+}
+
 bool Hdf5Reader::has(const std::string& name) const {
-  const auto exists = H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT);
+  const auto exists = H5Lexists(file_.id(), name_in_file(name).c_str(), H5P_DEFAULT);
   if (exists < 0) refuse_as_damaged(fmt::format("'{}' cannot be looked up ({})", name, hdf5_reason()));
   return exists > 0;
 }
 
 bool Hdf5Reader::has_attribute(const std::string& group, const std::string& name) const {
-  const auto exists = H5Aexists_by_name(file_.id(), group.c_str(), name.c_str(), H5P_DEFAULT);
+  const auto exists = H5Aexists_by_name(file_.id(), group.c_str(), name_in_file(name).c_str(), H5P_DEFAULT);
   if (exists < 0)
     refuse_as_damaged(fmt::format("the attributes of '{}' cannot be read ({})", group, hdf5_reason()));
   return exists > 0;
@@ -90,8 +98,9 @@ void Hdf5Reader::check_links(const std::string& name) const {
 
 Hdf5Handle Hdf5Reader::open_attribute(const std::string& group, const std::string& name) const {
   check_links(group);
-  Hdf5Handle attribute(H5Aopen_by_name(file_.id(), group.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-                       H5Aclose);
+  Hdf5Handle attribute(
+      H5Aopen_by_name(file_.id(), group.c_str(), name_in_file(name).c_str(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
   if (!attribute.is_open())
     refuse_as_damaged(
         fmt::format("attribute '{}' of '{}' is missing or cannot be read ({})", name, group, hdf5_reason()));
@@ -123,7 +132,8 @@ std::string Hdf5Reader::word(const std::string& group, const std::string& name) 
   return word.substr(0, word.find('\0'));
 }
 
-Hdf5Handle Hdf5Reader::open_dataset(const std::string& name) const {
+Hdf5Handle Hdf5Reader::open_dataset(const std::string& asked) const {
+  const auto name = name_in_file(asked);
   check_links(name);
   Hdf5Handle dataset(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!dataset.is_open())
@@ -162,7 +172,7 @@ void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& nam
   if (!ordinary || H5Pget_external_count(creation.id()) != 0)
     refuse_as_damaged(fmt::format("dataset '{}' is stored in an unexpected way", name));
   const auto stored = std::min(file_size_, std::size_t{H5Dget_storage_size(dataset.id())});
-  if (rows > 0 && stored * most_bytes_per_stored_byte / rows < row_size)
+  if (rows > 0 && stored * max_bytes_per_stored_byte / rows < row_size)
     refuse_as_damaged(
         fmt::format("dataset '{}' claims {} rows but only {} bytes of it are there", name, rows, stored));
 }

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "luxel/solution/hdf5_element.h"
@@ -18,6 +21,11 @@ class Hdf5Reader {
  public:
   // Throws InputError where there is no such file, FormatError where it is not HDF5 or is cut short.
   explicit Hdf5Reader(std::filesystem::path path);
+
+  // Datasets and attributes that have other names in this file: pairs of the name asked for and the file's,
+  // both without the path. Holds for all calls after it. Keeps the span.
+  using Renamed = std::span<const std::pair<std::string_view, std::string_view>>;
+  void use_names(Renamed renamed) { renamed_ = renamed; }
 
   // Whether there is such a group or dataset, in a group that exists; such an attribute of a group.
   bool has(const std::string& name) const;
@@ -49,10 +57,11 @@ class Hdf5Reader {
   [[noreturn]] void refuse_as_damaged(const std::string& sentence) const;
 
  private:
+  std::string name_in_file(const std::string& name) const;
   void check_links(const std::string& name) const;
   Hdf5Handle open_attribute(const std::string& group, const std::string& name) const;
   void read_number(const std::string& group, const std::string& name, Hdf5Element element, void* value) const;
-  Hdf5Handle open_dataset(const std::string& name) const;
+  Hdf5Handle open_dataset(const std::string& asked) const;
   std::vector<std::size_t> shape(const Hdf5Handle& dataset, const std::string& name) const;
   void check_shape(const Hdf5Handle& dataset, const std::string& name, std::size_t rows,
                    std::size_t columns) const;
@@ -67,6 +76,7 @@ class Hdf5Reader {
   std::string path_;
   std::size_t file_size_ = 0;  // bytes
   Hdf5Handle file_;
+  Renamed renamed_;
 };
 
 }  // namespace luxel

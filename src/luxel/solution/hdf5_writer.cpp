@@ -13,8 +13,8 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t largest_compact = 4096;  // bytes; such an array stands in its header (64 KiB at most)
-constexpr std::size_t chunk_size = 1 << 19;    // bytes; two fit into HDF5's default chunk cache
+constexpr std::size_t max_compact = 4096;    // bytes; such an array stands in its header (64 KiB at most)
+constexpr std::size_t chunk_size = 1 << 19;  // bytes; two fit into HDF5's default chunk cache
 
 void require(bool success, const std::string& what) {
   if (!success) throw DeviceError(fmt::format("the HDF5 library failed to make {}: {}", what, hdf5_reason()));
@@ -52,7 +52,7 @@ Hdf5Handle string_type(std::size_t length, H5T_cset_t letters) {
 void set_storage(Hdf5Id list, std::size_t rows, std::size_t columns, std::size_t element_size,
                  unsigned deflate) {
   const auto row_size = std::max<std::size_t>(columns, 1) * element_size;
-  if (rows * row_size <= largest_compact) {
+  if (rows * row_size <= max_compact) {
     require(H5Pset_layout(list, H5D_COMPACT) >= 0, "a compact array");
     return;
   }

@@ -34,7 +34,7 @@ void check(const std::vector<NamedSolution>& all) {
     const auto& [patches, solution] = each.baked;
     const auto refuse = [&](const std::string& what) { throw InputError(each.name, what); };
     if (solution.provenance.method != "sampled" || solution.standard_error_front.empty() ||
-        !(solution.error_freedom > 0.0))
+        !(solution.error_degrees_of_freedom > 0.0))
       refuse(
           "it has no standard errors from independent replicates, so it cannot be merged: expected a "
           "solution "
@@ -71,17 +71,17 @@ void sort_by_seed(std::vector<NamedSolution>& all) {
 }
 
 // What of each run goes into the mean.
-struct Share {
+struct Fraction {
   const Solution* solution;
   double weight;
   double widening;
 };
 
-std::vector<float> mean(const std::vector<Share>& shares, const std::vector<float> Solution::*array) {
-  std::vector<float> result((shares.front().solution->*array).size());
+std::vector<float> mean(const std::vector<Fraction>& fractions, const std::vector<float> Solution::*array) {
+  std::vector<float> result((fractions.front().solution->*array).size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     double sum = 0.0;
-    for (const auto& s : shares) sum += s.weight * static_cast<double>((s.solution->*array)[i]);
+    for (const auto& s : fractions) sum += s.weight * static_cast<double>((s.solution->*array)[i]);
     result[i] = static_cast<float>(sum);
   }
   return result;
@@ -92,16 +92,16 @@ struct Errors {
 };
 
 // Variances add up with the squares of weights, biases with weights.
-Errors errors(const std::vector<Share>& shares, const std::vector<float> Solution::*standard_error,
+Errors errors(const std::vector<Fraction>& fractions, const std::vector<float> Solution::*standard_error,
               const std::vector<float> Solution::*bias, double widening) {
-  const auto count = (shares.front().solution->*standard_error).size();
-  const bool any_bias =
-      std::any_of(shares.begin(), shares.end(), [&](const Share& s) { return !(s.solution->*bias).empty(); });
+  const auto count = (fractions.front().solution->*standard_error).size();
+  const bool any_bias = std::any_of(fractions.begin(), fractions.end(),
+                                    [&](const Fraction& s) { return !(s.solution->*bias).empty(); });
   Errors result{std::vector<float>(count), std::vector<float>(any_bias ? count : 0)};
   for (std::size_t i = 0; i < count; ++i) {
     double variance = 0.0;
     double all_bias = 0.0;
-    for (const auto& s : shares) {
+    for (const auto& s : fractions) {
       const auto narrow = static_cast<double>((s.solution->*standard_error)[i]) / s.widening;
       const auto& biases = s.solution->*bias;
       const auto own = biases.empty() ? 0.0 : static_cast<double>(biases[i]);
@@ -143,36 +143,36 @@ Baked merge_solutions(std::vector<NamedSolution> all) {
   sort_by_seed(all);
   double rays = 0.0;
   for (const auto& each : all) rays += static_cast<double>(each.baked.solution.provenance.rays);
-  std::vector<Share> shares;
-  double one_over_freedom = 0.0;
+  std::vector<Fraction> fractions;
+  double inverse_degrees_of_freedom = 0.0;
   double variance = 0.0;
   double bias = 0.0;
   Solution merged;
   for (const auto& each : all) {
     const auto& s = each.baked.solution;
     const auto weight = static_cast<double>(s.provenance.rays) / rays;
-    shares.push_back({&s, weight, student_widening(s.error_freedom)});
+    fractions.push_back({&s, weight, student_widening(s.error_degrees_of_freedom)});
     // Variances fall as rays grow, so each share of the whole variance is the share of the rays.
-    one_over_freedom += weight * weight / s.error_freedom;
+    inverse_degrees_of_freedom += weight * weight / s.error_degrees_of_freedom;
     variance +=
         weight * weight * (s.predicted_error * s.predicted_error - s.predicted_bias * s.predicted_bias);
     bias += weight * s.predicted_bias;
-    merged.unshot_share = std::max(merged.unshot_share, s.unshot_share);
+    merged.unshot_fraction = std::max(merged.unshot_fraction, s.unshot_fraction);
     merged.mesh_error = std::max(merged.mesh_error, s.mesh_error);
   }
   merged.bands = all.front().baked.solution.bands;
-  merged.irradiance_front = mean(shares, &Solution::irradiance_front);
-  merged.irradiance_back = mean(shares, &Solution::irradiance_back);
-  merged.radiosity_front = mean(shares, &Solution::radiosity_front);
-  merged.radiosity_back = mean(shares, &Solution::radiosity_back);
-  merged.error_freedom = 1.0 / one_over_freedom;
-  const auto widening = student_widening(merged.error_freedom);
-  auto front = errors(shares, &Solution::standard_error_front, &Solution::sharing_bias_front, widening);
-  auto back = errors(shares, &Solution::standard_error_back, &Solution::sharing_bias_back, widening);
+  merged.irradiance_front = mean(fractions, &Solution::irradiance_front);
+  merged.irradiance_back = mean(fractions, &Solution::irradiance_back);
+  merged.radiosity_front = mean(fractions, &Solution::radiosity_front);
+  merged.radiosity_back = mean(fractions, &Solution::radiosity_back);
+  merged.error_degrees_of_freedom = 1.0 / inverse_degrees_of_freedom;
+  const auto widening = student_widening(merged.error_degrees_of_freedom);
+  auto front = errors(fractions, &Solution::standard_error_front, &Solution::smoothing_bias_front, widening);
+  auto back = errors(fractions, &Solution::standard_error_back, &Solution::smoothing_bias_back, widening);
   merged.standard_error_front = std::move(front.standard_error);
   merged.standard_error_back = std::move(back.standard_error);
-  merged.sharing_bias_front = std::move(front.bias);
-  merged.sharing_bias_back = std::move(back.bias);
+  merged.smoothing_bias_front = std::move(front.bias);
+  merged.smoothing_bias_back = std::move(back.bias);
   merged.predicted_bias = bias;
   merged.predicted_error = std::sqrt(std::max(0.0, variance) + bias * bias);
   merged.error_95th = error_95th_of(merged);

@@ -22,13 +22,14 @@
 namespace luxel {
 namespace {
 
-void check_version(const Hdf5Reader& file) {
+void check_version(Hdf5Reader& file) {
   if (!file.has("Luxel")) file.refuse("not a Luxel solution (no Luxel group)");
   const auto version = file.number<std::uint32_t>("Luxel", "format_version");
   if (version > solution_format_version)
     file.refuse(fmt::format("written by format version {}; this program reads up to {}: use a newer Luxel",
                             version, solution_format_version));
   if (version == 0) file.refuse_as_damaged("it claims format version 0");
+  if (version == 1) file.use_names(names_of_version_1);
 }
 
 void check_count(const Hdf5Reader& file, const std::string& name, std::size_t expected) {
@@ -105,8 +106,7 @@ std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t ban
 
 StopReason read_stop_reason(const Hdf5Reader& file) {
   const auto found = file.word("Luxel", "stop_reason");
-  for (const auto& [reason, word] : stop_reason_words())
-    if (word == found) return reason;
+  if (const auto reason = stop_reason(found)) return *reason;
   file.refuse_as_damaged(fmt::format("the stop reason '{}' is not known", found));
 }
 
@@ -134,10 +134,10 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   };
   later("error_95th", solution.error_95th);
   later("seen_error", solution.seen_error);
-  later("error_freedom", solution.error_freedom);
+  later("error_degrees_of_freedom", solution.error_degrees_of_freedom);
   later("predicted_bias", solution.predicted_bias);
   later("mesh_error", solution.mesh_error);
-  solution.unshot_share = file.number<double>("Luxel", "unshot_share");
+  solution.unshot_fraction = file.number<double>("Luxel", "unshot_fraction");
   solution.predicted_error = file.number<double>("Luxel", "predicted_error");
   solution.stop = read_stop_reason(file);
   solution.provenance = read_provenance(file, "Luxel/provenance");
@@ -152,7 +152,7 @@ void read_light_groups(const Hdf5Reader& file, PatchSet& patches) {
   for (std::size_t m = 0; m < of.size(); ++m) patches.materials[m].light_group = of[m];
 }
 
-Baked read_baked(const Hdf5Reader& file) {
+Baked read_baked(Hdf5Reader& file) {
   check_version(file);
   Baked baked;
   auto& [patches, solution] = baked;
@@ -176,11 +176,14 @@ Baked read_baked(const Hdf5Reader& file) {
 
 }  // namespace
 
-Baked read_solution(const std::filesystem::path& path) { return read_baked(Hdf5Reader(path)); }
+Baked read_solution(const std::filesystem::path& path) {
+  Hdf5Reader file(path);
+  return read_baked(file);
+}
 
-KeptRun read_kept_run(const std::filesystem::path& path) {
-  const Hdf5Reader file(path);
-  KeptRun run{read_baked(file), nullptr};
+StoredRun read_stored_run(const std::filesystem::path& path) {
+  Hdf5Reader file(path);
+  StoredRun run{read_baked(file), nullptr};
   if (file.has("Luxel/samples"))
     run.samples = std::make_shared<SampleState>(read_samples(file, run.baked.patches));
   return run;

@@ -43,14 +43,14 @@ std::vector<std::vector<float>> read_light(const Hdf5Reader& file, const std::st
 HitRound read_round(const Hdf5Reader& file, const std::string& name, std::uint32_t replicates) {
   HitRound round;
   round.level = file.number<std::uint32_t>(name, "level");
-  round.per_replicate = file.number<std::uint32_t>(name, "rays_a_replicate");
-  round.slots = file.array<std::uint32_t>(name + "/slot", file.rows(name + "/slot"));
+  round.per_replicate = file.number<std::uint32_t>(name, "rays_per_replicate");
+  round.receivers = file.array<std::uint32_t>(name + "/receiver", file.rows(name + "/receiver"));
   if (!std::has_single_bit(round.per_replicate) || round.per_replicate > 1u << 30)
-    file.refuse_as_damaged(fmt::format("'{}' has {} rays a replicate", name, round.per_replicate));
+    file.refuse_as_damaged(fmt::format("'{}' has {} rays per replicate", name, round.per_replicate));
   if (!file.has(name + "/hit")) return round;
   // The shape is checked against the size of the file before memory is asked for.
   const auto hits = std::make_shared<std::vector<std::uint32_t>>(
-      file.array<std::uint32_t>(name + "/hit", replicates, round.hits_a_replicate()));
+      file.array<std::uint32_t>(name + "/hit", replicates, round.hits_per_replicate()));
   round.hits = {hits, hits->data()};
   return round;
 }
@@ -76,11 +76,11 @@ void add_samples(Hdf5Writer& file, const SampleState& state) {
     const auto name = round_name(i);
     file.add_group(name);
     file.add_number(name, "level", round.level);
-    file.add_number(name, "rays_a_replicate", round.per_replicate);
-    file.add_array(name + "/slot", flat(round.slots));
+    file.add_number(name, "rays_per_replicate", round.per_replicate);
+    file.add_array(name + "/receiver", flat(round.receivers));
     if (round.hits)
       file.add_array(name + "/hit", Hdf5Array{Hdf5Element::uint32, round.hits.get(), state.replicates,
-                                              round.hits_a_replicate()});
+                                              round.hits_per_replicate()});
   }
 }
 
@@ -92,18 +92,18 @@ SampleState read_samples(const Hdf5Reader& file, const PatchSet& patches) {
   state.rounds_done = file.number<std::uint32_t>(group, "rounds_done");
   state.rays = file.number<std::uint64_t>(group, "rays");
   state.first_rays = file.number<std::uint64_t>(group, "first_rays");
-  const auto slots = file.rows(group + "/side");
-  const auto width = slots * patches.group_count() * patches.band_count();
-  state.sides = file.array<std::uint32_t>(group + "/side", slots);
-  state.direct_samples = file.array<std::uint32_t>(group + "/direct_samples", slots);
-  state.direct_doublings = file.array<std::uint32_t>(group + "/direct_doublings", slots);
+  const auto receivers = file.rows(group + "/side");
+  const auto width = receivers * patches.group_count() * patches.band_count();
+  state.sides = file.array<std::uint32_t>(group + "/side", receivers);
+  state.direct_samples = file.array<std::uint32_t>(group + "/direct_samples", receivers);
+  state.direct_doublings = file.array<std::uint32_t>(group + "/direct_doublings", receivers);
   state.direct = read_light(file, group + "/direct", state.replicates, width);
   if (file.has(group + "/gathered"))
     state.gathered = read_light(file, group + "/gathered", state.replicates, width);
   const auto radiosities = file.rows(group + "/radiosity");
   state.radiosity = file.array<float>(group + "/radiosity", radiosities);
   if (!std::all_of(state.radiosity.begin(), state.radiosity.end(), [](float x) { return std::isfinite(x); }))
-    file.refuse_as_damaged("a kept radiosity is not finite");
+    file.refuse_as_damaged("a stored radiosity is not finite");
   const auto rounds = file.number<std::uint32_t>(group, "rounds");
   for (std::uint32_t i = 0; i < rounds && file.has(round_name(i)); ++i)
     state.rounds.push_back(read_round(file, round_name(i), state.replicates));

@@ -7,19 +7,9 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/solution/stop_reason.h"
 
 namespace luxel {
-
-// Why a run ended.
-enum class StopReason {
-  converged,      // the unshot share fell below the tolerance, or the equations are solved
-  error_reached,  // sampled: the standard error asked for
-  ray_limit,      // the next doubling would have gone beyond the rays, or the time, allowed
-  time_limit,
-  stopped_by_user,
-  nothing_to_do,
-  step_limit  // the bounces asked for
-};
 
 // What random numbers a solution is made of.
 struct RandomStream {
@@ -55,14 +45,15 @@ struct Solution {
   std::vector<float> standard_error_front, standard_error_back;  // W/m²
   // The part of that which is bias of sharing, not widened: it stays when independent answers are merged.
   // Empty where nothing was shared.
-  std::vector<float> sharing_bias_front, sharing_bias_back;  // W/m²
-  double unshot_share = 0.0;     // power not yet propagated over the emitted power: the stated bias
+  std::vector<float> smoothing_bias_front, smoothing_bias_back;  // W/m²
+  double unshot_fraction = 0.0;  // power not yet propagated over the emitted power: the stated bias
   double predicted_error = 0.0;  // area-weighted relative RMS standard error of the irradiance, not widened
   // The error that can be seen: 95 % of the views, spread over the open space of the scene, stay below it
   // (see trace/seen_error.h); not widened. 0: not estimated.
   double seen_error = 0.0;
   double predicted_bias = 0.0;  // the part of predicted_error that is bias of sharing
-  double error_freedom = 0.0;   // degrees of freedom of the standard errors; 0: not from replicates
+  double error_degrees_of_freedom =
+      0.0;  // degrees of degrees_of_freedom of the standard errors; 0: not from replicates
   // Likewise, what the size of the patches does to the light reconstructed from them; 0: not estimated.
   double mesh_error = 0.0;
   double error_95th = 0.0;  // see solution/error_95th.h; 0: not estimated

@@ -36,10 +36,10 @@ void write_solution(const std::filesystem::path& path, const PatchSet& patches, 
 Baked read_solution(const std::filesystem::path& path);
 
 // The same, and the samples that its run knew: none where they were not kept.
-struct KeptRun {
+struct StoredRun {
   Baked baked;
   std::shared_ptr<const SampleState> samples;
 };
-KeptRun read_kept_run(const std::filesystem::path& path);
+StoredRun read_stored_run(const std::filesystem::path& path);
 
 }  // namespace luxel

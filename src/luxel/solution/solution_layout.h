@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "luxel/solution/solution.h"
@@ -12,7 +13,19 @@ namespace luxel {
 
 // What writing and reading a solution file must agree on; docs/solution-file.md is the whole layout.
 
-inline constexpr std::uint32_t solution_format_version = 1;
+inline constexpr std::uint32_t solution_format_version = 2;
+
+// Names of version 2, and what they were in version 1.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names_of_version_1 = {
+    {{"smoothing_bias_front", "sharing_bias_front"},
+     {"smoothing_bias_back", "sharing_bias_back"},
+     {"reflectance_ratio", "reflectance_share"},
+     {"emittance_ratio", "emittance_share"},
+     {"receiver", "slot"},
+     {"rays_per_replicate", "rays_a_replicate"},
+     {"unshot_fraction", "unshot_share"},
+     {"error_degrees_of_freedom", "error_freedom"}}};
+
 inline constexpr std::uint8_t vtk_triangle = 5;  // VTK's number of the cell type
 
 // VTK 9.1 reads a table of one column only where it is a flat array.
@@ -32,20 +45,8 @@ template <typename SolutionType>
 auto error_arrays(SolutionType& solution) {
   return std::array{std::pair("VTKHDF/CellData/standard_error_front", &solution.standard_error_front),
                     std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error_back),
-                    std::pair("VTKHDF/CellData/sharing_bias_front", &solution.sharing_bias_front),
-                    std::pair("VTKHDF/CellData/sharing_bias_back", &solution.sharing_bias_back)};
-}
-
-inline const std::array<std::pair<StopReason, std::string>, 7>& stop_reason_words() {
-  static const std::array<std::pair<StopReason, std::string>, 7> words = {
-      {{StopReason::converged, "converged"},
-       {StopReason::error_reached, "error_reached"},
-       {StopReason::ray_limit, "ray_limit"},
-       {StopReason::time_limit, "time_limit"},
-       {StopReason::stopped_by_user, "stopped_by_user"},
-       {StopReason::nothing_to_do, "nothing_to_do"},
-       {StopReason::step_limit, "step_limit"}}};
-  return words;
+                    std::pair("VTKHDF/CellData/smoothing_bias_front", &solution.smoothing_bias_front),
+                    std::pair("VTKHDF/CellData/smoothing_bias_back", &solution.smoothing_bias_back)};
 }
 
 }  // namespace luxel

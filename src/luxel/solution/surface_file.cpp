@@ -15,7 +15,7 @@ namespace luxel {
 namespace {
 
 constexpr auto no_texture = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint32_t largest_side = 16384;
+constexpr std::uint32_t max_side = 16384;
 const std::string group = "Luxel/surface";
 const std::string lights = "Luxel/point_lights";
 
@@ -80,7 +80,7 @@ void add_texture(Hdf5Writer& file, const std::string& name, const Raster& raster
 std::shared_ptr<const Raster> read_texture(const Hdf5Reader& file, const std::string& name) {
   const auto size = file.array<std::uint32_t>(name + "/size", 2);
   for (const auto side : size)
-    if (side < 1 || side > largest_side) file.refuse_as_damaged(fmt::format("'{}' has no such size", name));
+    if (side < 1 || side > max_side) file.refuse_as_damaged(fmt::format("'{}' has no such size", name));
   auto raster =
       std::make_shared<Raster>(Raster{static_cast<int>(size[0]), static_cast<int>(size[1]), {}, {}});
   const auto pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
@@ -114,8 +114,8 @@ std::vector<std::array<Vec, 3>> corners_of(const Hdf5Reader& file, const std::st
 }
 
 bool has_surface(const PatchSet& patches) {
-  return !patches.uv_sets.empty() || !patches.corner_colours.empty() || !patches.reflectance_share.empty() ||
-         !patches.emittance_share.empty();
+  return !patches.uv_sets.empty() || !patches.corner_colours.empty() || !patches.reflectance_ratio.empty() ||
+         !patches.emittance_ratio.empty();
 }
 
 void read_factors(const Hdf5Reader& file, PatchSet& patches) {
@@ -127,7 +127,7 @@ void read_factors(const Hdf5Reader& file, PatchSet& patches) {
     auto& textures = patches.materials[m].textures;
     textures.reflectance_factor = reflectance[m];
     textures.emittance_factor = emittance[m];
-    textures.most_reflectance = limits[2 * m];
+    textures.max_reflectance = limits[2 * m];
     textures.cutout_threshold = limits[2 * m + 1];
   }
 }
@@ -147,7 +147,7 @@ void add_surface(Hdf5Writer& file, const PatchSet& patches) {
   for (const auto& material : patches.materials) {
     reflectance.push_back(material.textures.reflectance_factor);
     emittance.push_back(material.textures.emittance_factor);
-    limits.insert(limits.end(), {material.textures.most_reflectance, material.textures.cutout_threshold});
+    limits.insert(limits.end(), {material.textures.max_reflectance, material.textures.cutout_threshold});
   }
   file.add_array(group + "/reflectance_factor", vectors(reflectance), "1");
   file.add_array(group + "/emittance_factor", vectors(emittance), "W/m^2");
@@ -161,10 +161,10 @@ void add_surface(Hdf5Writer& file, const PatchSet& patches) {
     file.add_array(fmt::format("{}/uv_{}", group, s), rows_of(numbers_of(patches.uv_sets[s]), 2), "1");
   if (!patches.corner_colours.empty())
     file.add_array(group + "/corner_colours", rows_of(numbers_of(patches.corner_colours), 3), "1");
-  for (const auto& [name, shares] : {std::pair("reflectance_share", &patches.reflectance_share),
-                                     std::pair("emittance_share", &patches.emittance_share)})
-    if (!shares->empty())
-      file.add_array(fmt::format("{}/{}", group, name), rows_of(*shares, patches.band_count()), "1");
+  for (const auto& [name, ratios] : {std::pair("reflectance_ratio", &patches.reflectance_ratio),
+                                     std::pair("emittance_ratio", &patches.emittance_ratio)})
+    if (!ratios->empty())
+      file.add_array(fmt::format("{}/{}", group, name), rows_of(*ratios, patches.band_count()), "1");
 }
 
 void read_surface(const Hdf5Reader& file, PatchSet& patches) {
@@ -182,10 +182,10 @@ void read_surface(const Hdf5Reader& file, PatchSet& patches) {
     patches.uv_sets.push_back(corners_of<Vec2>(file, fmt::format("{}/uv_{}", group, s), n));
   if (file.has(group + "/corner_colours"))
     patches.corner_colours = corners_of<Vec3>(file, group + "/corner_colours", n);
-  for (const auto& [name, shares] : {std::pair("reflectance_share", &patches.reflectance_share),
-                                     std::pair("emittance_share", &patches.emittance_share)})
+  for (const auto& [name, ratios] : {std::pair("reflectance_ratio", &patches.reflectance_ratio),
+                                     std::pair("emittance_ratio", &patches.emittance_ratio)})
     if (const auto path = fmt::format("{}/{}", group, name); file.has(path))
-      *shares = file.array<float>(path, n, patches.band_count());
+      *ratios = file.array<float>(path, n, patches.band_count());
 }
 
 void add_point_lights(Hdf5Writer& file, const PatchSet& patches) {
@@ -242,8 +242,8 @@ void read_point_lights(const Hdf5Reader& file, PatchSet& patches) {
 std::string fault_in_surface(const PatchSet& patches) {
   const auto n = patches.size();
   const auto values = n * patches.band_count();
-  for (const auto* shares : {&patches.reflectance_share, &patches.emittance_share})
-    if (!shares->empty() && (shares->size() != values || !all_in(*shares, 0.0f)))
+  for (const auto* ratios : {&patches.reflectance_ratio, &patches.emittance_ratio})
+    if (!ratios->empty() && (ratios->size() != values || !all_in(*ratios, 0.0f)))
       return "what patches reflect and emit over their materials is not one number, 0 or more, for each band";
   for (const auto& set : patches.uv_sets)
     if (set.size() != n) return "texture coordinates are not there for all patches";

@@ -120,13 +120,13 @@ void add_wavebands(Hdf5Writer& file, const PatchSet& patches) {
 void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& solution) {
   file.add_group("Luxel");
   file.add_number("Luxel", "format_version", solution_format_version);
-  for (const auto& [reason, word] : stop_reason_words())
-    if (reason == solution.stop) file.add_word("Luxel", "stop_reason", word);
-  file.add_number("Luxel", "unshot_share", solution.unshot_share);
+  file.add_word("Luxel", "stop_reason", std::string(name(solution.stop)));
+  file.add_number("Luxel", "unshot_fraction", solution.unshot_fraction);
   file.add_number("Luxel", "predicted_error", solution.predicted_error);
   if (solution.error_95th > 0.0) file.add_number("Luxel", "error_95th", solution.error_95th);
   if (solution.seen_error > 0.0) file.add_number("Luxel", "seen_error", solution.seen_error);
-  if (solution.error_freedom > 0.0) file.add_number("Luxel", "error_freedom", solution.error_freedom);
+  if (solution.error_degrees_of_freedom > 0.0)
+    file.add_number("Luxel", "error_degrees_of_freedom", solution.error_degrees_of_freedom);
   if (solution.predicted_bias > 0.0) file.add_number("Luxel", "predicted_bias", solution.predicted_bias);
   if (solution.mesh_error > 0.0) file.add_number("Luxel", "mesh_error", solution.mesh_error);
   file.add_strings("Luxel/bands", solution.bands);

@@ -3,20 +3,20 @@
 
 namespace luxel {
 
-RayPairs exchanged_pairs(const RayPairs& own, const RowShares& shares, const GatherSides& sides) {
-  const auto& ranks = *shares.ranks();
-  const auto block_of = [&](std::uint32_t slot) {
-    return 2 * shares.block_of(sides.position[slot]) + (slot < sides.fronts ? 0 : 1);
+RayPairs exchanged_pairs(const RayPairs& own, const RowPartition& partition, const GatherSides& sides) {
+  const auto& ranks = *partition.ranks();
+  const auto block_of = [&](std::uint32_t receiver) {
+    return 2 * partition.block_of(sides.position[receiver]) + (receiver < sides.fronts ? 0 : 1);
   };
   std::vector<RayPairs> parcels(ranks.size());
   for (std::size_t i = 0; i < own.size(); i += 2) {
-    auto& parcel = parcels[shares.owner(sides.position[own[i + 1]])];
+    auto& parcel = parcels[partition.owner(sides.position[own[i + 1]])];
     parcel.push_back(own[i]);
     parcel.push_back(own[i + 1]);
   }
   const auto received = exchanged(ranks, parcels);
-  // Every parcel is in the order of the senders' blocks, each block has one owner, and its slots lie side by
-  // side.
+  // Every parcel is in the order of the senders' blocks, each block has one owner, and its receivers lie side
+  // by side.
   RayPairs merged;
   std::size_t size = 0;
   for (const auto& parcel : received) size += parcel.size();

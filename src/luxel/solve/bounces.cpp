@@ -7,8 +7,8 @@
 
 #include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/solve/replicate_solve.h"
+#include "luxel/solve/sampled_light.h"
 #include "luxel/solve/sampling.h"
-#include "luxel/solve/slot_light.h"
 
 namespace luxel {
 namespace {
@@ -24,7 +24,7 @@ struct Bounces::State {
   std::uint64_t rays;
   Sampling sampling;
   std::unique_ptr<const SampledOperator> transport;
-  std::vector<float> direct;      // D, [slot * bands + band], W/m²
+  std::vector<float> direct;      // D, [receiver * bands + band], W/m²
   std::vector<float> irradiance;  // H
   std::vector<float>
       reflected;  // rho H of the bounce before, and the sky, [row or sink of CrossedHalves][band]
@@ -39,13 +39,13 @@ struct Bounces::State {
         options(run_options),
         rays(state.rays + state.first_rays),
         sampling(of_run, tracer, run_options, run_workers) {
-    sampling.take_up(state);
+    sampling.restore(state);
     transport = sampling.transport();
     direct = mean_of(sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers),
                      workers);
-    const SlotLight slots(patches, sampling.tree(), sampling.hits().sides(), false, workers);
-    area.assign(slots.area().begin(), slots.area().end());
-    reflectance.assign(slots.reflectance().begin(), slots.reflectance().end());
+    const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, workers);
+    area.assign(receivers.area().begin(), receivers.area().end());
+    reflectance.assign(receivers.reflectance().begin(), receivers.reflectance().end());
     begin();
   }
 
@@ -95,7 +95,7 @@ struct Bounces::State {
     }
     const auto emitted = emitted_power(patches);
     const auto power = std::accumulate(emitted.begin(), emitted.end(), 0.0);
-    if (power > 0.0 && !patches.has_sky()) s.unshot_share = bounces == 0 ? 1.0 : unshot / power;
+    if (power > 0.0 && !patches.has_sky()) s.unshot_fraction = bounces == 0 ? 1.0 : unshot / power;
     s.stop = StopReason::step_limit;
     s.provenance.method = "sampled";
     s.provenance.seed = options.seed;

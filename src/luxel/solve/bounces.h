@@ -31,8 +31,8 @@ class Bounces {
   Bounces& operator=(const Bounces&) = delete;
 
   // The light after so many bounces, at least 0. Cost: a look-up a ray for each bounce more than it was asked
-  // for last; for fewer it begins anew. unshot_share: what the last bounce brought and none has sent on, over
-  // the power of the lamps; under a sky, which has no power of its own, 0.
+  // for last; for fewer it begins anew. unshot_fraction: what the last bounce brought and none has sent on,
+  // over the power of the lamps; under a sky, which has no power of its own, 0.
   Solution light(int bounces);
 
  private:

@@ -13,21 +13,21 @@ CrossedHalves::CrossedHalves(const SampledOperator& whole, std::size_t bands)
                   static_cast<std::uint32_t>(2 * whole.sides().size())} {}
 
 std::vector<float> CrossedHalves::seen_by(std::size_t half, std::span<const float> radiosity) const {
-  const auto slots = whole_.sides().size() * bands_;
+  const auto receivers = whole_.sides().size() * bands_;
   std::vector<float> seen(whole_.elements() * bands_);
-  const auto other = radiosity.subspan(half == 0 ? slots : 0, slots);
-  const auto sinks = radiosity.subspan(2 * slots, seen.size() - slots);
+  const auto other = radiosity.subspan(half == 0 ? receivers : 0, receivers);
+  const auto sinks = radiosity.subspan(2 * receivers, seen.size() - receivers);
   std::copy(sinks.begin(), sinks.end(), std::copy(other.begin(), other.end(), seen.begin()));
   return seen;
 }
 
 void CrossedHalves::apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
                           std::size_t end, const Workers& workers) const {
-  const auto slots = whole_.sides().size();
+  const auto receivers = whole_.sides().size();
   for (std::size_t half = 0; half < 2; ++half)
-    if (begin <= half * slots && (half + 1) * slots <= end && slots > 0)
+    if (begin <= half * receivers && (half + 1) * receivers <= end && receivers > 0)
       whole_.apply(half, bands_, seen_by(half, radiosity),
-                   irradiance.subspan(half * slots * bands_, slots * bands_), workers);
+                   irradiance.subspan(half * receivers * bands_, receivers * bands_), workers);
 }
 
 }  // namespace luxel

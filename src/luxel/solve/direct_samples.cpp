@@ -12,42 +12,42 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t grain = 32;  // slots a chunk
+constexpr std::size_t grain = 32;  // receivers a chunk
 
 }  // namespace
 
 DirectSamples::DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
-                             std::size_t width, const RowShares& shares)
+                             std::size_t width, const RowPartition& partition)
     : light_(light),
       sides_(&sides),
       width_(width),
-      shares_(shares),
-      pieces_(shares, sides),
+      partition_(partition),
+      units_(partition, sides),
       mean_(replicates, std::vector<float>(sides.size() * width, 0.0f)),
       samples_(sides.size(), 0),
       doublings_(sides.size(), 0) {}
 
-std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots, std::uint32_t first,
+std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> receivers, std::uint32_t first,
                                             const Workers& workers) {
-  std::vector<std::uint64_t> traced((slots.size() + grain - 1) / grain, 0);
-  std::vector<double> seconds(shares_.ranks() ? slots.size() : 0);  // for one sample
-  workers.for_chunks(slots.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+  std::vector<std::uint64_t> traced((receivers.size() + grain - 1) / grain, 0);
+  std::vector<double> seconds(partition_.ranks() ? receivers.size() : 0);  // for one sample
+  workers.for_chunks(receivers.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     std::vector<float> estimate(mean_.size() * width_);
     auto time = Clock::now();
     for (auto i = begin; i < end; ++i) {
-      const auto s = slots[i];
+      const auto s = receivers[i];
       const auto more = samples_[s] > 0 ? samples_[s] : first;
       const auto before = samples_[s];
       samples_[s] += more;
       ++doublings_[s];
-      if (!pieces_.is_mine(s)) continue;
-      const auto share = static_cast<float>(more) / static_cast<float>(before + more);
+      if (!units_.is_mine(s)) continue;
+      const auto all_gather = static_cast<float>(more) / static_cast<float>(before + more);
       traced[begin / grain] +=
           light_.estimate(sides_->side[s], sides_->position[s], doublings_[s] - 1, more, estimate);
       for (std::size_t r = 0; r < mean_.size(); ++r)
         for (std::size_t b = 0; b < width_; ++b) {
           auto& mean = mean_[r][s * width_ + b];
-          mean += share * (estimate[r * width_ + b] - mean);
+          mean += all_gather * (estimate[r * width_ + b] - mean);
         }
       if (seconds.empty()) continue;
       const auto now = Clock::now();
@@ -55,18 +55,18 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> slots
       time = now;
     }
   });
-  pieces_.learn(slots, seconds);
+  units_.learn(receivers, seconds);
   return std::accumulate(traced.begin(), traced.end(), std::uint64_t{0});
 }
 
-std::uint64_t DirectSamples::share(std::span<const std::uint32_t> slots, std::uint64_t own_rays) {
-  if (!shares_.ranks()) return own_rays;
-  pieces_.share(mean_, width_, slots);
-  const auto of_ranks = of_all(*shares_.ranks(), own_rays);
+std::uint64_t DirectSamples::all_gather(std::span<const std::uint32_t> receivers, std::uint64_t own_rays) {
+  if (!partition_.ranks()) return own_rays;
+  units_.all_gather(mean_, width_, receivers);
+  const auto of_ranks = all_gather_value(*partition_.ranks(), own_rays);
   return std::accumulate(of_ranks.begin(), of_ranks.end(), std::uint64_t{0});
 }
 
-void DirectSamples::take_up(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
+void DirectSamples::restore(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
                             std::vector<std::uint32_t> doublings) {
   const auto fits = [&](const std::vector<float>& values) { return values.size() == mean_[0].size(); };
   if (irradiance.size() != mean_.size() || !std::all_of(irradiance.begin(), irradiance.end(), fits) ||

@@ -5,56 +5,56 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/row_shares.h"
+#include "luxel/core/row_partition.h"
 #include "luxel/core/workers.h"
 #include "luxel/lamps/direct_light.h"
-#include "luxel/solve/piece_shares.h"
+#include "luxel/solve/work_units.h"
 #include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 
-// Direct light of every slot, replicate by replicate, and the samples it is the mean of.
+// Direct light of every receiver, replicate by replicate, and the samples it is the mean of.
 //
-// Several ranks share the slots, and all know all: between pieces().deal() and share() each takes the samples
-// of its own pieces, and knows those alone.
+// Several ranks share the receivers, and all know all: between units().deal() and share() each takes the
+// samples of its own units, and knows those alone.
 class DirectSamples {
  public:
   // Keeps references to light, sides and shares. width: light groups times bands.
   DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
-                std::size_t width, const RowShares& shares);
+                std::size_t width, const RowPartition& partition);
 
-  // Doubles the samples of these slots; where there are none yet, takes `first` a replicate. Returns the
+  // Doubles the samples of these receivers; where there are none yet, takes `first` a replicate. Returns the
   // shadow rays that this rank traced. The same bits on any number of threads.
-  std::uint64_t double_samples(std::span<const std::uint32_t> slots, std::uint32_t first,
+  std::uint64_t double_samples(std::span<const std::uint32_t> receivers, std::uint32_t first,
                                const Workers& workers);
 
   // Of several ranks: who takes which samples.
-  PieceShares& pieces() { return pieces_; }
-  // After some calls of double_samples() together for these slots: the light that each rank found. Returns
-  // the shadow rays of all, given one's own.
-  std::uint64_t share(std::span<const std::uint32_t> slots, std::uint64_t own_rays);
+  WorkUnits& units() { return units_; }
+  // After some calls of double_samples() together for these receivers: the light that each rank found.
+  // Returns the shadow rays of all, given one's own.
+  std::uint64_t all_gather(std::span<const std::uint32_t> receivers, std::uint64_t own_rays);
 
-  // Samples of each slot, of one replicate.
-  std::span<const std::uint32_t> samples_a_slot() const { return samples_; }
-  // [replicate][(slot * groups + group) * bands + band], W/m².
+  // Samples of each receiver, of one replicate.
+  std::span<const std::uint32_t> samples_per_receiver() const { return samples_; }
+  // [replicate][(receiver * groups + group) * bands + band], W/m².
   const std::vector<std::vector<float>>& irradiance() const { return mean_; }
 
-  std::span<const std::uint32_t> doublings_a_slot() const { return doublings_; }
-  // Goes on where other samples of the same slots were: each as its function above gives it.
-  void take_up(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
+  std::span<const std::uint32_t> doublings_per_receiver() const { return doublings_; }
+  // Goes on where other samples of the same receivers were: each as its function above gives it.
+  void restore(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
                std::vector<std::uint32_t> doublings);
 
-  // Goes on with the slots that are kept; they are those of `sides` now.
+  // Goes on with the receivers that are kept; they are those of `sides` now.
   void keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides);
 
  private:
   const DirectLight& light_;
   const GatherSides* sides_;
   std::size_t width_;
-  const RowShares& shares_;
-  PieceShares pieces_;
+  const RowPartition& partition_;
+  WorkUnits units_;
   std::vector<std::vector<float>> mean_;
-  std::vector<std::uint32_t> samples_, doublings_;  // [slot]
+  std::vector<std::uint32_t> samples_, doublings_;  // [receiver]
 };
 
 }  // namespace luxel

@@ -9,7 +9,7 @@ namespace {
 // Of the worth of a ray, what every side has, whatever it sees: rays find what none has found yet.
 constexpr double even_part = 0.05;
 
-// Calls body(first slot, end slot) for each unit.
+// Calls body(first receiver, end receiver) for each unit.
 template <typename Body>
 void for_units(std::span<const std::uint32_t> begins, const Workers& workers, Body body) {
   workers.for_chunks(begins.size() - 1, 64, [&](std::size_t first, std::size_t end, int) {
@@ -23,14 +23,14 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
                                   std::span<const std::uint32_t> begins, std::span<const double> importance,
                                   std::span<const float> radiosity, std::span<const float> gathered,
                                   double whole, const Workers& workers) {
-  const auto slots = transport.sides().size();
+  const auto receivers = transport.sides().size();
   const auto bands = patches.band_count();
   const auto area = [&](std::size_t s) {
     return static_cast<double>(patches.area[transport.sides().side[s] / 2]);
   };
 
   // 1. What rows gather, in the mean of each unit; and radiosities, the mean of both halves.
-  std::vector<float> level(slots * bands);
+  std::vector<float> level(receivers * bands);
   for_units(begins, workers, [&](std::size_t first, std::size_t end) {
     for (std::size_t b = 0; b < bands; ++b) {
       double sum = 0.0;
@@ -50,7 +50,9 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
   // 2. What a ray is worth. To its own row it is noisy, so neighbours take the mean, apart from their own
   // importance and number of rays.
   auto worth = transport.ray_worth(importance, seen, level, workers);
-  const auto rays = [&](std::size_t s) { return static_cast<double>(transport.hits().rays_per_slot()[s]); };
+  const auto rays = [&](std::size_t s) {
+    return static_cast<double>(transport.hits().rays_per_receiver()[s]);
+  };
   for_units(begins, workers, [&](std::size_t first, std::size_t end) {
     double sum = 0.0;
     double areas = 0.0;
@@ -65,21 +67,21 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
   });
 
   // 3. Times the density of rays.
-  std::vector<double> error2(slots);
+  std::vector<double> squared_error(receivers);
   double densities = 0.0;
   double sum = 0.0;
-  for (std::size_t s = 0; s < slots; ++s) {
+  for (std::size_t s = 0; s < receivers; ++s) {
     const auto density = rays(s) / area(s);
-    error2[s] = density * (static_cast<double>(worth.own[s]) + static_cast<double>(worth.given[s]));
+    squared_error[s] = density * (static_cast<double>(worth.own[s]) + static_cast<double>(worth.given[s]));
     densities += density;
-    sum += error2[s];
+    sum += squared_error[s];
   }
-  if (!(sum > 0.0)) return error2;
-  for (std::size_t s = 0; s < slots; ++s) {
+  if (!(sum > 0.0)) return squared_error;
+  for (std::size_t s = 0; s < receivers; ++s) {
     const auto density = rays(s) / area(s);
-    error2[s] = whole * ((1.0 - even_part) * error2[s] / sum + even_part * density / densities);
+    squared_error[s] = whole * ((1.0 - even_part) * squared_error[s] / sum + even_part * density / densities);
   }
-  return error2;
+  return squared_error;
 }
 
 }  // namespace luxel

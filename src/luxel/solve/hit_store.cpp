@@ -16,15 +16,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t rows_a_job = 4 * GatherRays::most_rows;
+constexpr std::size_t rows_per_job = 4 * GatherRays::max_rows;
 
-// Where each of `values` would stand among the slots.
+// Where each of `values` would stand among the receivers.
 std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
-                                     std::span<const std::uint32_t> slots) {
+                                     std::span<const std::uint32_t> receivers) {
   std::vector<std::uint32_t> places;
   for (const auto v : values)
-    places.push_back(
-        static_cast<std::uint32_t>(std::lower_bound(slots.begin(), slots.end(), v) - slots.begin()));
+    places.push_back(static_cast<std::uint32_t>(std::lower_bound(receivers.begin(), receivers.end(), v) -
+                                                receivers.begin()));
   return places;
 }
 
@@ -37,46 +37,46 @@ HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tra
       portals_(patches),
       sides_(std::move(sides)),
       options_(options),
-      shares_(options.ranks, gather_block_positions, sides_.position),
+      partition_(options.ranks, gather_block_positions, sides_.position),
       block_begins_(neighbour_begins(sides_, gather_block_positions)),
-      rays_per_slot_(sides_.size(), 0),
+      rays_per_receiver_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
 
 std::uint32_t HitStore::element_of(const Hit& hit, const Ray& ray) const {
   if (!hit)
     return static_cast<std::uint32_t>(portals_.first_crossed(ray) == Portals::none ? escaped()
                                                                                    : through_portal());
-  const auto slot = sides_.slot_of_side[side_of(hit.patch, hit.back)];
-  if (slot != GatherSides::none) return slot;
+  const auto receiver = sides_.receiver_of_side[side_of(hit.patch, hit.back)];
+  if (receiver != GatherSides::none) return receiver;
   if (hit.back && !patches_.material_of(hit.patch).two_sided)
     return static_cast<std::uint32_t>(absorbed(static_cast<std::size_t>(patches_.material[hit.patch])));
   return static_cast<std::uint32_t>(dark());
 }
 
 HitStore::Round HitStore::make_round(HitRound round) const {
-  auto begins = places_of(block_begins_, round.slots);
+  auto begins = places_of(block_begins_, round.receivers);
   return {std::move(round), std::move(begins)};
 }
 
 void HitStore::make_room(Round& round) const {
   round.hits =
-      std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * round.hits_a_replicate());
+      std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * round.hits_per_replicate());
 }
 
-void HitStore::count(std::span<const std::uint32_t> slots, std::uint32_t per_replicate) {
-  for (const auto s : slots) {
-    rays_per_slot_[s] += per_replicate;
+void HitStore::count(std::span<const std::uint32_t> receivers, std::uint32_t per_replicate) {
+  for (const auto s : receivers) {
+    rays_per_receiver_[s] += per_replicate;
     ++doublings_[s];
   }
 }
 
-void HitStore::trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
+void HitStore::trace(const Round& round, std::span<const std::uint32_t> receivers, std::size_t begin_row,
                      std::size_t end_row, std::span<std::uint32_t* const> to) const {
-  if (slots.empty()) return;
+  if (receivers.empty()) return;
   const auto n = round.per_replicate;
-  GatherRays rays(patches_, sides_, slots, {options_.seed, options_.low_discrepancy, options_.stratified},
+  GatherRays rays(patches_, sides_, receivers, {options_.seed, options_.low_discrepancy, options_.stratified},
                   round.level, n);
-  std::array<GatherRays::Row, GatherRays::most_rows> rows;
+  std::array<GatherRays::Row, GatherRays::max_rows> rows;
   while (begin_row < end_row) {
     const auto count = std::min(end_row - begin_row, rows.size());
     for (std::size_t i = 0; i < count; ++i, ++begin_row) {
@@ -89,10 +89,10 @@ void HitStore::trace(const Round& round, std::span<const std::uint32_t> slots, s
   }
 }
 
-// A block with few rays a slot has too few that look the same way.
+// A block with few rays a receiver has too few that look the same way.
 std::vector<std::uint32_t> HitStore::traced_together(std::uint32_t per_replicate) const {
   const std::size_t most =
-      options_.replicates * per_replicate > GatherRays::most_rows ? 1 : GatherRays::most_blocks;
+      options_.replicates * per_replicate > GatherRays::max_rows ? 1 : GatherRays::max_blocks;
   std::vector<std::uint32_t> begins;
   std::size_t first = 0;
   for (std::size_t b = 0; b < blocks(); ++b)
@@ -104,22 +104,22 @@ std::vector<std::uint32_t> HitStore::traced_together(std::uint32_t per_replicate
   return begins;
 }
 
-std::optional<std::uint64_t> HitStore::double_rays(std::vector<std::uint32_t> slots, std::uint32_t first,
+std::optional<std::uint64_t> HitStore::double_rays(std::vector<std::uint32_t> receivers, std::uint32_t first,
                                                    const Workers& workers, const Monitor& monitor) {
-  if (slots.empty()) return 0;
-  const auto so_far = rays_per_slot_[slots[0]];
+  if (receivers.empty()) return 0;
+  const auto so_far = rays_per_receiver_[receivers[0]];
   const auto per_replicate = so_far > 0 ? so_far : first;
-  const auto level = doublings_[slots[0]];
-  const auto whole = std::uint64_t{options_.replicates} * per_replicate * slots.size();
+  const auto level = doublings_[receivers[0]];
+  const auto whole = std::uint64_t{options_.replicates} * per_replicate * receivers.size();
   const auto begin_time = Clock::now();
-  auto round = make_round({level, per_replicate, mine(slots), nullptr});
+  auto round = make_round({level, per_replicate, mine(receivers), nullptr});
   if (!is_streamed_) {
     make_room(round);
     // In turns, between which the monitor is asked: some tenths of a second each.
     const auto rows = std::size_t{options_.replicates} * per_replicate;
-    const auto groups = places_of(traced_together(per_replicate), round.slots);
-    const auto jobs_a_group = (rows + rows_a_job - 1) / rows_a_job;
-    const auto jobs = (groups.size() - 1) * jobs_a_group;
+    const auto groups = places_of(traced_together(per_replicate), round.receivers);
+    const auto jobs_per_group = (rows + rows_per_job - 1) / rows_per_job;
+    const auto jobs = (groups.size() - 1) * jobs_per_group;
     const auto turn = 32 * static_cast<std::size_t>(workers.threads());
     std::vector<double> seconds(jobs);
     for (std::size_t from = 0; from < jobs; from += turn) {
@@ -128,49 +128,50 @@ std::optional<std::uint64_t> HitStore::double_rays(std::vector<std::uint32_t> sl
         std::vector<std::uint32_t*> places(options_.replicates);
         for (auto job = from + begin; job < from + end; ++job) {
           const auto job_begin = Clock::now();
-          const auto* group = &groups[job / jobs_a_group];
-          const auto row = job % jobs_a_group * rows_a_job;
+          const auto* group = &groups[job / jobs_per_group];
+          const auto row = job % jobs_per_group * rows_per_job;
           for (std::uint32_t r = 0; r < options_.replicates; ++r) places[r] = round.hits_of(r, group[0]);
-          trace(round, std::span(round.slots).subspan(group[0], group[1] - group[0]), row,
-                std::min(rows, row + rows_a_job), places);
+          trace(round, std::span(round.receivers).subspan(group[0], group[1] - group[0]), row,
+                std::min(rows, row + rows_per_job), places);
           seconds[job] = std::chrono::duration<double>(Clock::now() - job_begin).count();
         }
       });
-      const auto share = static_cast<double>(to) / static_cast<double>(jobs);
-      const auto rays = static_cast<std::uint64_t>(share * static_cast<double>(whole));
-      if (tell(monitor, {"light", share, rays}) == Next::stop) return {};
+      const auto all_gather = static_cast<double>(to) / static_cast<double>(jobs);
+      const auto rays = static_cast<std::uint64_t>(all_gather * static_cast<double>(whole));
+      if (tell(monitor, {"light", all_gather, rays}) == Next::stop) return {};
     }
     learn_pace(round, groups, seconds, std::chrono::duration<double>(Clock::now() - begin_time).count());
   }
-  count(slots, per_replicate);
+  count(receivers, per_replicate);
   rounds_.push_back(std::move(round));
   return whole;
 }
 
-void HitStore::take_up(std::vector<HitRound> rounds) {
+void HitStore::restore(std::vector<HitRound> rounds) {
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw MismatchError(fmt::format("the kept rays do not belong to these patches: {}", what));
   };
   for (auto& given : rounds) {
     auto round = make_round(std::move(given));
-    const auto& slots = round.slots;
-    require(std::is_sorted(slots.begin(), slots.end(), std::less_equal<>()) &&
-                (slots.empty() || slots.back() < sides_.size()),
+    const auto& receivers = round.receivers;
+    require(std::is_sorted(receivers.begin(), receivers.end(), std::less_equal<>()) &&
+                (receivers.empty() || receivers.back() < sides_.size()),
             "their sides are not in order");
     require(std::has_single_bit(round.per_replicate), "a round's number of rays is no power of two");
-    for (const auto s : slots)
-      require(round.level == doublings_[s] && (round.level == 0 || round.per_replicate == rays_per_slot_[s]),
-              "a round is missing");
+    for (const auto s : receivers)
+      require(
+          round.level == doublings_[s] && (round.level == 0 || round.per_replicate == rays_per_receiver_[s]),
+          "a round is missing");
     if (round.hits) {
-      const auto count = options_.replicates * round.hits_a_replicate();
+      const auto count = options_.replicates * round.hits_per_replicate();
       require(std::all_of(round.hits.get(), round.hits.get() + count,
                           [&](std::uint32_t element) { return element < elements(); }),
               "a hit is on no element");
     } else {
       is_streamed_ = true;
     }
-    count(slots, round.per_replicate);
-    rounds_.push_back(shares_.ranks() ? own_part(round) : std::move(round));
+    count(receivers, round.per_replicate);
+    rounds_.push_back(partition_.ranks() ? own_part(round) : std::move(round));
   }
   if (is_streamed_) stream();
 }
@@ -182,36 +183,36 @@ void HitStore::stream() {
 
 std::uint64_t HitStore::bytes() const {
   std::uint64_t count = 0;
-  for (const auto& round : rounds_) count += options_.replicates * round.hits_a_replicate();
+  for (const auto& round : rounds_) count += options_.replicates * round.hits_per_replicate();
   return is_streamed_ ? 0 : sizeof(std::uint32_t) * count;
 }
 
 void HitStore::keep(const std::vector<std::uint8_t>& kept, const Workers& workers) {
-  HitStore smaller(patches_, kept_gather_sides(sides_, kept), tracer_, options_);
+  HitStore smaller(patches_, restored_gather_sides(sides_, kept), tracer_, options_);
   // What an old element is called now.
   std::vector<std::uint32_t> name(elements());
   for (std::size_t e = 0; e < name.size(); ++e)
     name[e] = e >= sides_.size() ? static_cast<std::uint32_t>(e - sides_.size() + smaller.sides_.size())
-              : kept[e]          ? smaller.sides_.slot_of_side[sides_.side[e]]
+              : kept[e]          ? smaller.sides_.receiver_of_side[sides_.side[e]]
                                  : static_cast<std::uint32_t>(smaller.dark());
   for (std::size_t s = 0; s < kept.size(); ++s)
     if (kept[s]) {
-      smaller.rays_per_slot_[name[s]] = rays_per_slot_[s];
+      smaller.rays_per_receiver_[name[s]] = rays_per_receiver_[s];
       smaller.doublings_[name[s]] = doublings_[s];
     }
   for (const auto& round : rounds_) {
-    std::vector<std::uint32_t> slots;
-    for (const auto s : round.slots)
-      if (kept[s]) slots.push_back(name[s]);
-    auto fewer = smaller.make_round({round.level, round.per_replicate, std::move(slots), nullptr});
+    std::vector<std::uint32_t> receivers;
+    for (const auto s : round.receivers)
+      if (kept[s]) receivers.push_back(name[s]);
+    auto fewer = smaller.make_round({round.level, round.per_replicate, std::move(receivers), nullptr});
     if (!is_streamed_) {
       smaller.make_room(fewer);
       const std::size_t n = round.per_replicate;
       workers.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
         for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
           auto* to = fewer.hits_of(r, 0);
-          for (std::size_t i = 0; i < round.slots.size(); ++i)
-            if (kept[round.slots[i]])
+          for (std::size_t i = 0; i < round.receivers.size(); ++i)
+            if (kept[round.receivers[i]])
               for (std::size_t k = 0; k < n; ++k) *to++ = name[round.hits_of(r, i)[k]];
         }
       });
@@ -221,7 +222,7 @@ void HitStore::keep(const std::vector<std::uint8_t>& kept, const Workers& worker
   sides_ = std::move(smaller.sides_);
   block_begins_ = std::move(smaller.block_begins_);
   rounds_ = std::move(smaller.rounds_);
-  rays_per_slot_ = std::move(smaller.rays_per_slot_);
+  rays_per_receiver_ = std::move(smaller.rays_per_receiver_);
   doublings_ = std::move(smaller.doublings_);
 }
 

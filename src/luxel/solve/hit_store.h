@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "luxel/core/progress.h"
-#include "luxel/core/row_shares.h"
+#include "luxel/core/row_partition.h"
 #include "luxel/lamps/portals.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/sample_state.h"
@@ -31,10 +31,10 @@ struct HitStoreOptions {
 // added in rounds, to all sides or to some; earlier ones stay. Hits are stored, or streamed: traced again
 // whenever they are read, which needs no memory and gives the same bits.
 //
-// Elements are the slots of GatherSides. Rays that bring no light end in sinks, elements of their own after
-// the slots, whose radiosity is 0 or the sky's: escaped, dark (a side that does not gather), and one for each
-// one-sided material's back; where there are portals also one for rays that escape through a portal, whose
-// light is direct light.
+// Elements are the receivers of GatherSides. Rays that bring no light end in sinks, elements of their own
+// after the receivers, whose radiosity is 0 or the sky's: escaped, dark (a side that does not gather), and
+// one for each one-sided material's back; where there are portals also one for rays that escape through a
+// portal, whose light is direct light.
 //
 // Memory: 4 bytes per stored ray. Cost of a round: one nearest hit per ray. Not safe to change while another
 // call runs; any number of threads may read.
@@ -45,19 +45,19 @@ class HitStore {
 
   const GatherSides& sides() const { return sides_; }
   std::uint32_t replicates() const { return options_.replicates; }
-  // Rays of each slot, of one replicate.
-  std::span<const std::uint32_t> rays_per_slot() const { return rays_per_slot_; }
+  // Rays of each receiver, of one replicate.
+  std::span<const std::uint32_t> rays_per_receiver() const { return rays_per_receiver_; }
 
-  // Doubles the rays of these slots (rising; all with equally many so far); where there are none yet, gives
-  // them `first`, a power of two. Returns the rays traced, or none, with nothing added, if the monitor said
-  // stop.
-  std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> slots, std::uint32_t first,
+  // Doubles the rays of these receivers (rising; all with equally many so far); where there are none yet,
+  // gives them `first`, a power of two. Returns the rays traced, or none, with nothing added, if the monitor
+  // said stop.
+  std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> receivers, std::uint32_t first,
                                            const Workers& workers, const Monitor& monitor = {});
 
   // Of several ranks, which call this together: gives rows, with their hits, away or gets some, where that
-  // lets all of them be done with more rays at once, by how long those before took. more_rays: [slot], of one
-  // replicate; other_seconds: of a thread, for work that ranks share out by what this returns. Knows nothing
-  // before there were rays: all are ready at once then.
+  // lets all of them be done with more rays at once, by how long those before took. more_rays: [receiver], of
+  // one replicate; other_seconds: of a thread, for work that ranks share out by what this returns. Knows
+  // nothing before there were rays: all are ready at once then.
   RankTimes balance(std::span<const double> more_rays, double other_seconds);
 
   // Forgets the hits, and those of later rounds: they are streamed from now on.
@@ -65,15 +65,15 @@ class HitStore {
   bool is_streamed() const { return is_streamed_; }
   std::uint64_t bytes() const;  // of the hits
 
-  // Leaves out the slots that are not kept: rays to them end in the dark.
+  // Leaves out the receivers that are not kept: rays to them end in the dark.
   void keep(const std::vector<std::uint8_t>& kept, const Workers& workers);
 
   // All rounds so far; copies share the hits. Of several ranks the first has all hits, the others none.
   std::vector<HitRound> rounds() const;
-  const RowShares& shares() const { return shares_; }
-  // Goes on where an operator over the same slots was, whose rounds these are. Throws MismatchError where
-  // they cannot be: slots and elements in range and rising, each slot's rounds one after the other.
-  void take_up(std::vector<HitRound> rounds);
+  const RowPartition& partition() const { return partition_; }
+  // Goes on where an operator over the same receivers was, whose rounds these are. Throws MismatchError where
+  // they cannot be: receivers and elements in range and rising, each receiver's rounds one after the other.
+  void restore(std::vector<HitRound> rounds);
 
   // Sinks, from size() on.
   std::size_t escaped() const { return sides_.size(); }
@@ -87,53 +87,53 @@ class HitStore {
   }
   std::size_t elements() const { return through_portal() + (has_portals() ? 1 : 0); }
 
-  // Calls body(slot, element hit) for every ray of one replicate whose slot lies in that block; of several
-  // ranks, for this one's blocks alone.
+  // Calls body(receiver, element hit) for every ray of one replicate whose receiver lies in that block; of
+  // several ranks, for this one's blocks alone.
   std::size_t blocks() const { return block_begins_.size() - 1; }
-  // Block k is the slots [block_begins()[k], block_begins()[k + 1]).
+  // Block k is the receivers [block_begins()[k], block_begins()[k + 1]).
   std::span<const std::uint32_t> block_begins() const { return block_begins_; }
-  bool is_mine(std::uint32_t slot) const { return shares_.is_mine(sides_.position[slot]); }
+  bool is_mine(std::uint32_t receiver) const { return partition_.is_mine(sides_.position[receiver]); }
   template <typename Body>
   void for_each_hit(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(
         replicate, block,
-        [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_replicate) {
-          for (const auto slot : slots)
-            for (std::uint32_t i = 0; i < per_replicate; ++i) body(slot, *hit++);
+        [&](std::span<const std::uint32_t> receivers, const std::uint32_t* hit, std::uint32_t per_replicate) {
+          for (const auto receiver : receivers)
+            for (std::uint32_t i = 0; i < per_replicate; ++i) body(receiver, *hit++);
         });
   }
 
-  // Likewise, for the rays of the first round alone, the first of every slot.
+  // Likewise, for the rays of the first round alone, the first of every receiver.
   template <typename Body>
   void for_each_first_hit(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(replicate, block, std::span(rounds_).first(std::min<std::size_t>(1, rounds_.size())),
-                   [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t n) {
-                     for (const auto slot : slots)
-                       for (std::uint32_t i = 0; i < n; ++i) body(slot, *hit++);
+                   [&](std::span<const std::uint32_t> receivers, const std::uint32_t* hit, std::uint32_t n) {
+                     for (const auto receiver : receivers)
+                       for (std::uint32_t i = 0; i < n; ++i) body(receiver, *hit++);
                    });
   }
 
-  // Calls body(slots, their hits, hits per slot) for each round that has slots in that block.
+  // Calls body(receivers, their hits, hits per receiver) for each round that has receivers in that block.
   template <typename Body>
   void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(replicate, block, rounds_, body);
   }
-  // Several ranks: the numbers, `width` per slot, of each rank's own slots become known to all.
-  void share_slots(std::span<float> values, std::size_t width) const;
+  // Several ranks: the numbers, `width` per receiver, of each rank's own receivers become known to all.
+  void all_gather_receivers(std::span<float> values, std::size_t width) const;
 
-  // Blocks whose rays are traced together where all slots get per_replicate rays: where they begin, slots,
-  // and at the end size().
+  // Blocks whose rays are traced together where all receivers get per_replicate rays: where they begin,
+  // receivers, and at the end size().
   std::vector<std::uint32_t> traced_together(std::uint32_t per_replicate) const;
 
  private:
   struct Round : HitRound {
-    std::vector<std::uint32_t> begins;  // [block + 1], into slots
+    std::vector<std::uint32_t> begins;  // [block + 1], into receivers
 
-    std::span<const std::uint32_t> slots_of(std::size_t block) const {
-      return std::span(slots).subspan(begins[block], begins[block + 1] - begins[block]);
+    std::span<const std::uint32_t> receivers_of(std::size_t block) const {
+      return std::span(receivers).subspan(begins[block], begins[block + 1] - begins[block]);
     }
     std::uint32_t* hits_of(std::uint32_t replicate, std::size_t place) const {
-      return hits.get() + replicate * hits_a_replicate() + place * per_replicate;
+      return hits.get() + replicate * hits_per_replicate() + place * per_replicate;
     }
   };
 
@@ -142,16 +142,16 @@ class HitStore {
                       Body body) const {
     std::vector<std::uint32_t> traced;
     for (const auto& round : rounds) {
-      const auto slots = round.slots_of(block);
-      if (slots.empty()) continue;
+      const auto receivers = round.receivers_of(block);
+      if (receivers.empty()) continue;
       const std::size_t n = round.per_replicate;
       if (is_streamed_) {
-        traced.resize(slots.size() * n);
+        traced.resize(receivers.size() * n);
         std::vector<std::uint32_t*> to(options_.replicates);
         to[replicate] = traced.data();
-        trace(round, slots, replicate * n, (replicate + 1) * n, to);
+        trace(round, receivers, replicate * n, (replicate + 1) * n, to);
       }
-      body(slots, is_streamed_ ? traced.data() : round.hits_of(replicate, round.begins[block]),
+      body(receivers, is_streamed_ ? traced.data() : round.hits_of(replicate, round.begins[block]),
            round.per_replicate);
     }
   }
@@ -159,18 +159,18 @@ class HitStore {
   Round make_round(HitRound round) const;
   // Not zeroed: a thread that writes also gets the pages.
   void make_room(Round& round) const;
-  // Counts the rays of a round with these slots.
-  void count(std::span<const std::uint32_t> slots, std::uint32_t per_replicate);
-  std::vector<std::uint32_t> mine(std::vector<std::uint32_t> slots) const;
+  // Counts the rays of a round with these receivers.
+  void count(std::span<const std::uint32_t> receivers, std::uint32_t per_replicate);
+  std::vector<std::uint32_t> mine(std::vector<std::uint32_t> receivers) const;
   HitRound gathered(const HitRound& own) const;
   Round own_part(const Round& whole) const;
   void move_rows(std::vector<std::uint32_t> owners);
-  // Of a round of its own that took so long: what each job did. groups: places of slots, [group + 1].
+  // Of a round of its own that took so long: what each job did. groups: places of receivers, [group + 1].
   void learn_pace(const Round& own, std::span<const std::uint32_t> groups,
                   std::span<const double> job_seconds, double seconds);
-  // The elements that rows of these slots' rays hit. Row = replicate * per_replicate + sample; to[replicate]:
-  // where the samples of the first slot go.
-  void trace(const Round& round, std::span<const std::uint32_t> slots, std::size_t begin_row,
+  // The elements that rows of these receivers' rays hit. Row = replicate * per_replicate + sample;
+  // to[replicate]: where the samples of the first receiver go.
+  void trace(const Round& round, std::span<const std::uint32_t> receivers, std::size_t begin_row,
              std::size_t end_row, std::span<std::uint32_t* const> to) const;
   std::uint32_t element_of(const Hit& hit, const Ray& ray) const;
 
@@ -179,13 +179,14 @@ class HitStore {
   Portals portals_;
   GatherSides sides_;
   HitStoreOptions options_;
-  RowShares shares_;
+  RowPartition partition_;
   // Of this rank, since it was balanced: seconds of its threads together, and of the clock.
   double busy_seconds_ = 0.0, traced_seconds_ = 0.0;
-  std::vector<double> seconds_a_slot_;  // [block of shares_]: for one ray a replicate, as its owner measured
+  std::vector<double>
+      seconds_per_receiver_;  // [block of shares_]: for one ray a replicate, as its owner measured
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
-  std::vector<std::uint32_t> rays_per_slot_, doublings_;
+  std::vector<std::uint32_t> rays_per_receiver_, doublings_;
   bool is_streamed_ = false;
 };
 

@@ -7,132 +7,137 @@
 
 namespace luxel {
 
-std::vector<std::uint32_t> HitStore::mine(std::vector<std::uint32_t> slots) const {
-  if (shares_.ranks()) std::erase_if(slots, [this](std::uint32_t s) { return !is_mine(s); });
-  return slots;
+std::vector<std::uint32_t> HitStore::mine(std::vector<std::uint32_t> receivers) const {
+  if (partition_.ranks()) std::erase_if(receivers, [this](std::uint32_t s) { return !is_mine(s); });
+  return receivers;
 }
 
 // The round of all ranks, with its hits in the first one.
 HitRound HitStore::gathered(const HitRound& own) const {
-  const auto& ranks = *shares_.ranks();
-  const auto slots = joined(ranks, own.slots);  // rank after rank
-  std::vector<std::size_t> order(slots.size());
+  const auto& ranks = *partition_.ranks();
+  const auto receivers = all_gather_lists(ranks, own.receivers);  // rank after rank
+  std::vector<std::size_t> order(receivers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return slots[a] < slots[b]; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return receivers[a] < receivers[b]; });
   HitRound whole{own.level, own.per_replicate, {}, nullptr};
-  for (const auto i : order) whole.slots.push_back(slots[i]);
-  const auto streamed = of_all(ranks, is_streamed_ ? 1 : 0);
+  for (const auto i : order) whole.receivers.push_back(receivers[i]);
+  const auto streamed = all_gather_value(ranks, is_streamed_ ? 1 : 0);
   if (std::count(streamed.begin(), streamed.end(), 0) < std::ssize(streamed)) return whole;
   const auto n = std::size_t{own.per_replicate};
   const bool is_first = ranks.rank() == 0;
   if (is_first)
     whole.hits =
-        std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * whole.hits_a_replicate());
+        std::make_shared_for_overwrite<std::uint32_t[]>(options_.replicates * whole.hits_per_replicate());
   std::vector<std::size_t> sizes;
-  for (const auto count : of_all(ranks, own.slots.size())) sizes.push_back(count * n * sizeof(std::uint32_t));
-  std::vector<std::uint32_t> hits(is_first ? slots.size() * n : 0);
+  for (const auto count : all_gather_value(ranks, own.receivers.size()))
+    sizes.push_back(count * n * sizeof(std::uint32_t));
+  std::vector<std::uint32_t> hits(is_first ? receivers.size() * n : 0);
   for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-    const auto from = std::span(own.hits.get() + r * own.hits_a_replicate(), own.hits_a_replicate());
+    const auto from = std::span(own.hits.get() + r * own.hits_per_replicate(), own.hits_per_replicate());
     ranks.gather_to_first(std::as_bytes(from), std::as_writable_bytes(std::span(hits)), sizes);
     if (!is_first) continue;
-    auto* to = whole.hits.get() + r * whole.hits_a_replicate();
+    auto* to = whole.hits.get() + r * whole.hits_per_replicate();
     for (const auto i : order) to = std::copy_n(&hits[i * n], n, to);
   }
   return whole;
 }
 
-void HitStore::share_slots(std::span<float> values, std::size_t width) const {
-  if (!shares_.ranks()) return;
-  std::vector<RowShares::Run> runs;
+void HitStore::all_gather_receivers(std::span<float> values, std::size_t width) const {
+  if (!partition_.ranks()) return;
+  std::vector<RowPartition::Run> runs;
   for (std::size_t b = 0; b < blocks(); ++b) {
-    const auto slot = block_begins_[b];
-    runs.push_back({shares_.owner(sides_.position[slot]), slot, block_begins_[b + 1] - slot});
+    const auto receiver = block_begins_[b];
+    runs.push_back({partition_.owner(sides_.position[receiver]), receiver, block_begins_[b + 1] - receiver});
   }
-  shares_.share_runs(values, width, runs);
+  partition_.all_gather_runs(values, width, runs);
 }
 
 std::vector<HitRound> HitStore::rounds() const {
-  if (!shares_.ranks()) return {rounds_.begin(), rounds_.end()};
+  if (!partition_.ranks()) return {rounds_.begin(), rounds_.end()};
   std::vector<HitRound> all;
   for (const auto& round : rounds_) all.push_back(gathered(round));
   return all;
 }
 
 HitStore::Round HitStore::own_part(const Round& whole) const {
-  auto own = make_round({whole.level, whole.per_replicate, mine(whole.slots), nullptr});
+  auto own = make_round({whole.level, whole.per_replicate, mine(whole.receivers), nullptr});
   if (!whole.hits) return own;
   make_room(own);
   for (std::uint32_t r = 0; r < options_.replicates; ++r) {
     auto* to = own.hits_of(r, 0);
-    for (std::size_t i = 0; i < whole.slots.size(); ++i)
-      if (is_mine(whole.slots[i])) to = std::copy_n(whole.hits_of(r, i), whole.per_replicate, to);
+    for (std::size_t i = 0; i < whole.receivers.size(); ++i)
+      if (is_mine(whole.receivers[i])) to = std::copy_n(whole.hits_of(r, i), whole.per_replicate, to);
   }
   return own;
 }
 
 void HitStore::learn_pace(const Round& own, std::span<const std::uint32_t> groups,
                           std::span<const double> job_seconds, double seconds) {
-  if (!shares_.ranks()) return;
-  const auto jobs_a_group = groups.size() > 1 ? job_seconds.size() / (groups.size() - 1) : 0;
+  if (!partition_.ranks()) return;
+  const auto jobs_per_group = groups.size() > 1 ? job_seconds.size() / (groups.size() - 1) : 0;
   double busy = 0.0;
-  std::vector<double> cost(shares_.owners().size(), 0.0), slots(cost.size(), 0.0);
+  std::vector<double> cost(partition_.owners().size(), 0.0), receivers(cost.size(), 0.0);
   for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
     double whole = 0.0;
-    for (std::size_t j = 0; j < jobs_a_group; ++j) whole += job_seconds[g * jobs_a_group + j];
+    for (std::size_t j = 0; j < jobs_per_group; ++j) whole += job_seconds[g * jobs_per_group + j];
     busy += whole;
     for (auto i = groups[g]; i < groups[g + 1]; ++i) {
-      const auto block = shares_.block_of(sides_.position[own.slots[i]]);
+      const auto block = partition_.block_of(sides_.position[own.receivers[i]]);
       cost[block] += whole / (groups[g + 1] - groups[g]);
-      slots[block] += 1.0;
+      receivers[block] += 1.0;
     }
   }
   if (!(busy > 0.0 && seconds > 0.0)) return;
   busy_seconds_ += busy;
   traced_seconds_ += seconds;
-  seconds_a_slot_.resize(cost.size(), 0.0);
+  seconds_per_receiver_.resize(cost.size(), 0.0);
   for (std::size_t b = 0; b < cost.size(); ++b)
-    if (slots[b] > 0.0) seconds_a_slot_[b] = cost[b] / (slots[b] * own.per_replicate);
+    if (receivers[b] > 0.0) seconds_per_receiver_[b] = cost[b] / (receivers[b] * own.per_replicate);
 }
 
 RankTimes HitStore::balance(std::span<const double> more_rays, double other_seconds) {
-  if (!shares_.ranks()) return {{1.0}, {0.0}};
-  const auto& ranks = *shares_.ranks();
+  if (!partition_.ranks()) return {{1.0}, {0.0}};
+  const auto& ranks = *partition_.ranks();
   RankTimes times;
   times.ready.resize(ranks.size(), 0.0);
   const bool is_known = traced_seconds_ > 0.0 && !is_streamed_;
-  times.speed = of_all(ranks, is_known ? busy_seconds_ / traced_seconds_ : 0.0);
+  times.speed = all_gather_value(ranks, is_known ? busy_seconds_ / traced_seconds_ : 0.0);
   busy_seconds_ = traced_seconds_ = 0.0;
   if (*std::min_element(times.speed.begin(), times.speed.end()) <= 0.0) {
     times.speed.assign(ranks.size(), 1.0);
     return times;
   }
-  std::vector<double> load(shares_.owners().size(), 0.0);
+  std::vector<double> load(partition_.owners().size(), 0.0);
   for (std::size_t s = 0; s < more_rays.size(); ++s)
-    load[shares_.block_of(sides_.position[s])] += more_rays[s];
-  seconds_a_slot_.resize(load.size(), 0.0);
-  shares_.share_blocks(std::span(seconds_a_slot_));
-  for (std::size_t b = 0; b < load.size(); ++b) load[b] *= seconds_a_slot_[b];
-  auto owners = balanced_owners(shares_.owners(), load, times.speed, other_seconds);
-  if (owners != shares_.owners()) move_rows(std::move(owners));
+    load[partition_.block_of(sides_.position[s])] += more_rays[s];
+  seconds_per_receiver_.resize(load.size(), 0.0);
+  partition_.all_gather_blocks(std::span(seconds_per_receiver_));
+  for (std::size_t b = 0; b < load.size(); ++b) load[b] *= seconds_per_receiver_[b];
+  auto owners = balanced_owners(partition_.owners(), load, times.speed, other_seconds);
+  if (owners != partition_.owners()) move_rows(std::move(owners));
   for (std::size_t b = 0; b < load.size(); ++b)
-    times.ready[shares_.owners()[b]] += load[b] / times.speed[shares_.owners()[b]];
+    times.ready[partition_.owners()[b]] += load[b] / times.speed[partition_.owners()[b]];
   return times;
 }
 
-// For each rank, of each round in turn: how many slots it gets, these, and their hits.
+// For each rank, of each round in turn: how many receivers it gets, these, and their hits.
 void HitStore::move_rows(std::vector<std::uint32_t> owners) {
-  const auto& ranks = *shares_.ranks();
+  const auto& ranks = *partition_.ranks();
   const auto rank = ranks.rank();
-  const auto owner_of = [&](std::uint32_t slot) { return owners[shares_.block_of(sides_.position[slot])]; };
+  const auto owner_of = [&](std::uint32_t receiver) {
+    return owners[partition_.block_of(sides_.position[receiver])];
+  };
   std::vector<std::vector<std::uint32_t>> parcels(ranks.size());
   for (const auto& round : rounds_) {
-    std::vector<std::vector<std::uint32_t>> places(ranks.size());  // of the slots that go there
-    for (std::uint32_t i = 0; i < round.slots.size(); ++i) places[owner_of(round.slots[i])].push_back(i);
+    std::vector<std::vector<std::uint32_t>> places(ranks.size());  // of the receivers that go there
+    for (std::uint32_t i = 0; i < round.receivers.size(); ++i)
+      places[owner_of(round.receivers[i])].push_back(i);
     for (std::size_t r = 0; r < ranks.size(); ++r) {
       if (r == rank) continue;
       auto& parcel = parcels[r];
       parcel.push_back(static_cast<std::uint32_t>(places[r].size()));
-      for (const auto i : places[r]) parcel.push_back(round.slots[i]);
+      for (const auto i : places[r]) parcel.push_back(round.receivers[i]);
       for (std::uint32_t k = 0; k < options_.replicates; ++k)
         for (const auto i : places[r])
           parcel.insert(parcel.end(), round.hits_of(k, i), round.hits_of(k, i) + round.per_replicate);
@@ -143,17 +148,17 @@ void HitStore::move_rows(std::vector<std::uint32_t> owners) {
   std::vector<const std::uint32_t*> next;  // of each parcel, what is not yet unpacked
   for (const auto& parcel : come) next.push_back(parcel.data());
   for (auto& round : rounds_) {
-    // Lists of slots with where the hits of the first replicate are, and how far on those of the next.
+    // Lists of receivers with where the hits of the first replicate are, and how far on those of the next.
     struct Row {
-      std::uint32_t slot;
+      std::uint32_t receiver;
       const std::uint32_t* hits;
       std::size_t stride;
     };
     const std::size_t n = round.per_replicate;
     std::vector<Row> rows;
-    for (std::size_t i = 0; i < round.slots.size(); ++i)
-      if (owner_of(round.slots[i]) == rank)
-        rows.push_back({round.slots[i], round.hits_of(0, i), round.hits_a_replicate()});
+    for (std::size_t i = 0; i < round.receivers.size(); ++i)
+      if (owner_of(round.receivers[i]) == rank)
+        rows.push_back({round.receivers[i], round.hits_of(0, i), round.hits_per_replicate()});
     const auto stayed = rows.size();
     for (auto& at : next) {
       if (&at == &next[rank]) continue;
@@ -162,20 +167,20 @@ void HitStore::move_rows(std::vector<std::uint32_t> owners) {
       const auto middle = std::ssize(rows);
       for (std::size_t i = 0; i < count; ++i) rows.push_back({at[i], hits + i * n, count * n});
       std::inplace_merge(rows.begin(), rows.begin() + middle, rows.end(),
-                         [](const Row& a, const Row& b) { return a.slot < b.slot; });
+                         [](const Row& a, const Row& b) { return a.receiver < b.receiver; });
       at = hits + options_.replicates * count * n;
     }
-    if (stayed == round.slots.size() && stayed == rows.size()) continue;
-    std::vector<std::uint32_t> slots;
-    for (const auto& row : rows) slots.push_back(row.slot);
-    auto moved = make_round({round.level, round.per_replicate, std::move(slots), nullptr});
+    if (stayed == round.receivers.size() && stayed == rows.size()) continue;
+    std::vector<std::uint32_t> receivers;
+    for (const auto& row : rows) receivers.push_back(row.receiver);
+    auto moved = make_round({round.level, round.per_replicate, std::move(receivers), nullptr});
     make_room(moved);
     for (std::uint32_t k = 0; k < options_.replicates; ++k)
       for (std::size_t i = 0; i < rows.size(); ++i)
         std::copy_n(rows[i].hits + k * rows[i].stride, n, moved.hits_of(k, i));
     round = std::move(moved);
   }
-  shares_.set_owners(std::move(owners));
+  partition_.set_owners(std::move(owners));
 }
 
 }  // namespace luxel

@@ -87,8 +87,9 @@ Solution light_of_wholes(const PatchSet& wholes, const PatchSet& parts, const So
     std::vector<double> area(wholes.size(), 0.0);
     for (std::size_t p = 0; p < parts.size(); ++p) area[parent[p]] += static_cast<double>(parts.area[p]);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      const auto share = static_cast<float>(static_cast<double>(parts.area[p]) / area[parent[p]]);
-      for (std::size_t b = 0; b < bands; ++b) result[parent[p] * bands + b] += share * values[p * bands + b];
+      const auto fraction = static_cast<float>(static_cast<double>(parts.area[p]) / area[parent[p]]);
+      for (std::size_t b = 0; b < bands; ++b)
+        result[parent[p] * bands + b] += fraction * values[p * bands + b];
     }
     return result;
   };

@@ -30,7 +30,7 @@ SurfaceMeans measure_surfaces(const PatchSet& patches, const GatherSides& sides,
                               Replicates gathered, const Workers& workers) {
   const auto bands = patches.band_count();
   const auto kinds = 2 * patches.materials.size();
-  std::vector<std::size_t> kind(sides.size());  // [slot]: 2 * material, + 1 for its back
+  std::vector<std::size_t> kind(sides.size());  // [receiver]: 2 * material, + 1 for its back
   std::vector<double> area(kinds, 0.0);
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto patch = sides.side[s] / 2;
@@ -42,11 +42,11 @@ SurfaceMeans measure_surfaces(const PatchSet& patches, const GatherSides& sides,
   workers.for_chunks(direct.size(), 1, [&](std::size_t r, std::size_t, int) {
     power[r].assign((kinds + 1) * bands, 0.0);
     for (std::size_t s = 0; s < sides.size(); ++s) {
-      const auto of_slot = static_cast<double>(patches.area[sides.side[s] / 2]);
+      const auto of_receiver = static_cast<double>(patches.area[sides.side[s] / 2]);
       for (std::size_t b = 0; b < bands; ++b) {
         const auto i = s * bands + b;
         power[r][kind[s] * bands + b] +=
-            of_slot * (static_cast<double>(direct[r][i]) + static_cast<double>(gathered[r][i]));
+            of_receiver * (static_cast<double>(direct[r][i]) + static_cast<double>(gathered[r][i]));
       }
     }
     for (std::size_t i = 0; i < kinds * bands; ++i) power[r][kinds * bands + i % bands] += power[r][i];

@@ -9,10 +9,10 @@
 
 namespace luxel {
 
-// Means of direct + gathered light, [replicate][slot * bands + band], W/m², and their errors from the spread
-// of the replicates' own means. At least 2 replicates, not yet smoothed: smoothing keeps the mean of a smooth
-// surface, but not of each material on it. The same bits on any number of threads. Cost: 5 ns per slot,
-// replicate and band.
+// Means of direct + gathered light, [replicate][receiver * bands + band], W/m², and their errors from the
+// spread of the replicates' own means. At least 2 replicates, not yet smoothed: smoothing keeps the mean of a
+// smooth surface, but not of each material on it. The same bits on any number of threads. Cost: 5 ns per
+// receiver, replicate and band.
 SurfaceMeans measure_surfaces(const PatchSet& patches, const GatherSides& sides, Replicates direct,
                               Replicates gathered, const Workers& workers);
 

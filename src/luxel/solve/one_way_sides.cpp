@@ -11,16 +11,16 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t purpose = 0x6f6e6577u;  // keeps these points apart from those of other stages
-constexpr std::uint32_t probes = 4;   // per side: nineteen in twenty of those half covered are found
-constexpr float least_height = 8.0f;  // of a triangle, in lifts of an origin
-constexpr float probe_length = 8.0f;  // likewise
-constexpr float probe_share = 1e-3f;  // of the root of the area, if that is longer
-constexpr std::size_t grain = 256;    // sides per chunk
+constexpr std::uint32_t probes = 4;      // per side: nineteen in twenty of those half covered are found
+constexpr float min_height = 8.0f;       // of a triangle, in lifts of an origin
+constexpr float probe_length = 8.0f;     // likewise
+constexpr float probe_fraction = 1e-3f;  // of the root of the area, if that is longer
+constexpr std::size_t grain = 256;       // sides per chunk
 
 bool is_sliver(const std::array<Vec3, 3>& p, float area, float lift) {
   const auto longest =
       std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-  return 2.0f * area < least_height * lift * longest;
+  return 2.0f * area < min_height * lift * longest;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::vector<std::uint8_t> one_way_sides(const PatchSet& patches, const GatherSid
         continue;
       }
       const PatchEmitter emitter(patches, side);
-      const auto length = std::max(probe_length * lift, probe_share * std::sqrt(patches.area[patch]));
+      const auto length = std::max(probe_length * lift, probe_fraction * std::sqrt(patches.area[patch]));
       for (std::uint32_t i = 0; i < probes && one_way[s] == 0; ++i) {
         const auto ray = emitter.ray(uniform4(stream_key(0, purpose, side), i));
         const auto hit = tracer.nearest({ray.origin + length * ray.direction, -ray.direction});

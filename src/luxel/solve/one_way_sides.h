@@ -12,7 +12,7 @@
 namespace luxel {
 
 // Sides whose own rays and the rays of others do not meet alike, so that a ray at one of them must count for
-// its sender alone: 1, else 0, [slot]. These are
+// its sender alone: 1, else 0, [receiver]. These are
 //
 // - sides with cut-out holes: rays leave a hole, but none ends there;
 // - slivers no thicker than the rounding of coordinates, whose rays may start beyond a wall that they touch;

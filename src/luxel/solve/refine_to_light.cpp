@@ -18,14 +18,14 @@
 namespace luxel {
 namespace {
 
-constexpr double light_share = 2.0;     // of the mesh error asked for: how well each of two answers is solved
+constexpr double light_fraction = 2.0;  // of the mesh error asked for: how well each of two answers is solved
 constexpr double poorest_light = 0.03;  // likewise, at most: where that is all that need be known
 constexpr double ratio = 0.5;           // of a squared error: what halving leaves where light jumps
 constexpr double aim = 0.8;             // of the squared error allowed: what the next mesh is to have
-constexpr double most_left = 0.35;      // of what differs: what one more mesh need not see to
-constexpr double least_growth = 0.05;   // of the patches: to cut fewer is not worth solving the light again
-constexpr double large_patch = 5e-4;    // of the whole area: cut once before the light is asked
-constexpr double parts = 4.0;           // of a marked patch; neighbours are cut too, others not at all
+constexpr double max_unrefined_share = 0.35;  // of what differs: what one more mesh need not see to
+constexpr double min_growth = 0.05;   // of the patches: to cut fewer is not worth solving the light again
+constexpr double large_patch = 5e-4;  // of the whole area: cut once before the light is asked
+constexpr double parts = 4.0;         // of a marked patch; neighbours are cut too, others not at all
 constexpr std::uint32_t purpose = 0x72656669u;  // keeps its streams apart from those of other stages
 
 void check(const RefineOptions& options) {
@@ -40,7 +40,7 @@ struct Level {
   PatchSet patches;
   Answers answers;
   std::uint64_t rays = 0;
-  double light2 = 0.0;  // see squared_light()
+  double squared_light = 0.0;  // see squared_light()
 };
 
 class Refinement {
@@ -79,7 +79,7 @@ class Refinement {
   double light_error() const {
     const auto known = report_.levels.empty() ? poorest_light : report_.levels.back().mesh_error;
     return std::max(options_.light.error,
-                    std::min(poorest_light, std::max(known, light_share * options_.mesh_error)));
+                    std::min(poorest_light, std::max(known, light_fraction * options_.mesh_error)));
   }
 
   bool solve(Level& level) {
@@ -100,7 +100,7 @@ class Refinement {
       if (solved.stop == StopReason::stopped_by_user) return false;
       smooth = make_smooth_light(level.patches, solution, options_.smooth, workers_);
     }
-    level.light2 = squared_light(level.patches, level.answers);
+    level.squared_light = squared_light(level.patches, level.answers);
     return true;
   }
 
@@ -143,11 +143,13 @@ class Refinement {
   // Parts have wrong what is left of the error that they found.
   void note_level() {
     const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
-    const auto error2 = now_.light2 > 0.0 ? std::max(0.0, sum) / now_.light2 * ratio / (1.0 - ratio) : 0.0;
-    double noise2 = 0.0;  // of the mean of both answers
+    const auto squared_error =
+        now_.squared_light > 0.0 ? std::max(0.0, sum) / now_.squared_light * ratio / (1.0 - ratio) : 0.0;
+    double squared_noise = 0.0;  // of the mean of both answers
     for (const auto& answer : now_.answers)
-      noise2 += 0.25 * answer.solution.predicted_error * answer.solution.predicted_error;
-    report_.levels.push_back({now_.patches.size(), std::sqrt(error2), std::sqrt(noise2), now_.rays});
+      squared_noise += 0.25 * answer.solution.predicted_error * answer.solution.predicted_error;
+    report_.levels.push_back(
+        {now_.patches.size(), std::sqrt(squared_error), std::sqrt(squared_noise), now_.rays});
   }
 
   // The fewest patches that bring the error down to what is asked for, or near it: where that takes nearly
@@ -162,9 +164,10 @@ class Refinement {
       left += difference_.squared[p];
     }
     sort_by(difference_.squared, order);
-    const auto aimed = aim * options_.mesh_error * options_.mesh_error * now_.light2 * (1.0 - ratio) / ratio;
-    const auto least = most_left * left;
-    const auto few = static_cast<std::size_t>(least_growth * static_cast<double>(now_.patches.size()));
+    const auto aimed =
+        aim * options_.mesh_error * options_.mesh_error * now_.squared_light * (1.0 - ratio) / ratio;
+    const auto least = max_unrefined_share * left;
+    const auto few = static_cast<std::size_t>(min_growth * static_cast<double>(now_.patches.size()));
     std::size_t count = 0;
     double cut = 0.0;
     std::vector<std::uint8_t> marks(now_.patches.size(), 0);

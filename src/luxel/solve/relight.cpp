@@ -9,22 +9,22 @@
 #include "luxel/core/error.h"
 #include "luxel/solve/own_lighting.h"
 #include "luxel/solve/replicate_solve.h"
+#include "luxel/solve/sampled_light.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/solve/sky_not_found.h"
-#include "luxel/solve/slot_light.h"
 
 namespace luxel {
 namespace {
 
 constexpr double tolerance = 1e-5;   // of the iteration
-constexpr std::size_t grain = 4096;  // slots a chunk
+constexpr std::size_t grain = 4096;  // receivers a chunk
 
 std::size_t sky_index(const PatchSet& patches) {
   return patches.has_sky() ? patches.group_count() - 1 : patches.group_count();
 }
 
-// The direct light of one group: [replicate][slot * bands + band].
+// The direct light of one group: [replicate][receiver * bands + band].
 std::vector<std::vector<float>> of_group(std::span<const std::vector<float>> light, std::size_t group,
                                          std::size_t groups, std::size_t bands, const Workers& workers) {
   std::vector<float> alone(groups * bands, 0.0f);
@@ -38,20 +38,20 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
                                              const Workers& workers, const Monitor& monitor = {}) {
   const auto bands = patches.band_count();
   const auto groups = patches.group_count();
-  const auto slots = transport.sides().size();
-  std::vector<std::vector<float>> gathered(state.replicates, std::vector<float>(slots * groups * bands));
+  const auto receivers = transport.sides().size();
+  std::vector<std::vector<float>> gathered(state.replicates, std::vector<float>(receivers * groups * bands));
   for (std::size_t g = 0; g < groups; ++g) {
     const auto direct = of_group(state.direct, g, groups, bands, workers);
     const bool has_sky = g == sky_index(patches) || (groups == 1 && patches.has_sky());
     auto radiosity = has_sky ? dark_but_for_sky(transport.hits(), patches)
-                             : std::vector<float>((slots + transport.elements()) * bands, 0.0f);
+                             : std::vector<float>((receivers + transport.elements()) * bands, 0.0f);
     const auto told = [&](const Progress&) {
       return tell(monitor, {"light groups", static_cast<double>(g) / static_cast<double>(groups)});
     };
     const auto light = solve_replicates(transport, direct, reflectance, radiosity, tolerance, workers, told);
     if (light.is_stopped) return {};
     for (std::size_t r = 0; r < gathered.size(); ++r)
-      workers.for_chunks(slots, grain, [&](std::size_t begin, std::size_t end, int) {
+      workers.for_chunks(receivers, grain, [&](std::size_t begin, std::size_t end, int) {
         for (auto s = begin; s < end; ++s)
           std::copy_n(&light.gathered[r][s * bands], bands, &gathered[r][(s * groups + g) * bands]);
       });
@@ -66,11 +66,11 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
                                                     const SampledOptions& options, const Workers& workers,
                                                     const Monitor& monitor) {
   Sampling sampling(patches, tracer, options, workers);
-  sampling.take_up(*state);
-  const SlotLight slots(patches, sampling.tree(), sampling.hits().sides(), false, workers);
+  sampling.restore(*state);
+  const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, workers);
   const auto transport = sampling.transport();
   auto more = std::make_shared<SampleState>(*state);
-  more->gathered = solve_groups(patches, *transport, *state, slots.reflectance(), workers, monitor);
+  more->gathered = solve_groups(patches, *transport, *state, receivers.reflectance(), workers, monitor);
   if (more->gathered.empty()) return nullptr;
   return more;
 }
@@ -83,7 +83,7 @@ struct Relighter::State {
   SampledOptions options;
   Sampling sampling;
   std::unique_ptr<const SampledOperator> transport;
-  std::optional<SlotLight> slots;
+  std::optional<SampledLight> receivers;
   std::optional<SkyNotFound> not_found;
   std::optional<SeenMeasure> seen;  // where it ended the run
   std::vector<float> weight;
@@ -98,7 +98,7 @@ struct Relighter::State {
         options(run_options),
         sampling(patches, tracer, run_options, run_workers),
         weight(patches.group_count() * patches.band_count(), 1.0f) {
-    sampling.take_up(*samples);
+    sampling.restore(*samples);
     transport = sampling.transport();
     look_at_surfaces();
     if (options.error_measure == ErrorMeasure::seen && !samples->sides.empty())
@@ -106,7 +106,7 @@ struct Relighter::State {
     if (seen && !seen->has_views()) seen.reset();
     if (samples->gathered.empty()) {
       auto more = std::make_shared<SampleState>(*samples);
-      more->gathered = solve_groups(patches, *transport, *samples, slots->reflectance(), workers);
+      more->gathered = solve_groups(patches, *transport, *samples, receivers->reflectance(), workers);
       samples = std::move(more);
     }
     const auto width = sampling.hits().sides().size() * weight.size();
@@ -117,7 +117,7 @@ struct Relighter::State {
 
   void look_at_surfaces() {
     not_found.emplace(patches, sampling.hits(), sampling.units(), workers);
-    slots.emplace(patches, sampling.tree(), sampling.hits().sides(), options.share, workers);
+    receivers.emplace(patches, sampling.tree(), sampling.hits().sides(), options.smoothing, workers);
   }
 };
 
@@ -149,17 +149,18 @@ Solution Relighter::light() const {
   std::vector<std::vector<float>> gathered;
   if (!s.reflects_as_in_run) {
     auto radiosity = dark_but_for_sky(s.sampling.hits(), s.patches);
-    gathered = solve_replicates(*s.transport, direct, s.slots->reflectance(), radiosity, tolerance, s.workers)
-                   .gathered;
+    gathered =
+        solve_replicates(*s.transport, direct, s.receivers->reflectance(), radiosity, tolerance, s.workers)
+            .gathered;
   } else {
     gathered = sum_of_groups(s.samples->gathered, groups, bands, s.weight, s.workers);
   }
   const auto enough = [&](const Spread& own) {
     return (s.seen ? s.seen->error_of(own) : error_of(own)) <= s.options.error;
   };
-  const auto answer = s.slots->answer(direct, gathered, s.not_found->variance(), enough, s.workers);
+  const auto answer = s.receivers->answer(direct, gathered, s.not_found->variance(), enough, s.workers);
   Solution solution;
-  s.slots->write(answer, solution, s.workers);
+  s.receivers->write(answer, solution, s.workers);
   if (s.seen) solution.seen_error = s.seen->error_of(answer);
   solution.bands = s.patches.bands;
   solution.stop = StopReason::error_reached;

@@ -15,7 +15,7 @@
 namespace luxel {
 
 // What each light group's lamps give, once the light is solved for it alone: the part `gathered` of a state.
-// Cost: a solve for each group, some ten look-ups a ray; memory: one number a slot, band, group and
+// Cost: a solve for each group, some ten look-ups a ray; memory: one number a receiver, band, group and
 // replicate. The same bits on any number of threads. Nothing where the monitor said stop.
 std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
                                                     std::shared_ptr<const SampleState> state,

@@ -37,15 +37,15 @@ bool add_influences(const SampledOperator& transport, std::size_t half,
                     std::span<const float> reflectance, std::span<const float> mean,
                     std::span<std::vector<float>> gathered, const Workers& workers, const Monitor& monitor) {
   const auto count = reflectance.size();
-  const auto slots = transport.sides().size();
-  const auto bands = count / std::max<std::size_t>(1, slots);
+  const auto receivers = transport.sides().size();
+  const auto bands = count / std::max<std::size_t>(1, receivers);
   const auto together = std::max<std::size_t>(1, influence_columns / bands);
   for (std::size_t first = 0; first < gathered.size(); first += together) {
     const auto replicates = std::min(together, gathered.size() - first);
     const auto columns = replicates * bands;
-    std::vector<float> source(slots * columns), reflectances(source.size()), influence(source.size());
+    std::vector<float> source(receivers * columns), reflectances(source.size()), influence(source.size());
     std::vector<float> radiosity(transport.elements() * columns, 0.0f);
-    for_all(slots, workers, [&](std::size_t s) {
+    for_all(receivers, workers, [&](std::size_t s) {
       for (std::size_t k = 0; k < replicates; ++k)
         for (std::size_t b = 0; b < bands; ++b) {
           const auto i = s * bands + b;
@@ -63,7 +63,7 @@ bool add_influences(const SampledOperator& transport, std::size_t half,
                       .sum_tolerance = influence_sum_tolerance},
                      workers, monitor);
     if (report.is_stopped) return false;
-    for_all(slots, workers, [&](std::size_t s) {
+    for_all(receivers, workers, [&](std::size_t s) {
       for (std::size_t k = 0; k < replicates; ++k)
         for (std::size_t b = 0; b < bands; ++b) {
           const auto i = s * bands + b;
@@ -79,11 +79,11 @@ bool add_influences(const SampledOperator& transport, std::size_t half,
 
 std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Workers& workers) {
   std::vector<float> mean(replicates[0].size());
-  const auto share = 1.0f / static_cast<float>(replicates.size());
+  const auto fraction = 1.0f / static_cast<float>(replicates.size());
   for_all(mean.size(), workers, [&](std::size_t i) {
     float sum = 0.0f;
     for (const auto& v : replicates) sum += v[i];
-    mean[i] = share * sum;
+    mean[i] = fraction * sum;
   });
   return mean;
 }
@@ -112,7 +112,7 @@ ReplicateLight solve_replicates(const SampledOperator& transport, std::span<cons
   if (light.is_stopped) return light;
   for (std::size_t half = 0; half < 2; ++half)
     for (auto& row : transport.replicate_rows(half, crossed.seen_by(half, radiosity), workers)) {
-      transport.hits().share_slots(row, bands);
+      transport.hits().all_gather_receivers(row, bands);
       light.gathered.push_back(std::move(row));
     }
   // The mean of all: that of a half would hide what the half has in common.

@@ -17,10 +17,10 @@ std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const
 // Radiosities of CrossedHalves in which the sky shines and nothing else yet: W/m², [row or sink][band].
 std::vector<float> dark_but_for_sky(const HitStore& hits, const PatchSet& patches);
 
-// The light that reaches each slot from other surfaces, replicate by replicate.
+// The light that reaches each receiver from other surfaces, replicate by replicate.
 struct ReplicateLight {
   bool is_stopped = false;                   // by the monitor; the rest counts for nothing then
-  std::vector<std::vector<float>> gathered;  // [replicate], W/m², [slot * bands + band]
+  std::vector<std::vector<float>> gathered;  // [replicate], W/m², [receiver * bands + band]
   GaussSeidelReport iteration;
 };
 
@@ -32,10 +32,10 @@ struct ReplicateLight {
 //
 // So the mean over replicates is the solution with all rays, and their spread its error.
 //
-// direct: [replicate][slot * bands + band], W/m²; reflectance: [slot * bands + band]; radiosity: reflected,
-// W/m², [row or sink of CrossedHalves][band], the start and the result; that of the sinks stays, so the sky
-// is one. The same bits on any number of threads. Cost: two look-ups per ray for each sweep; the influences
-// cost as much as some sweeps more.
+// direct: [replicate][receiver * bands + band], W/m²; reflectance: [receiver * bands + band]; radiosity:
+// reflected, W/m², [row or sink of CrossedHalves][band], the start and the result; that of the sinks stays,
+// so the sky is one. The same bits on any number of threads. Cost: two look-ups per ray for each sweep; the
+// influences cost as much as some sweeps more.
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
                                 double tolerance, const Workers& workers, const Monitor& monitor = {});

@@ -14,23 +14,25 @@ constexpr std::size_t block_numbers = 768;  // of each replicate at a time: all 
 // Mean and variance of the mean over replicates, of a block of numbers.
 class Block {
  public:
-  explicit Block(std::size_t bands) : slots_(std::max<std::size_t>(1, block_numbers / bands)), bands_(bands) {
-    mean_.resize(slots_ * bands);
-    variance_.resize(slots_ * bands);
+  explicit Block(std::size_t bands)
+      : receivers_(std::max<std::size_t>(1, block_numbers / bands)), bands_(bands) {
+    mean_.resize(receivers_ * bands);
+    variance_.resize(receivers_ * bands);
   }
-  std::size_t slots() const { return slots_; }
+  std::size_t receivers() const { return receivers_; }
   double mean(std::size_t i) const { return mean_[i]; }
   double variance(std::size_t i) const { return variance_[i]; }
 
-  void take(Replicates values, std::size_t first_slot, std::size_t count) {
+  void take(Replicates values, std::size_t first_receiver, std::size_t count) {
     take(values.size(), count * bands_, [&](std::size_t r) {
-      return
-          [v = values[r].data() + first_slot * bands_](std::size_t i) { return static_cast<double>(v[i]); };
+      return [v = values[r].data() + first_receiver * bands_](std::size_t i) {
+        return static_cast<double>(v[i]);
+      };
     });
   }
-  void take_sum(Replicates first, Replicates second, std::size_t first_slot, std::size_t count) {
+  void take_sum(Replicates first, Replicates second, std::size_t first_receiver, std::size_t count) {
     take(first.size(), count * bands_, [&](std::size_t r) {
-      return [a = first[r].data() + first_slot * bands_, b = second[r].data() + first_slot * bands_](
+      return [a = first[r].data() + first_receiver * bands_, b = second[r].data() + first_receiver * bands_](
                  std::size_t i) { return static_cast<double>(a[i] + b[i]); };
     });
   }
@@ -56,35 +58,35 @@ class Block {
     for (std::size_t i = 0; i < count; ++i) variance[i] *= 1.0 / (n * (n - 1.0));
   }
 
-  std::size_t slots_, bands_;
+  std::size_t receivers_, bands_;
   std::vector<double> mean_, variance_;
 };
 
-// take(block, first slot, slots): reads the replicates.
+// take(block, first receiver, receivers): reads the replicates.
 template <typename Take>
 Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t bands,
               std::span<const float> area, const Workers& workers, std::size_t constraints,
               const Ranks* ranks, Take take) {
-  const auto slots = area.size();
+  const auto receivers = area.size();
   Spread result;
-  result.freedom = static_cast<double>(replicates - constraints);
-  const auto widening = student_widening(result.freedom);
+  result.degrees_of_freedom = static_cast<double>(replicates - constraints);
+  const auto widening = student_widening(result.degrees_of_freedom);
   result.mean.resize(bias.size());
   result.standard_error.resize(bias.size());
   result.squared_error.resize(bias.size());
   struct Sums {
-    double variance = 0.0, bias2 = 0.0, light2 = 0.0;
+    double variance = 0.0, total_squared_bias = 0.0, total_squared_light = 0.0;
   };
-  const auto mine = spread_share(ranks, slots);
+  const auto mine = spread_partition(ranks, receivers);
   const auto grain = mine.grain();
-  std::vector<Sums> sums((slots + grain - 1) / grain);
+  std::vector<Sums> sums((receivers + grain - 1) / grain);
   workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
     Sums chunk;
     Block block(bands);
-    for (auto first = begin; first < end; first += block.slots()) {
-      const auto count = std::min(block.slots(), end - first);
+    for (auto first = begin; first < end; first += block.receivers()) {
+      const auto count = std::min(block.receivers(), end - first);
       take(block, first, count);
       for (auto s = first; s < first + count; ++s) {
         double light = 0.0;
@@ -94,36 +96,36 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
           const auto i = s * bands + b;
           const auto mean = block.mean(i - first * bands);
           const auto variance = block.variance(i - first * bands);
-          const auto bias2 = static_cast<double>(bias[i]);
-          const auto error2 = widening * widening * (variance + std::max(0.0, bias2));
+          const auto squared_bias = static_cast<double>(bias[i]);
+          const auto squared_error = widening * widening * (variance + std::max(0.0, squared_bias));
           result.mean[i] = static_cast<float>(mean);
-          result.standard_error[i] = static_cast<float>(std::sqrt(error2));
-          result.squared_error[i] = static_cast<float>(variance + bias2);
+          result.standard_error[i] = static_cast<float>(std::sqrt(squared_error));
+          result.squared_error[i] = static_cast<float>(variance + squared_bias);
           light += mean * mean;
           variance_sum += variance;
-          bias_sum += bias2;
+          bias_sum += squared_bias;
         }
         const auto weight = static_cast<double>(area[s]);
         chunk.variance += weight * variance_sum;
-        chunk.bias2 += weight * bias_sum;
-        chunk.light2 += weight * light;
+        chunk.total_squared_bias += weight * bias_sum;
+        chunk.total_squared_light += weight * light;
       }
     }
     sums[begin / grain] = chunk;
   });
-  mine.share(std::span(result.mean), bands);
-  mine.share(std::span(result.standard_error), bands);
-  mine.share(std::span(result.squared_error), bands);
-  mine.share_chunks(std::span(sums));
+  mine.all_gather(std::span(result.mean), bands);
+  mine.all_gather(std::span(result.standard_error), bands);
+  mine.all_gather(std::span(result.squared_error), bands);
+  mine.all_gather_chunks(std::span(sums));
   Sums whole;
   for (const auto& c : sums) {
     whole.variance += c.variance;
-    whole.bias2 += c.bias2;
-    whole.light2 += c.light2;
+    whole.total_squared_bias += c.total_squared_bias;
+    whole.total_squared_light += c.total_squared_light;
   }
-  result.bias2 = std::max(0.0, whole.bias2);
-  result.error2 = whole.variance + result.bias2;
-  result.light2 = whole.light2;
+  result.total_squared_bias = std::max(0.0, whole.total_squared_bias);
+  result.total_squared_error = whole.variance + result.total_squared_bias;
+  result.total_squared_light = whole.total_squared_light;
   return result;
 }
 
@@ -132,35 +134,37 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
                  std::span<const float> area, const Workers& workers, std::size_t constraints,
                  const Ranks* ranks) {
-  return spread(values.size(), bias, bands, area, workers, constraints, ranks,
-                [&](Block& block, std::size_t slot, std::size_t count) { block.take(values, slot, count); });
+  return spread(
+      values.size(), bias, bands, area, workers, constraints, ranks,
+      [&](Block& block, std::size_t receiver, std::size_t count) { block.take(values, receiver, count); });
 }
 
 Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
                      std::span<const float> area, const Workers& workers, std::size_t constraints,
                      const Ranks* ranks) {
-  return spread(
-      first.size(), bias, bands, area, workers, constraints, ranks,
-      [&](Block& block, std::size_t slot, std::size_t count) { block.take_sum(first, second, slot, count); });
+  return spread(first.size(), bias, bands, area, workers, constraints, ranks,
+                [&](Block& block, std::size_t receiver, std::size_t count) {
+                  block.take_sum(first, second, receiver, count);
+                });
 }
 
 std::vector<double> squared_errors(Replicates values, std::size_t bands, const Workers& workers,
                                    const Ranks* ranks) {
-  std::vector<double> of_slot(values[0].size() / bands, 0.0);
-  const auto mine = spread_share(ranks, of_slot.size());
+  std::vector<double> of_receiver(values[0].size() / bands, 0.0);
+  const auto mine = spread_partition(ranks, of_receiver.size());
   workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
     Block block(bands);
-    for (auto first = begin; first < end; first += block.slots()) {
-      const auto count = std::min(block.slots(), end - first);
+    for (auto first = begin; first < end; first += block.receivers()) {
+      const auto count = std::min(block.receivers(), end - first);
       block.take(values, first, count);
       for (std::size_t s = 0; s < count; ++s)
-        for (std::size_t b = 0; b < bands; ++b) of_slot[first + s] += block.variance(s * bands + b);
+        for (std::size_t b = 0; b < bands; ++b) of_receiver[first + s] += block.variance(s * bands + b);
     }
   });
-  mine.share(std::span(of_slot), 1);
-  return of_slot;
+  mine.all_gather(std::span(of_receiver), 1);
+  return of_receiver;
 }
 
 }  // namespace luxel

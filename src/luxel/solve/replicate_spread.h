@@ -12,29 +12,34 @@ namespace luxel {
 
 // What replicates say together.
 struct Spread {
-  std::vector<float> mean;  // [slot][band]
-  // [slot][band]: of the mean, from the spread and the bias; widened as Student's t is for so few replicates,
-  // so that 1.96 of them hold the truth 95 times in 100.
+  std::vector<float> mean;  // [receiver][band]
+  // [receiver][band]: of the mean, from the spread and the bias; widened as Student's t is for so few
+  // replicates, so that 1.96 of them hold the truth 95 times in 100.
   std::vector<float> standard_error;
-  // [slot][band]: of the mean, not widened: variance and bias, which is an estimate and may be below 0. Sums
-  // over many slots are honest; where every slot counts as at least its variance, they are too large.
+  // [receiver][band]: of the mean, not widened: variance and bias, which is an estimate and may be below 0.
+  // Sums over many receivers are honest; where every receiver counts as at least its variance, they are too
+  // large.
   std::vector<float> squared_error;
-  double error2 = 0.0;   // sum of area * variance of the mean, and of area * squared bias if that is above 0
-  double bias2 = 0.0;    // the second part of it
-  double freedom = 0.0;  // degrees of, of the variance
-  double light2 = 0.0;   // sum of area * mean²
+  double total_squared_error =
+      0.0;  // sum of area * variance of the mean, and of area * squared bias if that is above 0
+  double total_squared_bias = 0.0;   // the second part of it
+  double degrees_of_freedom = 0.0;   // degrees of, of the variance
+  double total_squared_light = 0.0;  // sum of area * mean²
 };
 
-// One set of replicates: [replicate][slot * bands + band].
+// One set of replicates: [replicate][receiver * bands + band].
 using Replicates = std::span<const std::vector<float>>;
 
-// Slots that ranks share, in the functions below and where their input is made.
-inline LoopShare spread_share(const Ranks* ranks, std::size_t slots) { return {ranks, slots, 4096}; }
+// Receivers that ranks share, in the functions below and where their input is made.
+inline LoopPartition spread_partition(const Ranks* ranks, std::size_t receivers) {
+  return {ranks, receivers, 4096};
+}
 
-// constraints: how many of the replicates' degrees of freedom are taken, at least one by their mean.
-// area: [slot], m². bias: squared, [slot * bands + band], may be below 0 where it is an estimate near 0. The
-// same bits on any number of threads. Cost: about 50 ns a slot for 8 replicates of 3 bands. ranks: that call
-// with the same values, of their part of spread_share() at least, and share the work.
+// constraints: how many of the replicates' degrees of degrees_of_freedom are taken, at least one by their
+// mean. area: [receiver], m². bias: squared, [receiver * bands + band], may be below 0 where it is an
+// estimate near 0. The same bits on any number of threads. Cost: about 50 ns a receiver for 8 replicates of 3
+// bands. ranks: that call with the same values, of their part of spread_partition() at least, and share the
+// work.
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
                  std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
                  const Ranks* ranks = nullptr);
@@ -43,7 +48,7 @@ Spread spread_of_sum(Replicates first, Replicates second, std::span<const float>
                      std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
                      const Ranks* ranks = nullptr);
 
-// The variance of each slot's mean, summed over bands: [slot].
+// The variance of each receiver's mean, summed over bands: [receiver].
 std::vector<double> squared_errors(Replicates values, std::size_t bands, const Workers& workers,
                                    const Ranks* ranks = nullptr);
 

@@ -15,18 +15,18 @@ double max_growth(const SampledOptions& options) {
   return options.rays > 0 || options.seconds > 0.0 ? growth_to_bound : growth_to_error;
 }
 
-RoundPlan plan_round(std::span<const SampleUnit> units, std::size_t direct_units, double aimed_error2,
+RoundPlan plan_round(std::span<const SampleUnit> units, std::size_t direct_units, double aimed_squared_error,
                      const SampledOptions& options) {
   RoundPlan plan;
   for (const auto& u : units) plan.cost += u.cost;
   plan.doublings =
-      plan_doublings(units, aimed_error2, min_growth * plan.cost, max_growth(options) * plan.cost);
+      plan_doublings(units, aimed_squared_error, min_growth * plan.cost, max_growth(options) * plan.cost);
   for (std::size_t u = 0; u < units.size(); ++u) {
     const auto cost = units[u].cost * ((1 << plan.doublings[u]) - 1);
     plan.more_cost += cost;
     plan.more_rays += u < direct_units ? cost / shadow_ray_cost : cost;
   }
-  plan.error2 = expected_error2(units, plan.doublings);
+  plan.squared_error = expected_squared_error(units, plan.doublings);
   return plan;
 }
 

@@ -28,13 +28,13 @@ struct RoundPlan {
   double cost = 0.0;                    // of all samples before
   double more_cost = 0.0;               // of the round
   double more_rays = 0.0;               // likewise
-  double error2 = 0.0;                  // squared error that is left, as the plan expects it
+  double squared_error = 0.0;           // squared error that is left, as the plan expects it
 
   bool is_empty() const { return more_cost == 0.0; }
 };
 
-// direct_units: that come first, of shadow rays. aimed_error2: of all units together.
-RoundPlan plan_round(std::span<const SampleUnit> units, std::size_t direct_units, double aimed_error2,
+// direct_units: that come first, of shadow rays. aimed_squared_error: of all units together.
+RoundPlan plan_round(std::span<const SampleUnit> units, std::size_t direct_units, double aimed_squared_error,
                      const SampledOptions& options);
 
 // The bound of rays or time that the round would break, if any, after so many rays and seconds.

@@ -18,8 +18,8 @@ struct UnitKernel {
   const float* mutual;
 
   void fetch(std::uint32_t) const {}
-  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
-    const auto q = static_cast<double>(1.0f / (trusted[slot] + mutual[slot] * sent_density[e]));
+  void operator()(std::uint32_t receiver, std::uint32_t e, double* sum) const {
+    const auto q = static_cast<double>(1.0f / (trusted[receiver] + mutual[receiver] * sent_density[e]));
     sum[0] += q;
     sum[1] += q * q;
   }
@@ -28,18 +28,18 @@ struct UnitKernel {
 }  // namespace
 
 void SampledOperator::find_row_sums(const Workers& workers) {
-  const auto slots = sides().size();
-  row_sum_.assign(hits_.replicates(), std::vector<float>(slots, 1.0f));
-  row_sum_variance_.assign(slots, 0.0f);
-  if (!options_.both_ways || slots == 0) return;
+  const auto receivers = sides().size();
+  row_sum_.assign(hits_.replicates(), std::vector<float>(receivers, 1.0f));
+  row_sum_variance_.assign(receivers, 0.0f);
+  if (!options_.both_ways || receivers == 0) return;
   const UnitKernel kernel{sent_density_.data(), trusted_.data(), mutual_.data()};
   struct Rows {
-    std::uint32_t slot0, slot1;
+    std::uint32_t receiver0, receiver1;
     SampledOperator& whole;
     void add(std::uint32_t replicate, const double* own, const double* arriving) {
       const double k = whole.options_.own_trust;
-      for (auto s = slot0; s < slot1; ++s) {
-        const auto i = 2 * (s - slot0);
+      for (auto s = receiver0; s < receiver1; ++s) {
+        const auto i = 2 * (s - receiver0);
         const auto per_area = whole.inverse_area_[s];
         whole.row_sum_[replicate][s] = static_cast<float>(per_area * (k * own[i] + arriving[i]));
         whole.row_sum_variance_[s] +=
@@ -48,15 +48,16 @@ void SampledOperator::find_row_sums(const Workers& workers) {
     }
     void finish() {}
   };
-  for_rows<2>(0, hits_.replicates(), 2, workers, kernel, [&](std::uint32_t slot0, std::uint32_t slot1) {
-    return Rows{slot0, slot1, *this};
-  });
+  for_rows<2>(0, hits_.replicates(), 2, workers, kernel,
+              [&](std::uint32_t receiver0, std::uint32_t receiver1) {
+                return Rows{receiver0, receiver1, *this};
+              });
 }
 
 bool SampledOperator::find_one_way_sides() {
   if (!options_.both_ways) return false;
   std::vector<float> one_way(sides().size(), 0.0f);
-  // Row sums of slots [first, end) together.
+  // Row sums of receivers [first, end) together.
   const auto test = [&](std::uint32_t first, std::uint32_t end) {
     double off = 0.0;
     double variance = 0.0;
@@ -67,7 +68,7 @@ bool SampledOperator::find_one_way_sides() {
       variance += static_cast<double>(row_sum_variance_[s]);
       rows += hits_.replicates();
     }
-    if (std::abs(off) > std::max(most_deviations * std::sqrt(variance), least_deviation * rows))
+    if (std::abs(off) > std::max(max_deviations * std::sqrt(variance), min_deviation * rows))
       std::fill(one_way.begin() + first, one_way.begin() + end, 1.0f);
   };
   const auto begins = neighbour_begins(sides(), tested_positions);
@@ -76,7 +77,7 @@ bool SampledOperator::find_one_way_sides() {
     test(begins[u], begins[u + 1]);
     for (auto s = begins[u]; s < begins[u + 1]; ++s) test(s, s + 1);
   }
-  hits_.share_slots(one_way, 1);
+  hits_.all_gather_receivers(one_way, 1);
   bool is_new = false;
   for (std::size_t s = 0; s < one_way.size(); ++s) {
     is_new |= one_way[s] > 0.0f && sent_density_[s] > 0.0f;
@@ -86,15 +87,15 @@ bool SampledOperator::find_one_way_sides() {
 }
 
 void SampledOperator::find_row_factors(const Workers& workers) {
-  const auto slots = sides().size();
-  row_factor_.assign(hits_.replicates(), std::vector<float>(slots, 1.0f));
-  if (!options_.both_ways || slots == 0) return;
+  const auto receivers = sides().size();
+  row_factor_.assign(hits_.replicates(), std::vector<float>(receivers, 1.0f));
+  if (!options_.both_ways || receivers == 0) return;
   // g_r = 1 + sum over q != r of (1 - S_q) / (sum over p != q of S_p), within each half.
   for (std::size_t half = 0; half < 2; ++half) {
     const auto first = half_begin(half);
     const auto end = half_begin(half + 1);
     if (end - first < 2) continue;
-    workers.for_chunks(slots, grain, [&](std::size_t from, std::size_t to, int) {
+    workers.for_chunks(receivers, grain, [&](std::size_t from, std::size_t to, int) {
       std::vector<double> part(end - first);
       for (auto s = from; s < to; ++s) {
         double sum = 0.0;

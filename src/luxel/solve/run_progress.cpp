@@ -34,7 +34,7 @@ void RunProgress::end_answer(double error, double safe_error, double cost, std::
 }
 
 void RunProgress::begin_round(const RoundPlan& plan) {
-  forecast_.begin_round(worked(), {plan.more_cost, plan.more_rays, plan.error2});
+  forecast_.begin_round(worked(), {plan.more_cost, plan.more_rays, plan.squared_error});
 }
 
 Next RunProgress::report(std::uint64_t rays, const Solution* light) {

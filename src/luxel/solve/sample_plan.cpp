@@ -10,30 +10,30 @@ namespace luxel {
 namespace {
 
 constexpr double left_by_doubling = 0.45;  // of the squared error; independent points leave 0.5
-constexpr int most_doublings = 4;          // at a time: an estimate of the error is only so good
+constexpr int max_doublings = 4;           // at a time: an estimate of the error is only so good
 
 }  // namespace
 
 std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double least,
                                          double budget) {
   std::vector<std::uint8_t> doublings(units.size(), 0);
-  using Entry = std::tuple<double, std::size_t>;  // error2 over cost, unit
+  using Entry = std::tuple<double, std::size_t>;  // squared_error over cost, unit
   std::priority_queue<Entry> queue;
-  double error2 = 0.0;
+  double squared_error = 0.0;
   for (std::size_t u = 0; u < units.size(); ++u) {
-    error2 += units[u].error2;
-    if (units[u].error2 > 0.0) queue.emplace(units[u].error2 / units[u].cost, u);
+    squared_error += units[u].squared_error;
+    if (units[u].squared_error > 0.0) queue.emplace(units[u].squared_error / units[u].cost, u);
   }
   double spent = 0.0;
-  while ((error2 > target || spent < least) && !queue.empty()) {
+  while ((squared_error > target || spent < least) && !queue.empty()) {
     const auto [worth, u] = queue.top();
     queue.pop();
-    if (doublings[u] == most_doublings) {
+    if (doublings[u] == max_doublings) {
       // What remains is worth less than this one, which will be seen more clearly next time.
       if (spent >= least) break;
       continue;
     }
-    double left = units[u].error2;
+    double left = units[u].squared_error;
     double cost = units[u].cost;
     for (int i = 0; i < doublings[u]; ++i) {
       left *= left_by_doubling;
@@ -41,17 +41,17 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
     }
     if (spent + cost > budget) break;
     spent += cost;
-    error2 -= (1.0 - left_by_doubling) * left;
+    squared_error -= (1.0 - left_by_doubling) * left;
     ++doublings[u];
     queue.emplace(worth * 0.5 * left_by_doubling, u);
   }
   return doublings;
 }
 
-double expected_error2(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings) {
+double expected_squared_error(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings) {
   double sum = 0.0;
   for (std::size_t u = 0; u < units.size(); ++u)
-    sum += units[u].error2 * std::pow(left_by_doubling, doublings[u]);
+    sum += units[u].squared_error * std::pow(left_by_doubling, doublings[u]);
   return sum;
 }
 

@@ -7,19 +7,19 @@
 
 namespace luxel {
 
-// Neighbouring slots whose samples of one kind are doubled together.
+// Neighbouring receivers whose samples of one kind are doubled together.
 struct SampleUnit {
-  double error2 = 0.0;  // its part of the squared error
-  double cost = 0.0;    // of its samples so far: so much again doubles them
+  double squared_error = 0.0;  // its part of the squared error
+  double cost = 0.0;           // of its samples so far: so much again doubles them
 };
 
 // How often to double each unit's samples: whatever takes most off the error for its cost comes first, until
-// the sum of error2 is expected to be at most `target` and at least `least` is spent, or the next would be
-// beyond `budget`. A doubling takes half of a unit's squared error off, or a little more.
+// the sum of squared_error is expected to be at most `target` and at least `least` is spent, or the next
+// would be beyond `budget`. A doubling takes half of a unit's squared error off, or a little more.
 std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double least,
                                          double budget);
 
-// The sum of error2 that is left after those doublings, as plan_doublings() expects it.
-double expected_error2(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings);
+// The sum of squared_error that is left after those doublings, as plan_doublings() expects it.
+double expected_squared_error(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings);
 
 }  // namespace luxel

@@ -22,10 +22,10 @@
 #include "luxel/solve/sample_plan.h"
 #include "luxel/solve/sample_units.h"
 #include "luxel/solve/sampled_energy.h"
+#include "luxel/solve/sampled_light.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/solve/sky_not_found.h"
-#include "luxel/solve/slot_light.h"
 
 namespace luxel {
 namespace {
@@ -57,19 +57,19 @@ double mean(std::span<const std::uint32_t> counts) {
 class Run {
  public:
   Run(const PatchSet& patches, const Tracer& tracer, Solution& solution, const SampledOptions& options,
-      const Workers& workers, const Monitor& monitor, const SampleKeeping& keeping)
+      const Workers& workers, const Monitor& monitor, const SampleStorage& storage)
       : patches_(patches),
         tracer_(tracer),
         solution_(solution),
         options_(options),
         workers_(workers),
-        keeping_(keeping),
-        progress_(options, monitor, ranks_, keeping.from != nullptr),
+        storage_(storage),
+        progress_(options, monitor, ranks_, storage.from != nullptr),
         bands_(patches.band_count()) {}
 
   SolveReport go() {
-    if (keeping_.from) {
-      take_up(*keeping_.from);
+    if (storage_.from) {
+      restore(*storage_.from);
     } else {
       if (!show_first_light()) return finish(StopReason::stopped_by_user);
       sampling_.emplace(patches_, tracer_, options_, workers_);
@@ -77,7 +77,7 @@ class Run {
       prepare();
       begin_iteration();
     }
-    if (slots() == 0) {  // the sky finds no way in
+    if (receivers() == 0) {  // the sky finds no way in
       light_->write(answer_, solution_, workers_);
       sign();
       return finish(StopReason::nothing_to_do);
@@ -85,12 +85,12 @@ class Run {
     while (true) {
       keep_state();
       if (!answer()) return finish(StopReason::stopped_by_user);
-      if (kept_) keeping_.keep(kept_);
+      if (kept_) storage_.keep(kept_);
       if (progress_.is_stopped(progress_.report(rays(), &solution_)))
         return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
-      const auto plan = plan_round(units, direct_units(), aimed_error2(), options_);
+      const auto plan = plan_round(units, direct_units(), aimed_squared_error(), options_);
       predict_memory(units);
       if (plan.is_empty()) return finish(StopReason::error_reached);
       if (const auto bound = broken_bound(plan, options_, rays(), progress_.agreed_elapsed()))
@@ -119,7 +119,7 @@ class Run {
         on_the_way);
     report_.energy = shot.energy;
     report_.back_loss = shot.back_loss;
-    report_.unshot_share = shot.unshot_share;
+    report_.unshot_fraction = shot.unshot_fraction;
     report_.predicted_error = shot.predicted_error;
     first_rays_ += shot.rays;
     sign();
@@ -129,20 +129,20 @@ class Run {
   // Where the iteration begins: with what the shot light says.
   void begin_iteration() {
     radiosity_ = dark_but_for_sky(sampling_->hits(), patches_);
-    for (std::size_t s = 0; s < slots(); ++s) {
+    for (std::size_t s = 0; s < receivers(); ++s) {
       const auto patch = side(s) / 2;
       const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
       for (std::size_t b = 0; b < bands_; ++b)
-        radiosity_[s * bands_ + b] = radiosity_[(slots() + s) * bands_ + b] =
+        radiosity_[s * bands_ + b] = radiosity_[(receivers() + s) * bands_ + b] =
             patches_.reflectance(patch, b) * H[patch * bands_ + b];
     }
   }
 
-  void take_up(const SampleState& state) {
+  void restore(const SampleState& state) {
     sampling_.emplace(patches_, tracer_, options_, workers_);
-    sampling_->take_up(state);
+    sampling_->restore(state);
     prepare();
-    if (state.radiosity.size() != (slots() + sampling_->hits().elements()) * bands_)
+    if (state.radiosity.size() != (receivers() + sampling_->hits().elements()) * bands_)
       throw MismatchError("the kept radiosities are not of these patches");
     radiosity_ = state.radiosity;
     rounds_before_ = state.rounds_done;
@@ -150,7 +150,7 @@ class Run {
   }
 
   void keep_state() {
-    if (!keeping_.keep) return;
+    if (!storage_.keep) return;
     auto state = std::make_shared<SampleState>(sampling_->state());
     state->radiosity = radiosity_;
     state->rounds_done = rounds_before_ + static_cast<std::uint32_t>(report_.rounds.size());
@@ -161,7 +161,7 @@ class Run {
   void prepare() {
     const auto& sides = sampling_->hits().sides();
     not_found_.emplace(patches_, sampling_->hits(), sampling_->units(), workers_);
-    light_.emplace(patches_, sampling_->tree(), sides, options_.share, workers_, ranks_);
+    light_.emplace(patches_, sampling_->tree(), sides, options_.smoothing, workers_, ranks_);
     if (options_.error_measure == ErrorMeasure::seen && sides.size() > 0) {
       seen_.emplace(patches_, sides, sampling_->units(), tracer_, workers_, ranks_);
       report_.views = seen_->views().stating.size();
@@ -169,12 +169,12 @@ class Run {
       if (!seen_->has_views()) seen_.reset();
     }
     area_.assign(light_->area().begin(), light_->area().end());
-    report_.dark_sides = sampling_->dark_sides();
-    report_.unshot_share = 0.0;
+    report_.unreached_sides = sampling_->unreached_sides();
+    report_.unshot_fraction = 0.0;
   }
 
-  std::size_t slots() const { return sampling_->hits().sides().size(); }
-  std::size_t side(std::size_t slot) const { return sampling_->hits().sides().side[slot]; }
+  std::size_t receivers() const { return sampling_->hits().sides().size(); }
+  std::size_t side(std::size_t receiver) const { return sampling_->hits().sides().side[receiver]; }
 
   // ---- The answer ----
 
@@ -195,10 +195,10 @@ class Run {
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
     answer_ =
         light_->answer(direct, gathered, not_found_->variance(), enough, workers_, [&](bool is_smoothed) {
-          direct_error2_ = squared_errors(direct, bands_, workers_, ranks_);
-          gathered_error2_ = squared_errors(gathered, bands_, workers_, ranks_);
+          direct_squared_error_ = squared_errors(direct, bands_, workers_, ranks_);
+          gathered_squared_error_ = squared_errors(gathered, bands_, workers_, ranks_);
           if (is_smoothed) return;
-          own_gathered_error2_ = gathered_error2_;
+          own_gathered_squared_error_ = gathered_squared_error_;
           report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, workers_);
         });
     if (seen_) seen_->take(answer_, direct, gathered, workers_);
@@ -208,9 +208,9 @@ class Run {
     round.sweeps = static_cast<int>(solved.iteration.change.size());
     round.residual = solved.iteration.distance;
     round.gather_rays =
-        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->hits().rays_per_slot()));
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->hits().rays_per_receiver()));
     round.shadow_rays =
-        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_a_slot()));
+        static_cast<std::uint32_t>(options_.replicates * mean(sampling_->direct().samples_per_receiver()));
     round.rays = rays();
     round.seconds = progress_.elapsed();
     round.answer_seconds = round.seconds - begin_seconds;
@@ -242,23 +242,25 @@ class Run {
   // With what may be wrong with it: luck must not end a run.
   double safe_error() const { return error_ * (1.0 + uncertainty()); }
   // What the squared errors of all units add up to, and what they should.
-  double whole_error2() const { return seen_ ? safe_error() * safe_error() : answer_.error2; }
-  double aimed_error2() const {
-    return aim * options_.error * options_.error * (seen_ ? 1.0 : answer_.light2);
+  double whole_squared_error() const {
+    return seen_ ? safe_error() * safe_error() : answer_.total_squared_error;
+  }
+  double aimed_squared_error() const {
+    return aim * options_.error * options_.error * (seen_ ? 1.0 : answer_.total_squared_light);
   }
 
-  // Of the variance of each slot's irradiance, [slot].
+  // Of the variance of each receiver's irradiance, [receiver].
   std::span<const double> importance() const { return seen_ ? seen_->importance() : area_; }
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
 
   std::vector<SampleUnit> sample_units() const {
-    const auto of_own_noise =
-        importance_of_own_noise(sampling_->units(), importance(), own_gathered_error2_, gathered_error2_);
-    const auto gather_error2 =
+    const auto of_own_noise = importance_of_own_noise(sampling_->units(), importance(),
+                                                      own_gathered_squared_error_, gathered_squared_error_);
+    const auto gather_squared_error =
         gather_errors(patches_, *transport_, sampling_->units(), of_own_noise, radiosity_, gathered_,
-                      weighted_sum(importance(), gathered_error2_), workers_);
-    return make_sample_units(*sampling_, options_.replicates, importance(), direct_error2_, gather_error2,
-                             std::max(0.0, whole_error2()));
+                      weighted_sum(importance(), gathered_squared_error_), workers_);
+    return make_sample_units(*sampling_, options_.replicates, importance(), direct_squared_error_,
+                             gather_squared_error, std::max(0.0, whole_squared_error()));
   }
 
   // After the first round: what the whole process will hold at its peak, if the error falls as planned.
@@ -266,7 +268,7 @@ class Run {
     if (report_.rounds.size() > 1) return;
     double hits = 0.0;
     if (!sampling_->hits().is_streamed()) {
-      const auto doublings = plan_doublings(units, aimed_error2(), 0.0, 1e30);
+      const auto doublings = plan_doublings(units, aimed_squared_error(), 0.0, 1e30);
       for (auto u = direct_units(); u < units.size(); ++u) hits += units[u].cost * (1 << doublings[u]);
     }
     report_.memory = begin_memory_ + sampling_->bytes_of_state() +
@@ -294,7 +296,7 @@ class Run {
   // What a solution says of itself.
   void sign() {
     solution_.bands = patches_.bands;
-    solution_.unshot_share = report_.unshot_share;
+    solution_.unshot_fraction = report_.unshot_fraction;
     solution_.predicted_error = report_.predicted_error;
     solution_.seen_error = report_.seen_error;
     solution_.provenance.method = "sampled";
@@ -313,7 +315,7 @@ class Run {
   const SampledOptions& options_;
   const Workers& workers_;
   const Ranks* ranks_ = options_.ranks && options_.ranks->size() > 1 ? options_.ranks : nullptr;
-  const SampleKeeping& keeping_;
+  const SampleStorage& storage_;
   RunProgress progress_;
   std::size_t bands_;
   std::optional<Sampling> sampling_;
@@ -321,15 +323,15 @@ class Run {
   std::uint64_t first_rays_ = 0;
   std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
   std::shared_ptr<const SampleState> kept_;
-  std::optional<SlotLight> light_;
+  std::optional<SampledLight> light_;
   std::optional<SkyNotFound> not_found_;
   std::vector<float> radiosity_;     // reflected, and of the sky, W/m², [element][band]
   std::optional<SeenMeasure> seen_;  // where it ends the run
-  std::vector<double> area_;         // [slot], m²
-  SlotLight::Answer answer_;
-  std::vector<float> gathered_;  // before neighbours share, W/m², [slot * bands + band]
-  // [slot]: variances of direct and gathered light summed over bands; of the last, before smoothing too.
-  std::vector<double> direct_error2_, gathered_error2_, own_gathered_error2_;
+  std::vector<double> area_;         // [receiver], m²
+  SampledLight::Answer answer_;
+  std::vector<float> gathered_;  // before neighbours share, W/m², [receiver * bands + band]
+  // [receiver]: variances of direct and gathered light summed over bands; of the last, before smoothing too.
+  std::vector<double> direct_squared_error_, gathered_squared_error_, own_gathered_squared_error_;
   double error_ = 0.0;                              // by the measure that ends the run
   std::uint64_t begin_memory_ = resident_memory();  // bytes of the process
   SolveReport report_;
@@ -339,9 +341,9 @@ class Run {
 
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                           const SampledOptions& options, const Workers& workers, const Monitor& monitor,
-                          const SampleKeeping& keeping) {
+                          const SampleStorage& storage) {
   check(patches, options);
-  return Run(patches, tracer, solution, options, workers, monitor, keeping).go();
+  return Run(patches, tracer, solution, options, workers, monitor, storage).go();
 }
 
 }  // namespace luxel

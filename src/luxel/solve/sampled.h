@@ -43,7 +43,7 @@ struct SampledOptions {
   bool multiple_importance = false;
   // Neighbouring patches share their rays where their own have not reached the error, from 4,096 sides on;
   // what that may get wrong is part of the error bar.
-  bool share = true;
+  bool smoothing = true;
 
   bool both_ways = true;  // rays count at both their ends, else at that of the side which sends them
 
@@ -53,7 +53,7 @@ struct SampledOptions {
 };
 
 // How a run survives: it hands out what it knows, and takes up what an earlier one knew.
-struct SampleKeeping {
+struct SampleStorage {
   // Where to go on: a state of the same patches, options but for the bounds, and light groups. None: afresh.
   std::shared_ptr<const SampleState> from;
   // Called with every answer, the solution filled: what a run needs to go on from it. Its hits are shared
@@ -83,6 +83,6 @@ struct SampleKeeping {
 // MismatchError. A run that was stopped and taken up again gives the same bits as one that was not.
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                           const SampledOptions& options, const Workers& workers, const Monitor& monitor = {},
-                          const SampleKeeping& keeping = {});
+                          const SampleStorage& storage = {});
 
 }  // namespace luxel

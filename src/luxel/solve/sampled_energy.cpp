@@ -11,7 +11,7 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   const auto& sides = hits.sides();
   const auto bands = patches.band_count();
   const auto materials = patches.materials.size();
-  // What a ray of the slot carries in one replicate, W, [slot][band].
+  // What a ray of the receiver carries in one replicate, W, [receiver][band].
   std::vector<double> carried(sides.size() * bands);
   std::vector<double> area_per_ray(sides.size());  // m²
   // Per block: absorbed, escaped, and at each material's back, [band]; and the area that sees the sky, m².
@@ -24,7 +24,7 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
       for (std::size_t s = begins[block]; s < begins[block + 1]; ++s) {
         const auto patch = sides.side[s] / 2;
         const double area = patches.area[patch];
-        area_per_ray[s] = area / hits.rays_per_slot()[s];
+        area_per_ray[s] = area / hits.rays_per_receiver()[s];
         for (std::size_t b = 0; b < bands; ++b) {
           const double rho = patches.reflectance(patch, b);
           const double H = irradiance[s * bands + b];
@@ -36,18 +36,19 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
       for (std::uint32_t r = 0; r < hits.replicates(); ++r) {
         const auto half = transport.half_of(r);
         const auto weight = 0.5 / (transport.half_begin(half + 1) - transport.half_begin(half));
-        hits.for_each_hit(r, block, [&](std::uint32_t slot, std::uint32_t element) {
+        hits.for_each_hit(r, block, [&](std::uint32_t receiver, std::uint32_t element) {
           if (element < sides.size() || element == hits.dark()) return;
-          const auto counts = weight * transport.row_factor(r, slot);
+          const auto counts = weight * transport.row_factor(r, receiver);
           const auto sink = hits.is_escape(element) ? 1 : 2 + element - hits.absorbed(0);
-          for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += counts * carried[slot * bands + b];
-          if (hits.is_escape(element)) sum[width - 1] += counts * area_per_ray[slot];
+          for (std::size_t b = 0; b < bands; ++b)
+            sum[sink * bands + b] += counts * carried[receiver * bands + b];
+          if (hits.is_escape(element)) sum[width - 1] += counts * area_per_ray[receiver];
         });
       }
     }
   });
 
-  hits.shares().share(
+  hits.partition().all_gather(
       std::span(sums), width, hits.blocks(), [](std::size_t block) { return block; },
       [&](std::size_t block) { return sides.position[begins[block]]; });
 

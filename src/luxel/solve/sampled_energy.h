@@ -8,9 +8,9 @@
 
 namespace luxel {
 
-// Where the light of a sampled solution goes: what slots take up, and what their rays bring to the sinks. It
-// adds up to within the error of the light; nothing is unshot.
-// irradiance: [slot * bands + band], W/m². Cost: one look-up per ray. The same bits on any number of threads.
+// Where the light of a sampled solution goes: what receivers take up, and what their rays bring to the sinks.
+// It adds up to within the error of the light; nothing is unshot. irradiance: [receiver * bands + band],
+// W/m². Cost: one look-up per ray. The same bits on any number of threads.
 EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport,
                         const std::vector<float>& irradiance, const Workers& workers);
 

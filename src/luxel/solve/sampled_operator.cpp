@@ -23,14 +23,14 @@ SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
 SampledOperator::~SampledOperator() = default;
 
 void SampledOperator::find_densities() {
-  const auto slots = sides().size();
-  density_.resize(slots);
-  inverse_area_.resize(slots);
+  const auto receivers = sides().size();
+  density_.resize(receivers);
+  inverse_area_.resize(receivers);
   sent_density_.assign(elements(), 0.0f);
-  for (std::size_t s = 0; s < slots; ++s) {
+  for (std::size_t s = 0; s < receivers; ++s) {
     const auto patch = sides().side[s] / 2;
     inverse_area_[s] = 1.0 / static_cast<double>(patches_.area[patch]);
-    density_[s] = static_cast<float>(hits_.rays_per_slot()[s] * inverse_area_[s]);
+    density_[s] = static_cast<float>(hits_.rays_per_receiver()[s] * inverse_area_[s]);
     const bool is_one_way = !options_.one_way.empty() && options_.one_way[s] > 0;
     if (options_.both_ways && !is_one_way) sent_density_[s] = density_[s];
   }
@@ -43,7 +43,7 @@ void SampledOperator::find_arrivals(const Workers& workers) {
       hits_.for_each_round(static_cast<std::uint32_t>(r), block, body);
     });
   };
-  if (hits_.shares().ranks())  // which meet, in order
+  if (hits_.partition().ranks())  // which meet, in order
     for (std::size_t r = 0; r < arrivals_.size(); ++r) find(r);
   else
     workers.for_chunks(arrivals_.size(), 1, [&](std::size_t r, std::size_t, int) { find(r); });
@@ -65,16 +65,16 @@ namespace {
 // Density and three radiosities of an element in one place of memory.
 struct PackedKernel {
   const std::array<float, 4>* element;
-  const float* trusted;  // k d, [slot]
-  const float* mutual;   // [slot]: 1, or 0 where rays count one way
+  const float* trusted;  // k d, [receiver]
+  const float* mutual;   // [receiver]: 1, or 0 where rays count one way
   bool fetches;
 
   void fetch(std::uint32_t e) const {
     if (fetches) __builtin_prefetch(element + e);
   }
-  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
+  void operator()(std::uint32_t receiver, std::uint32_t e, double* sum) const {
     const auto& x = element[e];
-    const auto q = 1.0f / (trusted[slot] + mutual[slot] * x[0]);
+    const auto q = 1.0f / (trusted[receiver] + mutual[receiver] * x[0]);
     for (std::size_t b = 0; b < 3; ++b) sum[b] += static_cast<double>(q * x[b + 1]);
   }
 };
@@ -88,8 +88,8 @@ struct ColumnsKernel {
   std::size_t columns;
 
   void fetch(std::uint32_t) const {}
-  void operator()(std::uint32_t slot, std::uint32_t e, double* sum) const {
-    const auto q = 1.0f / (trusted[slot] + mutual[slot] * sent_density[e]);
+  void operator()(std::uint32_t receiver, std::uint32_t e, double* sum) const {
+    const auto q = 1.0f / (trusted[receiver] + mutual[receiver] * sent_density[e]);
     const auto width = known_columns ? known_columns : columns;
     const auto* R = radiosity + width * e;
     for (std::size_t c = 0; c < width; ++c) sum[c] += static_cast<double>(q * R[c]);
@@ -123,36 +123,36 @@ namespace {
 // Mean over replicates of the weighted rows of one block.
 class MeanRows {
  public:
-  MeanRows(std::uint32_t slot0, std::uint32_t slot1, std::size_t columns, double trust, std::uint32_t count,
-           const std::vector<std::vector<float>>& factor, const std::vector<double>& inverse_area,
-           std::span<float> out)
-      : slot0_(slot0),
-        slot1_(slot1),
+  MeanRows(std::uint32_t receiver0, std::uint32_t receiver1, std::size_t columns, double trust,
+           std::uint32_t count, const std::vector<std::vector<float>>& factor,
+           const std::vector<double>& inverse_area, std::span<float> out)
+      : receiver0_(receiver0),
+        receiver1_(receiver1),
         columns_(columns),
         trust_(trust),
         count_(count),
         factor_(factor),
         inverse_area_(inverse_area),
         out_(out),
-        sum_((slot1 - slot0) * columns, 0.0) {}
+        sum_((receiver1 - receiver0) * columns, 0.0) {}
 
   void add(std::uint32_t replicate, const double* own, const double* arriving) {
-    for (auto s = slot0_; s < slot1_; ++s) {
+    for (auto s = receiver0_; s < receiver1_; ++s) {
       const auto factor = static_cast<double>(factor_[replicate][s]);
-      for (auto i = (s - slot0_) * columns_; i < (s - slot0_ + 1) * columns_; ++i)
+      for (auto i = (s - receiver0_) * columns_; i < (s - receiver0_ + 1) * columns_; ++i)
         sum_[i] += factor * (trust_ * own[i] + arriving[i]);
     }
   }
   void finish() {
-    for (auto s = slot0_; s < slot1_; ++s) {
+    for (auto s = receiver0_; s < receiver1_; ++s) {
       const auto scale = inverse_area_[s] / count_;
       for (std::size_t c = 0; c < columns_; ++c)
-        out_[s * columns_ + c] = static_cast<float>(scale * sum_[(s - slot0_) * columns_ + c]);
+        out_[s * columns_ + c] = static_cast<float>(scale * sum_[(s - receiver0_) * columns_ + c]);
     }
   }
 
  private:
-  std::uint32_t slot0_, slot1_;
+  std::uint32_t receiver0_, receiver1_;
   std::size_t columns_;
   double trust_;
   std::uint32_t count_;
@@ -165,11 +165,11 @@ class MeanRows {
 // The rows of each replicate apart.
 class ReplicateRows {
  public:
-  ReplicateRows(std::uint32_t slot0, std::uint32_t slot1, std::size_t columns, double trust,
+  ReplicateRows(std::uint32_t receiver0, std::uint32_t receiver1, std::size_t columns, double trust,
                 std::uint32_t first, const std::vector<double>& inverse_area,
                 std::span<std::vector<float>> out)
-      : slot0_(slot0),
-        slot1_(slot1),
+      : receiver0_(receiver0),
+        receiver1_(receiver1),
         columns_(columns),
         trust_(trust),
         first_(first),
@@ -178,16 +178,16 @@ class ReplicateRows {
 
   void add(std::uint32_t replicate, const double* own, const double* arriving) {
     auto& out = out_[replicate - first_];
-    for (auto s = slot0_; s < slot1_; ++s)
+    for (auto s = receiver0_; s < receiver1_; ++s)
       for (std::size_t c = 0; c < columns_; ++c) {
-        const auto i = (s - slot0_) * columns_ + c;
+        const auto i = (s - receiver0_) * columns_ + c;
         out[s * columns_ + c] = static_cast<float>(inverse_area_[s] * (trust_ * own[i] + arriving[i]));
       }
   }
   void finish() {}
 
  private:
-  std::uint32_t slot0_, slot1_;
+  std::uint32_t receiver0_, receiver1_;
   std::size_t columns_;
   double trust_;
   std::uint32_t first_;
@@ -201,11 +201,11 @@ void SampledOperator::apply(std::size_t half, std::size_t columns, std::span<con
                             std::span<float> irradiance, const Workers& workers) const {
   const auto first = half_begin(half);
   const auto end = half_begin(half + 1);
-  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
-    return MeanRows(slot0, slot1, columns, options_.own_trust, end - first, row_factor_, inverse_area_,
-                    irradiance);
+  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t receiver0, std::uint32_t receiver1) {
+    return MeanRows(receiver0, receiver1, columns, options_.own_trust, end - first, row_factor_,
+                    inverse_area_, irradiance);
   });
-  hits_.share_slots(irradiance, columns);
+  hits_.all_gather_receivers(irradiance, columns);
 }
 
 std::vector<std::vector<float>> SampledOperator::replicate_rows(std::size_t half,
@@ -215,8 +215,8 @@ std::vector<std::vector<float>> SampledOperator::replicate_rows(std::size_t half
   const auto end = half_begin(half + 1);
   const auto columns = radiosity.size() / elements();
   std::vector<std::vector<float>> rows(end - first, std::vector<float>(sides().size() * columns));
-  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t slot0, std::uint32_t slot1) {
-    return ReplicateRows(slot0, slot1, columns, options_.own_trust, first, inverse_area_, rows);
+  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t receiver0, std::uint32_t receiver1) {
+    return ReplicateRows(receiver0, receiver1, columns, options_.own_trust, first, inverse_area_, rows);
   });
   if (end - first < 2 || !options_.both_ways) return rows;
   workers.for_chunks(sides().size(), grain, [&](std::size_t from, std::size_t to, int) {

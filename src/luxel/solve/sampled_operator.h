@@ -19,7 +19,8 @@ struct SampledOperatorOptions {
   bool both_ways = true;  // else each ray counts for its sender alone
   // How many times a side's own rays, which are stratified, are trusted more than those that arrive.
   float own_trust = 3.0f;
-  // Sides whose rays count one way, see one_way_sides(): [slot], or empty. Read while the operator is made.
+  // Sides whose rays count one way, see one_way_sides(): [receiver], or empty. Read while the operator is
+  // made.
   std::span<const std::uint8_t> one_way = {};
 };
 
@@ -44,7 +45,7 @@ struct SampledOperatorOptions {
 // light that one half gathered is sent on by the other, see CrossedHalves.
 //
 // Immutable, safe for any number of threads. References the patches and the hits, which must not change.
-// Memory: 4 bytes per stored ray, and 12 bytes per slot and replicate. Cost of an apply: two look-ups per
+// Memory: 4 bytes per stored ray, and 12 bytes per receiver and replicate. Cost of an apply: two look-ups per
 // ray; where hits are streamed, tracing them.
 class SampledOperator {
  public:
@@ -63,36 +64,36 @@ class SampledOperator {
   std::size_t half_of(std::uint32_t replicate) const { return replicate < half_begin(1) ? 0 : 1; }
 
   // irradiance = F radiosity, F the mean of one half of the replicates. radiosity: [element * columns +
-  // column], irradiance: [slot * columns + column]. Of all ranks together.
+  // column], irradiance: [receiver * columns + column]. Of all ranks together.
   void apply(std::size_t half, std::size_t columns, std::span<const float> radiosity,
              std::span<float> irradiance, const Workers& workers) const;
 
-  // h_r for each replicate r of that half: [replicate - half_begin(half)][slot * bands + band]. Of several
-  // ranks, each knows its own rows alone: HitStore::share_slots().
+  // h_r for each replicate r of that half: [replicate - half_begin(half)][receiver * bands + band]. Of
+  // several ranks, each knows its own rows alone: HitStore::all_gather_receivers().
   std::vector<std::vector<float>> replicate_rows(std::size_t half, std::span<const float> radiosity,
                                                  const Workers& workers) const;
 
-  // What all rays of that replicate count in row `slot` for what they are in apply(): own rays to sinks have
-  // 1 / n, n rays of the slot, times this.
-  double row_factor(std::uint32_t replicate, std::size_t slot) const {
-    return static_cast<double>(row_factor_[replicate][slot]);
+  // What all rays of that replicate count in row `receiver` for what they are in apply(): own rays to sinks
+  // have 1 / n, n rays of the receiver, times this.
+  double row_factor(std::uint32_t replicate, std::size_t receiver) const {
+    return static_cast<double>(row_factor_[replicate][receiver]);
   }
-  // Sum of row `slot` in one replicate.
-  double row_sum(std::uint32_t replicate, std::size_t slot) const {
-    return static_cast<double>(row_sum_[replicate][slot]);
+  // Sum of row `receiver` in one replicate.
+  double row_sum(std::uint32_t replicate, std::size_t receiver) const {
+    return static_cast<double>(row_sum_[replicate][receiver]);
   }
 
-  // What a further ray of each slot is worth: minus the derivative of J = sum of importance * variance of
-  // irradiance by the slot's rays per area d. J is the sum over slots of d * worth. Two parts: the slot's own
-  // row (noisy: to be averaged over neighbours) and the rows of those that its rays meet.
+  // What a further ray of each receiver is worth: minus the derivative of J = sum of importance * variance of
+  // irradiance by the receiver's rays per area d. J is the sum over receivers of d * worth. Two parts: the
+  // receiver's own row (noisy: to be averaged over neighbours) and the rows of those that its rays meet.
   //
   //     worth_m = sum over j of F_mj [ I_m (R_j - c_m)^2 / A_m^2 + I_j (R_m - c_j)^2 / A_j^2 ] / (d_m +
   //     d_j)^2
   //
-  // importance: I, [slot]. radiosity: R, [element * bands + band]. level: c, what rows would gather if all
-  // they see were alike, [slot * bands + band]. Costs one apply. Known to all ranks.
+  // importance: I, [receiver]. radiosity: R, [element * bands + band]. level: c, what rows would gather if
+  // all they see were alike, [receiver * bands + band]. Costs one apply. Known to all ranks.
   struct RayWorth {
-    std::vector<float> own, given;  // [slot]
+    std::vector<float> own, given;  // [receiver]
   };
   RayWorth ray_worth(std::span<const double> importance, std::span<const float> radiosity,
                      std::span<const float> level, const Workers& workers) const;
@@ -109,10 +110,11 @@ class SampledOperator {
   Arrivals arrivals_of(std::size_t first, std::size_t end, ForEachRound for_each_round) const;
   void find_weights();
 
-  // For each slot of this rank and each of the replicates [first, end): sums over its own rays and over those
-  // that arrive. kernel(slot, element, sum) adds a ray's numbers to sum[0, width). Calls, for each block,
-  // rows = make_rows(first slot, end slot), rows.add(replicate, own, arriving) in order of replicates, each
-  // [slot - first slot][width], and rows.finish(). width: known_width, or any where that is 0.
+  // For each receiver of this rank and each of the replicates [first, end): sums over its own rays and over
+  // those that arrive. kernel(receiver, element, sum) adds a ray's numbers to sum[0, width). Calls, for each
+  // block, rows = make_rows(first receiver, end receiver), rows.add(replicate, own, arriving) in order of
+  // replicates, each [receiver - first receiver][width], and rows.finish(). width: known_width, or any where
+  // that is 0.
   template <std::size_t known_width, typename Kernel, typename MakeRows>
   void for_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
                 const Kernel& kernel, const MakeRows& make_rows) const;
@@ -130,19 +132,19 @@ class SampledOperator {
   const PatchSet& patches_;
   const HitStore& hits_;
   SampledOperatorOptions options_;
-  // Rays of one replicate per area, 1/m²: [slot], of the slot's own rays; [element], of those that may arrive
-  // from it: 0 for sinks and what is seen one way.
+  // Rays of one replicate per area, 1/m²: [receiver], of the receiver's own rays; [element], of those that
+  // may arrive from it: 0 for sinks and what is seen one way.
   std::vector<float> density_, sent_density_;
-  std::vector<float> trusted_, mutual_;                   // [slot]: k d; 1, or 0 where rays count one way
-  std::vector<double> inverse_area_;                      // [slot], 1/m²
+  std::vector<float> trusted_, mutual_;                   // [receiver]: k d; 1, or 0 where rays count one way
+  std::vector<double> inverse_area_;                      // [receiver], 1/m²
   std::vector<Arrivals> arrivals_;                        // [replicate]; none where hits are streamed
-  std::vector<std::vector<float>> row_sum_, row_factor_;  // [replicate][slot], of this rank's slots
-  // [slot]: sum over replicates of the variances that row sums would have if all rays were independent.
+  std::vector<std::vector<float>> row_sum_, row_factor_;  // [replicate][receiver], of this rank's receivers
+  // [receiver]: sum over replicates of the variances that row sums would have if all rays were independent.
   std::vector<float> row_sum_variance_;
 };
 
 // Both halves as one system: rows [0, n) are what the first half gathers of light that the second gathered,
-// rows [n, 2 n) the reverse, n slots each; then come the sinks. radiosity: [row or sink][band].
+// rows [n, 2 n) the reverse, n receivers each; then come the sinks. radiosity: [row or sink][band].
 class CrossedHalves final : public TransportOperator {
  public:
   // Keeps a reference.

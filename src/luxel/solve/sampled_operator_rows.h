@@ -15,24 +15,24 @@ namespace luxel {
 
 template <typename ForEachRound>
 Arrivals SampledOperator::arrivals_of(std::size_t first, std::size_t end, ForEachRound for_each_round) const {
-  const auto slots = sides().size();
+  const auto receivers = sides().size();
   const auto for_each_pair = [&](auto body) {
     for (auto block = first; block < end; ++block)
       for_each_round(block, [&](std::span<const std::uint32_t> senders, const std::uint32_t* hit,
-                                std::uint32_t per_slot) {
+                                std::uint32_t per_receiver) {
         for (const auto sender : senders)
-          for (std::uint32_t i = 0; i < per_slot; ++i, ++hit)
+          for (std::uint32_t i = 0; i < per_receiver; ++i, ++hit)
             if (sent_density_[sender] > 0.0f && sent_density_[*hit] > 0.0f) body(sender, *hit);
       });
   };
-  if (!hits_.shares().ranks()) return Arrivals::sorted(slots, for_each_pair);
+  if (!hits_.partition().ranks()) return Arrivals::sorted(receivers, for_each_pair);
   RayPairs own;
   for_each_pair([&](std::uint32_t sender, std::uint32_t receiver) {
     own.push_back(sender);
     own.push_back(receiver);
   });
-  const auto pairs = exchanged_pairs(own, hits_.shares(), sides());
-  return Arrivals::sorted(slots, [&](auto body) {
+  const auto pairs = exchanged_pairs(own, hits_.partition(), sides());
+  return Arrivals::sorted(receivers, [&](auto body) {
     for (std::size_t i = 0; i < pairs.size(); i += 2) body(pairs[i], pairs[i + 1]);
   });
 }
@@ -53,20 +53,21 @@ void SampledOperator::for_stored_rows(std::uint32_t first, std::uint32_t end, st
                                       const MakeRows& make_rows) const {
   const auto begins = hits_.block_begins();
   workers.for_chunks(hits_.blocks(), 1, [&](std::size_t block, std::size_t, int) {
-    const auto slot0 = begins[block];
-    const auto slot1 = begins[block + 1];
-    if (!hits_.is_mine(slot0)) return;
-    auto rows = make_rows(slot0, slot1);
-    std::vector<double> own((slot1 - slot0) * width), arriving(own.size());
+    const auto receiver0 = begins[block];
+    const auto receiver1 = begins[block + 1];
+    if (!hits_.is_mine(receiver0)) return;
+    auto rows = make_rows(receiver0, receiver1);
+    std::vector<double> own((receiver1 - receiver0) * width), arriving(own.size());
     for (auto r = first; r < end; ++r) {
       std::fill(own.begin(), own.end(), 0.0);
       std::fill(arriving.begin(), arriving.end(), 0.0);
-      hits_.for_each_round(
-          r, block,
-          [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot) {
-            add_own_rays<known_width>(kernel, width, slots, hit, per_slot, slot0, own.data());
-          });
-      add_arrivals<known_width>(kernel, width, arrivals_[r], slot0, slot1, arriving.data());
+      hits_.for_each_round(r, block,
+                           [&](std::span<const std::uint32_t> receivers, const std::uint32_t* hit,
+                               std::uint32_t per_receiver) {
+                             add_own_rays<known_width>(kernel, width, receivers, hit, per_receiver, receiver0,
+                                                       own.data());
+                           });
+      add_arrivals<known_width>(kernel, width, arrivals_[r], receiver0, receiver1, arriving.data());
       rows.add(r, own.data(), arriving.data());
     }
     rows.finish();
@@ -86,18 +87,18 @@ void SampledOperator::for_streamed_rows(std::uint32_t first, std::uint32_t end, 
   for (std::size_t from = 0; from < blocks;) {
     auto to = from;
     for (std::uint64_t rays = 0; to < blocks && rays < sampled_tuning::held_rays; ++to)
-      for (auto s = begins[to]; s < begins[to + 1]; ++s) rays += replicates * hits_.rays_per_slot()[s];
+      for (auto s = begins[to]; s < begins[to + 1]; ++s) rays += replicates * hits_.rays_per_receiver()[s];
     // 1. The rays, and what they bring to their senders.
     std::vector<BlockRays> batch((to - from) * replicates);
     workers.for_chunks(batch.size(), 1, [&](std::size_t i, std::size_t, int) {
       const auto block = from + i / replicates;
       const auto k = i % replicates;
       batch[i].trace(hits_, first + static_cast<std::uint32_t>(k), block);
-      batch[i].for_each_round(
-          [&](std::span<const std::uint32_t> slots, const std::uint32_t* hit, std::uint32_t per_slot) {
-            add_own_rays<known_width>(kernel, width, slots, hit, per_slot, begins[block],
-                                      &own[k][begins[block] * width]);
-          });
+      batch[i].for_each_round([&](std::span<const std::uint32_t> receivers, const std::uint32_t* hit,
+                                  std::uint32_t per_receiver) {
+        add_own_rays<known_width>(kernel, width, receivers, hit, per_receiver, begins[block],
+                                  &own[k][begins[block] * width]);
+      });
     });
     // 2. What they bring to those that they meet.
     std::vector<Arrivals> arrivals(replicates);
@@ -106,7 +107,7 @@ void SampledOperator::for_streamed_rows(std::uint32_t first, std::uint32_t end, 
         batch[(block - from) * replicates + k].for_each_round(body);
       });
     };
-    if (hits_.shares().ranks())
+    if (hits_.partition().ranks())
       for (std::size_t k = 0; k < replicates; ++k) find(k);
     else
       workers.for_chunks(replicates, 1, [&](std::size_t k, std::size_t, int) { find(k); });

@@ -19,7 +19,7 @@ constexpr std::uint64_t held_rays = std::uint64_t{1} << 22;
 // false alarm in three million; a false one costs rays, not truth), and the least deviation worth it, since
 // the control variate brings row sums to 1 all the same.
 constexpr std::uint32_t tested_positions = 64;
-constexpr double most_deviations = 5.0;
-constexpr double least_deviation = 0.02;
+constexpr double max_deviations = 5.0;
+constexpr double min_deviation = 0.02;
 
 }  // namespace luxel::sampled_tuning

@@ -10,22 +10,22 @@
 
 #include "luxel/core/error.h"
 #include "luxel/core/memory.h"
-#include "luxel/solve/dark_sides.h"
 #include "luxel/solve/one_way_sides.h"
-#include "luxel/solve/slot_light.h"
+#include "luxel/solve/sampled_light.h"
+#include "luxel/solve/unreached_sides.h"
 
 namespace luxel {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t least_rays = 1 << 17;  // of the first samples, shadow rays and gather rays each
+constexpr std::uint64_t min_rays = 1 << 17;  // of the first samples, shadow rays and gather rays each
 constexpr std::uint32_t unit_positions = 64;
 
-// The power of two that brings the rays of all slots above the least.
-std::uint32_t first_samples(std::size_t slots, std::uint32_t replicates) {
+// The power of two that brings the rays of all receivers above the least.
+std::uint32_t first_samples(std::size_t receivers, std::uint32_t replicates) {
   std::uint32_t n = 1;
-  while (n < 1024 && n * replicates * slots < least_rays) n *= 2;
+  while (n < 1024 && n * replicates * receivers < min_rays) n *= 2;
   return n;
 }
 
@@ -63,7 +63,7 @@ void Sampling::lay_out() {
                                 .ranks = options_.ranks});
   // Before it is known which sides are dark: the first samples of all.
   check_memory(sizeof(float) * options_.replicates * direct_width() * hits_->sides().size(), 0);
-  direct_.emplace(direct_light_, hits_->sides(), options_.replicates, direct_width(), hits_->shares());
+  direct_.emplace(direct_light_, hits_->sides(), options_.replicates, direct_width(), hits_->partition());
 }
 
 bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
@@ -77,34 +77,35 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   make_room(std::uint64_t{first} * options_.replicates * all.size());
   const auto traced = hits_->double_rays(all, first, workers_, told);
   if (!traced) return false;
-  rays_ = direct_->share(all, direct_rays) + *traced;
-  leave_out_dark_sides(first_picture);
+  rays_ = direct_->all_gather(all, direct_rays) + *traced;
+  leave_out_unreached_sides(first_picture);
   if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, workers_);
   check_memory(bytes_of_state(), resident_memory());
   units_ = neighbour_begins(hits_->sides(), unit_positions);
   return true;
 }
 
-bool Sampling::take_direct(std::span<const std::uint32_t> slots, std::uint32_t first,
+bool Sampling::take_direct(std::span<const std::uint32_t> receivers, std::uint32_t first,
                            const Monitor& monitor) {
-  constexpr std::uint64_t turn_rays = 1 << 19;  // of a thread
-  constexpr std::size_t least_slots = 1 << 7;   // likewise: some chunks of a loop
+  constexpr std::uint64_t turn_rays = 1 << 19;   // of a thread
+  constexpr std::size_t min_receivers = 1 << 7;  // likewise: some chunks of a loop
   const auto threads = static_cast<std::size_t>(workers_.threads());
-  while (!slots.empty()) {
+  while (!receivers.empty()) {
     std::size_t count = 0;
     for (std::uint64_t rays = 0;
-         count < slots.size() && (rays < turn_rays * threads || count < least_slots * threads); ++count) {
-      const auto so_far = direct_->samples_a_slot()[slots[count]];
+         count < receivers.size() && (rays < turn_rays * threads || count < min_receivers * threads);
+         ++count) {
+      const auto so_far = direct_->samples_per_receiver()[receivers[count]];
       rays += std::uint64_t{options_.replicates} * (so_far > 0 ? so_far : first);
     }
-    rays_ += direct_->double_samples(slots.first(count), first, workers_);
-    slots = slots.subspan(count);
+    rays_ += direct_->double_samples(receivers.first(count), first, workers_);
+    receivers = receivers.subspan(count);
     if (tell(monitor, {"light", 0.0, rays_}) == Next::stop) return false;
   }
   return true;
 }
 
-void Sampling::take_up(const SampleState& state) {
+void Sampling::restore(const SampleState& state) {
   if (state.replicates != options_.replicates)
     throw MismatchError(
         fmt::format("the kept samples have {} replicates, not {}", state.replicates, options_.replicates));
@@ -112,22 +113,23 @@ void Sampling::take_up(const SampleState& state) {
   const auto all = hits_->sides().size();
   std::vector<std::uint8_t> kept(all, 0);
   for (const auto side : state.sides) {
-    const auto slot =
-        side < hits_->sides().slot_of_side.size() ? hits_->sides().slot_of_side[side] : GatherSides::none;
-    if (slot == GatherSides::none)
+    const auto receiver = side < hits_->sides().receiver_of_side.size()
+                              ? hits_->sides().receiver_of_side[side]
+                              : GatherSides::none;
+    if (receiver == GatherSides::none)
       throw MismatchError("the kept samples are not of these patches: a side of theirs gathers no light");
-    kept[slot] = 1;
+    kept[receiver] = 1;
   }
-  dark_sides_ = all - static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 1));
-  if (dark_sides_ > 0) {
+  unreached_sides_ = all - static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 1));
+  if (unreached_sides_ > 0) {
     hits_->keep(kept, workers_);
     direct_->keep(kept, hits_->sides());
   }
   if (hits_->sides().side != state.sides)
     throw MismatchError("the kept samples are not of these patches: their sides stand in another order");
-  hits_->take_up(state.rounds);
+  hits_->restore(state.rounds);
   if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, workers_);
-  direct_->take_up(state.direct, state.direct_samples, state.direct_doublings);
+  direct_->restore(state.direct, state.direct_samples, state.direct_doublings);
   if (bytes_of_state() + bytes_of_hits() > memory_) hits_->stream();
   rays_ = state.rays;
   units_ = neighbour_begins(hits_->sides(), unit_positions);
@@ -140,24 +142,24 @@ SampleState Sampling::state() const {
   state.sides = hits_->sides().side;
   state.rounds = hits_->rounds();
   state.direct = direct_->irradiance();
-  const auto samples = direct_->samples_a_slot();
-  const auto doublings = direct_->doublings_a_slot();
+  const auto samples = direct_->samples_per_receiver();
+  const auto doublings = direct_->doublings_per_receiver();
   state.direct_samples = {samples.begin(), samples.end()};
   state.direct_doublings = {doublings.begin(), doublings.end()};
   return state;
 }
 
-void Sampling::leave_out_dark_sides(const Solution& first_picture) {
+void Sampling::leave_out_unreached_sides(const Solution& first_picture) {
   const auto direct =
       sum_of_groups(direct_->irradiance(), patches_.group_count(), patches_.band_count(), {}, workers_);
-  const auto lit = lit_slots(patches_, *hits_, first_picture, direct, workers_);
-  dark_sides_ = static_cast<std::uint64_t>(std::count(lit.begin(), lit.end(), 0));
-  if (dark_sides_ == 0) return;
+  const auto lit = lit_receivers(patches_, *hits_, first_picture, direct, workers_);
+  unreached_sides_ = static_cast<std::uint64_t>(std::count(lit.begin(), lit.end(), 0));
+  if (unreached_sides_ == 0) return;
   hits_->keep(lit, workers_);
   direct_->keep(lit, hits_->sides());
 }
 
-RankTimes Sampling::share_out(std::span<const std::uint8_t> doublings) {
+RankTimes Sampling::distribute(std::span<const std::uint8_t> doublings) {
   const auto n = units_.size() - 1;
   std::vector<double> more_samples(hits_->sides().size(), 0.0), more_rays(more_samples);
   const auto more = [](std::uint32_t so_far, std::uint8_t times) {
@@ -165,28 +167,28 @@ RankTimes Sampling::share_out(std::span<const std::uint8_t> doublings) {
   };
   for (std::size_t u = 0; u < n; ++u)
     for (auto s = units_[u]; s < units_[u + 1]; ++s) {
-      more_samples[s] = more(direct_->samples_a_slot()[s], doublings[u]);
-      more_rays[s] = more(hits_->rays_per_slot()[s], doublings[n + s]);
+      more_samples[s] = more(direct_->samples_per_receiver()[s], doublings[u]);
+      more_rays[s] = more(hits_->rays_per_receiver()[s], doublings[n + s]);
     }
-  auto& pieces = direct_->pieces();
-  auto times = hits_->balance(more_rays, pieces.expected_seconds(more_samples));
-  pieces.deal(more_samples, times);
+  auto& units = direct_->units();
+  auto times = hits_->balance(more_rays, units.expected_seconds(more_samples));
+  units.deal(more_samples, times);
   return times;
 }
 
 bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& monitor) {
   const auto n = units_.size() - 1;
-  auto times = options_.ranks ? share_out(doublings) : RankTimes{};
+  auto times = options_.ranks ? distribute(doublings) : RankTimes{};
   const auto begin_time = Clock::now();
   const auto turns = *std::max_element(doublings.begin() + static_cast<std::ptrdiff_t>(n), doublings.end());
   for (std::uint8_t turn = 0; turn < turns; ++turn) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> gathered;  // by rays so far
     for (std::uint32_t s = 0; s < hits_->sides().size(); ++s)
-      if (doublings[n + s] > turn) gathered[hits_->rays_per_slot()[s]].push_back(s);
+      if (doublings[n + s] > turn) gathered[hits_->rays_per_receiver()[s]].push_back(s);
     const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
-    for (auto& [rays, slots] : gathered) {
-      make_room(std::uint64_t{rays} * options_.replicates * slots.size());
-      const auto traced = hits_->double_rays(std::move(slots), 0, workers_, told);
+    for (auto& [rays, receivers] : gathered) {
+      make_room(std::uint64_t{rays} * options_.replicates * receivers.size());
+      const auto traced = hits_->double_rays(std::move(receivers), 0, workers_, told);
       if (!traced) return false;
       rays_ += *traced;
     }
@@ -200,12 +202,12 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
                                                       std::as_writable_bytes(std::span(times.ready)));
   if (!take_direct_part(doublings, 1, monitor)) return false;
   asked->wait();
-  direct_->pieces().deal_rest(std::move(times));
+  direct_->units().deal_rest(std::move(times));
   if (!take_direct_part(doublings, 2, monitor)) return false;
   std::vector<std::uint32_t> sampled;
   for (std::size_t u = 0; u < n; ++u)
     for (auto s = units_[u]; doublings[u] > 0 && s < units_[u + 1]; ++s) sampled.push_back(s);
-  rays_ = before + direct_->share(sampled, rays_ - before);
+  rays_ = before + direct_->all_gather(sampled, rays_ - before);
   return true;
 }
 
@@ -214,11 +216,11 @@ bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int par
   const auto turns =
       n == 0 ? 0 : *std::max_element(doublings.begin(), doublings.begin() + static_cast<std::ptrdiff_t>(n));
   for (std::uint8_t turn = 0; turn < turns; ++turn) {
-    std::vector<std::uint32_t> slots;
+    std::vector<std::uint32_t> receivers;
     for (std::size_t u = 0; u < n; ++u)
       for (auto s = units_[u]; doublings[u] > turn && s < units_[u + 1]; ++s)
-        if (direct_->pieces().part_of(s) == part) slots.push_back(s);
-    if (!take_direct(slots, 0, monitor)) return false;
+        if (direct_->units().part_of(s) == part) receivers.push_back(s);
+    if (!take_direct(receivers, 0, monitor)) return false;
   }
   return true;
 }
@@ -244,7 +246,7 @@ std::uint64_t Sampling::bytes_of_state() const {
   const std::uint64_t numbers = hits_->sides().size() * patches_.band_count();
   // Direct and gathered light of each replicate, and of direct light that of each group and a copy of it for
   // who keeps the state; the iteration's vectors, of two halves; mean, error, bias, reflectance; what is kept
-  // by slot and replicate; the tree; and the solution.
+  // by receiver and replicate; the tree; and the solution.
   return sizeof(float) * numbers * ((2 + groups) * options_.replicates + 24 + 6) +
          (64 + 12 * options_.replicates) * hits_->sides().size() +
          patches_.size() * (60 + sizeof(float) * 6 * patches_.band_count());

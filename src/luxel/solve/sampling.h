@@ -21,7 +21,7 @@ namespace luxel {
 DirectOptions direct_options(const SampledOptions& options);
 
 // All samples of a sampled solve: shadow rays and gather rays of every side that light reaches, in units of
-// neighbouring slots whose samples are doubled together.
+// neighbouring receivers whose samples are doubled together.
 class Sampling {
  public:
   // Keeps references to all but the options.
@@ -33,8 +33,8 @@ class Sampling {
   bool start(const Solution& first_picture, const Monitor& monitor = {});
   // In place of start(): goes on where another was. Throws MismatchError where the state is not of these
   // patches and options.
-  void take_up(const SampleState& state);
-  // What take_up() needs, and the rays traced; the rest is the caller's.
+  void restore(const SampleState& state);
+  // What restore() needs, and the rays traced; the rest is the caller's.
   SampleState state() const;
 
   const PatchTree& tree() const { return tree_; }
@@ -46,15 +46,14 @@ class Sampling {
         workers_);
   }
   const DirectSamples& direct() const { return *direct_; }
-  std::uint64_t dark_sides() const { return dark_sides_; }
+  std::uint64_t unreached_sides() const { return unreached_sides_; }
   std::uint64_t rays() const { return rays_; }  // traced
 
-  // Unit u is slots [units()[u], units()[u + 1]).
+  // Unit u is receivers [units()[u], units()[u + 1]).
   std::span<const std::uint32_t> units() const { return units_; }
 
-  // Doubles the shadow rays of unit u doublings[u] times, and the gather rays of slot s doublings[units + s]
-  // times.
-  // Returns false, with some of it done, if the monitor said stop.
+  // Doubles the shadow rays of unit u doublings[u] times, and the gather rays of receiver s doublings[units +
+  // s] times. Returns false, with some of it done, if the monitor said stop.
   bool take(std::span<const std::uint8_t> doublings, const Monitor& monitor);
 
   // Bytes of the hits that are stored, at their senders and where they arrive, and of all else that a solve
@@ -70,12 +69,12 @@ class Sampling {
   // The samples of all sides: none yet.
   void lay_out();
   // Of several ranks: who takes which samples of a take().
-  RankTimes share_out(std::span<const std::uint8_t> doublings);
-  // The shadow rays of a take(), of one part of the pieces.
+  RankTimes distribute(std::span<const std::uint8_t> doublings);
+  // The shadow rays of a take(), of one part of the units.
   bool take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor);
   // The monitor is asked a few times a second. Returns false if it said stop.
-  bool take_direct(std::span<const std::uint32_t> slots, std::uint32_t first, const Monitor& monitor);
-  void leave_out_dark_sides(const Solution& first_picture);
+  bool take_direct(std::span<const std::uint32_t> receivers, std::uint32_t first, const Monitor& monitor);
+  void leave_out_unreached_sides(const Solution& first_picture);
   std::size_t direct_width() const { return patches_.group_count() * patches_.band_count(); }
 
   const PatchSet& patches_;
@@ -87,10 +86,10 @@ class Sampling {
   DirectLight direct_light_;
   PatchTree tree_;
   std::optional<HitStore> hits_;
-  std::vector<std::uint8_t> one_way_;  // [slot]
+  std::vector<std::uint8_t> one_way_;  // [receiver]
   std::optional<DirectSamples> direct_;
   std::vector<std::uint32_t> units_;
-  std::uint64_t dark_sides_ = 0;
+  std::uint64_t unreached_sides_ = 0;
   std::uint64_t rays_ = 0;
 };
 

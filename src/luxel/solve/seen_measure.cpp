@@ -8,17 +8,18 @@
 namespace luxel {
 namespace {
 
-constexpr double share_by_area = 0.05;  // of the importance; see importance()
+constexpr double area_fraction = 0.05;  // of the importance; see importance()
 
 double squared(double x) { return x * x; }
 
-// Squared errors of one slot with each replicate left out in turn, scaled to those of all replicates.
+// Squared errors of one receiver with each replicate left out in turn, scaled to those of all replicates.
 class LeaveOneOut {
  public:
   LeaveOneOut(Replicates direct, Replicates gathered) : direct_(direct), gathered_(gathered) {}
 
-  // number: slot * bands + band. error2: of all replicates, with the bias. Adds weight times the results.
-  void add(std::size_t number, double error2, double weight, std::span<float> without) const {
+  // number: receiver * bands + band. squared_error: of all replicates, with the bias. Adds weight times the
+  // results.
+  void add(std::size_t number, double squared_error, double weight, std::span<float> without) const {
     const auto n = static_cast<double>(direct_.size());
     const auto value = [&](std::size_t r) {
       return static_cast<double>(direct_[r][number] + gathered_[r][number]);
@@ -27,10 +28,10 @@ class LeaveOneOut {
     for (std::size_t r = 0; r < direct_.size(); ++r) mean += value(r) / n;
     double sum = 0.0;
     for (std::size_t r = 0; r < direct_.size(); ++r) sum += squared(value(r) - mean);
-    const auto bias2 = error2 - sum / (n * (n - 1.0));
+    const auto squared_bias = squared_error - sum / (n * (n - 1.0));
     for (std::size_t r = 0; r < direct_.size(); ++r) {
       const auto left = std::max(0.0, sum - squared(value(r) - mean) * n / (n - 1.0));
-      without[r] += static_cast<float>(weight * (left / (n * (n - 2.0)) + bias2));
+      without[r] += static_cast<float>(weight * (left / (n * (n - 2.0)) + squared_bias));
     }
   }
 
@@ -60,17 +61,17 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
                   sky_radiance(patches_)};
   const bool black = reflects_nothing(patches_, views_.stating);
   const std::vector<float> no_light(bands, 0.0f);
-  std::vector<double> error2(bands);
+  std::vector<double> squared_error(bands);
   for (std::size_t i = 0; i < views.sides.size(); ++i) {
-    const auto slot = sides_.slot_of_side[views.sides[i]];
+    const auto receiver = sides_.receiver_of_side[views.sides[i]];
     std::span<const float> irradiance = no_light;
-    std::fill(error2.begin(), error2.end(), 0.0);
-    if (slot != GatherSides::none) {
-      irradiance = std::span(answer.mean).subspan(slot * bands, bands);
+    std::fill(squared_error.begin(), squared_error.end(), 0.0);
+    if (receiver != GatherSides::none) {
+      irradiance = std::span(answer.mean).subspan(receiver * bands, bands);
       for (std::size_t b = 0; b < bands; ++b)
-        error2[b] = static_cast<double>(answer.squared_error[slot * bands + b]);
+        squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
     }
-    const auto side = light_of_side(patches_, views.sides[i], irradiance, error2, black);
+    const auto side = light_of_side(patches_, views.sides[i], irradiance, squared_error, black);
     light.radiance[i] = side.radiance;
     light.squared_error[i] = side.squared_error;
   }
@@ -90,14 +91,14 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
                                        Replicates direct, Replicates gathered, const Workers& workers) {
   const auto bands = patches_.band_count();
   const auto n = direct.size();
-  const auto slots = sides_.size();
+  const auto receivers = sides_.size();
   const bool black = reflects_nothing(patches_, views_.stating);
-  // By slot, because ranks hold the replicates of ranges of slots.
-  std::vector<std::uint8_t> is_seen(slots, 0);
+  // By receiver, because ranks hold the replicates of ranges of receivers.
+  std::vector<std::uint8_t> is_seen(receivers, 0);
   for (const auto side : views_.stating.sides)
-    if (sides_.slot_of_side[side] != GatherSides::none) is_seen[sides_.slot_of_side[side]] = 1;
-  std::vector<float> without(slots * n, 0.0f);
-  const auto mine = spread_share(ranks_, slots);
+    if (sides_.receiver_of_side[side] != GatherSides::none) is_seen[sides_.receiver_of_side[side]] = 1;
+  std::vector<float> without(receivers * n, 0.0f);
+  const auto mine = spread_partition(ranks_, receivers);
   const LeaveOneOut leave_one_out(direct, gathered);
   workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     for (auto s = mine.begin() + from; s < mine.begin() + to; ++s)
@@ -108,13 +109,13 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
                           std::span(without).subspan(s * n, n));
       }
   });
-  mine.share(std::span(without), n);
+  mine.all_gather(std::span(without), n);
   std::vector<double> errors(n);
   workers.for_chunks(n, 1, [&](std::size_t r, std::size_t, int) {
     std::vector<float> squared_error(light.squared_error.size(), 0.0f);
     for (std::size_t i = 0; i < squared_error.size(); ++i) {
-      const auto slot = sides_.slot_of_side[views_.stating.sides[i]];
-      if (slot != GatherSides::none) squared_error[i] = without[slot * n + r];
+      const auto receiver = sides_.receiver_of_side[views_.stating.sides[i]];
+      if (receiver != GatherSides::none) squared_error[i] = without[receiver * n + r];
     }
     errors[r] = seen.percentile_95(squared_error);
   });
@@ -132,14 +133,14 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
   const bool black = reflects_nothing(patches_, views_.stating);
   std::vector<double> own(sides_.size(), 0.0);
   for (std::size_t i = 0; i < of_seen.size(); ++i) {
-    const auto slot = sides_.slot_of_side[views_.dealing.sides[i]];
-    if (slot != GatherSides::none) own[slot] = of_seen[i];
+    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i]];
+    if (receiver != GatherSides::none) own[receiver] = of_seen[i];
   }
   importance_.assign(sides_.size(), 0.0);
   double seen = 0.0;   // sum of importance * variance
   double whole = 0.0;  // sum of area * variance
-  const auto area = [&](std::size_t slot) {
-    return static_cast<double>(patches_.area[sides_.side[slot] / 2]);
+  const auto area = [&](std::size_t receiver) {
+    return static_cast<double>(patches_.area[sides_.side[receiver] / 2]);
   };
   for (std::size_t u = 0; u + 1 < units_.size(); ++u) {
     double sum = 0.0;
@@ -160,9 +161,9 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
       whole += area(s) * variance;
     }
   }
-  const auto by_area = whole > 0.0 ? share_by_area * seen / whole : 0.0;
+  const auto by_area = whole > 0.0 ? area_fraction * seen / whole : 0.0;
   for (std::size_t s = 0; s < importance_.size(); ++s)
-    importance_[s] = (1.0 - share_by_area) * importance_[s] + by_area * area(s);
+    importance_[s] = (1.0 - area_fraction) * importance_[s] + by_area * area(s);
 }
 
 }  // namespace luxel

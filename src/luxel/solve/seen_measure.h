@@ -17,11 +17,11 @@
 
 namespace luxel {
 
-// The seen error of a sampled solve, and which slots it needs more rays for.
+// The seen error of a sampled solve, and which receivers it needs more rays for.
 class SeenMeasure {
  public:
   // Places the views by the patches as they are now; later calls take their lamps and reflectances as they
-  // are then. See place_views() for the cost. units: as neighbour_begins() gives them, the slots whose
+  // are then. See place_views() for the cost. units: as neighbour_begins() gives them, the receivers whose
   // importance is pooled. Keeps references to patches and sides. Ranks all make the same.
   SeenMeasure(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> units,
               const Tracer& tracer, const Workers& workers, const Ranks* ranks = nullptr);
@@ -33,21 +33,22 @@ class SeenMeasure {
   // The seen error of an answer.
   double error_of(const Spread& answer) const;
 
-  // Takes a new answer and the replicates it is made of, direct and gathered light, [replicate][slot * bands
-  // + band]. With ranks, those of spread_share() are enough. Cost: about 0.2 us per slot seen and 50 ns per
-  // direction, some 20 ms for a room of 50,000 patches.
+  // Takes a new answer and the replicates it is made of, direct and gathered light, [replicate][receiver *
+  // bands
+  // + band]. With ranks, those of spread_partition() are enough. Cost: about 0.2 us per receiver seen and 50
+  // ns per direction, some 20 ms for a room of 50,000 patches.
   void take(const Spread& answer, Replicates direct, Replicates gathered, const Workers& workers);
 
   // Of the last answer taken.
   double error() const { return error_; }              // see Solution::seen_error
   double uncertainty() const { return uncertainty_; }  // its relative standard error, by the jackknife
 
-  // Importance of each slot, (m² / W)²: importance times the variance of the slot's irradiance, summed over
-  // bands (not averaged), summed over slots, is about the square of error(). The views' importance of sides
-  // is pooled over each unit and dealt to its slots by area and squared reflectance, because some hundred
-  // looks per view are sparse for a million sides; a twentieth goes by area alone, for light that comes to
-  // the views by surfaces which they do not see.
-  std::span<const double> importance() const { return importance_; }  // [slot]
+  // Importance of each receiver, (m² / W)²: importance times the variance of the receiver's irradiance,
+  // summed over bands (not averaged), summed over receivers, is about the square of error(). The views'
+  // importance of sides is pooled over each unit and dealt to its receivers by area and squared reflectance,
+  // because some hundred looks per view are sparse for a million sides; a twentieth goes by area alone, for
+  // light that comes to the views by surfaces which they do not see.
+  std::span<const double> importance() const { return importance_; }  // [receiver]
 
  private:
   SeenLight light_of(const Views& views, const Spread& answer) const;

@@ -15,7 +15,8 @@ double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Soluti
   if (solution.standard_error_front.empty()) return 0.0;
   const auto views = place_views(patches, tracer, workers).stating;
   if (views.size() == 0) return 0.0;
-  const auto widening = solution.error_freedom > 0.0 ? student_widening(solution.error_freedom) : 1.0;
+  const auto widening =
+      solution.error_degrees_of_freedom > 0.0 ? student_widening(solution.error_degrees_of_freedom) : 1.0;
   const bool black = reflects_nothing(patches, views);
   const auto bands = patches.band_count();
   SeenLight light{{}, {}, sky_radiance(patches)};

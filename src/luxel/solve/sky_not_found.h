@@ -11,8 +11,9 @@
 
 namespace luxel {
 
-// What gaps to the sky that no ray of a unit of slots has met may do to its irradiance. Where none of N rays
-// met the sky, all replicates agree on darkness, but the fraction of rays that meet it may still be some 1/N.
+// What gaps to the sky that no ray of a unit of receivers has met may do to its irradiance. Where none of N
+// rays met the sky, all replicates agree on darkness, but the fraction of rays that meet it may still be some
+// 1/N.
 //
 // That fraction has a gamma distribution of shape 1/2, as Jeffreys' prior has, before rays are traced. Its
 // mean is q, what is known of the surroundings: the mean over the unit's first rays of 1 for one that met the
@@ -23,13 +24,13 @@ namespace luxel {
 // few rays it is most of the error.
 class SkyNotFound {
  public:
-  // hits: after their first round; later rounds change nothing. units: where they begin, slots, and at the
-  // end the number of slots. Keeps references to patches and hits. Cost: each first ray is read twice, and
-  // traced again for that where hits are streamed. Of several ranks, all call this together.
+  // hits: after their first round; later rounds change nothing. units: where they begin, receivers, and at
+  // the end the number of receivers. Keeps references to patches and hits. Cost: each first ray is read
+  // twice, and traced again for that where hits are streamed. Of several ranks, all call this together.
   SkyNotFound(const PatchSet& patches, const HitStore& hits, std::span<const std::uint32_t> units,
               const Workers& workers);
 
-  // Of each slot's irradiance, [slot * bands + band], (W/m²)². All 0 without a sky.
+  // Of each receiver's irradiance, [receiver * bands + band], (W/m²)². All 0 without a sky.
   std::vector<float> variance() const;
 
   std::span<const double> expected() const { return expected_; }  // q, [unit]

@@ -10,7 +10,7 @@ namespace luxel {
 
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LightOptions& options, const Workers& workers, const Monitor& monitor,
-                        const SampleKeeping& keeping) {
+                        const SampleStorage& storage) {
   const auto& method = options.method;
   if (!patches.point_lights.empty() && method != LightOptions::by_sampling)
     throw InputError(fmt::format(
@@ -27,7 +27,7 @@ SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution&
   if (method != LightOptions::by_sampling)
     throw InputError(fmt::format(
         "the methods are sampled, shooting, dense, hemicube and lines; there is none named '{}'", method));
-  return solve_sampled(patches, tracer, solution, options.sampled, workers, monitor, keeping);
+  return solve_sampled(patches, tracer, solution, options.sampled, workers, monitor, storage);
 }
 
 std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tracer,
@@ -42,11 +42,11 @@ std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tr
 }
 
 bool is_too_much(const Forecast& forecast) {
-  constexpr double most_seconds = 3600.0;
-  constexpr double most_memory = 0.8;  // of what is free
+  constexpr double max_seconds = 3600.0;
+  constexpr double max_memory = 0.8;  // of what is free
   const auto free = free_memory();
-  return forecast.seconds > most_seconds ||
-         (free > 0 && static_cast<double>(forecast.bytes) > most_memory * static_cast<double>(free));
+  return forecast.seconds > max_seconds ||
+         (free > 0 && static_cast<double>(forecast.bytes) > max_memory * static_cast<double>(free));
 }
 
 }  // namespace luxel

@@ -27,10 +27,10 @@ struct LightOptions {
 };
 
 // Solves by the method that is named; InputError where there is none of that name, and else what each of them
-// promises. keeping: of the sampled method alone.
+// promises. storage: of the sampled method alone.
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LightOptions& options, const Workers& workers, const Monitor& monitor = {},
-                        const SampleKeeping& keeping = {});
+                        const SampleStorage& storage = {});
 
 // What it is likely to take; nothing where that need not be asked: sampling and shooting end when they are
 // told.

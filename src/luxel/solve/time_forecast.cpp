@@ -83,9 +83,9 @@ double TimeForecast::left(double seconds, double rays) const {
   const auto count = answers_.size();
   const bool is_first = count == 1 && !options_.is_resumed;
   if (is_first && options_.error > 0.0 && options_.rays == 0.0 && options_.seconds == 0.0 &&
-      last.error2 > std::pow(max_first_error * options_.error, 2.0))
+      last.squared_error > std::pow(max_first_error * options_.error, 2.0))
     return -1.0;
-  if (is_reached(last.error2)) return 0.0;
+  if (is_reached(last.squared_error)) return 0.0;
   if (phase_ == Phase::planning) return -1.0;
   const auto next = planned_answer();
   double now = next.seconds;
@@ -125,17 +125,17 @@ double TimeForecast::learned_exponent() const {
   // Over two rounds, so that one lucky estimate does not count too much; but not over the first.
   const auto& from = answers_[n >= 4 ? n - 3 : n - 2];
   const auto& to = answers_.back();
-  if (!(from.error2 > 0.0 && to.error2 > 0.0 && to.cost > from.cost)) return second_exponent;
-  const auto p = std::log(from.error2 / to.error2) / std::log(to.cost / from.cost);
+  if (!(from.squared_error > 0.0 && to.squared_error > 0.0 && to.cost > from.cost)) return second_exponent;
+  const auto p = std::log(from.squared_error / to.squared_error) / std::log(to.cost / from.cost);
   if (n == 2 && !options_.is_resumed) return second_exponent + weight_of_first * (p - first_exponent);
   return own_part + weight_of_last * p;
 }
 
 // Cost of the round that will be planned, over that of all before.
-double TimeForecast::planned_growth(double error2) const {
+double TimeForecast::planned_growth(double squared_error) const {
   const auto target = options_.aim * options_.error * options_.error;
   const auto needed =
-      target > 0.0 ? std::pow(error2 / target, 1.0 / planned_exponent) - 1.0 : options_.max_growth;
+      target > 0.0 ? std::pow(squared_error / target, 1.0 / planned_exponent) - 1.0 : options_.max_growth;
   return std::clamp(needed, options_.min_growth, options_.max_growth);
 }
 
@@ -160,20 +160,20 @@ TimeForecast::Answer TimeForecast::answer_after(const Answer& last, double more_
                                                 std::size_t answers) const {
   const auto cost = last.cost + more_cost;
   auto growth = cost / last.cost;
-  auto error2 = last.error2;
+  auto squared_error = last.squared_error;
   if (answers == 1 && !options_.is_resumed) {
     const auto first_growth = std::min(growth, 1.0 + options_.min_growth);
-    error2 *= std::pow(first_growth, -first_exponent);
+    squared_error *= std::pow(first_growth, -first_exponent);
     growth /= first_growth;
   }
-  error2 *= std::pow(growth, -std::clamp(learned_exponent(), min_exponent, max_exponent));
-  return {answer_seconds(cost), error2, cost, last.rays + more_cost * rays_per_cost()};
+  squared_error *= std::pow(growth, -std::clamp(learned_exponent(), min_exponent, max_exponent));
+  return {answer_seconds(cost), squared_error, cost, last.rays + more_cost * rays_per_cost()};
 }
 
 // How much a round after an answer of that forecast error counts, 0 to 1.
-double TimeForecast::weight_of_next(double error2) const {
+double TimeForecast::weight_of_next(double squared_error) const {
   if (options_.error == 0.0) return 1.0;
-  const auto above = std::log(error2 / (options_.error * options_.error));
+  const auto above = std::log(squared_error / (options_.error * options_.error));
   return std::clamp((above - surely_reached) / (surely_missed - surely_reached), 0.0, 1.0);
 }
 
@@ -181,10 +181,10 @@ TimeForecast::Answer TimeForecast::planned_answer() const {
   const auto& last = answers_.back();
   auto next = answer_after(last, plan_.cost, answers_.size());
   next.rays = last.rays + plan_.rays;
-  if (plan_.error2 > 0.0) {
-    const auto believed =
-        std::max(plan_.error2, last.error2 * std::pow(next.cost / last.cost, -max_believed_exponent));
-    next.error2 = std::sqrt(believed * next.error2);
+  if (plan_.squared_error > 0.0) {
+    const auto believed = std::max(
+        plan_.squared_error, last.squared_error * std::pow(next.cost / last.cost, -max_believed_exponent));
+    next.squared_error = std::sqrt(believed * next.squared_error);
   }
   return next;
 }
@@ -192,13 +192,13 @@ TimeForecast::Answer TimeForecast::planned_answer() const {
 // Seconds from `seconds`, when that answer is there, to the end.
 double TimeForecast::rounds_after(double seconds, Answer last, std::size_t answers) const {
   double sum = 0.0;
-  auto weight = weight_of_next(last.error2);
+  auto weight = weight_of_next(last.squared_error);
   for (int round = 0; round < max_rounds && weight > 0.0; ++round) {
-    const auto more = planned_growth(last.error2) * last.cost;
+    const auto more = planned_growth(last.squared_error) * last.cost;
     if (is_bound_broken(seconds + sum, last, more)) break;
     last = answer_after(last, more, answers++);
     sum += weight * (sampling_seconds(more) + last.seconds);
-    weight = std::min(weight, weight_of_next(last.error2));
+    weight = std::min(weight, weight_of_next(last.squared_error));
   }
   return sum;
 }

@@ -21,7 +21,7 @@ struct TimeForecastOptions {
 struct PlannedRound {
   double cost = 0.0;
   double rays = 0.0;
-  double error2 = 0.0;  // squared error after it, as the plan expects it; 0: unknown
+  double squared_error = 0.0;  // squared error after it, as the plan expects it; 0: unknown
 };
 
 // Forecasts when a sampled solve ends, from its rounds so far. A round takes samples, then computes an answer
@@ -52,7 +52,7 @@ class TimeForecast {
  private:
   struct Answer {
     double seconds = 0.0;  // it took
-    double error2 = 0.0;
+    double squared_error = 0.0;
     double cost = 0.0;
     double rays = 0.0;
   };
@@ -62,18 +62,18 @@ class TimeForecast {
   };
   enum class Phase { first_samples, first_answer, planning, sampling, answering };
 
-  bool is_reached(double error2) const {
-    return options_.error > 0.0 && error2 <= options_.error * options_.error;
+  bool is_reached(double squared_error) const {
+    return options_.error > 0.0 && squared_error <= options_.error * options_.error;
   }
   bool is_bound_broken(double seconds, const Answer& last, double more_cost) const;
   double learned_exponent() const;
-  double planned_growth(double error2) const;
+  double planned_growth(double squared_error) const;
   double sampling_seconds(double more_cost) const;
   double answer_seconds(double cost) const;
   double rays_per_cost() const;
   double sampling_left(double seconds, double rays) const;
   Answer answer_after(const Answer& last, double more_cost, std::size_t answers) const;
-  double weight_of_next(double error2) const;
+  double weight_of_next(double squared_error) const;
   Answer planned_answer() const;
   double rounds_after(double seconds, Answer last, std::size_t answers) const;
 

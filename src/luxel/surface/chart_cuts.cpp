@@ -10,7 +10,7 @@
 #include "luxel/core/error.h"
 #include "luxel/surface/cross.h"
 #include "luxel/surface/flat_cover.h"
-#include "luxel/surface/flat_piece.h"
+#include "luxel/surface/flat_fragment.h"
 
 namespace luxel {
 namespace {
@@ -43,7 +43,7 @@ ChartCuts::ChartCuts(const PatchSet& patches, const std::vector<SideEdge>& edges
       edges_(edges),
       of_sides_(of_sides),
       options_(options),
-      piece_(2 * patches.size(), 0),
+      fragment_(2 * patches.size(), 0),
       cut_in_vain_(edges.size(), false) {}
 
 std::vector<Chart> ChartCuts::cut(std::vector<std::uint32_t> sides, const Vec3d& direction) {
@@ -61,7 +61,7 @@ std::vector<Chart> ChartCuts::cut(std::vector<std::uint32_t> sides, const Vec3d&
     std::array<Sides, 2> halves;
     for (const auto side : chart.sides) halves[lies_left(chart, line, side) ? 0 : 1].push_back(side);
     for (const auto& half : halves)
-      for (auto& piece : connected(half)) open.push_back(std::move(piece));
+      for (auto& fragment : connected(half)) open.push_back(std::move(fragment));
   }
   return charts;
 }
@@ -71,24 +71,24 @@ bool ChartCuts::lies_left(const Chart& chart, const Line& line, std::uint32_t si
 }
 
 void ChartCuts::label(const Sides& sides) {
-  ++pieces_;
-  for (const auto side : sides) piece_[side] = pieces_;
+  ++fragments_;
+  for (const auto side : sides) fragment_[side] = fragments_;
 }
 
 std::vector<ChartCuts::Sides> ChartCuts::connected(const Sides& sides) {
   label(sides);
-  const auto open = pieces_;
+  const auto open = fragments_;
   std::vector<Sides> parts;
   for (const auto first : sides) {
-    if (piece_[first] != open) continue;
+    if (fragment_[first] != open) continue;
     Sides part = {first};
-    piece_[first] = ++pieces_;
+    fragment_[first] = ++fragments_;
     for (std::size_t i = 0; i < part.size(); ++i)
       for (const auto e : of_sides_.at(part[i])) {
         const auto& halves = edges_[e].halves;
         const auto other = halves[halves[0].side == part[i] ? 1 : 0].side;
-        if (!edges_[e].smooth || piece_[other] != open) continue;
-        piece_[other] = pieces_;
+        if (!edges_[e].smooth || fragment_[other] != open) continue;
+        fragment_[other] = fragments_;
         part.push_back(other);
       }
     parts.push_back(std::move(part));
@@ -103,7 +103,7 @@ ChartCuts::Cut ChartCuts::cut_of(const Chart& chart) {
 }
 
 ChartCuts::Cut ChartCuts::across_page(const Chart& chart) const {
-  const auto most = static_cast<double>(options_.most_texels) * static_cast<double>(options_.texel);
+  const auto most = static_cast<double>(options_.max_texels) * static_cast<double>(options_.texel);
   if (chart.size[0] <= most && chart.size[1] <= most) return {};
   const Cut across{true, {{0.5 * chart.size[0], 0.0}, {0.0, 1.0}}};
   if (parts(chart, across.line)) return across;
@@ -116,7 +116,7 @@ ChartCuts::Cut ChartCuts::across_page(const Chart& chart) const {
   throw InputError(fmt::format(
       "a patch {:.3g} m long needs more than {} texels of {:.3g} m and fits on no page: take fewer "
       "texels a metre, larger pages, or smaller patches",
-      chart.size[0], options_.most_texels, options_.texel));
+      chart.size[0], options_.max_texels, options_.texel));
 }
 
 ChartCuts::Cut ChartCuts::at_contact(const Chart& chart) {
@@ -124,7 +124,7 @@ ChartCuts::Cut ChartCuts::at_contact(const Chart& chart) {
     for (const auto e : of_sides_.at(side)) {
       const auto& edge = edges_[e];
       const auto a = edge.halves[0].side, b = edge.halves[1].side;
-      if (edge.smooth || a != side || piece_[b] != piece_[a] || cut_in_vain_[e]) continue;
+      if (edge.smooth || a != side || fragment_[b] != fragment_[a] || cut_in_vain_[e]) continue;
       const auto p = on_chart(chart, patches_.vertices[edge.ends[0]]);
       const Line line{p, on_chart(chart, patches_.vertices[edge.ends[1]]) - p};
       if (lies_left(chart, line, a) != lies_left(chart, line, b)) return {true, line};
@@ -137,7 +137,7 @@ bool ChartCuts::is_border(std::uint32_t side, std::uint32_t k) const {
   for (const auto e : of_sides_.at(side)) {
     const auto& halves = edges_[e].halves;
     const auto own = halves[0].side == side ? 0 : 1;
-    if (halves[own].edge == k && edges_[e].smooth && piece_[halves[1 - own].side] == piece_[side])
+    if (halves[own].edge == k && edges_[e].smooth && fragment_[halves[1 - own].side] == fragment_[side])
       return false;
   }
   return true;
@@ -188,12 +188,12 @@ ChartCuts::Cut ChartCuts::at_thin_gap(const Chart& chart) const {
   }
 
   // The line with the longest such border on it.
-  constexpr std::size_t most_tried = 64;
+  constexpr std::size_t max_tried = 64;
   std::stable_sort(hits.begin(), hits.end(),
                    [](const auto& a, const auto& b) { return a.length > b.length; });
   double longest = shortest_gap * texel;
   Cut best;
-  for (std::size_t i = 0; i < std::min(hits.size(), most_tried); ++i) {
+  for (std::size_t i = 0; i < std::min(hits.size(), max_tried); ++i) {
     const auto along = (hits[i].to - hits[i].from) / hits[i].length;
     const auto off = [&](const Point& p) { return std::abs(cross(along, p - hits[i].from)); };
     double length = 0.0;

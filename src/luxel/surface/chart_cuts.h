@@ -24,7 +24,7 @@ class EdgesOfSides {
   std::vector<std::uint32_t> edges_;
 };
 
-// Cuts flat pieces until each can be a chart: connected, on a page, and no texel of it between two places
+// Cuts flat fragments until each can be a chart: connected, on a page, and no texel of it between two places
 // that light does not run on between.
 class ChartCuts {
  public:
@@ -55,7 +55,7 @@ class ChartCuts {
   bool lies_left(const Chart& chart, const Line& line, std::uint32_t side) const;
   // Whether some sides lie to the left and some do not.
   bool parts(const Chart& chart, const Line& line) const;
-  // The edge k of a side, if it is a border: no side of the same piece goes on there.
+  // The edge k of a side, if it is a border: no side of the same fragment goes on there.
   bool is_border(std::uint32_t side, std::uint32_t k) const;
   void label(const Sides& sides);
 
@@ -63,8 +63,8 @@ class ChartCuts {
   const std::vector<SideEdge>& edges_;
   const EdgesOfSides& of_sides_;
   const ChartOptions& options_;
-  std::vector<std::uint32_t> piece_;  // [side]: the piece it was last in
-  std::uint32_t pieces_ = 0;
+  std::vector<std::uint32_t> fragment_;  // [side]: the fragment it was last in
+  std::uint32_t fragments_ = 0;
   std::vector<bool> cut_in_vain_;  // [edge]: a line through it parts nothing
 };
 

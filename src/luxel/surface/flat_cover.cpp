@@ -34,12 +34,12 @@ bool is_inside(const FlatCover::Triangle& t, const Point& p) {
 }  // namespace
 
 FlatCover::FlatCover(const Point& low, const Point& high, std::size_t count) : low_(low) {
-  constexpr double most_cells = 1000.0;  // along a side
+  constexpr double max_cells = 1000.0;  // along a side
   const auto size = high - low;
   const auto longest = std::max(size.x, size.y);
   tolerance_ = rounding * longest;
   const auto even = std::sqrt(size.x * size.y / static_cast<double>(std::max<std::size_t>(1, count)));
-  if (longest > 0.0) cell_ = std::max(even, longest / most_cells);
+  if (longest > 0.0) cell_ = std::max(even, longest / max_cells);
   width_ = cell_of(size.x) + 1;
   height_ = cell_of(size.y) + 1;
   cells_.resize(width_ * height_);

@@ -130,11 +130,11 @@ std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches) {
       cells.for_each_in(glm::min(p, q) - tolerance, glm::max(p, q) + tolerance, [&](std::uint32_t v) {
         if (v == ends[0] || v == ends[1]) return;
         const auto d = Vec3d(patches.vertices[v]) - a;
-        const auto share = glm::dot(d, along) / (edge * edge);
-        const auto off = glm::length(d - share * along);
+        const auto fraction = glm::dot(d, along) / (edge * edge);
+        const auto off = glm::length(d - fraction * along);
         const auto margin = tolerance / edge;
-        if (off > tolerance || share <= margin || share >= 1.0 - margin) return;
-        hanging.push_back({v, e.patch, e.edge, static_cast<float>(share)});
+        if (off > tolerance || fraction <= margin || fraction >= 1.0 - margin) return;
+        hanging.push_back({v, e.patch, e.edge, static_cast<float>(fraction)});
       });
     }
   }

@@ -13,7 +13,7 @@ struct HangingVertex {
   std::uint32_t vertex = 0;
   std::uint32_t patch = 0;
   std::uint32_t edge = 0;  // 0 to 2: from that corner of the patch to the next
-  float share = 0.0f;      // of the way along it, in (0, 1)
+  float fraction = 0.0f;   // of the way along it, in (0, 1)
 };
 
 // How far off a line a vertex may lie and count as on it, m: a ten-thousandth of `length`, which no eye sees,

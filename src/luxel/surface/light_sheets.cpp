@@ -72,12 +72,12 @@ Vec3 normal_of_side(const PatchSet& patches, std::uint32_t side) {
   return side % 2 == 0 ? patches.normal[side / 2] : -patches.normal[side / 2];
 }
 
-// Puts the slots of a sheet into its frame.
+// Puts the receivers of a sheet into its frame.
 void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& sheet) {
   Vec3d centre(0.0);
   Vec3d normals(0.0);
-  for (const auto slot : sheet.slots) {
-    const auto side = sides.side[slot];
+  for (const auto receiver : sheet.receivers) {
+    const auto side = sides.side[receiver];
     centre += Vec3d(patches.centroid(side / 2));
     normals += Vec3d(normal_of_side(patches, side)) * static_cast<double>(patches.area[side / 2]);
   }
@@ -87,19 +87,19 @@ void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& 
   float radius = 0.0f;
   float thickness = 0.0f;
   float cosine = 1.0f;
-  for (const auto slot : sheet.slots) {
-    const auto at = patches.centroid(sides.side[slot] / 2) - origin;
+  for (const auto receiver : sheet.receivers) {
+    const auto at = patches.centroid(sides.side[receiver] / 2) - origin;
     radius = std::max(radius, glm::length(at));
     thickness = std::max(thickness, std::abs(glm::dot(at, mean)));
-    cosine = std::min(cosine, glm::dot(normal_of_side(patches, sides.side[slot]), mean));
+    cosine = std::min(cosine, glm::dot(normal_of_side(patches, sides.side[receiver]), mean));
   }
   const bool is_flat = cosine > min_flat_cosine && thickness <= max_flat_thickness * radius;
   const Frame frame(is_flat ? mean : Vec3(0.0f, 0.0f, 1.0f));
   const auto in_frame = [&](const Vec3& v) {
     return Vec3(glm::dot(v, frame.s), glm::dot(v, frame.t), glm::dot(v, frame.n));
   };
-  for (const auto slot : sheet.slots) {
-    const auto side = sides.side[slot];
+  for (const auto receiver : sheet.receivers) {
+    const auto side = sides.side[receiver];
     auto at = in_frame(patches.centroid(side / 2) - origin);
     if (is_flat) at.z = 0.0f;
     sheet.place.push_back(at);
@@ -126,13 +126,13 @@ std::vector<LightSheet> make_light_sheets(const PatchSet& patches, const PatchTr
   constexpr auto none = GatherSides::none;
   std::vector<std::uint32_t> sheet_of(fronts_and_backs * patches.size(), none);
   std::vector<LightSheet> sheets;
-  for (std::uint32_t slot = 0; slot < sides.size(); ++slot) {
-    auto& sheet = sheet_of[joined.of(sides.side[slot])];
+  for (std::uint32_t receiver = 0; receiver < sides.size(); ++receiver) {
+    auto& sheet = sheet_of[joined.of(sides.side[receiver])];
     if (sheet == none) {
       sheet = static_cast<std::uint32_t>(sheets.size());
       sheets.emplace_back();
     }
-    sheets[sheet].slots.push_back(slot);
+    sheets[sheet].receivers.push_back(receiver);
   }
   for (auto& sheet : sheets) place_sheet(patches, sides, sheet);
   return sheets;

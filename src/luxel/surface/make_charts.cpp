@@ -10,7 +10,7 @@
 #include "luxel/core/trig.h"
 #include "luxel/solution/back_is_lit.h"
 #include "luxel/surface/chart_cuts.h"
-#include "luxel/surface/flat_piece.h"
+#include "luxel/surface/flat_fragment.h"
 #include "luxel/surface/side_nodes.h"
 
 namespace luxel {
@@ -30,12 +30,12 @@ void check(const PatchSet& patches, const Solution& solution, const ChartOptions
   if (!(options.crease_angle >= 0.0f && options.crease_angle <= 180.0f))
     throw InputError(
         fmt::format("the crease angle must be from 0 to 180 degrees, but it is {}", options.crease_angle));
-  if (options.most_texels < 1)
+  if (options.max_texels < 1)
     throw InputError(
-        fmt::format("a chart must have room for a texel, but it has for {}", options.most_texels));
+        fmt::format("a chart must have room for a texel, but it has for {}", options.max_texels));
 }
 
-// Grows pieces that face much the same way.
+// Grows surface_parts that face much the same way.
 class Pieces {
  public:
   Pieces(const PatchSet& patches, const std::vector<SideEdge>& edges, const EdgesOfSides& of_sides,
@@ -47,7 +47,7 @@ class Pieces {
         taken_(2 * patches.size(), true),
         seen_(2 * patches.size(), 0) {}
 
-  // Every front, and the backs of pieces where light fell.
+  // Every front, and the backs of surface_parts where light fell.
   void want_lit(const Solution& solution) {
     const auto holds_light = [&](std::uint32_t side) {
       return side % 2 == 0 || patches_.material_of(side / 2).two_sided;
@@ -61,30 +61,30 @@ class Pieces {
 
   bool is_taken(std::uint32_t side) const { return taken_[side]; }
 
-  // The piece around a side, and the direction it faces: the mean of its normals, so that on a bent sheet it
-  // reaches as far to both sides as it may. The seed stays in it.
+  // The surface_part around a side, and the direction it faces: the mean of its normals, so that on a bent
+  // sheet it reaches as far to both sides as it may. The seed stays in it.
   std::vector<std::uint32_t> grow(std::uint32_t seed, Vec3d& direction) {
-    constexpr int most_rounds = 8;
+    constexpr int max_rounds = 8;
     direction = facing(patches_, seed);
-    std::vector<std::uint32_t> piece;
-    for (int round = 0; round < most_rounds; ++round) {
-      piece = reach(
+    std::vector<std::uint32_t> surface_part;
+    for (int round = 0; round < max_rounds; ++round) {
+      surface_part = reach(
           seed, [&](auto side) { return glm::dot(facing(patches_, side), direction) >= cos_angle_; }, false);
       Vec3d sum(0.0);
-      for (const auto side : piece)
+      for (const auto side : surface_part)
         sum += static_cast<double>(patches_.area[side / 2]) * facing(patches_, side);
       const auto length = glm::length(sum);
       if (!(length > 0.0)) break;
       const auto mean = sum / length;
       constexpr double as_good = 1.0 - 1e-6;
-      if (round + 1 == most_rounds || glm::dot(mean, direction) > as_good ||
+      if (round + 1 == max_rounds || glm::dot(mean, direction) > as_good ||
           glm::dot(facing(patches_, seed), mean) < cos_angle_)
         break;
       direction = mean;
     }
-    piece = without_overlaps(patches_, piece, direction).kept;
-    for (const auto side : piece) taken_[side] = true;
-    return piece;
+    surface_part = without_overlaps(patches_, surface_part, direction).kept;
+    for (const auto side : surface_part) taken_[side] = true;
+    return surface_part;
   }
 
  private:
@@ -125,18 +125,19 @@ Charts make_charts(const PatchSet& patches, const Solution& solution, const Char
       find_side_edges(patches, make_side_nodes(patches, cosine_of_degrees(options.crease_angle), workers));
   const EdgesOfSides of_sides(2 * patches.size(), charts.edges);
 
-  Pieces pieces(patches, charts.edges, of_sides, cosine_of_degrees(options.max_angle));
-  pieces.want_lit(solution);
+  Pieces surface_parts(patches, charts.edges, of_sides, cosine_of_degrees(options.max_angle));
+  surface_parts.want_lit(solution);
   ChartCuts cuts(patches, charts.edges, of_sides, options);
-  constexpr std::size_t sides_a_report = 256;
+  constexpr std::size_t sides_per_report = 256;
   const auto all = 2 * patches.size();
   for (std::uint32_t side = 0; side < all; ++side) {
     const auto done = static_cast<double>(side) / static_cast<double>(all);
-    if (side % sides_a_report == 0 && tell(monitor, {"charts", done}) == Next::stop) return {};
-    if (pieces.is_taken(side)) continue;
+    if (side % sides_per_report == 0 && tell(monitor, {"charts", done}) == Next::stop) return {};
+    if (surface_parts.is_taken(side)) continue;
     Vec3d direction;
-    auto piece = pieces.grow(side, direction);
-    for (auto& chart : cuts.cut(std::move(piece), direction)) charts.charts.push_back(std::move(chart));
+    auto surface_part = surface_parts.grow(side, direction);
+    for (auto& chart : cuts.cut(std::move(surface_part), direction))
+      charts.charts.push_back(std::move(chart));
   }
 
   std::sort(charts.charts.begin(), charts.charts.end(),

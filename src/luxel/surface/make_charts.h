@@ -17,7 +17,7 @@ struct ChartOptions {
   float texel = 0.05f;         // m, of a side: gaps thinner than two of them part a chart
   float crease_angle = 30.0f;  // degrees; charts end where neighbours meet at a sharper angle, as SmoothLight
   float max_angle = 40.0f;  // degrees, 1 to 60; sides that face farther away from a chart's middle leave it
-  int most_texels = 1000;   // a chart is no wider and no higher: it must fit on a page
+  int max_texels = 1000;    // a chart is no wider and no higher: it must fit on a page
 };
 
 // Sides of patches that lie flat together: projected along one direction none covers another. Side 2 * patch
@@ -42,8 +42,8 @@ struct Charts {
   }
 };
 
-// Cuts the surfaces into charts: smooth pieces (SideNodes), and of curved ones the parts that face much the
-// same way. Every front is in one; a back only where light fell on its piece.
+// Cuts the surfaces into charts: smooth surface_parts (SideNodes), and of curved ones the parts that face
+// much the same way. Every front is in one; a back only where light fell on its surface_part.
 //
 // Within a chart light runs on from every side to its neighbours, so that texels may be read between: where
 // another surface stands on one, across a gap or a wall thinner than two texels, and where it would be too

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t elements_a_chunk = 4096;
+constexpr std::size_t elements_per_chunk = 4096;
 // Two sweeps, each half again as far as a plain one, come as near as four plain ones; more bring noise.
 constexpr int sweeps = 2;
 constexpr double reach = 1.5;
@@ -35,7 +35,7 @@ class NodeFit {
   }
 
   void sweep() {
-    workers_.for_chunks(nodes_.of_side.size(), elements_a_chunk,
+    workers_.for_chunks(nodes_.of_side.size(), elements_per_chunk,
                         [this](std::size_t first, std::size_t last, int) {
                           for (auto side = first; side < last; ++side) find_lack(side);
                         });
@@ -71,7 +71,7 @@ class NodeFit {
   // body(node, scratch of a number a band)
   template <typename Body>
   void for_nodes(Body body) {
-    workers_.for_chunks(nodes_.size(), elements_a_chunk, [&](std::size_t first, std::size_t last, int) {
+    workers_.for_chunks(nodes_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, int) {
       std::vector<double> scratch(bands_);
       for (auto node = first; node < last; ++node) body(node, scratch);
     });
@@ -96,9 +96,9 @@ class NodeFit {
   double rise_at(const SideNodes::Member& m, std::size_t b) const {
     if (m.place < 3) return slopes_.rise(m.side, m.place, b);
     const auto& h = nodes_.hanging[m.place - 3];
-    const auto share = static_cast<double>(h.share);
-    return (1.0 - share) * slopes_.rise(m.side, h.edge, b) +
-           share * slopes_.rise(m.side, (h.edge + 1) % 3, b);
+    const auto fraction = static_cast<double>(h.fraction);
+    return (1.0 - fraction) * slopes_.rise(m.side, h.edge, b) +
+           fraction * slopes_.rise(m.side, (h.edge + 1) % 3, b);
   }
 
   void find_lack(std::size_t side) {
@@ -135,7 +135,7 @@ void close_seams(const PatchSet& patches, const SideNodes& nodes, std::size_t ba
       if (hangs(patches.corners[h.patch][from]) || hangs(patches.corners[h.patch][to])) continue;
       const auto a = nodes.of_side[m.side][from] * bands, b = nodes.of_side[m.side][to] * bands;
       for (std::size_t i = 0; i < bands; ++i)
-        value[visit.node * bands + i] = (1.0f - h.share) * value[a + i] + h.share * value[b + i];
+        value[visit.node * bands + i] = (1.0f - h.fraction) * value[a + i] + h.fraction * value[b + i];
     }
 }
 

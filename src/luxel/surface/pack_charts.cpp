@@ -14,11 +14,11 @@ namespace luxel {
 namespace {
 
 constexpr int smallest_page = 8;  // texels
-constexpr int largest_page = 16384;
+constexpr int max_page = 16384;
 constexpr int widest_margin = 64;
 
 void check_texels(double count) {
-  constexpr auto most = most_texels_of_pages;
+  constexpr auto most = max_texels_of_pages;
   if (count > most)
     throw InputError(fmt::format(
         "the surfaces need {:.0f} million texels, expected at most {:.0f}: take fewer texels a metre",
@@ -43,8 +43,8 @@ std::array<Vec2, 3> on_page(const PatchSet& patches, const Chart& chart, const A
                             std::uint32_t side) {
   std::array<Vec2, 3> corners;
   const auto along = [&](std::size_t axis, int first, int count, double at) {
-    const auto share = chart.size[axis] > 0.0 ? std::clamp(at / chart.size[axis], 0.0, 1.0) : 0.0;
-    return static_cast<float>(first + 0.5 + share * (count - 1));
+    const auto fraction = chart.size[axis] > 0.0 ? std::clamp(at / chart.size[axis], 0.0, 1.0) : 0.0;
+    return static_cast<float>(first + 0.5 + fraction * (count - 1));
   };
   for (std::size_t k = 0; k < 3; ++k) {
     const auto at = Charts::place(chart, patches.vertices[patches.corners[side / 2][k]]);
@@ -58,10 +58,10 @@ std::array<Vec2, 3> on_page(const PatchSet& patches, const Chart& chart, const A
 void check_pack_options(const PatchSet& patches, const PackOptions& options) {
   if (!(options.texel > 0.0f) || !std::isfinite(options.texel))
     throw InputError(fmt::format("a texel must be larger than 0 m, but it is {}", options.texel));
-  if (options.page_size < smallest_page || options.page_size > largest_page)
+  if (options.page_size < smallest_page || options.page_size > max_page)
     throw InputError(fmt::format("a page must be from {} to {} texels wide, but it is {}", smallest_page,
-                                 largest_page, options.page_size));
-  if (options.margin < 0 || options.margin > widest_margin || most_texels(options) < 1)
+                                 max_page, options.page_size));
+  if (options.margin < 0 || options.margin > widest_margin || max_texels(options) < 1)
     throw InputError(
         fmt::format("the margin between charts must be from 0 to {} texels and leave room on a page, "
                     "but it is {}",

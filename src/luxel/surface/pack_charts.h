@@ -12,7 +12,7 @@
 namespace luxel {
 
 // Of all pages together: some 40 bytes each.
-inline constexpr double most_texels_of_pages = 0x1p28;
+inline constexpr double max_texels_of_pages = 0x1p28;
 
 struct PackOptions {
   float texel = 0.05f;   // m
@@ -55,6 +55,6 @@ Atlas pack_charts(const PatchSet& patches, const Charts& charts, const PackOptio
 void check_pack_options(const PatchSet& patches, const PackOptions& options);
 
 // Texels that a chart may be wide so that it fits on a page, as in ChartOptions.
-inline int most_texels(const PackOptions& options) { return options.page_size - 2 * options.margin - 1; }
+inline int max_texels(const PackOptions& options) { return options.page_size - 2 * options.margin - 1; }
 
 }  // namespace luxel

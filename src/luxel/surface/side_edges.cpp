@@ -44,7 +44,7 @@ class Parts {
     for (std::uint32_t h = 0; h < hanging.size(); ++h) order_.push_back(h);
     std::sort(order_.begin(), order_.end(), [&](auto a, auto b) {
       const auto &x = hanging[a], &y = hanging[b];
-      return std::tuple(x.patch, x.edge, x.share, a) < std::tuple(y.patch, y.edge, y.share, b);
+      return std::tuple(x.patch, x.edge, x.fraction, a) < std::tuple(y.patch, y.edge, y.fraction, b);
     });
     hanging_nodes_.resize(hanging.size());
     for (const auto& visit : nodes_.visits)
@@ -61,7 +61,7 @@ class Parts {
     for (; next_ < order_.size(); ++next_) {
       const auto& h = nodes_.hanging[order_[next_]];
       if (h.patch != p || h.edge != k) break;
-      const Stop to{h.vertex, h.share, hanging_nodes_[order_[next_]]};
+      const Stop to{h.vertex, h.fraction, hanging_nodes_[order_[next_]]};
       add(p, k, from, to);
       from = to;
     }

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "luxel/surface/vertex_fan.h"
+#include "luxel/surface/one_ring.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::size_t vertices_a_chunk = 4096;
+constexpr std::size_t vertices_per_chunk = 4096;
 constexpr std::uint32_t begins_node = 0x80000000u;  // in Member::place, while nodes have no numbers yet
 
 // The corners (3 * patch + corner) at each vertex, in rows: row v is corners[begin[v]] to
@@ -36,23 +36,23 @@ CornersOfVertex corners_of_vertices(const PatchSet& patches) {
   return rows;
 }
 
-// Lays out the sides of one fan surface by surface.
+// Lays out the sides of one ring surface by surface.
 class Surfaces {
  public:
   // Ranks surfaces in the order of their names; returns how many there are.
-  std::uint32_t rank(const VertexFan& fan) {
-    rank_.resize(2 * fan.size());
+  std::uint32_t rank(const OneRing& ring) {
+    rank_.resize(2 * ring.size());
     place_.clear();
     for (std::size_t side = 0; side < rank_.size(); ++side) {
-      const auto name = fan.surface(side / 2, side % 2 == 1);
+      const auto name = ring.surface(side / 2, side % 2 == 1);
       if (name == side) place_.push_back(0);
       rank_[side] = name == side ? static_cast<std::uint32_t>(place_.size() - 1) : rank_[name];
       ++place_[rank_[side]];
     }
     return static_cast<std::uint32_t>(place_.size());
   }
-  // first_hanging: index of the fan's first hanging member; out: 2 * fan.size().
-  void lay_out(const VertexFan& fan, std::size_t first_hanging, SideNodes::Member* out) {
+  // first_hanging: index of the ring's first hanging member; out: 2 * ring.size().
+  void lay_out(const OneRing& ring, std::size_t first_hanging, SideNodes::Member* out) {
     std::uint32_t next = 0;
     for (auto& place : place_) {
       const auto count = place;
@@ -63,15 +63,15 @@ class Surfaces {
     for (std::uint32_t side = 0; side < rank_.size(); ++side) {
       const auto i = side / 2;
       auto& member = out[place_[rank_[side]]++];
-      member.side = 2 * fan.patch(i) + side % 2;
-      member.place |= fan.is_hanging(i)
-                          ? static_cast<std::uint32_t>(3 + first_hanging + i - fan.corner_count())
-                          : fan.corner(i);
+      member.side = 2 * ring.patch(i) + side % 2;
+      member.place |= ring.is_hanging(i)
+                          ? static_cast<std::uint32_t>(3 + first_hanging + i - ring.corner_count())
+                          : ring.corner(i);
     }
   }
 
  private:
-  std::vector<std::uint32_t> rank_;   // [side of the fan]
+  std::vector<std::uint32_t> rank_;   // [side of the ring]
   std::vector<std::uint32_t> place_;  // [rank]
 };
 
@@ -100,23 +100,23 @@ SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Worke
   };
 
   // 1. Each vertex for itself.
-  workers.for_chunks(vertices, vertices_a_chunk, [&](std::size_t begin, std::size_t end, int) {
-    VertexFan fan(patches, cos_crease);
+  workers.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    OneRing ring(patches, cos_crease);
     Surfaces surfaces;
     auto h = hanging_before(begin);
     for (auto v = begin; v < end; ++v) {
       const auto first = h;
       while (h < nodes.hanging.size() && nodes.hanging[h].vertex == v) ++h;
-      fan.fill(rows.at(v), std::span(nodes.hanging).subspan(first, h - first));
-      nodes.first[v + 1] = surfaces.rank(fan);
-      surfaces.lay_out(fan, first, nodes.members.data() + 2 * (rows.begin[v] + first));
+      ring.fill(rows.at(v), std::span(nodes.hanging).subspan(first, h - first));
+      nodes.first[v + 1] = surfaces.rank(ring);
+      surfaces.lay_out(ring, first, nodes.members.data() + 2 * (rows.begin[v] + first));
     }
   });
 
   // 2. Numbers for all nodes.
   for (std::size_t v = 0; v < vertices; ++v) nodes.first[v + 1] += nodes.first[v];
   nodes.begin.assign(nodes.first[vertices] + std::size_t{1}, nodes.members.size());
-  workers.for_chunks(vertices, vertices_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     auto node = nodes.first[begin];
     const auto last = 2 * (rows.begin[end] + hanging_before(end));
     for (auto i = 2 * (rows.begin[begin] + hanging_before(begin)); i < last; ++i) {

@@ -14,7 +14,7 @@
 namespace luxel {
 
 // Where the light of patch sides runs together: a node for each vertex and each smooth surface that meets
-// there (see VertexFan). Side 2 * patch is a patch's front, 2 * patch + 1 its back.
+// there (see OneRing). Side 2 * patch is a patch's front, 2 * patch + 1 its back.
 struct SideNodes {
   // A side at a node: with a corner of its patch (0 to 2), or with a place on an edge (3 + index in hanging).
   struct Member {

@@ -10,12 +10,12 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t sides_a_chunk = 4096;
-// The hub of a great fan would make every patch of it a neighbour of every other: such nodes are passed over,
-// the patches beside each other share the node at the rim.
-constexpr std::size_t most_at_node = 64;
+constexpr std::size_t sides_per_chunk = 4096;
+// The hub of a great ring would make every patch of it a neighbour of every other: such nodes are passed
+// over, the patches beside each other share the node at the boundary.
+constexpr std::size_t max_at_node = 64;
 // Least over greatest eigenvalue, about, of neighbours that do not stand on one line.
-constexpr double least_spread = 1e-5;
+constexpr double min_spread = 1e-5;
 
 Vec3d centroid(const PatchSet& patches, std::size_t patch) {
   const auto p = patches.points(patch);
@@ -49,7 +49,7 @@ class Fit {
       yy += n.weight * n.y * n.y;
     }
     const auto determinant = xx * yy - xy * xy;
-    if (!(determinant > least_spread * (xx + yy) * (xx + yy))) return;
+    if (!(determinant > min_spread * (xx + yy) * (xx + yy))) return;
 
     const auto points = patches_.points(side / 2);
     for (std::size_t b = 0; b < light_.bands(); ++b) {
@@ -99,7 +99,7 @@ class Fit {
     sides_.clear();
     const auto add_node = [&](std::uint32_t node) {
       const auto members = nodes_.at(node);
-      if (members.size() > most_at_node) return;
+      if (members.size() > max_at_node) return;
       for (const auto& m : members) {
         if (m.side == side || !(light_.weight(m.side) > 0.0)) continue;
         if (std::find(sides_.begin(), sides_.end(), m.side) != sides_.end()) continue;
@@ -117,10 +117,10 @@ class Fit {
   // full where it explains all, not at all where it leaves a quarter or more. A slope has two numbers, so
   // that of few neighbours much is explained by chance.
   double trust_in(double explained) const {
-    constexpr double least_explained = 0.75;
+    constexpr double min_explained = 0.75;
     const auto count = static_cast<double>(neighbours_.size());
     if (!(count > 2.0)) return 0.0;
-    return std::max(0.0, 1.0 - (1.0 - explained) * count / (count - 2.0) / (1.0 - least_explained));
+    return std::max(0.0, 1.0 - (1.0 - explained) * count / (count - 2.0) / (1.0 - min_explained));
   }
 
   void lay_out(std::size_t side) {
@@ -155,10 +155,10 @@ SideSlopes::SideSlopes(const PatchSet& patches, const SideLight& light, const Si
                        const Workers& workers)
     : bands_(light.bands()), rise_(6 * patches.size() * bands_, 0.0f) {
   std::vector<Vec3d> centroids(patches.size());
-  workers.for_chunks(patches.size(), sides_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_chunks(patches.size(), sides_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) centroids[p] = centroid(patches, p);
   });
-  workers.for_chunks(2 * patches.size(), sides_a_chunk, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_chunks(2 * patches.size(), sides_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     Fit fit(patches, light, nodes, centroids);
     for (auto side = begin; side < end; ++side) fit.fill(side, rise_.data() + 3 * side * bands_);
   });

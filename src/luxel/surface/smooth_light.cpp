@@ -96,31 +96,31 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
   return make_smooth_light(patches, solution, options, Workers(1));
 }
 
-SurfaceShare share_of_patch(const PatchSet& patches, std::size_t patch) {
-  const auto of = [&](const std::vector<float>& shares) {
-    return shares.empty() ? nullptr : &shares[patch * patches.band_count()];
+TextureRatio texture_ratio_of_patch(const PatchSet& patches, std::size_t patch) {
+  const auto of = [&](const std::vector<float>& ratios) {
+    return ratios.empty() ? nullptr : &ratios[patch * patches.band_count()];
   };
-  return {of(patches.reflectance_share), of(patches.emittance_share)};
+  return {of(patches.reflectance_ratio), of(patches.emittance_ratio)};
 }
 
-SurfaceShare share_of_place(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
-                            float v) {
-  auto share = share_of_patch(patches, patch);
-  share.fine_reflectance = fine.reflectance(patch, u, v);
-  share.fine_emittance = fine.emittance(patch, u, v);
-  return share;
+TextureRatio texture_ratio_at(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
+                              float v) {
+  auto ratio = texture_ratio_of_patch(patches, patch);
+  ratio.fine_reflectance = fine.reflectance(patch, u, v);
+  ratio.fine_emittance = fine.emittance(patch, u, v);
+  return ratio;
 }
 
 Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
-                  const BandColours& colours, const SurfaceShare& share) {
+                  const BandColours& colours, const TextureRatio& ratio) {
   Vec3d emitted(0.0), reflected(0.0);
   if (back && !material.two_sided) return reflected;
   for (std::size_t b = 0; b < material.reflectance.size(); ++b) {
-    reflected += static_cast<double>(reflectance_at(material, share, b) * irradiance[b] / pi) * colours.of(b);
-    const auto emittance = material.emittance[b] * (share.emittance ? share.emittance[b] : 1.0f);
+    reflected += static_cast<double>(reflectance_at(material, ratio, b) * irradiance[b] / pi) * colours.of(b);
+    const auto emittance = material.emittance[b] * (ratio.emittance ? ratio.emittance[b] : 1.0f);
     if (!back) emitted += static_cast<double>(emittance / pi) * colours.of(b);
   }
-  return emitted * Vec3d(share.fine_emittance) + reflected * Vec3d(share.fine_reflectance);
+  return emitted * Vec3d(ratio.fine_emittance) + reflected * Vec3d(ratio.fine_reflectance);
 }
 
 }  // namespace luxel

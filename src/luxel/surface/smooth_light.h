@@ -48,28 +48,28 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options = {});
 
-// How a place's surface differs from what its material is in the mean (PatchSet::reflectance_share).
-struct SurfaceShare {
+// How a place's surface differs from what its material is in the mean (PatchSet::reflectance_ratio).
+struct TextureRatio {
   const float* reflectance = nullptr;  // [band], of the patch; none: 1
   const float* emittance = nullptr;
   Vec3 fine_reflectance = Vec3(1.0f);  // of the place, over the patch (FineColours)
   Vec3 fine_emittance = Vec3(1.0f);
 };
 // What a material reflects there in a band, in the mean over the patch: [0, 1).
-inline float reflectance_at(const BandMaterial& material, const SurfaceShare& share, std::size_t band) {
+inline float reflectance_at(const BandMaterial& material, const TextureRatio& ratio, std::size_t band) {
   const auto of_material = material.reflectance[band];
-  return share.reflectance ? std::min(most_reflectance, of_material * share.reflectance[band]) : of_material;
+  return ratio.reflectance ? std::min(max_reflectance, of_material * ratio.reflectance[band]) : of_material;
 }
-SurfaceShare share_of_patch(const PatchSet& patches, std::size_t patch);
+TextureRatio texture_ratio_of_patch(const PatchSet& patches, std::size_t patch);
 // At (1-u-v) a + u b + v c of the patch.
-SurfaceShare share_of_place(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
-                            float v);
+TextureRatio texture_ratio_at(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
+                              float v);
 
 // The colour, W/(m² sr) by linear sRGB, of what leaves a side of a patch where its irradiance is the given
 // one: (E + rho H) / pi, band by band, and then what these look like. So a wavelength that a surface does not
 // reflect has no say in its colour, however bright it arrives. A back does not emit, and the back of a
 // one-sided material is black. irradiance: [band].
 Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
-                  const BandColours& colours, const SurfaceShare& share = {});
+                  const BandColours& colours, const TextureRatio& ratio = {});
 
 }  // namespace luxel

@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t min_sheet = 4;  // slots; fewer keep their own values
+constexpr std::size_t min_sheet = 4;  // receivers; fewer keep their own values
 // Spacing of the finest windows, in edges of a median patch: some 9 patches count in one. Measured on the
 // Cornell box and the reading room: 1 to 2 within 2 % of the best error, 3 is 7 % worse.
 constexpr double finest_spacing = 1.5;
@@ -20,8 +20,8 @@ constexpr double finest_spacing = 1.5;
 // parts of 0 to 0.5 are within 5 % of the best error.
 constexpr double bias_weight = 4.0;
 constexpr double noise_of_bias = 0.3;
-// A window is left alone where the scale before moved its slots by less than this in the mean: what a small
-// window cannot fit a large one does not.
+// A window is left alone where the scale before moved its receivers by less than this in the mean: what a
+// small window cannot fit a large one does not.
 constexpr float min_moved = 0.1f;
 constexpr std::size_t min_judged = 6;  // members; with fewer the scale before does not count
 // Sides of a curved sheet count fully in a window where the cosine to the window's mean normal is above the
@@ -31,11 +31,11 @@ constexpr float facing_full = 0.8f;
 constexpr float min_mean_normal = 0.3f;  // below this a window holds sides that face everywhere: no fit
 
 // The first scale whose bias is estimated place by place. Changes of the finest two carry nearly all the
-// noise of single slots, beside which their bias drowns: with one scale more the error of a Cornell box of
-// 53,000 patches is stated up to 1.8 times too large. See FineChange.
+// noise of single receivers, beside which their bias drowns: with one scale more the error of a Cornell box
+// of 53,000 patches is stated up to 1.8 times too large. See FineChange.
 constexpr int first_seen_scale = 2;
 
-// What one window needs to know again when its slots take their values.
+// What one window needs to know again when its receivers take their values.
 struct Window {
   Vec3 normal{0.0f}, u{1.0f, 0.0f, 0.0f}, v{0.0f, 1.0f, 0.0f};
   std::size_t terms = 0;            // 0: no fit
@@ -59,7 +59,7 @@ class Scale {
         windows_(grid_.nodes()),
         coefficients_(grid_.nodes() * max_terms_ * columns.size()) {}
 
-  // moved: [index], the fraction that the scale before moved each slot by; 1 where it could not judge.
+  // moved: [index], the fraction that the scale before moved each receiver by; 1 where it could not judge.
   void fit(const std::vector<float>& values, const SmoothingWeights& weights, const std::vector<float>& moved,
            const LoopRunner& run) {
     run(grid_.nodes(), [&](std::size_t begin, std::size_t end) {
@@ -114,23 +114,23 @@ class Scale {
       }
     });
     run(grid_.cells(), [&](std::size_t begin, std::size_t end) {
-      std::vector<float> of_slot(bands);
+      std::vector<float> of_receiver(bands);
       for (auto cell = begin; cell < end; ++cell)
         for (const auto index : grid_.in_cell(cell)) {
-          std::fill(of_slot.begin(), of_slot.end(), 0.0f);
+          std::fill(of_receiver.begin(), of_receiver.end(), 0.0f);
           float rest = 1.0f;  // of the partition of unity: no windows with a fit
           for_windows(cell, index, [&](std::size_t node, const WindowMember& m) {
             rest -= m.weight;
-            for (std::size_t b = 0; b < bands; ++b) of_slot[b] += m.weight * means[node * bands + b];
+            for (std::size_t b = 0; b < bands; ++b) of_receiver[b] += m.weight * means[node * bands + b];
           });
           for (std::size_t b = 0; b < bands; ++b)
-            bias[index * bands + b] += of_slot[b] + rest * added[index * bands + b];
+            bias[index * bands + b] += of_receiver[b] + rest * added[index * bands + b];
         }
     });
   }
 
  private:
-  // A slot as a member of a window whose axes are known; weight 0: it is none.
+  // A receiver as a member of a window whose axes are known; weight 0: it is none.
   WindowMember member(std::size_t node, std::uint32_t index) const {
     const auto at = grid_.from_node(node, index);
     auto weight = WindowGrid::weight(at);
@@ -213,7 +213,7 @@ class Scale {
     if (window.fraction[0] == 0.0f && window.fraction[1] == 0.0f) window.terms = 0;
   }
 
-  // Calls body(node, member) for the windows with a fit that a slot of a cell is in.
+  // Calls body(node, member) for the windows with a fit that a receiver of a cell is in.
   template <typename Body>
   void for_windows(std::size_t cell, std::uint32_t index, Body body) const {
     for (std::size_t corner = 0; corner < grid_.corners(); ++corner) {
@@ -264,7 +264,7 @@ double median_edge(const LightSheet& sheet) {
   return std::sqrt(static_cast<double>(*middle));
 }
 
-// Of two changes a and b of one slot in one band.
+// Of two changes a and b of one receiver in one band.
 struct ChangeSums {
   float a = 0.0f, b = 0.0f, ab = 0.0f, bb = 0.0f;
 };

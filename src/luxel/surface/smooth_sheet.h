@@ -24,8 +24,8 @@ struct SmoothingWeights {
 };
 
 // What the two finest scales change, in the mean of the replicates: [index * bands + band]. Nearly all of it
-// is noise that they take off, so nothing can be said of their bias slot by slot. Summed over many slots
-// there can.
+// is noise that they take off, so nothing can be said of their bias receiver by receiver. Summed over many
+// receivers there can.
 struct FineChange {
   std::vector<float> product;   // of changes of different replicates, in which noise cancels: bias squared
   std::vector<float> variance;  // of the mean of half of the replicates
@@ -34,7 +34,7 @@ struct FineChange {
 // Local polynomial regression over one sheet, from fine windows to coarse ones.
 //
 // At each scale every window of a WindowGrid fits a polynomial (linear in the finest, else quadratic) to the
-// values as the finer scales left them, and moves the values of its slots towards the fit by the fraction
+// values as the finer scales left them, and moves the values of its receivers towards the fit by the fraction
 //
 //     a = -C / (V + 4 max(0, D - 0.3 V)),
 //
@@ -54,7 +54,7 @@ struct FineChange {
 // values: [index * columns.size() + column], is replaced; at least 4 replicates. squared_bias: [index * bands
 // + band], is written: an estimate of what all but the two finest scales get wrong, smoothed over the same
 // windows; it may be below 0. fine: is written; none where the replicates are not independent. Cost: 1 to 3
-// us per slot of 8 replicates and 3 bands; about 500 bytes per slot at a time.
+// us per receiver of 8 replicates and 3 bands; about 500 bytes per receiver at a time.
 void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
                   std::vector<float>& values, std::vector<float>& squared_bias, FineChange* fine,
                   const LoopRunner& run);

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t slot_grain = 4096;
+constexpr std::size_t receiver_grain = 4096;
 // Sheets above this share the threads; smaller ones are one thread's work each.
 constexpr std::size_t large_sheet = 8192;
 constexpr std::size_t sheet_grain = 8;    // small sheets per chunk
@@ -22,21 +22,21 @@ constexpr double dim_part = 0.05;
 
 using Replicates = std::span<std::vector<float>>;
 
-// Variances over replicates, summed over bands: [i] of sheet.slots[i].
+// Variances over replicates, summed over bands: [i] of sheet.receivers[i].
 std::vector<float> noise_of(const LightSheet& sheet, Replicates replicates, std::size_t bands) {
   std::vector<float> noise(sheet.size(), 0.0f);
-  const auto share = 1.0f / static_cast<float>(replicates.size());
+  const auto all_gather = 1.0f / static_cast<float>(replicates.size());
   for (std::size_t i = 0; i < sheet.size(); ++i)
     for (std::size_t b = 0; b < bands; ++b) {
-      const auto at = sheet.slots[i] * bands + b;
+      const auto at = sheet.receivers[i] * bands + b;
       float mean = 0.0f;
-      for (const auto& values : replicates) mean += share * values[at];
+      for (const auto& values : replicates) mean += all_gather * values[at];
       for (const auto& values : replicates) noise[i] += (values[at] - mean) * (values[at] - mean);
     }
   return noise;
 }
 
-// fine: of all slots, [slot * bands + band]; or nothing, where replicates are not independent.
+// fine: of all receivers, [receiver * bands + band]; or nothing, where replicates are not independent.
 void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t bands,
                    const SmoothingWeights& weights, std::span<float> squared_bias, FineChange* fine,
                    const LoopRunner& run) {
@@ -48,35 +48,35 @@ void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t b
       for (std::size_t r = 0; r < replicates.size(); ++r)
         for (std::size_t b = 0; b < bands; ++b)
           body(values[i * columns.size() + r * columns.stride() + b],
-               replicates[r][sheet.slots[i] * bands + b]);
+               replicates[r][sheet.receivers[i] * bands + b]);
   };
-  for_values([](float& value, const float& of_slot) { value = of_slot; });
+  for_values([](float& value, const float& of_receiver) { value = of_receiver; });
   std::vector<float> bias(sheet.size() * bands);
   FineChange change;
   smooth_sheet(sheet, columns, weights, values, bias, fine ? &change : nullptr, run);
-  for_values([](const float& value, float& of_slot) { of_slot = value; });
+  for_values([](const float& value, float& of_receiver) { of_receiver = value; });
   for (std::size_t i = 0; i < bias.size(); ++i) {
-    const auto at = sheet.slots[i / bands] * bands + i % bands;
+    const auto at = sheet.receivers[i / bands] * bands + i % bands;
     squared_bias[at] += bias[i];
     if (fine) fine->product[at] = change.product[i];
     if (fine) fine->variance[at] = change.variance[i];
   }
 }
 
-// Of the bias of the finest scales only its sum over all slots, in the error that is seen, can be told from
-// noise. It is put where these scales took most noise off. Where replicates are not independent not even that
-// can be told: products of those of gathered light are 1 to 9 % of their variance, less with more rays, as
-// correlated noise is and bias is not.
+// Of the bias of the finest scales only its sum over all receivers, in the error that is seen, can be told
+// from noise. It is put where these scales took most noise off. Where replicates are not independent not even
+// that can be told: products of those of gathered light are 1 to 9 % of their variance, less with more rays,
+// as correlated noise is and bias is not.
 void add_fine_bias(FineChange& fine, std::span<const float> area, std::span<const float> risk_weight,
                    std::size_t bands, std::span<float> squared_bias, const Workers& workers,
-                   const LoopShare& mine) {
-  mine.share(std::span(fine.product), bands);
-  mine.share(std::span(fine.variance), bands);
+                   const LoopPartition& mine) {
+  mine.all_gather(std::span(fine.product), bands);
+  mine.all_gather(std::span(fine.variance), bands);
   const auto sum = [&](const std::vector<float>& numbers) {
     return ordered_sum(workers, area.size(), [&](std::size_t s) {
-      float of_slot = 0.0f;
-      for (std::size_t b = 0; b < bands; ++b) of_slot += numbers[s * bands + b];
-      return static_cast<double>(area[s] * risk_weight[s] * of_slot);
+      float of_receiver = 0.0f;
+      for (std::size_t b = 0; b < bands; ++b) of_receiver += numbers[s * bands + b];
+      return static_cast<double>(area[s] * risk_weight[s] * of_receiver);
     });
   };
   const auto variance = sum(fine.variance);
@@ -85,7 +85,7 @@ void add_fine_bias(FineChange& fine, std::span<const float> area, std::span<cons
   for (std::size_t i = 0; i < squared_bias.size(); ++i) squared_bias[i] += part * fine.variance[i];
 }
 
-// risk_weight: [slot].
+// risk_weight: [receiver].
 void smooth_both(const LightSheet& sheet, Replicates direct, Replicates gathered, std::size_t bands,
                  std::span<const float> risk_weight, std::span<float> squared_bias, FineChange& fine,
                  const LoopRunner& run) {
@@ -93,7 +93,7 @@ void smooth_both(const LightSheet& sheet, Replicates direct, Replicates gathered
   auto gathered_noise = noise_of(sheet, gathered, bands);
   SmoothingWeights weights;
   for (std::size_t i = 0; i < sheet.size(); ++i) {
-    const auto risk = risk_weight[sheet.slots[i]];
+    const auto risk = risk_weight[sheet.receivers[i]];
     weights.risk.push_back(risk);
     const auto quiet = quiet_part * (direct_noise[i] + gathered_noise[i]);
     direct_noise[i] = risk * (direct_noise[i] - quiet);
@@ -111,15 +111,16 @@ Smoothing::Smoothing(const PatchSet& patches, const PatchTree& tree, const Gathe
     : patches_(patches), sides_(sides), sheets_(make_light_sheets(patches, tree, sides)) {}
 
 void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-                       std::span<float> squared_bias, const Workers& workers, const LoopShare& mine) const {
+                       std::span<float> squared_bias, const Workers& workers,
+                       const LoopPartition& mine) const {
   const auto bands = patches_.band_count();
   const auto weights = risk_weights(direct, gathered, workers);
   FineChange fine;  // of direct light
   fine.product.assign(squared_bias.size(), 0.0f);
   fine.variance.assign(squared_bias.size(), 0.0f);
   const auto is_needed = [&](const LightSheet& sheet) {
-    const auto at = std::lower_bound(sheet.slots.begin(), sheet.slots.end(), mine.begin());
-    return at != sheet.slots.end() && *at < mine.end();
+    const auto at = std::lower_bound(sheet.receivers.begin(), sheet.receivers.end(), mine.begin());
+    return at != sheet.receivers.end() && *at < mine.end();
   };
   const auto smooth_one = [&](const LightSheet& sheet, const LoopRunner& run) {
     smooth_both(sheet, direct, gathered, bands, weights, squared_bias, fine, run);
@@ -142,7 +143,7 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
   std::stable_sort(small.begin(), small.end(),
                    [](const auto* a, const auto* b) { return a->size() > b->size(); });
   std::size_t tiny = 0;
-  while (tiny < small.size() && small[tiny]->size() >= slot_grain / sheet_grain) ++tiny;
+  while (tiny < small.size() && small[tiny]->size() >= receiver_grain / sheet_grain) ++tiny;
   const auto several = std::span(small).subspan(tiny);
   workers.for_chunks(tiny, 1,
                      [&](std::size_t i, std::size_t, int) { smooth_one(*small[i], on_this_thread); });
@@ -154,14 +155,14 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
   add_fine_bias(fine, area, weights, bands, squared_bias, workers, mine);
 }
 
-// 1 over the square of a slot's light and a part of the mean: [slot], (m²/W)².
+// 1 over the square of a receiver's light and a part of the mean: [receiver], (m²/W)².
 std::vector<float> Smoothing::risk_weights(std::span<const std::vector<float>> direct,
                                            std::span<const std::vector<float>> gathered,
                                            const Workers& workers) const {
   const auto bands = patches_.band_count();
-  const auto slots = sides_.size();
-  std::vector<float> light(slots);
-  workers.for_chunks(slots, slot_grain, [&](std::size_t begin, std::size_t end, int) {
+  const auto receivers = sides_.size();
+  std::vector<float> light(receivers);
+  workers.for_chunks(receivers, receiver_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto s = begin; s < end; ++s) {
       float sum = 0.0f;
       for (std::size_t r = 0; r < direct.size(); ++r)
@@ -171,9 +172,9 @@ std::vector<float> Smoothing::risk_weights(std::span<const std::vector<float>> d
   });
   const auto area = [&](std::size_t s) { return static_cast<double>(patches_.area[sides_.side[s] / 2]); };
   const auto areas =
-      ordered_sum(workers, slots, [&](std::size_t s) { return light[s] > 0.0f ? area(s) : 0.0; });
+      ordered_sum(workers, receivers, [&](std::size_t s) { return light[s] > 0.0f ? area(s) : 0.0; });
   const auto power =
-      ordered_sum(workers, slots, [&](std::size_t s) { return area(s) * static_cast<double>(light[s]); });
+      ordered_sum(workers, receivers, [&](std::size_t s) { return area(s) * static_cast<double>(light[s]); });
   const auto floor = areas > 0.0 ? static_cast<float>(dim_part * power / areas) : 0.0f;
   for (auto& x : light) x = floor > 0.0f ? 1.0f / ((x + floor) * (x + floor)) : 1.0f;
   return light;

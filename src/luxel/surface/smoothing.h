@@ -21,13 +21,13 @@ class Smoothing {
   // Keeps references to patches and sides. See make_light_sheets() for the cost.
   Smoothing(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides);
 
-  // direct, gathered: [replicate][slot * bands + band], W/m², at least 4 replicates, are replaced.
-  // squared_bias: [slot * bands + band], W²/m⁴, what the smoothing of both is estimated to get wrong is added
-  // to it; it may be below 0 in places. The same bits on any number of threads. mine: of ranks that call with
-  // the same values and share the work, the slots whose values this one needs: it gets those, and some
-  // others beside them. Cost: 2 to 6 us per slot of 8 replicates and 3 bands, for both.
+  // direct, gathered: [replicate][receiver * bands + band], W/m², at least 4 replicates, are replaced.
+  // squared_bias: [receiver * bands + band], W²/m⁴, what the smoothing of both is estimated to get wrong is
+  // added to it; it may be below 0 in places. The same bits on any number of threads. mine: of ranks that
+  // call with the same values and share the work, the receivers whose values this one needs: it gets those,
+  // and some others beside them. Cost: 2 to 6 us per receiver of 8 replicates and 3 bands, for both.
   void smooth(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-              std::span<float> squared_bias, const Workers& workers, const LoopShare& mine) const;
+              std::span<float> squared_bias, const Workers& workers, const LoopPartition& mine) const;
 
  private:
   std::vector<float> risk_weights(std::span<const std::vector<float>> direct,

@@ -14,7 +14,7 @@
 namespace luxel {
 namespace {
 
-constexpr int most_steps = 200;
+constexpr int max_steps = 200;
 constexpr double enough = 1e-7;  // of the residual, over that of no light
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -152,7 +152,7 @@ void Fit::solve(const std::vector<float>& values, std::size_t band, std::vector<
   for (std::size_t i = 0; i < n; ++i) residual[i] -= product[i];
   now = scale();
   along = scaled;
-  for (int step = 0; step < most_steps && now > enough * enough * start; ++step) {
+  for (int step = 0; step < max_steps && now > enough * enough * start; ++step) {
     multiply(along, product);
     double curvature = 0.0;
     for (std::size_t i = 0; i < n; ++i) curvature += along[i] * product[i];

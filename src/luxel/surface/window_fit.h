@@ -16,7 +16,7 @@ struct WindowColumns {
   std::size_t size() const { return replicates * stride(); }
 };
 
-// A slot in a window.
+// A receiver in a window.
 struct WindowMember {
   std::size_t index = 0;     // in its sheet
   float weight = 0.0f;       // in the window, see WindowGrid::weight

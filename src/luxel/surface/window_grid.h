@@ -13,17 +13,17 @@
 
 namespace luxel {
 
-// Overlapping windows over a sheet: one at each node of a regular grid. The weight of a slot in a window
+// Overlapping windows over a sheet: one at each node of a regular grid. The weight of a receiver in a window
 // falls from 1 at the node to 0 one spacing away along each axis (a tensor product of hat functions), so that
-// on a flat sheet the weights of every slot add up to 1: a partition of unity. A flat sheet has a grid of two
-// dimensions, any other one of three.
+// on a flat sheet the weights of every receiver add up to 1: a partition of unity. A flat sheet has a grid of
+// two dimensions, any other one of three.
 class WindowGrid {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::size_t max_corners = 8;
 
   // spacing: m. offset: of the grid along each axis, in spacings. Keeps a reference to the sheet. Cost: about
-  // 0.2 us per slot.
+  // 0.2 us per receiver.
   WindowGrid(const LightSheet& sheet, float spacing, const Vec3& offset);
 
   std::size_t nodes() const { return node_place_.size(); }
@@ -33,16 +33,16 @@ class WindowGrid {
   std::span<const std::uint32_t> in_cell(std::size_t cell) const {
     return std::span(order_).subspan(cell_begin_[cell], cell_begin_[cell + 1] - cell_begin_[cell]);
   }
-  // The corners of a cell, and the cells around a node: those that hold slots, else none.
+  // The corners of a cell, and the cells around a node: those that hold receivers, else none.
   const std::array<std::uint32_t, max_corners>& nodes_of_cell(std::size_t cell) const {
     return nodes_of_cell_[cell];
   }
   const std::array<std::uint32_t, max_corners>& cells_of_node(std::size_t node) const {
     return cells_of_node_[node];
   }
-  // Of a slot relative to a node, in spacings.
+  // Of a receiver relative to a node, in spacings.
   Vec3 from_node(std::size_t node, std::uint32_t index) const { return scaled(index) - node_place_[node]; }
-  // The weight of a slot that is so far from a node.
+  // The weight of a receiver that is so far from a node.
   static float weight(const Vec3& from_node) {
     const auto hat = [](float x) { return std::max(0.0f, 1.0f - std::abs(x)); };
     return hat(from_node.x) * hat(from_node.y) * hat(from_node.z);

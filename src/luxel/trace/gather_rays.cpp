@@ -55,22 +55,23 @@ LUXEL_WIDE void find_cells(const float* __restrict x, const float* __restrict y,
 }  // namespace
 
 GatherRays::GatherRays(const PatchSet& patches, const GatherSides& sides,
-                       std::span<const std::uint32_t> slots, const GatherPoints& points, std::uint32_t level,
-                       std::uint32_t per_slot)
+                       std::span<const std::uint32_t> receivers, const GatherPoints& points,
+                       std::uint32_t level, std::uint32_t per_receiver)
     : sides_(sides),
-      slots_(slots),
+      receivers_(receivers),
       points_(points),
       level_(level),
-      per_slot_(per_slot),
-      shift_(std::countr_zero(std::bit_ceil(slots.size()))) {
-  emitters_.reserve(slots.size());
-  for (const auto s : slots) emitters_.emplace_back(patches, sides.side[s]);
+      per_receiver_(per_receiver),
+      shift_(std::countr_zero(std::bit_ceil(receivers.size()))) {
+  emitters_.reserve(receivers.size());
+  for (const auto s : receivers) emitters_.emplace_back(patches, sides.side[s]);
   for (std::size_t i = 0; i < 4; ++i)
-    for (const auto s : slots) raw_[i].push_back(OwenSobol::raw(sides.position[s] * per_slot, dimension[i]));
+    for (const auto s : receivers)
+      raw_[i].push_back(OwenSobol::raw(sides.position[s] * per_receiver, dimension[i]));
 }
 
 std::uint64_t GatherRays::key_of(std::uint32_t replicate) const {
-  const bool back = !slots_.empty() && slots_.front() >= sides_.fronts;
+  const bool back = !receivers_.empty() && receivers_.front() >= sides_.fronts;
   return mix64(stream_key(points_.seed, purpose, 2 * replicate + (back ? 1 : 0)) + level_);
 }
 
@@ -84,9 +85,9 @@ void GatherRays::make(std::span<const Row> rows) {
   for (std::size_t r = 0; r < rows.size(); ++r) draw(rows[r], r << shift_);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto at = r << shift_;
-    find_cells(&numbers_[2][at], &numbers_[3][at], &cell_[at], slots_.size());
-    warp_weights(&numbers_[0][at], &numbers_[1][at], slots_.size());
-    warp_directions(&numbers_[2][at], &numbers_[3][at], &height_[at], slots_.size());
+    find_cells(&numbers_[2][at], &numbers_[3][at], &cell_[at], receivers_.size());
+    warp_weights(&numbers_[0][at], &numbers_[1][at], receivers_.size());
+    warp_directions(&numbers_[2][at], &numbers_[3][at], &height_[at], receivers_.size());
   }
   sort(rows.size());
 }
@@ -96,9 +97,9 @@ void GatherRays::make(std::span<const Row> rows) {
 void GatherRays::draw(const Row& row, std::size_t at) {
   const auto key = key_of(row.replicate);
   if (points_.low_discrepancy && points_.stratified) {
-    for (std::size_t begin = 0, end = 0; begin < slots_.size(); begin = end) {
-      const auto block = sides_.position[slots_[begin]] / sequence_positions;
-      while (end < slots_.size() && sides_.position[slots_[end]] / sequence_positions == block) ++end;
+    for (std::size_t begin = 0, end = 0; begin < receivers_.size(); begin = end) {
+      const auto block = sides_.position[receivers_[begin]] / sequence_positions;
+      while (end < receivers_.size() && sides_.position[receivers_[end]] / sequence_positions == block) ++end;
       const OwenSobol sequence(stream_key(key, 0, block));
       for (std::size_t i = 0; i < 4; ++i)
         sobol_numbers(raw_[i].data() + begin, OwenSobol::raw(row.sample, dimension[i]),
@@ -106,8 +107,8 @@ void GatherRays::draw(const Row& row, std::size_t at) {
     }
     return;
   }
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    const auto own = stream_key(key, 0, sides_.side[slots_[i]]);
+  for (std::size_t i = 0; i < receivers_.size(); ++i) {
+    const auto own = stream_key(key, 0, sides_.side[receivers_[i]]);
     const auto u = points_.low_discrepancy ? OwenSobol(own).first4(row.sample) : uniform4(own, row.sample);
     for (std::size_t d = 0; d < 4; ++d) numbers_[d][at + i] = u[static_cast<std::size_t>(dimension[d])];
   }
@@ -116,12 +117,12 @@ void GatherRays::draw(const Row& row, std::size_t at) {
 void GatherRays::sort(std::size_t rows) {
   std::array<std::uint32_t, cells + 1> begin{};
   const auto for_each = [&](auto body) {
-    for (std::size_t i = 0; i < slots_.size(); ++i)
+    for (std::size_t i = 0; i < receivers_.size(); ++i)
       for (std::size_t r = 0; r < rows; ++r) body((r << shift_) + i);
   };
   for_each([&](std::size_t id) { ++begin[cell_[id] + 1u]; });
   for (std::size_t c = 0; c < cells; ++c) begin[c + 1] += begin[c];
-  order_.resize(rows * slots_.size());
+  order_.resize(rows * receivers_.size());
   for_each([&](std::size_t id) { order_[begin[cell_[id]]++] = static_cast<std::uint16_t>(id); });
 }
 

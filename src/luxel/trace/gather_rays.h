@@ -28,29 +28,29 @@ struct GatherPoints {
 // nodes in the cache. What a ray is does not depend on the order, nor on which others are traced with it.
 class GatherRays {
  public:
-  static constexpr std::size_t most_rows = 16;   // traced together
-  static constexpr std::size_t most_blocks = 4;  // likewise
+  static constexpr std::size_t max_rows = 16;   // traced together
+  static constexpr std::size_t max_blocks = 4;  // likewise
 
-  // Sample `sample` of each slot, of one replicate; the element that the ray of slots[i] meets goes to
-  // to[i * per_slot].
+  // Sample `sample` of each receiver, of one replicate; the element that the ray of receivers[i] meets goes
+  // to to[i * per_receiver].
   struct Row {
     std::uint32_t replicate = 0, sample = 0;
     std::uint32_t* to = nullptr;
   };
 
-  // The slots, rising, lie in most_blocks blocks at most, all fronts or all backs. Each has per_slot rays a
-  // replicate, a power of two, in that level.
-  GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> slots,
-             const GatherPoints& points, std::uint32_t level, std::uint32_t per_slot);
+  // The receivers, rising, lie in max_blocks blocks at most, all fronts or all backs. Each has per_receiver
+  // rays a replicate, a power of two, in that level.
+  GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> receivers,
+             const GatherPoints& points, std::uint32_t level, std::uint32_t per_receiver);
 
-  // element(hit, ray): what stands for it. rows: at most most_rows.
+  // element(hit, ray): what stands for it. rows: at most max_rows.
   template <typename Element>
   void trace(const Tracer& tracer, std::span<const Row> rows, Element element) {
     std::array<Hit, batch> hits;
     for_each_batch(rows, [&](std::span<const Ray> rays, std::span<const std::uint16_t> ids) {
       tracer.nearest(rays, std::span(hits.data(), rays.size()));
       for (std::size_t i = 0; i < rays.size(); ++i)
-        rows[ids[i] >> shift_].to[per_slot_ * place_of(ids[i])] = element(hits[i], rays[i]);
+        rows[ids[i] >> shift_].to[per_receiver_ * place_of(ids[i])] = element(hits[i], rays[i]);
     });
   }
 
@@ -71,7 +71,7 @@ class GatherRays {
   static constexpr std::size_t batch = 256;
   static constexpr std::size_t cells = 256;  // of directions
 
-  // A ray's id is (row << shift_) + i: 16 bits hold most_rows rows of most_blocks blocks.
+  // A ray's id is (row << shift_) + i: 16 bits hold max_rows rows of max_blocks blocks.
   std::size_t place_of(std::size_t id) const { return id & ((std::size_t{1} << shift_) - 1); }
   // The numbers of these rows, warped, and their order.
   void make(std::span<const Row> rows);
@@ -84,12 +84,12 @@ class GatherRays {
   }
 
   const GatherSides& sides_;
-  std::span<const std::uint32_t> slots_;
+  std::span<const std::uint32_t> receivers_;
   GatherPoints points_;
-  std::uint32_t level_, per_slot_;
+  std::uint32_t level_, per_receiver_;
   int shift_;
   std::vector<PatchEmitter> emitters_;             // [i]
-  std::array<std::vector<std::uint32_t>, 4> raw_;  // [dimension][i], of the slot's first sample
+  std::array<std::vector<std::uint32_t>, 4> raw_;  // [dimension][i], of the receiver's first sample
   std::array<std::vector<float>, 4> numbers_;      // [dimension][id]; then the warped ones
   std::vector<float> height_;                      // the direction's third coordinate
   std::vector<std::uint8_t> cell_;                 // [id], of the direction

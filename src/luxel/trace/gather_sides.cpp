@@ -7,7 +7,7 @@ namespace luxel {
 namespace {
 
 void add(GatherSides& sides, std::uint32_t side, std::uint32_t position) {
-  sides.slot_of_side[side] = static_cast<std::uint32_t>(sides.side.size());
+  sides.receiver_of_side[side] = static_cast<std::uint32_t>(sides.side.size());
   sides.side.push_back(side);
   sides.position.push_back(position);
 }
@@ -16,7 +16,7 @@ void add(GatherSides& sides, std::uint32_t side, std::uint32_t position) {
 
 GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree) {
   GatherSides sides;
-  sides.slot_of_side.assign(2 * patches.size(), GatherSides::none);
+  sides.receiver_of_side.assign(2 * patches.size(), GatherSides::none);
   for (std::size_t i = 0; i < tree.order.size(); ++i)
     add(sides, static_cast<std::uint32_t>(side_of(tree.order[i], false)), tree.position[i]);
   sides.fronts = sides.size();
@@ -35,12 +35,12 @@ std::vector<std::uint32_t> neighbour_begins(const GatherSides& sides, std::uint3
   return begins;
 }
 
-GatherSides kept_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep) {
+GatherSides restored_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep) {
   GatherSides result;
-  result.slot_of_side.assign(sides.slot_of_side.size(), GatherSides::none);
-  for (std::size_t slot = 0; slot < sides.size(); ++slot) {
-    if (slot == sides.fronts) result.fronts = result.size();
-    if (keep[slot]) add(result, sides.side[slot], sides.position[slot]);
+  result.receiver_of_side.assign(sides.receiver_of_side.size(), GatherSides::none);
+  for (std::size_t receiver = 0; receiver < sides.size(); ++receiver) {
+    if (receiver == sides.fronts) result.fronts = result.size();
+    if (keep[receiver]) add(result, sides.side[receiver], sides.position[receiver]);
   }
   if (sides.fronts == sides.size()) result.fronts = result.size();
   return result;

@@ -14,14 +14,15 @@ namespace luxel {
 // correlated by up to 0.39 in every side, and error bars are believed because replicates are independent.
 inline constexpr std::uint32_t sequence_positions = 64;
 
-// The patch sides that gather light, each in its slot: fronts in the tree's order, then backs in the same.
+// The patch sides that gather light, each in its receiver: fronts in the tree's order, then backs in the
+// same.
 struct GatherSides {
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  std::vector<std::uint32_t> side;          // [slot]
-  std::vector<std::uint32_t> position;      // [slot], see PatchTree
-  std::vector<std::uint32_t> slot_of_side;  // [side]; none: does not gather
-  std::size_t fronts = 0;                   // slots [0, fronts) are fronts
+  std::vector<std::uint32_t> side;              // [receiver]
+  std::vector<std::uint32_t> position;          // [receiver], see PatchTree
+  std::vector<std::uint32_t> receiver_of_side;  // [side]; none: does not gather
+  std::size_t fronts = 0;                       // receivers [0, fronts) are fronts
 
   std::size_t size() const { return side.size(); }
 };
@@ -29,11 +30,11 @@ struct GatherSides {
 // Every front, and the back of every patch whose material is two-sided.
 GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree);
 
-// Where groups of neighbouring slots begin, and at the end the number of slots: those of one block of so many
-// positions, and all fronts or all backs.
+// Where groups of neighbouring receivers begin, and at the end the number of receivers: those of one block of
+// so many positions, and all fronts or all backs.
 std::vector<std::uint32_t> neighbour_begins(const GatherSides& sides, std::uint32_t positions);
 
-// Those slots of `sides` that are kept, closed up.
-GatherSides kept_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep);
+// Those receivers of `sides` that are kept, closed up.
+GatherSides restored_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep);
 
 }  // namespace luxel

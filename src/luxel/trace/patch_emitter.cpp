@@ -22,9 +22,9 @@ PatchEmitter::PatchEmitter(const PatchSet& patches, std::size_t side)
     : frame_(side % 2 == 0 ? patches.normal[side / 2] : -patches.normal[side / 2]) {
   auto p = patches.points(side / 2);
   const auto lift = origin_lift(p);
-  const auto share = draw_in(p, patches.area[side / 2], 2.0f * lift);
+  const auto fraction = draw_in(p, patches.area[side / 2], 2.0f * lift);
   const auto centroid = (p[0] + p[1] + p[2]) / 3.0f;
-  for (auto& corner : p) corner += share * (centroid - corner) + lift * frame_.n;
+  for (auto& corner : p) corner += fraction * (centroid - corner) + lift * frame_.n;
   base_ = p[0];
   edge_b_ = p[1] - p[0];
   edge_c_ = p[2] - p[0];

@@ -13,8 +13,8 @@ constexpr double nearest = 1e-6;  // m
 double fading(const PointLight& light, const Vec3d& towards_point) {
   const auto cosine = glm::dot(Vec3d(light.direction), towards_point);
   const double inner = light.cos_inner, outer = light.cos_outer;
-  const auto share = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
-  return share * share;
+  const auto fraction = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
+  return fraction * fraction;
 }
 
 }  // namespace

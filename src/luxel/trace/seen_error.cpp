@@ -9,8 +9,8 @@
 namespace luxel {
 namespace {
 
-constexpr double adaptation_share = 0.05;     // of a, below which differences of light are not seen
-constexpr double most_of_median = 10.0;       // lamps dazzle no more than that
+constexpr double adaptation_fraction = 0.05;  // of a, below which differences of light are not seen
+constexpr double max_of_median = 10.0;        // lamps dazzle no more than that
 constexpr double floor_of_median_view = 0.1;  // of the median of a over views
 constexpr double quantile = 0.95;
 
@@ -42,16 +42,17 @@ bool reflects_nothing(const PatchSet& patches, const Views& views) {
 SeenSide light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
                        std::span<const double> squared_error, bool black) {
   const auto bands = patches.band_count();
-  double light2 = 0.0;
-  double error2 = 0.0;
+  double squared_light = 0.0;
+  double squared_error_sum = 0.0;
   for (std::size_t b = 0; b < bands; ++b) {
     const auto rho = black ? 1.0 : static_cast<double>(patches.reflectance(side / 2, b));
     const auto emitted = side % 2 == 0 ? static_cast<double>(patches.emittance(side / 2, b)) : 0.0;
-    light2 += squared(emitted + rho * std::max(0.0, static_cast<double>(irradiance[b])));
-    error2 += squared(rho) * squared_error[b];
+    squared_light += squared(emitted + rho * std::max(0.0, static_cast<double>(irradiance[b])));
+    squared_error_sum += squared(rho) * squared_error[b];
   }
   const auto scale = 1.0 / (squared(std::numbers::pi) * static_cast<double>(bands));
-  return {static_cast<float>(std::sqrt(scale * light2)), static_cast<float>(scale * error2)};
+  return {static_cast<float>(std::sqrt(scale * squared_light)),
+          static_cast<float>(scale * squared_error_sum)};
 }
 
 float sky_radiance(const PatchSet& patches) {
@@ -68,14 +69,14 @@ SeenError::SeenError(const Views& views, const SeenLight& light) : views_(views)
     for (const auto s : views.seen_by(v))
       radiance.push_back(
           static_cast<double>(s == Views::sky ? light.sky : light.radiance[s & ~Views::unfocused]));
-    const auto most = most_of_median * median(radiance);
+    const auto most = max_of_median * median(radiance);
     double sum = 0.0;
     for (const auto L : radiance) sum += std::min(L, most);
     adaptation_.push_back(sum / static_cast<double>(std::max<std::size_t>(1, radiance.size())));
   }
   auto sorted = adaptation_;
   const auto least = floor_of_median_view * median(sorted);
-  for (auto& a : adaptation_) a = adaptation_share * std::max(a, least);
+  for (auto& a : adaptation_) a = adaptation_fraction * std::max(a, least);
   error_ = errors(light.squared_error);
 }
 

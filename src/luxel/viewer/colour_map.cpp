@@ -25,23 +25,23 @@ Vec3 codes(std::uint32_t rgb) { return Vec3(rgb >> 16u & 0xffu, rgb >> 8u & 0xff
 
 }  // namespace
 
-Vec3 map_colour(ColourMap map, float share) {
-  if (std::isnan(share)) return Vec3(0.2f);
+Vec3 map_colour(ColourMap map, float fraction) {
+  if (std::isnan(fraction)) return Vec3(0.2f);
   const auto& anchors = map == ColourMap::heat ? heat : difference;
-  const float place = std::clamp(share, 0.0f, 1.0f) * static_cast<float>(anchors.size() - 1);
+  const float place = std::clamp(fraction, 0.0f, 1.0f) * static_cast<float>(anchors.size() - 1);
   const auto first = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
   const auto mixed =
       glm::mix(codes(anchors[first]), codes(anchors[first + 1]), place - static_cast<float>(first));
   return {srgb_decode(mixed.r), srgb_decode(mixed.g), srgb_decode(mixed.b)};
 }
 
-float ValueScale::share(float value) const {
+float ValueScale::fraction(float value) const {
   if (!logarithmic) return (value - low) / (high - low);
   return value > 0.0f ? std::log(value / low) / std::log(high / low) : 0.0f;
 }
 
-float ValueScale::value_at(float share) const {
-  return logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
+float ValueScale::value_at(float fraction) const {
+  return logarithmic ? low * std::pow(high / low, fraction) : low + fraction * (high - low);
 }
 
 float round_up(float value) {
@@ -59,8 +59,9 @@ ValueScale automatic_value_scale(const std::vector<float>& values, bool logarith
     if (std::isfinite(v) && (v > 0.0f || !logarithmic)) some.push_back(v);
   }
   ValueScale scale{.logarithmic = logarithmic, .map = map};
-  const auto quantile = [&](double share) {
-    const auto at = some.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(some.size() - 1));
+  const auto quantile = [&](double fraction) {
+    const auto at =
+        some.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(some.size() - 1));
     std::nth_element(some.begin(), at, some.end());
     return *at;
   };

@@ -13,7 +13,7 @@ namespace luxel {
 enum class ColourMap { heat, difference };
 
 // share: in [0, 1], clamped; NaN gives grey. Linear RGB in [0, 1].
-Vec3 map_colour(ColourMap map, float share);
+Vec3 map_colour(ColourMap map, float fraction);
 
 // How values become shares of a colour map.
 struct ValueScale {
@@ -22,8 +22,8 @@ struct ValueScale {
   int isolines = 0;  // at equal steps of the share, the ends not counted; 0: none
   ColourMap map = ColourMap::heat;
 
-  float share(float value) const;
-  float value_at(float share) const;
+  float fraction(float value) const;
+  float value_at(float fraction) const;
 };
 
 // A scale for these values with ends that are 1, 2 or 5 times a power of ten; those that are not finite have

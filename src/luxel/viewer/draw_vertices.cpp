@@ -12,7 +12,7 @@ constexpr std::uint32_t none = 0xffffffffu;
 }  // namespace
 
 DrawVertices::DrawVertices(const PatchSet& patches, const SmoothLight& light)
-    : patches_(patches), light_(light), latest_(light.size(), none), shares_(patches) {
+    : patches_(patches), light_(light), latest_(light.size(), none), ratios_(patches) {
   corners_.reserve(patches.size());
   vertices_.reserve(light.size() + light.size() / 8);
 }
@@ -34,19 +34,19 @@ void DrawVertices::go_on(std::size_t count) {
     const auto& smooth = light_.corners[patch];
     corners_.push_back(
         {vertex(smooth[0], material), vertex(smooth[1], material), vertex(smooth[2], material)});
-    for (const auto v : corners_.back()) shares_.add(v, patch);
+    for (const auto v : corners_.back()) ratios_.add(v, patch);
   }
 }
 
-TwoSides value_of(const DrawVertex& vertex, const SurfaceShare& share, VertexValue what,
+TwoSides value_of(const DrawVertex& vertex, const TextureRatio& ratio, VertexValue what,
                   const PatchSet& patches, const BandColours& colours, const SmoothLight& light) {
   const auto bands = patches.band_count();
   const float* front = light.irradiance_front.data() + vertex.smooth * bands;
   const float* back = light.irradiance_back.data() + vertex.smooth * bands;
   if (what == VertexValue::radiance) {
     const auto& material = patches.materials[vertex.material];
-    return {in_gamut(radiance_of(material, false, front, colours, share)),
-            in_gamut(radiance_of(material, true, back, colours, share))};
+    return {in_gamut(radiance_of(material, false, front, colours, ratio)),
+            in_gamut(radiance_of(material, true, back, colours, ratio))};
   }
   const auto number = [&](const float* irradiance) {
     return Vec3(what == VertexValue::lux ? static_cast<float>(colours.lumens(irradiance))

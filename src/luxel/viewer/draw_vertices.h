@@ -7,7 +7,7 @@
 
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/smooth_light.h"
-#include "luxel/surface/vertex_shares.h"
+#include "luxel/surface/vertex_texture_ratios.h"
 
 namespace luxel {
 
@@ -30,7 +30,7 @@ class DrawVertices {
 
   const std::vector<DrawVertex>& vertices() const { return vertices_; }
   const std::vector<std::array<std::uint32_t, 3>>& corners() const { return corners_; }  // [patch]
-  const VertexShares& shares() const { return shares_; }
+  const VertexTextureRatios& ratios() const { return ratios_; }
 
  private:
   std::uint32_t vertex(std::uint32_t smooth, std::uint32_t material);
@@ -40,7 +40,7 @@ class DrawVertices {
   std::vector<DrawVertex> vertices_;
   std::vector<std::array<std::uint32_t, 3>> corners_;
   std::vector<std::uint32_t> latest_;  // [smooth vertex]: the latest of its draw vertices
-  VertexShares shares_;
+  VertexTextureRatios ratios_;
   std::vector<std::uint32_t> before_;  // [draw vertex]: the one of the same smooth vertex before it
 };
 
@@ -53,7 +53,7 @@ enum class VertexValue {
 struct TwoSides {
   Vec3 front, back;
 };
-TwoSides value_of(const DrawVertex& vertex, const SurfaceShare& share, VertexValue what,
+TwoSides value_of(const DrawVertex& vertex, const TextureRatio& ratio, VertexValue what,
                   const PatchSet& patches, const BandColours& colours, const SmoothLight& light);
 
 }  // namespace luxel

@@ -33,7 +33,7 @@ std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Spa
       const auto& irradiance = hit.back ? light.solution.irradiance_back : light.solution.irradiance_front;
       seen.push_back(in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
                                           irradiance.data() + hit.patch * bands, colours,
-                                          share_of_patch(patches, hit.patch))));
+                                          texture_ratio_of_patch(patches, hit.patch))));
     }
   return seen;
 }
@@ -57,8 +57,8 @@ ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const Live
     const auto seen = seen_light(*light, pose, space, aspect);
     const std::vector<float> weights(seen.size(), 1.0f);
     const float goal = std::log(fit_curve(seen, weights, plain).scale);
-    const auto share = static_cast<float>(1.0 - std::exp(-seconds / reaction));
-    base_ = base_ && !is_other ? *base_ + share * (goal - *base_) : goal;
+    const auto fraction = static_cast<float>(1.0 - std::exp(-seconds / reaction));
+    base_ = base_ && !is_other ? *base_ + fraction * (goal - *base_) : goal;
     is_settled_ = std::abs(*base_ - goal) < 0.01f;
     if (is_settled_) base_ = goal;
     fitted_ = options;

@@ -10,14 +10,14 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t most_normals = 100'000, most_boxes = 20'000, most_rays = 256;
+constexpr std::size_t max_normals = 100'000, max_boxes = 20'000, max_rays = 256;
 const Vec3 normal_colour(0.05f, 0.55f, 0.75f), outline_colour(1.0f, 0.75f, 0.05f),
     line_colour(1.0f, 0.5f, 0.05f);
 const Vec3 gather_colour(0.9f, 0.35f, 0.05f), lost_colour(0.25f, 0.3f, 0.5f);
 const Vec3 seen_colour(1.0f, 0.9f, 0.2f), blocked_colour(0.75f, 0.03f, 0.05f);
 
 void add_normals(const PatchSet& patches, Marks& marks) {
-  const auto step = patches.size() / most_normals + 1;
+  const auto step = patches.size() / max_normals + 1;
   for (std::size_t patch = 0; patch < patches.size(); patch += step) {
     const auto middle = patches.centroid(patch);
     marks.add_segment(middle, middle + 0.5f * std::sqrt(patches.area[patch]) * patches.normal[patch],
@@ -27,7 +27,7 @@ void add_normals(const PatchSet& patches, Marks& marks) {
 
 // Neighbours get different colours.
 void add_boxes(const std::vector<Bounds>& boxes, Marks& marks) {
-  const auto count = std::min(boxes.size(), most_boxes);
+  const auto count = std::min(boxes.size(), max_boxes);
   for (std::size_t i = 0; i < count; ++i) {
     const float shade = static_cast<float>(i * 37 % 100) / 100.0f;
     marks.add_box(boxes[i], Vec3(0.15f + 0.5f * shade, 0.7f, 0.75f - 0.5f * shade));
@@ -41,7 +41,7 @@ void add_outline(const PatchSet& patches, std::size_t patch, Marks& marks) {
 
 // Rays that ask what other surfaces send, to what they hit; those that leave the scene are cut short.
 void add_gather_rays(const LiveLight& light, const Probe& probe, float size, Marks& marks) {
-  for (const auto& ray : gather_rays(light, probe.patch, probe.back, most_rays)) {
+  for (const auto& ray : gather_rays(light, probe.patch, probe.back, max_rays)) {
     const bool hits = static_cast<bool>(ray.hit);
     const auto end = ray.from + (hits ? ray.hit.distance : 0.3f * size) * ray.direction;
     marks.add_segment(ray.from, end, hits ? gather_colour : lost_colour);
@@ -50,7 +50,7 @@ void add_gather_rays(const LiveLight& light, const Probe& probe, float size, Mar
 }
 
 void add_direct_rays(const LiveLight& light, const Probe& probe, Marks& marks) {
-  for (const auto& ray : direct_rays(light, probe.patch, probe.back, most_rays)) {
+  for (const auto& ray : direct_rays(light, probe.patch, probe.back, max_rays)) {
     const auto& colour = ray.seen ? seen_colour : blocked_colour;
     marks.add_segment(ray.from, ray.to, colour);
     marks.add_point(ray.to, colour);

@@ -14,7 +14,7 @@ Vec3 colour_of(const std::vector<float>& reflectance, const PatchSet& patches) {
   const auto colours = patches.colours();
   const std::vector<float> white(reflectance.size(), 1.0f);
   const auto seen = colours.rgb(reflectance), full = colours.rgb(white);
-  return glm::clamp(Vec3(seen / glm::max(full, Vec3d(1e-9))), Vec3(0.0f), Vec3(most_reflectance));
+  return glm::clamp(Vec3(seen / glm::max(full, Vec3d(1e-9))), Vec3(0.0f), Vec3(max_reflectance));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Lighting LampBoard::lighting(const PatchSet& patches) const {
     auto values = surface.colour == surface.own ? patches.materials[m].reflectance
                   : spectra                     ? spectra->reflectance(surface.colour)
                                                 : rgb_values(surface.colour);
-    for (auto& value : values) value = std::clamp(value, 0.0f, most_reflectance);
+    for (auto& value : values) value = std::clamp(value, 0.0f, max_reflectance);
     lighting.reflectance.insert(lighting.reflectance.end(), values.begin(), values.end());
   }
   return lighting;

@@ -34,7 +34,7 @@ bool colour_pickers(LampBoard& board) {
     Vec3 code(srgb_encode(surface.colour.r), srgb_encode(surface.colour.g), srgb_encode(surface.colour.b));
     if (ImGui::ColorEdit3("##colour", &code.r, ImGuiColorEditFlags_NoInputs)) {
       surface.colour = glm::min(Vec3(srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b)),
-                                Vec3(most_reflectance));
+                                Vec3(max_reflectance));
       changed = true;
     }
     ImGui::SameLine();

@@ -99,7 +99,7 @@ bool ValueBuffer::go_on() {
   if (count == 0) return false;
   std::vector<TwoSides> values(count);
   for (std::size_t i = 0; i < count; ++i)
-    values[i] = value_of(vertices_.vertices()[sent_ + i], vertices_.shares().at(sent_ + i), what_, patches_,
+    values[i] = value_of(vertices_.vertices()[sent_ + i], vertices_.ratios().at(sent_ + i), what_, patches_,
                          colours_, light_);
   send(GL_ARRAY_BUFFER, buffer_, sent_, values.data(), count);
   sent_ += count;

@@ -7,7 +7,7 @@
 namespace luxel {
 namespace {
 
-constexpr float radians_a_pixel = 0.005f;
+constexpr float radians_per_pixel = 0.005f;
 constexpr double glide_seconds = 0.25;
 constexpr float faster = 4.0f;  // with shift
 
@@ -134,7 +134,7 @@ void Navigator::handle_move(const Vec2& to) {
   knows_cursor_ = true;
   travel_ += glm::length(by);
   if (!is_flying_ && !dragging_) return;
-  const float turn = by.x * radians_a_pixel, pitch = -by.y * radians_a_pixel;
+  const float turn = by.x * radians_per_pixel, pitch = -by.y * radians_per_pixel;
   if (is_flying_) {
     pose_ = look(pose_, 0.5f * turn, 0.5f * pitch);
   } else if (*dragging_ == MouseButton::right) {
@@ -157,10 +157,10 @@ void Navigator::handle_move(const Vec2& to) {
 
 void Navigator::advance(double seconds) {
   if (glide_) {
-    glide_->share = std::min(1.0, glide_->share + seconds / glide_seconds);
-    const auto s = static_cast<float>(glide_->share);
+    glide_->fraction = std::min(1.0, glide_->fraction + seconds / glide_seconds);
+    const auto s = static_cast<float>(glide_->fraction);
     pose_ = between(glide_->from, glide_->to, s * s * (3.0f - 2.0f * s));
-    if (glide_->share >= 1.0) glide_.reset();
+    if (glide_->fraction >= 1.0) glide_.reset();
   }
   const auto pressed = [&](Key key) { return is_down(key) ? 1.0f : 0.0f; };
   const Vec3 way(pressed('D') - pressed('A'), pressed('E') - pressed('Q'), pressed('W') - pressed('S'));

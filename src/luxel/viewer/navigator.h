@@ -77,7 +77,7 @@ class Navigator {
   // A way from one pose to another, and how far it is.
   struct Glide {
     Pose from, to;
-    double share;
+    double fraction;
   };
   std::optional<Glide> glide_;
 };

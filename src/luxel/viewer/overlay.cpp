@@ -122,18 +122,18 @@ void legend(const Viewer& viewer) {
   const float top = place.y + 0.5f * text;
   constexpr int steps = 110;
   for (int i = 0; i < steps; ++i) {
-    const float share = (static_cast<float>(i) + 0.5f) / steps;
+    const float fraction = (static_cast<float>(i) + 0.5f) / steps;
     const float y = top + height * (1.0f - static_cast<float>(i + 1) / steps);
     list.AddRectFilled(ImVec2(place.x, y), ImVec2(place.x + width, y + height / steps + 0.5f),
-                       screen_colour(map_colour(scale->map, share)));
+                       screen_colour(map_colour(scale->map, fraction)));
   }
   const int marks = look.show == Show::irradiance && scale->isolines > 0 ? scale->isolines + 1 : 5;
   for (int i = 0; i <= marks; ++i) {
-    const float share = static_cast<float>(i) / static_cast<float>(marks);
-    const float y = top + height * (1.0f - share);
+    const float fraction = static_cast<float>(i) / static_cast<float>(marks);
+    const float y = top + height * (1.0f - fraction);
     list.AddLine(ImVec2(place.x + width, y), ImVec2(place.x + width + 4.0f, y), IM_COL32(220, 220, 220, 255));
     list.AddText(ImVec2(place.x + width + 8.0f, y - 0.5f * text), IM_COL32(220, 224, 230, 255),
-                 scale_text(scale->value_at(share)).c_str());
+                 scale_text(scale->value_at(fraction)).c_str());
   }
   ImGui::Dummy(ImVec2(width + 70.0f, height + text));
   ImGui::End();

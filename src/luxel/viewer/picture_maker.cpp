@@ -28,8 +28,8 @@ PictureMaker::PictureMaker(std::filesystem::path file, ScreenSize size, const Lo
       is_software_(is_software),
       side_(is_software ? small_tile : large_tile),
       count_(tiles_along(size.width, side_) * tiles_along(size.height, side_)) {
-  if (size.empty() || std::max(size.width, size.height) > largest_side)
-    throw InputError(fmt::format("a picture has from 1 to {} pixels a side, not {} x {}", largest_side,
+  if (size.empty() || std::max(size.width, size.height) > max_side)
+    throw InputError(fmt::format("a picture has from 1 to {} pixels a side, not {} x {}", max_side,
                                  size.width, size.height));
   from_.aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
 }

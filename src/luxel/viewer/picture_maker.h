@@ -15,10 +15,10 @@ namespace luxel {
 // between frames, then put together and written in a thread of its own. Needs the painter's context.
 class PictureMaker {
  public:
-  static constexpr int largest_side = 16'384;  // pixels
+  static constexpr int max_side = 16'384;  // pixels
 
   // The aspect of `from` becomes that of the size. is_software: a processor draws, see Driver. Throws
-  // InputError where the size is not from 1 to largest_side.
+  // InputError where the size is not from 1 to max_side.
   PictureMaker(std::filesystem::path file, ScreenSize size, const Look& look, const Viewpoint& from,
                bool is_software);
 

@@ -25,7 +25,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  double share(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
+  double fraction(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 
 // From numbers to pixels.
@@ -36,8 +36,8 @@ struct Chart {
 
   double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
   ImVec2 at(double px, double py) const {
-    return {corner.x + static_cast<float>(x.share(scaled(px))) * size.x,
-            corner.y + static_cast<float>(1.0 - std::clamp(y.share(scaled(py)), 0.0, 1.0)) * size.y};
+    return {corner.x + static_cast<float>(x.fraction(scaled(px))) * size.x,
+            corner.y + static_cast<float>(1.0 - std::clamp(y.fraction(scaled(py)), 0.0, 1.0)) * size.y};
   }
 };
 

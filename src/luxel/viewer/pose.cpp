@@ -97,10 +97,10 @@ Pose overview(const Bounds& box, const Space& space, float aspect, float vertica
   return pose;
 }
 
-Pose between(const Pose& from, const Pose& to, float share) {
-  const auto mix = [share](float a, float b) { return a + share * (b - a); };
-  return {.eye = glm::mix(from.eye, to.eye, share),
-          .turn = from.turn + share * std::remainder(to.turn - from.turn, 2.0f * pi),
+Pose between(const Pose& from, const Pose& to, float fraction) {
+  const auto mix = [fraction](float a, float b) { return a + fraction * (b - a); };
+  return {.eye = glm::mix(from.eye, to.eye, fraction),
+          .turn = from.turn + fraction * std::remainder(to.turn - from.turn, 2.0f * pi),
           .pitch = mix(from.pitch, to.pitch),
           .vertical_fov = mix(from.vertical_fov, to.vertical_fov)};
 }

@@ -47,7 +47,7 @@ Pose focus(const Pose& pose, const Space& space, const Vec3& point, float distan
 // All of a box from a corner above it, where nothing better is known.
 Pose overview(const Bounds& box, const Space& space, float aspect, float vertical_fov = 50.0f);
 // On the way from one pose to another, share 0 to 1, the shorter way round.
-Pose between(const Pose& from, const Pose& to, float share);
+Pose between(const Pose& from, const Pose& to, float fraction);
 
 // What a pixel sees: origin and unit direction. x, y: in [-1, 1] from the left and from the bottom.
 struct Sight {

@@ -110,10 +110,10 @@ void ScriptPlayer::mouse(const Words& words) {
     ++frame;
     if (frame == 2) press(which, true);
     if (drags && frame > 2 && frame <= 12) {
-      const float share = static_cast<float>(frame - 2) / 10.0f;
+      const float fraction = static_cast<float>(frame - 2) / 10.0f;
       const auto way = [&](std::size_t i) {
         const float from = script_number("x", words[i]), to = script_number("x", words[i + 2]);
-        return from + share * (to - from);
+        return from + fraction * (to - from);
       };
       viewer_.handle({.kind = Event::Kind::move, .at = Vec2(way(1), way(2))});
     }

@@ -20,9 +20,9 @@ std::vector<float> on_both_sides(const Values& values) {
   return sides;
 }
 
-std::vector<float> per_cent(std::vector<float> shares) {
-  for (auto& share : shares) share *= 100.0f;
-  return shares;
+std::vector<float> per_cent(std::vector<float> fractions) {
+  for (auto& fraction : fractions) fraction *= 100.0f;
+  return fractions;
 }
 
 // Of [patch][band] arrays, W/m² or lux; nothing at the back of a one-sided material.

@@ -27,29 +27,9 @@ std::string short_count(double count) {
   return fmt::format("{:.1f} G", count * 1e-9);
 }
 
-const char* why(StopReason reason) {
-  switch (reason) {
-    case StopReason::converged:
-      return "converged";
-    case StopReason::error_reached:
-      return "the error asked for is reached";
-    case StopReason::ray_limit:
-      return "the rays allowed are used up";
-    case StopReason::time_limit:
-      return "the time allowed is used up";
-    case StopReason::stopped_by_user:
-      return "stopped";
-    case StopReason::nothing_to_do:
-      return "there was nothing to do";
-    case StopReason::step_limit:
-      return "the bounces asked for are done";
-  }
-  return "";
-}
-
 void progress(const LiveStatus& status) {
   const auto stage = status.is_paused       ? std::string("paused")
-                     : status.stage.empty() ? std::string(status.stop ? why(*status.stop) : "ready")
+                     : status.stage.empty() ? std::string(status.stop ? description(*status.stop) : "ready")
                                             : status.stage;
   ImGui::ProgressBar(static_cast<float>(status.stage.empty() ? 1.0 : status.done), ImVec2(280.0f, 0.0f), "");
   const auto corner = ImGui::GetItemRectMin();

@@ -108,7 +108,7 @@ void Viewer::find_home() {
     const Solution nothing;
     const auto camera =
         automatic_camera(*mesh->patches, light ? light->solution : nothing, *mesh->tracer, Workers(1),
-                         space.up, std::clamp(aspect, smallest_aspect, largest_aspect));
+                         space.up, std::clamp(aspect, smallest_aspect, max_aspect));
     return FoundHome{scene, pose_of(camera, space)};
   });
 }

@@ -70,7 +70,7 @@ TEST(Jacobi, a_step_is_a_bounce) {
   });
   EXPECT_EQ(steps, 3);
   EXPECT_EQ(light.report.end, JacobiEnd::step_limit);
-  EXPECT_EQ(light.report.unshot_share.size(), 3u);
+  EXPECT_EQ(light.report.unshot_fraction.size(), 3u);
   EXPECT_EQ(light.radiosity, expected);
 }
 
@@ -84,7 +84,7 @@ TEST(Jacobi, the_unshot_share_is_what_the_next_step_sends_first) {
     for (std::size_t i = 0; i < step.before.size(); ++i)
       unshot += static_cast<double>(matrix.area[i / 2]) *
                 (static_cast<double>(step.radiosity[i]) - static_cast<double>(step.before[i]));
-    EXPECT_NEAR(step.unshot_share / (unshot / emitted), 1.0, 1e-6);
+    EXPECT_NEAR(step.unshot_fraction / (unshot / emitted), 1.0, 1e-6);
   });
 }
 
@@ -100,7 +100,7 @@ TEST(Jacobi, that_is_stopped_keeps_the_last_whole_step) {
     return ++asked == 6 ? Next::stop : Next::go_on;  // four times a step: in the midst of the second
   });
   EXPECT_EQ(stopped.report.end, JacobiEnd::stopped);
-  EXPECT_EQ(stopped.report.unshot_share.size(), 1u);
+  EXPECT_EQ(stopped.report.unshot_fraction.size(), 1u);
   EXPECT_EQ(stopped.radiosity, iterate(matrix, {.steps = 1}).radiosity);
   EXPECT_EQ(stopped.irradiance, iterate(matrix, {.steps = 1}).irradiance);
 }

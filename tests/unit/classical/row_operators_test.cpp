@@ -60,12 +60,12 @@ TEST(RowOperators, elements_are_the_sides_that_gather) {
 TEST(RowOperators, rows_and_losses_sum_to_one) {
   for (const auto* transport : made().all())
     transport->for_rows(0, transport->size(),
-                        [&](std::size_t slot, std::span<const RowOperator::Factor> row) {
-                          double sum = transport->losses().escaped[slot];
-                          for (const auto& factor : row) sum += static_cast<double>(factor.share);
+                        [&](std::size_t receiver, std::span<const RowOperator::Factor> row) {
+                          double sum = transport->losses().escaped[receiver];
+                          for (const auto& factor : row) sum += static_cast<double>(factor.fraction);
                           for (std::size_t m = 0; m < 3; ++m)
-                            sum += transport->losses().at_backs[slot * 3 + m];
-                          EXPECT_NEAR(sum, 1.0, 1e-5) << slot;
+                            sum += transport->losses().at_backs[receiver * 3 + m];
+                          EXPECT_NEAR(sum, 1.0, 1e-5) << receiver;
                         });
 }
 
@@ -77,10 +77,11 @@ TEST(RowOperators, what_meets_a_black_back_is_lost_there) {
   const Made plates(make_patches(b.scene(), {.max_edge = 0.5f}));
   for (const auto* transport : plates.all()) {
     double lost = 0.0;
-    for (std::size_t slot = 0; slot < transport->size(); ++slot) {
-      const auto patch = transport->sides().side[slot] / 2;
-      lost += static_cast<double>(plates.patches.area[patch]) * transport->losses().at_backs[slot * 2 + 1];
-      EXPECT_EQ(transport->losses().at_backs[slot * 2], 0.0) << "the floor's back is turned from all";
+    for (std::size_t receiver = 0; receiver < transport->size(); ++receiver) {
+      const auto patch = transport->sides().side[receiver] / 2;
+      lost +=
+          static_cast<double>(plates.patches.area[patch]) * transport->losses().at_backs[receiver * 2 + 1];
+      EXPECT_EQ(transport->losses().at_backs[receiver * 2], 0.0) << "the floor's back is turned from all";
     }
     const bool is_dense = transport == plates.all().front();
     EXPECT_NEAR(lost, 0.19982489569838746, is_dense ? 1e-7 : 0.01);
@@ -94,11 +95,11 @@ TEST(RowOperators, apply_is_the_product_with_the_rows) {
     for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i] = static_cast<float>(i % 7);
     const std::size_t end = transport->row_begins()[1];
     transport->apply(radiosity, irradiance, 0, end, made().workers);
-    transport->for_rows(0, n, [&](std::size_t slot, std::span<const RowOperator::Factor> row) {
+    transport->for_rows(0, n, [&](std::size_t receiver, std::span<const RowOperator::Factor> row) {
       double sum = 0.0;
       for (const auto& factor : row)
-        sum += static_cast<double>(factor.share) * static_cast<double>(radiosity[3 * factor.slot + 1]);
-      EXPECT_EQ(irradiance[3 * slot + 1], slot < end ? static_cast<float>(sum) : -1.0f) << slot;
+        sum += static_cast<double>(factor.fraction) * static_cast<double>(radiosity[3 * factor.receiver + 1]);
+      EXPECT_EQ(irradiance[3 * receiver + 1], receiver < end ? static_cast<float>(sum) : -1.0f) << receiver;
     });
   }
 }
@@ -106,17 +107,17 @@ TEST(RowOperators, apply_is_the_product_with_the_rows) {
 TEST(RowOperators, dense_is_reciprocal_and_the_others_come_near_it) {
   const auto& dense = *made().dense;
   const auto n = dense.size();
-  const auto area = [&](std::size_t slot) {
-    return static_cast<double>(made().patches.area[dense.sides().side[slot] / 2]);
+  const auto area = [&](std::size_t receiver) {
+    return static_cast<double>(made().patches.area[dense.sides().side[receiver] / 2]);
   };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       EXPECT_NEAR(area(i) * static_cast<double>(dense.factors()[i * n + j]),
                   area(j) * static_cast<double>(dense.factors()[j * n + i]), 1e-8);
   for (const auto* transport : {made().all()[1], made().all()[2]})
-    transport->for_rows(0, n, [&](std::size_t slot, std::span<const RowOperator::Factor> row) {
+    transport->for_rows(0, n, [&](std::size_t receiver, std::span<const RowOperator::Factor> row) {
       for (const auto& factor : row)
-        EXPECT_NEAR(factor.share, dense.factors()[slot * n + factor.slot], 0.04) << slot;
+        EXPECT_NEAR(factor.fraction, dense.factors()[receiver * n + factor.receiver], 0.04) << receiver;
     });
 }
 

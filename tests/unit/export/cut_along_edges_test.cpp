@@ -8,13 +8,13 @@
 namespace luxel {
 namespace {
 
-using Shares = std::array<std::vector<double>, 3>;  // [edge]: of the way along it
+using Fractions = std::array<std::vector<double>, 3>;  // [edge]: of the way along it
 
-std::vector<BorderPoint> border(const std::array<Vec3d, 3>& corners, const Shares& shares) {
+std::vector<BorderPoint> border(const std::array<Vec3d, 3>& corners, const Fractions& fractions) {
   std::vector<BorderPoint> points;
   for (std::size_t k = 0; k < 3; ++k) {
     points.push_back({corners[k], 1u << k | 1u << (k + 2) % 3});
-    for (const auto s : shares[k])
+    for (const auto s : fractions[k])
       points.push_back({corners[k] + s * (corners[(k + 1) % 3] - corners[k]), 1u << k});
   }
   return points;
@@ -22,14 +22,14 @@ std::vector<BorderPoint> border(const std::array<Vec3d, 3>& corners, const Share
 
 // Every piece has area and the triangle's winding, they make up all of it, and each stretch of the border
 // between two neighbouring points is an edge of just one.
-void expect_sound(const std::array<Vec3d, 3>& corners, const Shares& shares) {
-  const auto points = border(corners, shares);
-  const auto pieces = cut_along_edges(points);
-  EXPECT_EQ(pieces.size(), points.size() - 2);
+void expect_sound(const std::array<Vec3d, 3>& corners, const Fractions& fractions) {
+  const auto points = border(corners, fractions);
+  const auto fragments = cut_along_edges(points);
+  EXPECT_EQ(fragments.size(), points.size() - 2);
   const auto whole = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   double sum = 0.0;
   std::multiset<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const auto& t : pieces) {
+  for (const auto& t : fragments) {
     const auto area =
         glm::dot(glm::cross(points[t[1]].place - points[t[0]].place, points[t[2]].place - points[t[0]].place),
                  whole) /
@@ -55,9 +55,9 @@ TEST(CutAlongEdges, all_points_become_corners_and_no_piece_is_a_line) {
 
 TEST(CutAlongEdges, one_point_halves_a_triangle) {
   const auto points = border({Vec3d(0, 0, 0), Vec3d(2, 0, 0), Vec3d(0, 1, 0)}, {{{}, {0.5}, {}}});
-  const auto pieces = cut_along_edges(points);
-  ASSERT_EQ(pieces.size(), 2u);
-  for (const auto& piece : pieces)
+  const auto fragments = cut_along_edges(points);
+  ASSERT_EQ(fragments.size(), 2u);
+  for (const auto& piece : fragments)
     EXPECT_TRUE(std::count(piece.begin(), piece.end(), 0u) == 1 &&
                 std::count(piece.begin(), piece.end(), 2u) == 1);
 }

@@ -212,14 +212,14 @@ TEST(ExportGlb, the_asset_says_where_the_light_came_from) {
   lit.solution.provenance.method = "stochastic-jacobi";
   lit.solution.provenance.rays = 50'000'000;
   lit.solution.provenance.scene_fingerprint = 0xABCDEF;
-  lit.solution.unshot_share = 0.25;
+  lit.solution.unshot_fraction = 0.25;
   lit.solution.predicted_error = 0.125;
   const auto asset = exported(lit).asset;
   EXPECT_EQ(asset.version, "2.0");
   EXPECT_EQ(asset.generator, "Luxel 1.2.3");
   EXPECT_EQ(asset.extras.Get("method").Get<std::string>(), "stochastic-jacobi");
   EXPECT_EQ(asset.extras.Get("rays").GetNumberAsDouble(), 5e7);
-  EXPECT_EQ(asset.extras.Get("unshot_share").GetNumberAsDouble(), 0.25);
+  EXPECT_EQ(asset.extras.Get("unshot_fraction").GetNumberAsDouble(), 0.25);
   EXPECT_EQ(asset.extras.Get("predicted_error").GetNumberAsDouble(), 0.125);
   EXPECT_EQ(asset.extras.Get("scene_fingerprint").Get<std::string>(), "0000000000abcdef");
 }
@@ -296,7 +296,7 @@ TEST(ExportGlb, irradiance_goes_with_the_colours) {
 TEST(ExportGlb, godot_gets_codes_that_its_importer_decodes) {
   auto options = clamped;
   const auto linear = exported(two_colours(), Vec3(0, 1, 0), options);
-  options.program = MeshProgram::godot;
+  options.program = TargetApplication::godot;
   const auto coded = exported(two_colours(), Vec3(0, 1, 0), options);
   EXPECT_EQ(coded.materials[0].name, "red-vcol");
   EXPECT_FALSE(coded.meshes[0].primitives[0].attributes.contains("_IRRADIANCE"));
@@ -309,8 +309,8 @@ TEST(ExportGlb, godot_gets_codes_that_its_importer_decodes) {
 }
 
 TEST(ExportGlb, every_program_has_a_word) {
-  for (const auto word : mesh_program_names()) EXPECT_EQ(name(*mesh_program(word)), word);
-  EXPECT_FALSE(mesh_program("maya"));
+  for (const auto word : mesh_program_names()) EXPECT_EQ(name(*target_application(word)), word);
+  EXPECT_FALSE(target_application("maya"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(Enforce, what_keeps_the_laws_already_stays) {
   const auto before = factors.factor;
   const auto done = enforce_laws(factors, Workers(1));
   EXPECT_EQ(factors.factor, before);
-  EXPECT_LT(done.largest_change, 1e-15);
+  EXPECT_LT(done.max_change, 1e-15);
 }
 
 TEST(Enforce, no_factor_falls_below_zero) {

@@ -153,7 +153,7 @@ TEST(FormFactors, a_cube_has_its_two_textbook_factors) {
 }
 
 // Whoever does not see the upper square sees the shield instead, where that covers enough of it; of a wide
-// shield nothing gets past but over its rim, and of none, all.
+// shield nothing gets past but over its boundary, and of none, all.
 TEST(FormFactors, a_shield_takes_away_what_it_hides) {
   const auto open = 0.19982489569838746;
   const Asked none(shielded(0.001f)), half(shielded(0.5f)), full(shielded(1.0f)), wide(shielded(3.0f));

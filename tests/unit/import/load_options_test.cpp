@@ -53,7 +53,7 @@ TEST(LoadScene, the_scene_knows_the_file_as_it_was_named) {
   EXPECT_EQ(files.load_text(two_triangles).source, files.path("room.obj").string());
 }
 
-TEST(LoadScene, scale_is_metres_a_unit) {
+TEST(LoadScene, scale_is_metres_per_unit) {
   SceneFiles files;
   const auto scene = files.load_text(two_triangles, {.scale = 0.5f});
   EXPECT_EQ(scene.positions[1], Vec3(0.5f, 0, 0));

@@ -16,21 +16,21 @@ struct Topology {
   VertexWeld weld;
   CleanTriangles clean;
   Edges edges;
-  Pieces pieces;
+  Components components;
 
   explicit Topology(const Scene& scene)
       : clean(clean_triangles(scene, weld)),
         edges(find_edges(clean.kept, weld.positions().size())),
-        pieces(find_pieces(weld.positions(), clean.kept, edges)) {}
+        components(find_components(weld.positions(), clean.kept, edges)) {}
 
   std::size_t open() const {
     std::size_t count = 0;
     for (std::size_t e = 0; e < edges.size(); ++e) count += edges.is_open(e) ? 1 : 0;
     return count;
   }
-  std::size_t twisted() const {
+  std::size_t inconsistent() const {
     std::size_t count = 0;
-    for (std::size_t e = 0; e < edges.size(); ++e) count += edges.is_twisted(e) ? 1 : 0;
+    for (std::size_t e = 0; e < edges.size(); ++e) count += edges.winds_inconsistently(e) ? 1 : 0;
     return count;
   }
 };
@@ -79,9 +79,9 @@ TEST(Weld, makes_a_cube_of_loose_faces_closed_again_and_says_so) {
   const Topology mesh(scene);
   EXPECT_EQ(mesh.weld.positions().size(), 8u);
   EXPECT_EQ(mesh.open(), 0u);
-  ASSERT_EQ(mesh.pieces.pieces.size(), 1u);
-  EXPECT_TRUE(mesh.pieces.pieces[0].is_closed);
-  EXPECT_NEAR(mesh.pieces.pieces[0].volume, 1.0, 0.005);
+  ASSERT_EQ(mesh.components.components.size(), 1u);
+  EXPECT_TRUE(mesh.components.components[0].is_closed);
+  EXPECT_NEAR(mesh.components.components[0].volume, 1.0, 0.005);
 }
 
 TEST(Weld, tells_the_triangles_it_takes_the_area_of) {
@@ -95,8 +95,8 @@ TEST(Orient, makes_a_closed_piece_face_outwards_and_says_what_it_turned) {
     SceneFiles files;
     const auto scene = files.load_text(cube(Vec3d(5.0, 0.0, 0.0), turned, 0.0), {.orient = true});
     const Topology mesh(scene);
-    EXPECT_EQ(mesh.twisted(), 0u) << turned;
-    EXPECT_NEAR(mesh.pieces.pieces[0].volume, 1.0, 1e-6) << turned;
+    EXPECT_EQ(mesh.inconsistent(), 0u) << turned;
+    EXPECT_NEAR(mesh.components.components[0].volume, 1.0, 1e-6) << turned;
     const auto count = std::string(turned).size();  // two letters a face of two triangles
     const auto expected = count == 0
                               ? std::string("nothing was turned")
@@ -112,7 +112,7 @@ TEST(Orient, goes_by_the_greater_area_in_an_open_piece) {
       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n"
       "f 1 2 6 5\nf 2 6 7 3\nf 3 4 8 7\n",
       {.orient = true});
-  EXPECT_EQ(Topology(scene).twisted(), 0u);
+  EXPECT_EQ(Topology(scene).inconsistent(), 0u);
   for (const auto& t : scene.triangles) {
     const auto a = scene.positions[t[0]], b = scene.positions[t[1]], c = scene.positions[t[2]];
     EXPECT_GT(glm::cross(b - a, c - a).z, 0.0f);
@@ -130,8 +130,8 @@ TEST(Orient, never_turns_a_lamp_and_follows_it) {
                text.substr(face + 14);
   const auto scene = files.load_text(with_lamp, {.orient = true});
   const Topology mesh(scene);
-  EXPECT_EQ(mesh.twisted(), 0u);
-  EXPECT_NEAR(mesh.pieces.pieces[0].volume, -1.0, 1e-6) << "inwards, as its lamp";
+  EXPECT_EQ(mesh.inconsistent(), 0u);
+  EXPECT_NEAR(mesh.components.components[0].volume, -1.0, 1e-6) << "inwards, as its lamp";
   EXPECT_NE(files.all_warnings().find("1 that follow their lamps"), std::string::npos)
       << files.all_warnings();
 }

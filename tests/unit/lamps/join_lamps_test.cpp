@@ -15,35 +15,35 @@ namespace {
 using Shape = std::function<Vec3(float u, float v)>;  // of the unit square
 
 // n times n cells of two triangles each, but for those that are left out.
-std::vector<LampPiece> mesh(
+std::vector<LampFacet> mesh(
     int n, const Shape& shape,
     const std::function<bool(int, int)>& is_hole = [](int, int) { return false; }) {
   const auto at = [&](int i, int j) {
     return shape(static_cast<float>(i) / static_cast<float>(n),
                  static_cast<float>(j) / static_cast<float>(n));
   };
-  std::vector<LampPiece> pieces;
+  std::vector<LampFacet> facets;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       if (is_hole(i, j)) continue;
-      pieces.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, 0});
-      pieces.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}, 0});
+      facets.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, 0});
+      facets.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}, 0});
     }
-  return pieces;
+  return facets;
 }
 
 Vec3 tilted(float u, float v) {
   return Vec3(3.0f, -2.0f, 5.0f) + u * Vec3(1.1f, 0.3f, -0.2f) + v * Vec3(-0.1f, 0.7f, 0.4f);
 }
 
-std::size_t lamps_of(const std::vector<LampPiece>& pieces) {
-  const auto lamps = join_lamps(pieces);
-  std::vector<int> times(pieces.size(), 0);
+std::size_t lamps_of(const std::vector<LampFacet>& facets) {
+  const auto lamps = join_lamps(facets);
+  std::vector<int> times(facets.size(), 0);
   double before = 0.0;
   double after = 0.0;
-  for (const auto& p : pieces) before += triangle_area(p.corner[0], p.corner[1], p.corner[2]);
+  for (const auto& p : facets) before += triangle_area(p.corner[0], p.corner[1], p.corner[2]);
   for (const auto& lamp : lamps) {
-    for (const auto p : lamp.pieces) ++times[p];
+    for (const auto p : lamp.facets) ++times[p];
     for (std::size_t i = 2; i < lamp.corners.size(); ++i)
       after += triangle_area(lamp.corners[0], lamp.corners[i - 1], lamp.corners[i]);
   }
@@ -86,7 +86,7 @@ TEST(JoinLamps, other_materials_and_doubled_pieces_are_kept_apart) {
 
 TEST(JoinLamps, two_triangles_and_a_disc_of_few_stay_as_they_are) {
   EXPECT_EQ(lamps_of(mesh(1, tilted)), 2u);
-  std::vector<LampPiece> disc;
+  std::vector<LampFacet> disc;
   const auto rim = [](int i) {
     const auto angle = 2.0 * M_PI * (i % 24) / 24.0;
     return Vec3(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 1.0f);

@@ -85,7 +85,7 @@ void expect_closed(const PatchSet& patches) {
   EXPECT_EQ(open, 0u) << "of " << uses.size();
 }
 
-// The longest stretch, m, along which a triangle of the scene passes through the inside of a patch, `margin`
+// The longest interval, m, along which a triangle of the scene passes through the inside of a patch, `margin`
 // (m) or more from its edges.
 double longest_passage(const Scene& scene, const PatchSet& patches, double margin) {
   double longest = 0.0;
@@ -218,7 +218,7 @@ TEST(Contacts, a_wall_on_lines_of_the_floor_is_found_though_nothing_fits) {
       const auto at = 0.5f * Vec3(static_cast<float>(x), static_cast<float>(y), 0);
       b.quad(at, at + Vec3(0.5f, 0, 0), at + Vec3(0.5f, 0.5f, 0), at + Vec3(0, 0.5f, 0));
     }
-  // Along y = 2, in pieces of 0.3 m; and along diagonals of the floor's triangles.
+  // Along y = 2, in fragments of 0.3 m; and along diagonals of the floor's triangles.
   for (int i = 0; i < 10; ++i) {
     const auto x = 0.3f * static_cast<float>(i);
     wall(b, Vec3(x, 2, 0), Vec3(0.3f * static_cast<float>(i + 1), 2, 0), 0.0f, 1.0f);

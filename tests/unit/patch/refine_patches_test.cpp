@@ -22,15 +22,15 @@ double total_area(const PatchSet& patches) {
 
 // Degrees.
 double smallest_angle(const PatchSet& patches) {
-  double largest_cosine = -1.0;
+  double max_cosine = -1.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto q = patches.points(p);
       const auto a = glm::normalize(Vec3d(q[(k + 1) % 3]) - Vec3d(q[k]));
       const auto b = glm::normalize(Vec3d(q[(k + 2) % 3]) - Vec3d(q[k]));
-      largest_cosine = std::max(largest_cosine, glm::dot(a, b));
+      max_cosine = std::max(max_cosine, glm::dot(a, b));
     }
-  return std::acos(largest_cosine) * 180.0 / 3.14159265358979;
+  return std::acos(max_cosine) * 180.0 / 3.14159265358979;
 }
 
 // Those near a line that crosses rooms, as light would have it, and a few at random.
@@ -97,9 +97,9 @@ TEST(RefinePatches, halves_of_an_edge_inherit_its_contact) {
     if (std::count(c[1].begin(), c[1].end(), v) == 1) shared.push_back(v);
   ASSERT_EQ(shared.size(), 2u);
   patches.contacts = {{{std::min(shared[0], shared[1]), std::max(shared[0], shared[1])}, Vec3(0, 0, 1)}};
-  for (std::size_t pieces = 2; pieces <= 8; pieces *= 2) {
+  for (std::size_t fragments = 2; fragments <= 8; fragments *= 2) {
     patches = refine_patches(patches, std::vector<std::uint8_t>(patches.size(), 1)).patches;
-    ASSERT_EQ(patches.contacts.size(), pieces);
+    ASSERT_EQ(patches.contacts.size(), fragments);
     double length = 0.0;
     for (const auto& contact : patches.contacts) {
       const auto &p = patches.vertices[contact.edge[0]], &q = patches.vertices[contact.edge[1]];

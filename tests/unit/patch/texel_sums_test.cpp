@@ -115,13 +115,13 @@ TexelSums::Mean by_clipping(const Raster& raster, const std::array<Wrap, 2>& wra
   for (auto y = std::floor(low.y); y < high.y; y += 1.0)
     for (auto x = std::floor(low.x); x < high.x; x += 1.0) {
       const auto row = clipped(clipped(triangle, 1, y, 1.0), 1, y + 1.0, -1.0);
-      const auto share = area(clipped(clipped(row, 0, x, 1.0), 0, x + 1.0, -1.0));
+      const auto fraction = area(clipped(clipped(row, 0, x, 1.0), 0, x + 1.0, -1.0));
       const auto pixel =
           raster.index(static_cast<int>(wrapped(static_cast<std::int64_t>(x), raster.width, wrap[0])),
                        static_cast<int>(wrapped(static_cast<std::int64_t>(y), raster.height, wrap[1])));
       if (raster.alpha(pixel) < threshold) continue;
-      covered += share;
-      sum += share * Vec3d(raster.colour(pixel));
+      covered += fraction;
+      sum += fraction * Vec3d(raster.colour(pixel));
     }
   return {Vec3(sum / covered), static_cast<float>(covered / area(triangle))};
 }

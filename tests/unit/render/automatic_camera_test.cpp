@@ -25,7 +25,7 @@ Camera camera_for(const LitPatches& lit, int threads = 2, float aspect = 4.0f / 
   return automatic_camera(lit.patches, lit.solution, tracer, workers, y_up, aspect);
 }
 
-double lit_share(const LitPatches& lit, const Camera& camera) {
+double lit_fraction(const LitPatches& lit, const Camera& camera) {
   const Workers workers(2);
   const Tracer tracer(lit.patches, workers);
   const auto image = render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera,
@@ -61,7 +61,7 @@ TEST(AutomaticCamera, in_a_closed_room_it_stands_inside_and_sees_lit_walls_only)
   const auto lit = room({4.0f, 3.0f, 5.0f});
   const auto camera = camera_for(lit);
   EXPECT_TRUE(within(camera.eye, Vec3(0.0f), {4.0f, 3.0f, 5.0f})) << as_text(camera.eye);
-  EXPECT_EQ(lit_share(lit, camera), 1.0);
+  EXPECT_EQ(lit_fraction(lit, camera), 1.0);
 }
 
 TEST(AutomaticCamera, in_a_room_it_stands_at_eye_level_and_looks_across) {
@@ -84,7 +84,7 @@ TEST(AutomaticCamera, an_open_box_is_seen_through_its_opening) {
     EXPECT_LT(camera.target.z, camera.eye.z) << "it looks away from the box";
     EXPECT_TRUE(camera.eye.z > size.z || within(camera.eye, Vec3(0.0f), size)) << as_text(camera.eye);
   }
-  EXPECT_GE(lit_share(lit, camera_for(lit)), 0.8);
+  EXPECT_GE(lit_fraction(lit, camera_for(lit)), 0.8);
 }
 
 // The sky lights the box from outside first.
@@ -109,7 +109,7 @@ TEST(AutomaticCamera, of_two_rooms_it_chooses_the_lit_one) {
   test::add_box(lit, {6.0f, 0.0f, 0.0f}, {9.0f, 3.0f, 3.0f}, Facing::inwards, 1.0f);
   const auto camera = camera_for(lit);
   EXPECT_TRUE(within(camera.eye, {6.0f, 0.0f, 0.0f}, {9.0f, 3.0f, 3.0f})) << as_text(camera.eye);
-  EXPECT_EQ(lit_share(lit, camera), 1.0);
+  EXPECT_EQ(lit_fraction(lit, camera), 1.0);
 }
 
 TEST(AutomaticCamera, it_does_not_stand_in_the_furniture) {
@@ -120,7 +120,7 @@ TEST(AutomaticCamera, it_does_not_stand_in_the_furniture) {
   const auto camera = camera_for(lit);
   EXPECT_TRUE(within(camera.eye, Vec3(0.0f), {6.0f, 3.0f, 6.0f})) << as_text(camera.eye);
   EXPECT_FALSE(within(camera.eye, low, high)) << as_text(camera.eye);
-  EXPECT_EQ(lit_share(lit, camera), 1.0);
+  EXPECT_EQ(lit_fraction(lit, camera), 1.0);
 }
 
 TEST(AutomaticCamera, a_thing_alone_is_seen_from_outside) {
@@ -128,7 +128,7 @@ TEST(AutomaticCamera, a_thing_alone_is_seen_from_outside) {
   test::add_box(lit, Vec3(-1.0f), Vec3(1.0f), Facing::outwards, 1.0f);
   const auto camera = camera_for(lit);
   EXPECT_FALSE(within(camera.eye, Vec3(-1.0f), Vec3(1.0f))) << as_text(camera.eye);
-  EXPECT_GT(lit_share(lit, camera), 0.2);
+  EXPECT_GT(lit_fraction(lit, camera), 0.2);
   EXPECT_GT(glm::dot(glm::normalize(camera.target - camera.eye), glm::normalize(-camera.eye)), 0.9f)
       << "it does not look at the thing";
 }
@@ -160,7 +160,7 @@ TEST(AutomaticCamera, a_scene_not_solved_yet_has_a_view_too) {
   const auto camera = camera_for(lit);
   const auto lit_room = room({4.0f, 3.0f, 5.0f});
   EXPECT_TRUE(within(camera.eye, Vec3(0.0f), {4.0f, 3.0f, 5.0f})) << as_text(camera.eye);
-  EXPECT_EQ(lit_share(lit_room, camera), 1.0);
+  EXPECT_EQ(lit_fraction(lit_room, camera), 1.0);
 }
 
 TEST(AutomaticCamera, wrong_requests_are_refused) {

@@ -155,19 +155,19 @@ TEST(RelativeDifferences, are_signed_have_a_floor_and_leave_out_what_is_dark_in_
   a.at(1, 0) = Vec3(0.0f);
   b.at(1, 0) = Vec3(0.002f);
   a.at(2, 0) = b.at(2, 0) = Vec3(0.0f);
-  const auto shares = relative_differences(a, b);
-  EXPECT_NEAR(shares[0], 0.1f, 1e-6f);
-  EXPECT_NEAR(shares[1], 0.2f, 1e-6f) << "against a hundredth of the mean of what is lit";
-  EXPECT_TRUE(std::isnan(shares[2]));
+  const auto fractions = relative_differences(a, b);
+  EXPECT_NEAR(fractions[0], 0.1f, 1e-6f);
+  EXPECT_NEAR(fractions[1], 0.2f, 1e-6f) << "against a hundredth of the mean of what is lit";
+  EXPECT_TRUE(std::isnan(fractions[2]));
 }
 
 TEST(DifferencePicture, is_white_without_difference_red_above_blue_below_and_has_a_legend) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  std::vector<float> shares(120 * 4, 0.0f);
-  shares[0] = 0.1f;
-  shares[1] = -0.1f;
-  shares[2] = nan;
-  const auto image = difference_picture(shares, 120, 4, 0.1f);
+  std::vector<float> fractions(120 * 4, 0.0f);
+  fractions[0] = 0.1f;
+  fractions[1] = -0.1f;
+  fractions[2] = nan;
+  const auto image = difference_picture(fractions, 120, 4, 0.1f);
   EXPECT_GT(image.height, 20) << "room for the legend";
   EXPECT_EQ(image.at(5, 1), Vec3(1.0f));
   EXPECT_GT(image.at(0, 0).r, 5.0f * image.at(0, 0).b);
@@ -182,10 +182,10 @@ TEST(DifferencePicture, is_white_without_difference_red_above_blue_below_and_has
 }
 
 TEST(DifferencePicture, has_a_round_scale_that_fits_most) {
-  std::vector<float> shares(100, 0.031f);
-  EXPECT_NEAR(automatic_scale(shares), 0.05f, 1e-6f);
-  for (std::size_t i = 0; i < 4; ++i) shares[i] = 9.0f;
-  EXPECT_NEAR(automatic_scale(shares), 0.05f, 1e-6f);
+  std::vector<float> fractions(100, 0.031f);
+  EXPECT_NEAR(automatic_scale(fractions), 0.05f, 1e-6f);
+  for (std::size_t i = 0; i < 4; ++i) fractions[i] = 9.0f;
+  EXPECT_NEAR(automatic_scale(fractions), 0.05f, 1e-6f);
   EXPECT_NEAR(automatic_scale(std::vector<float>(3, -0.2f)), 0.2f, 1e-6f);
   EXPECT_GT(automatic_scale(std::vector<float>(3, 0.0f)), 0.0f);
   EXPECT_EQ(automatic_scale({}), 0.01f);

@@ -39,13 +39,13 @@ TEST(LampTable, chooses_patches_by_their_power_as_its_density_says) {
   double chi2 = 0.0;
   double whole = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const auto share = lamps.density(patches, p) * static_cast<double>(patches.area[p]);
-    whole += share;
-    if (share == 0.0) {
+    const auto fraction = lamps.density(patches, p) * static_cast<double>(patches.area[p]);
+    whole += fraction;
+    if (fraction == 0.0) {
       EXPECT_EQ(counts[p], 0u);
       continue;
     }
-    const auto expected = share * static_cast<double>(n);
+    const auto expected = fraction * static_cast<double>(n);
     chi2 +=
         (static_cast<double>(counts[p]) - expected) * (static_cast<double>(counts[p]) - expected) / expected;
   }

@@ -52,8 +52,8 @@ void expect_near(const Vec3d& a, const Vec3d& b, double within = 1e-6) {
 TEST_F(Diagnose, finds_nothing_in_a_closed_room) {
   const auto report = of(room);
   EXPECT_EQ(kinds(report), "");
-  EXPECT_EQ(report.pieces, 1u);
-  EXPECT_EQ(report.closed_pieces, 1u);
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.closed_components, 1u);
   EXPECT_DOUBLE_EQ(report.area, 24.0);
   EXPECT_EQ(report.walks.escaped, 0.0);
 }
@@ -128,9 +128,9 @@ TEST_F(Diagnose, finds_neighbours_that_face_opposite_ways) {
 TEST_F(Diagnose, finds_edges_of_more_than_two_triangles) {
   const auto report = of(room + "v 0.5 1 1\nv 1.5 1 1\nf 1 2 10 9\n");
   EXPECT_EQ(kinds(report), "open-edge crowded-edge ");
-  EXPECT_EQ(found(report, FindingKind::crowded_edge).count, 1u);
+  EXPECT_EQ(found(report, FindingKind::non_manifold_edge).count, 1u);
   EXPECT_EQ(found(report, FindingKind::open_edge).count, 3u);
-  expect_near(found(report, FindingKind::crowded_edge).places[0].at, {1.0, 0.0, 0.0});
+  expect_near(found(report, FindingKind::non_manifold_edge).places[0].at, {1.0, 0.0, 0.0});
 }
 
 TEST_F(Diagnose, says_which_weld_closes_a_gap) {

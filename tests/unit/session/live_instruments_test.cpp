@@ -146,26 +146,26 @@ TEST(LiveInstruments, rays_of_a_patch_are_those_of_the_solver) {
   LiveLight light;
   light.mesh = mesh_of(make_patches(truth::furnace(Vec3(0.5f), Vec3(0.2f)), {.max_edge = 0.5f}));
   light.sampled.error = 0.001;
-  SampleKeeping keeping;
-  keeping.keep = [&](auto state) { light.samples = state; };
+  SampleStorage storage;
+  storage.keep = [&](auto state) { light.samples = state; };
   solve_sampled(*light.mesh.patches, *light.mesh.tracer, light.solution, light.sampled, Workers(1), {},
-                keeping);
+                storage);
   const auto& samples = *light.samples;
   ASSERT_GT(samples.rounds.size(), 1u);
 
-  for (std::uint32_t slot = 0; slot < samples.sides.size(); slot += 7) {
-    const auto side = samples.sides[slot];
+  for (std::uint32_t receiver = 0; receiver < samples.sides.size(); receiver += 7) {
+    const auto side = samples.sides[receiver];
     const auto rays = gather_rays(light, side / 2, side % 2 == 1, 1u << 20);
     std::size_t next = 0;
     for (const auto& round : samples.rounds) {
-      const auto at = std::find(round.slots.begin(), round.slots.end(), slot);
-      if (at == round.slots.end()) continue;
-      const auto place = static_cast<std::size_t>(at - round.slots.begin());
+      const auto at = std::find(round.receivers.begin(), round.receivers.end(), receiver);
+      if (at == round.receivers.end()) continue;
+      const auto place = static_cast<std::size_t>(at - round.receivers.begin());
       for (std::uint32_t r = 0; r < samples.replicates; ++r)
         for (std::uint32_t k = 0; k < round.per_replicate; ++k, ++next) {
           ASSERT_LT(next, rays.size());
           EXPECT_EQ(rays[next].replicate, r);
-          const auto element = round.hits[r * round.hits_a_replicate() + place * round.per_replicate + k];
+          const auto element = round.hits[r * round.hits_per_replicate() + place * round.per_replicate + k];
           ASSERT_LT(element, samples.sides.size()) << "a furnace is closed, and every side is lit";
           EXPECT_EQ(2 * rays[next].hit.patch + (rays[next].hit.back ? 1 : 0), samples.sides[element]);
         }

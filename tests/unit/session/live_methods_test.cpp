@@ -169,14 +169,14 @@ TEST(LiveMethods, a_solution_without_the_light_of_each_lamp_says_so) {
   };
   ASSERT_TRUE(wait_until([&] { return said().find("early.vtkhdf is written") != std::string::npos; }));
   EXPECT_NE(said().find("which is not known yet"), std::string::npos) << said();
-  EXPECT_TRUE(read_kept_run(early).samples->gathered.empty());
+  EXPECT_TRUE(read_stored_run(early).samples->gathered.empty());
   live.stop();
   ASSERT_TRUE(wait_for_idle(live));
   const auto late = fresh("late.vtkhdf");
   live.save_solution(late);
   ASSERT_TRUE(wait_for_idle(live));
   EXPECT_TRUE(said().ends_with("is written")) << said();
-  EXPECT_FALSE(read_kept_run(late).samples->gathered.empty());
+  EXPECT_FALSE(read_stored_run(late).samples->gathered.empty());
 }
 
 // No solver is there at all: it waits for none, and none for it.

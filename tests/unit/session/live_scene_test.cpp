@@ -61,7 +61,7 @@ TEST(LiveScene, says_in_a_sentence_what_is_wrong_with_a_file) {
 }
 
 // What waits to be sent on, of what lamps emit.
-double unshot_share(const LiveLight& light) {
+double unshot_fraction(const LiveLight& light) {
   const auto& patches = *light.mesh.patches;
   double unshot = 0.0;
   double emitted = 0.0;
@@ -107,7 +107,7 @@ TEST(LiveScene, saves_what_there_is_when_it_is_closed) {
   LiveScene live(cornell, endless());
   ASSERT_TRUE(wait_until([&] { return live.status().history.size() > 1; }));
   live.close(file);
-  const auto kept = read_kept_run(file);
+  const auto kept = read_stored_run(file);
   EXPECT_EQ(kept.baked.solution.stop, StopReason::stopped_by_user);
   EXPECT_EQ(kept.baked.solution.irradiance_front, front(live.light()));
   EXPECT_TRUE(kept.samples);
@@ -172,7 +172,7 @@ TEST(LiveScene, relights_in_proportion_and_back) {
   live.save_solution(fresh("relit.vtkhdf"));
   ASSERT_TRUE(wait_for_idle(live));
   for (std::size_t i = 0; i < front(own).size(); ++i) EXPECT_LE(front(live.light())[i], front(twice)[i]);
-  EXPECT_FALSE(read_kept_run(place("relit.vtkhdf")).samples);
+  EXPECT_FALSE(read_stored_run(place("relit.vtkhdf")).samples);
 
   live.relight({});
   ASSERT_TRUE(wait_for_idle(live));
@@ -234,7 +234,7 @@ TEST(LiveScene, shows_each_bounce_with_what_it_leaves_to_the_next) {
     ASSERT_TRUE(wait_until([&] { return live.status().is_paused || live.status().is_idle; }));
     if (live.status().is_idle) break;
     const auto light = live.light();
-    EXPECT_NEAR(unshot_share(*light), light->solution.unshot_share, 1e-4) << "bounce " << bounces;
+    EXPECT_NEAR(unshot_fraction(*light), light->solution.unshot_fraction, 1e-4) << "bounce " << bounces;
   }
   EXPECT_GT(bounces, 2u);
   EXPECT_EQ(live.status().stop, StopReason::converged);
@@ -278,16 +278,16 @@ TEST(LiveScene, shows_the_bounces_of_its_samples) {
   for (const auto H : front(after(0))) EXPECT_EQ(H, 0.0f);
   const auto once = after(1);
   const auto& samples = *own->samples;
-  for (std::size_t slot = 0; slot < samples.sides.size(); ++slot) {
-    if (samples.sides[slot] % 2 == 1) continue;
+  for (std::size_t receiver = 0; receiver < samples.sides.size(); ++receiver) {
+    if (samples.sides[receiver] % 2 == 1) continue;
     double direct = 0.0;  // of the first band; one lamp is one group
-    for (const auto& replicate : samples.direct) direct += static_cast<double>(replicate[3 * slot]) / 8.0;
-    EXPECT_NEAR(front(once)[3 * (samples.sides[slot] / 2)], direct, 1e-5);
+    for (const auto& replicate : samples.direct) direct += static_cast<double>(replicate[3 * receiver]) / 8.0;
+    EXPECT_NEAR(front(once)[3 * (samples.sides[receiver] / 2)], direct, 1e-5);
   }
   for (const int bounces : {4, 2, 50}) {
     const auto light = after(bounces);
     EXPECT_EQ(light->bounces, bounces);
-    EXPECT_NEAR(unshot_share(*light), light->solution.unshot_share, 1e-5);
+    EXPECT_NEAR(unshot_fraction(*light), light->solution.unshot_fraction, 1e-5);
   }
   for (std::size_t i = 0; i < front(own).size(); ++i)
     EXPECT_NEAR(front(live.light())[i], front(own)[i], 1e-4f + 1e-4f * front(own)[i]);

@@ -196,7 +196,7 @@ TEST_F(DamagedSolution, a_newer_version_is_refused_with_advice) {
     H5Aclose(attribute);
     H5Gclose(group);
   });
-  EXPECT_EQ(message, "written by format version 7; this program reads up to 1: use a newer Luxel");
+  EXPECT_EQ(message, "written by format version 7; this program reads up to 2: use a newer Luxel");
 }
 
 TEST_F(DamagedSolution, what_a_reader_does_not_know_is_ignored) {

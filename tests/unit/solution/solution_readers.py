@@ -22,8 +22,8 @@ except ImportError as error:
 
 LIGHT = {"radiosity_front": 2000, "radiosity_back": 3000, "irradiance_front": 1, "irradiance_back": 1000}
 FAR = (100000, 0, -1000000)
-ERRORS = {"standard_error_front": 4000, "standard_error_back": 5000, "sharing_bias_front": 6000,
-          "sharing_bias_back": 7000}
+ERRORS = {"standard_error_front": 4000, "standard_error_back": 5000, "smoothing_bias_front": 6000,
+          "smoothing_bias_back": 7000}
 
 
 def value(first, index):
@@ -62,7 +62,7 @@ def check_with_vtk(path, patches, bands, arrays, origin):
 
 def check_with_h5py(path, patches, bands, arrays, origin):
     with h5py.File(path, "r") as file:
-        check(file["Luxel"].attrs["format_version"], 1, "format version")
+        check(file["Luxel"].attrs["format_version"], 2, "format version")
         has_errors = len(arrays) > len(LIGHT)
         stop = b"error_reached" if has_errors else b"converged"
         check(file["Luxel"].attrs["stop_reason"], stop, "stop reason")

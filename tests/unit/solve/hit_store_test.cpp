@@ -19,10 +19,10 @@ class HitStoreTest : public testing::Test {
   HitStore make(const HitStoreOptions& options = {}) const {
     return {patches_, all_gather_sides(patches_, make_patch_tree(patches_, one_)), tracer_, options};
   }
-  static std::vector<std::uint32_t> all_slots(const HitStore& hits) {
-    std::vector<std::uint32_t> slots(hits.sides().size());
-    for (std::uint32_t s = 0; s < slots.size(); ++s) slots[s] = s;
-    return slots;
+  static std::vector<std::uint32_t> all_receivers(const HitStore& hits) {
+    std::vector<std::uint32_t> receivers(hits.sides().size());
+    for (std::uint32_t s = 0; s < receivers.size(); ++s) receivers[s] = s;
+    return receivers;
   }
   static std::vector<std::uint32_t> hits_of(const HitStore& store, std::uint32_t replicate) {
     std::vector<std::uint32_t> hits;
@@ -40,21 +40,21 @@ class HitStoreTest : public testing::Test {
 TEST_F(HitStoreTest, a_hit_is_that_of_the_ray_made_and_traced_alone) {
   auto hits = make({.seed = 7, .replicates = 2});
   constexpr std::uint32_t n = 32;
-  hits.double_rays(all_slots(hits), n, five_);
+  hits.double_rays(all_receivers(hits), n, five_);
   const auto& sides = hits.sides();
   for (const std::uint32_t replicate : {0u, 1u}) {
     const auto met = hits_of(hits, replicate);
     ASSERT_EQ(met.size(), sides.size() * n);
     for (std::size_t i = 0; i < met.size(); i += 5) {
-      const auto slot = i / n;
-      const auto back = slot >= sides.fronts ? 1u : 0u;
+      const auto receiver = i / n;
+      const auto back = receiver >= sides.fronts ? 1u : 0u;
       const auto key = mix64(stream_key(7, 0x67617468u, 2 * replicate + back));
-      const OwenSobol points(stream_key(key, 0, sides.position[slot] / sequence_positions));
-      const auto x = points.first4(sides.position[slot] * n + static_cast<std::uint32_t>(i % n));
+      const OwenSobol points(stream_key(key, 0, sides.position[receiver] / sequence_positions));
+      const auto x = points.first4(sides.position[receiver] * n + static_cast<std::uint32_t>(i % n));
       const std::array<float, 4> u = {x[2], x[3], x[0], x[1]};
-      const auto hit = tracer_.nearest(PatchEmitter(patches_, sides.side[slot]).ray(u));
-      if (hit && sides.slot_of_side[side_of(hit.patch, hit.back)] != GatherSides::none)
-        ASSERT_EQ(met[i], sides.slot_of_side[side_of(hit.patch, hit.back)]) << i;
+      const auto hit = tracer_.nearest(PatchEmitter(patches_, sides.side[receiver]).ray(u));
+      if (hit && sides.receiver_of_side[side_of(hit.patch, hit.back)] != GatherSides::none)
+        ASSERT_EQ(met[i], sides.receiver_of_side[side_of(hit.patch, hit.back)]) << i;
       else
         ASSERT_GE(met[i], sides.size()) << i;
     }
@@ -69,7 +69,7 @@ TEST_F(HitStoreTest, streamed_or_stored_the_hits_are_the_same) {
       auto stored = make(options);
       auto streamed = make(options);
       for (auto* hits : {&stored, &streamed}) {
-        hits->double_rays(all_slots(*hits), 4, hits == &stored ? one_ : five_);
+        hits->double_rays(all_receivers(*hits), 4, hits == &stored ? one_ : five_);
         // Some get more: every third.
         std::vector<std::uint32_t> some;
         for (std::uint32_t s = 0; s < hits->sides().size(); s += 3) some.push_back(s);

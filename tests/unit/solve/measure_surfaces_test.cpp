@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t replicates = 4;
 
-// Light of replicate r, at slot s in band b: exact means are easy to form.
+// Light of replicate r, at receiver s in band b: exact means are easy to form.
 float light(std::size_t r, std::size_t s, std::size_t b) {
   return 1.0f + 0.5f * static_cast<float>(b) + 0.01f * static_cast<float>(s % 7) +
          0.1f * static_cast<float>((r * r + s) % 3);
@@ -69,7 +69,7 @@ TEST(MeasureSurfaces, of_a_solve_are_the_area_means_of_its_solution) {
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.3f});
   const Tracer tracer(patches, workers);
   Solution solution;
-  const auto report = solve_sampled(patches, tracer, solution, {.error = 0.05, .share = false}, workers);
+  const auto report = solve_sampled(patches, tracer, solution, {.error = 0.05, .smoothing = false}, workers);
   const auto bands = patches.band_count();
   ASSERT_FALSE(report.means.surfaces.empty());
   for (const auto& s : report.means.surfaces) {

@@ -10,8 +10,8 @@
 #include "luxel/classical/shooting.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
-#include "luxel/solve/piece_shares.h"
 #include "luxel/solve/sampled_operator.h"
+#include "luxel/solve/work_units.h"
 
 #include "support/thread_ranks.h"
 #include "support/truth_scenes.h"
@@ -72,7 +72,7 @@ TEST(Balance, pieces_go_to_who_is_free_first_as_fast_as_each_is) {
   const RankTimes times{{1.0, 2.0, 1.0}, {0.0, 10.0, 40.0}};
   std::vector<double> load;
   for (int i = 0; i < 100; ++i) load.push_back(0.1 + 0.01 * (i * 37 % 100));
-  const auto owners = dealt_pieces(load, times);
+  const auto owners = dealt_units(load, times);
   auto ready = times.ready;
   for (std::size_t i = 0; i < load.size(); ++i) ready[owners[i]] += load[i] / times.speed[owners[i]];
   // The last one has enough to do; the others share 60 seconds: x and 2 (x - 10).
@@ -90,15 +90,15 @@ class RanksTest : public testing::Test {
             tracer_,
             {.replicates = 4, .ranks = ranks}};
   }
-  static std::vector<std::uint32_t> all_slots(const HitStore& hits) {
-    std::vector<std::uint32_t> slots(hits.sides().size());
-    std::iota(slots.begin(), slots.end(), 0u);
-    return slots;
+  static std::vector<std::uint32_t> all_receivers(const HitStore& hits) {
+    std::vector<std::uint32_t> receivers(hits.sides().size());
+    std::iota(receivers.begin(), receivers.end(), 0u);
+    return receivers;
   }
   static std::vector<std::uint32_t> every_third(const HitStore& hits) {
-    auto slots = all_slots(hits);
-    std::erase_if(slots, [](std::uint32_t s) { return s % 3 > 0; });
-    return slots;
+    auto receivers = all_receivers(hits);
+    std::erase_if(receivers, [](std::uint32_t s) { return s % 3 > 0; });
+    return receivers;
   }
 
   Workers one_{1};
@@ -109,7 +109,7 @@ class RanksTest : public testing::Test {
 // The second rank sleeps whenever its monitor is asked, a hundred times as long as its rays take.
 TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
   auto alone = make(nullptr);
-  for (int round = 0; round < 3; ++round) alone.double_rays(all_slots(alone), 1, one_);
+  for (int round = 0; round < 3; ++round) alone.double_rays(all_receivers(alone), 1, one_);
   alone.double_rays(every_third(alone), 8, one_);
   const auto truth = alone.rounds();
   ThreadRanks::run(3, [&](const Ranks& ranks) {
@@ -120,28 +120,28 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
       if (is_slow) std::this_thread::sleep_for(std::chrono::milliseconds(300));
       return Next::go_on;
     };
-    const auto share_of_slow = [&] {
-      const auto& owners = shared.shares().owners();
+    const auto fraction_of_slow = [&] {
+      const auto& owners = shared.partition().owners();
       return static_cast<double>(std::count(owners.begin(), owners.end(), 1u)) /
              static_cast<double>(owners.size());
     };
-    EXPECT_GT(share_of_slow(), 0.3);
-    const auto double_rays = [&](const std::vector<std::uint32_t>& slots) {
+    EXPECT_GT(fraction_of_slow(), 0.3);
+    const auto double_rays = [&](const std::vector<std::uint32_t>& receivers) {
       std::vector<double> more(shared.sides().size(), 0.0);
-      for (const auto s : slots) more[s] = shared.rays_per_slot()[s];
+      for (const auto s : receivers) more[s] = shared.rays_per_receiver()[s];
       const auto times = shared.balance(more, 0.0);
       EXPECT_EQ(times.speed.size(), 3u);
-      shared.double_rays(slots, 1, workers, monitor);
+      shared.double_rays(receivers, 1, workers, monitor);
     };
-    for (int round = 0; round < 3; ++round) double_rays(all_slots(shared));
+    for (int round = 0; round < 3; ++round) double_rays(all_receivers(shared));
     double_rays(every_third(shared));
-    EXPECT_LT(share_of_slow(), 0.2);
+    EXPECT_LT(fraction_of_slow(), 0.2);
     const auto rounds = shared.rounds();
     ASSERT_EQ(rounds.size(), truth.size());
     for (std::size_t k = 0; k < rounds.size(); ++k) {
-      EXPECT_EQ(rounds[k].slots, truth[k].slots);
+      EXPECT_EQ(rounds[k].receivers, truth[k].receivers);
       if (ranks.rank() > 0) continue;
-      const auto count = 4 * truth[k].hits_a_replicate();
+      const auto count = 4 * truth[k].hits_per_replicate();
       EXPECT_TRUE(std::equal(truth[k].hits.get(), truth[k].hits.get() + count, rounds[k].hits.get())) << k;
     }
   });
@@ -152,7 +152,7 @@ TEST_F(RanksTest, rows_that_count_both_ways_have_the_bits_of_one_rank) {
   for (const bool is_streamed : {false, true}) {
     const auto prepare = [&](HitStore& hits) {
       if (is_streamed) hits.stream();
-      hits.double_rays(all_slots(hits), 2, one_);
+      hits.double_rays(all_receivers(hits), 2, one_);
       hits.double_rays(every_third(hits), 0, one_);
     };
     const auto light = [&](const HitStore& hits) {
@@ -182,8 +182,8 @@ TEST_F(RanksTest, the_last_part_goes_to_who_was_done_with_the_first) {
   const auto sides = all_gather_sides(patches_, make_patch_tree(patches_, one_));
   const std::vector<double> more(sides.size(), 8.0);
   ThreadRanks::run(2, [&](const Ranks& ranks) {
-    const RowShares shares(&ranks, 1024, sides.position);
-    PieceShares pieces(shares, sides);
+    const RowPartition partition(&ranks, 1024, sides.position);
+    WorkUnits pieces(partition, sides);
     pieces.deal(more, {{1.0, 1.0}, {0.0, 0.0}});
     const auto count_mine = [&](int part) {
       double count = 0.0;
@@ -223,18 +223,18 @@ TEST_F(RanksTest, shot_power_arrives_as_that_of_one_to_the_last_unit) {
   });
 }
 
-TEST(LoopShare, chunks_of_ranks_make_up_the_loop_and_all_know_all) {
+TEST(LoopPartition, chunks_of_ranks_make_up_the_loop_and_all_know_all) {
   for (const std::size_t count : {0, 1, 9, 10, 11, 95, 100}) {
     ThreadRanks::run(4, [&](const Ranks& ranks) {
-      const LoopShare mine(&ranks, count, 10);
+      const LoopPartition mine(&ranks, count, 10);
       std::vector<int> values(2 * count, -1), chunks((count + 9) / 10, -1);
       EXPECT_EQ(mine.begin() % 10, 0u);
       for (auto i = mine.begin(); i < mine.end(); ++i) {
         values[2 * i] = values[2 * i + 1] = static_cast<int>(i);
         chunks[i / 10] = static_cast<int>(i / 10);
       }
-      mine.share(std::span(values), 2);
-      mine.share_chunks(std::span(chunks));
+      mine.all_gather(std::span(values), 2);
+      mine.all_gather_chunks(std::span(chunks));
       for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], static_cast<int>(i / 2));
       for (std::size_t c = 0; c < chunks.size(); ++c) EXPECT_EQ(chunks[c], static_cast<int>(c));
     });

@@ -53,8 +53,8 @@ double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& 
   Solution solution;
   solve_sampled(patches, tracer, solution, {.error = 0.002, .error_measure = ErrorMeasure::power}, workers);
   const auto smooth = make_smooth_light(patches, solution, {}, workers);
-  double error2 = 0.0;
-  double light2 = 0.0;
+  double squared_error = 0.0;
+  double squared_light = 0.0;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     if (patches.material_of(p).name != "floor") continue;
     constexpr int places = 4;
@@ -68,11 +68,11 @@ double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& 
       const auto found = (1.0 - static_cast<double>(u[0] + u[1])) * at(0) +
                          static_cast<double>(u[0]) * at(1) + static_cast<double>(u[1]) * at(2);
       const auto weight = static_cast<double>(patches.area[p]) / places;
-      error2 += weight * (found - truth) * (found - truth);
-      light2 += weight * truth * truth;
+      squared_error += weight * (found - truth) * (found - truth);
+      squared_light += weight * truth * truth;
     }
   }
-  return std::sqrt(error2 / light2);
+  return std::sqrt(squared_error / squared_light);
 }
 
 TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {

@@ -22,12 +22,12 @@ struct Room {
   PatchSet patches;
   Tracer tracer{patches, one};
 
-  HitStore hits(const HitStoreOptions& options, std::uint32_t per_slot) const {
+  HitStore hits(const HitStoreOptions& options, std::uint32_t per_receiver) const {
     HitStore store(patches, all_gather_sides(patches, make_patch_tree(patches, one)), tracer, options);
-    store.double_rays(slots(store, 1), per_slot, one);
+    store.double_rays(receivers(store, 1), per_receiver, one);
     return store;
   }
-  static std::vector<std::uint32_t> slots(const HitStore& store, std::uint32_t every) {
+  static std::vector<std::uint32_t> receivers(const HitStore& store, std::uint32_t every) {
     std::vector<std::uint32_t> some;
     for (std::uint32_t s = 0; s < store.sides().size(); s += every) some.push_back(s);
     return some;
@@ -65,7 +65,7 @@ TEST(SampledOperator, streamed_or_stored_and_on_any_number_of_threads_the_sums_h
   const Room room{make_patches(truth::l_room(), {.max_edge = 0.2f})};
   for (const std::uint32_t replicates : {4, 5}) {
     auto hits = room.hits({.replicates = replicates}, 4);
-    hits.double_rays(Room::slots(hits, 3), 0, five);
+    hits.double_rays(Room::receivers(hits, 3), 0, five);
     std::vector<std::uint8_t> kept(hits.sides().size(), 1);
     for (std::size_t s = 0; s < kept.size(); s += 7) kept[s] = 0;
     hits.keep(kept, five);
@@ -79,7 +79,7 @@ TEST(SampledOperator, streamed_or_stored_and_on_any_number_of_threads_the_sums_h
 TEST(SampledOperator, rows_sum_to_one_however_few_the_rays) {
   const Room room{make_patches(truth::l_room(), {.max_edge = 0.3f})};
   auto hits = room.hits({.replicates = 8}, 1);
-  hits.double_rays(Room::slots(hits, 5), 0, one);
+  hits.double_rays(Room::receivers(hits, 5), 0, one);
   const SampledOperator transport(room.patches, hits, {}, one);
   const std::vector<float> ones(hits.elements(), 1.0f);
   std::vector<float> sums(hits.sides().size());
@@ -149,7 +149,7 @@ TEST(SampledOperator, a_bright_patch_does_not_see_itself_by_its_own_rays) {
     for (std::uint32_t n = 1; n < rays; n *= 2) hits.double_rays(only, 0, one);
     if (!both_ways)
       for (std::uint32_t n = 1; n < rays; n *= 2) {
-        auto others = Room::slots(hits, 1);
+        auto others = Room::receivers(hits, 1);
         std::erase(others, bright);
         hits.double_rays(others, 0, one);
       }

@@ -21,9 +21,9 @@ class SkyNotFoundTest : public testing::Test {
   HitStore hits_of(const PatchSet& patches, const Tracer& tracer, std::uint32_t rays) const {
     HitStore hits(patches, all_gather_sides(patches, make_patch_tree(patches, workers_)), tracer,
                   {.replicates = replicates});
-    std::vector<std::uint32_t> slots(hits.sides().size());
-    std::iota(slots.begin(), slots.end(), 0u);
-    hits.double_rays(slots, rays, workers_);
+    std::vector<std::uint32_t> receivers(hits.sides().size());
+    std::iota(receivers.begin(), receivers.end(), 0u);
+    hits.double_rays(receivers, rays, workers_);
     return hits;
   }
 
@@ -84,9 +84,9 @@ TEST_F(SkyNotFoundTest, later_rays_take_off_but_do_not_change_what_is_expected) 
   const auto units = neighbour_begins(hits.sides(), 64);
   const SkyNotFound before(patches_, hits, units, workers_);
   const auto of_few = before.variance();
-  std::vector<std::uint32_t> slots(hits.sides().size());
-  std::iota(slots.begin(), slots.end(), 0u);
-  hits.double_rays(slots, 0, workers_);
+  std::vector<std::uint32_t> receivers(hits.sides().size());
+  std::iota(receivers.begin(), receivers.end(), 0u);
+  hits.double_rays(receivers, 0, workers_);
   const SkyNotFound after(patches_, hits, units, workers_);
   EXPECT_TRUE(std::ranges::equal(after.expected(), before.expected()));
   const auto of_many = after.variance();

@@ -56,9 +56,9 @@ const std::vector<Recorded> recorded{
 };
 
 struct Judged {
-  double worst_ratio = 1.0;   // of the time left to the true one, either way, from a tenth of the way to 0.95
-  double largest_fall = 0.0;  // of the fraction done
-  double last = 0.0;          // fraction done at the end
+  double worst_ratio = 1.0;  // of the time left to the true one, either way, from a tenth of the way to 0.95
+  double max_fall = 0.0;     // of the fraction done
+  double last = 0.0;         // fraction done at the end
 };
 
 Judged judged(const Recorded& run) {
@@ -68,7 +68,7 @@ Judged judged(const Recorded& run) {
   const auto look = [&](double seconds, double rays) {
     const auto before = result.last;
     result.last = forecast.done(seconds, rays);
-    result.largest_fall = std::max(result.largest_fall, before - result.last);
+    result.max_fall = std::max(result.max_fall, before - result.last);
     const auto left = time_left(result.last, seconds);
     if (!left || seconds < 0.1 * whole || seconds > 0.95 * whole) return;
     const auto ratio = *left / (whole - seconds);
@@ -96,7 +96,7 @@ TEST(TimeForecast, is_within_a_factor_of_1_8_in_recorded_runs_and_never_runs_bac
   for (const auto& run : recorded) {
     const auto result = judged(run);
     EXPECT_LT(result.worst_ratio, 1.8) << run.name;
-    EXPECT_EQ(result.largest_fall, 0.0) << run.name;
+    EXPECT_EQ(result.max_fall, 0.0) << run.name;
     EXPECT_EQ(result.last, 1.0) << run.name;
   }
 }

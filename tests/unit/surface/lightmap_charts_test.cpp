@@ -22,8 +22,8 @@ using test::add_box;
 using test::add_room;
 using test::even_light;
 
-Charts charts_of(const PatchSet& patches, float texel, float back = 0.0f, int most_texels = 1000) {
-  return make_charts(patches, even_light(patches, 1.0f, back), {.texel = texel, .most_texels = most_texels},
+Charts charts_of(const PatchSet& patches, float texel, float back = 0.0f, int max_texels = 1000) {
+  return make_charts(patches, even_light(patches, 1.0f, back), {.texel = texel, .max_texels = max_texels},
                      Workers(2));
 }
 

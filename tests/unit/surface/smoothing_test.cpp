@@ -26,7 +26,7 @@ struct Floor {
   Workers workers;
   PatchTree tree;
   GatherSides sides;
-  std::vector<float> area;  // [slot]
+  std::vector<float> area;  // [receiver]
 
   explicit Floor(int threads = 2, bool two_sided = false, float max_edge = 0.2f)
       : patches(make_patches(truth::SceneBuilder()
@@ -39,8 +39,8 @@ struct Floor {
         sides(all_gather_sides(patches, tree)) {
     for (const auto s : sides.side) area.push_back(patches.area[s / 2]);
   }
-  Vec3 centroid(std::size_t slot) const {
-    const auto [a, b, c] = patches.points(sides.side[slot] / 2);
+  Vec3 centroid(std::size_t receiver) const {
+    const auto [a, b, c] = patches.points(sides.side[receiver] / 2);
     return (a + b + c) / 3.0f;
   }
 };
@@ -75,7 +75,7 @@ Smooth smooth(const Floor& f, std::vector<std::vector<float>> values) {
 }
 
 // Sum of area times squared error of the mean, all bands.
-double true_error2(const Floor& f, const std::vector<std::vector<float>>& values, const Field& field) {
+double true_squared_error(const Floor& f, const std::vector<std::vector<float>>& values, const Field& field) {
   double sum = 0.0;
   for (std::size_t i = 0; i < values[0].size(); ++i) {
     double mean = 0.0;
@@ -92,27 +92,29 @@ void expect_noise_of(double numbers, const Field& field) {
   const Floor f;
   constexpr int runs = 200;
   constexpr float sigma = 0.5f;
-  double error2 = 0.0;
+  double total_squared_error = 0.0;
   double spread = 0.0;
   double bias = 0.0;
   for (int run = 0; run < runs; ++run) {
     const auto smoothed = smooth(f, noisy(f, field, sigma, static_cast<std::uint64_t>(run)));
-    error2 += true_error2(f, smoothed.values, field);
+    total_squared_error += true_squared_error(f, smoothed.values, field);
     const std::vector<float> none(smoothed.bias.size(), 0.0f);
-    spread += spread_of(smoothed.values, none, bands, f.area, f.workers).error2;
+    spread += spread_of(smoothed.values, none, bands, f.area, f.workers).total_squared_error;
     for (std::size_t i = 0; i < smoothed.bias.size(); ++i)
       bias += static_cast<double>(f.area[i / bands] * smoothed.bias[i]);
   }
   const auto expected = runs * static_cast<double>(sigma * sigma) / 8.0 * 16.0 * bands * numbers /
                         static_cast<double>(f.sides.size());
   // The fractions that windows move by are estimates: a fit that knew the field would have half the error.
-  const auto freedom = bands * numbers * runs;
-  EXPECT_GT(error2 / expected, statistics::chi_square_lower_limit(freedom) / freedom);
-  EXPECT_LT(error2 / expected, 2.0 * statistics::chi_square_limit(freedom) / freedom);
-  // The spread has seven times the freedom of the error: what their ratio varies by.
-  EXPECT_NEAR(spread / error2, 1.0, 5.0 * std::sqrt(2.0 / freedom * 8.0 / 7.0));
+  const auto degrees_of_freedom = bands * numbers * runs;
+  EXPECT_GT(total_squared_error / expected,
+            statistics::chi_square_lower_limit(degrees_of_freedom) / degrees_of_freedom);
+  EXPECT_LT(total_squared_error / expected,
+            2.0 * statistics::chi_square_limit(degrees_of_freedom) / degrees_of_freedom);
+  // The spread has seven times the degrees_of_freedom of the error: what their ratio varies by.
+  EXPECT_NEAR(spread / total_squared_error, 1.0, 5.0 * std::sqrt(2.0 / degrees_of_freedom * 8.0 / 7.0));
   // There is no bias to find; what was found is noise, and what the choice of fits makes of it.
-  EXPECT_NEAR(bias / error2, 0.0, 0.3);
+  EXPECT_NEAR(bias / total_squared_error, 0.0, 0.3);
 }
 
 TEST(Smoothing, leaves_of_noise_about_a_plane_twice_what_three_numbers_carry_at_most) {
@@ -133,26 +135,27 @@ TEST(Smoothing, leaves_a_step_where_it_is) {
   // Six standard errors of a patch's own mean; risk: 3072 times two in a thousand million.
   for (std::size_t i = 0; i < spread.mean.size(); ++i)
     ASSERT_NEAR(spread.mean[i], step(f.centroid(i / bands)), 6.0f * sigma / std::sqrt(8.0f));
-  EXPECT_LT(true_error2(f, smoothed.values, step), 0.5 * true_error2(f, noisy(f, step, sigma, 1), step));
+  EXPECT_LT(true_squared_error(f, smoothed.values, step),
+            0.5 * true_squared_error(f, noisy(f, step, sigma, 1), step));
 }
 
 // With light that bends so little that its noise hides it: over many runs the stated bias is the true one.
 TEST(Smoothing, counts_the_bias_of_light_that_is_almost_a_plane) {
   const Floor f;
   const Field bent = [](const Vec3& p) { return 2.0f + 0.05f * p.x * p.x * p.x * p.x; };
-  double error2 = 0.0;
+  double total_squared_error = 0.0;
   double variance = 0.0;
   double bias = 0.0;
   for (std::uint64_t run = 0; run < 200; ++run) {
     const auto smoothed = smooth(f, noisy(f, bent, 0.5f, run));
-    error2 += true_error2(f, smoothed.values, bent);
+    total_squared_error += true_squared_error(f, smoothed.values, bent);
     const std::vector<float> none(smoothed.bias.size(), 0.0f);
-    variance += spread_of(smoothed.values, none, bands, f.area, f.workers).error2;
+    variance += spread_of(smoothed.values, none, bands, f.area, f.workers).total_squared_error;
     for (std::size_t i = 0; i < smoothed.bias.size(); ++i)
       bias += static_cast<double>(f.area[i / bands] * smoothed.bias[i]);
   }
-  EXPECT_GT(error2, 1.1 * variance);
-  EXPECT_NEAR((variance + bias) / error2, 1.0, 0.2);
+  EXPECT_GT(total_squared_error, 1.1 * variance);
+  EXPECT_NEAR((variance + bias) / total_squared_error, 1.0, 0.2);
 }
 
 TEST(Smoothing, does_not_touch_what_has_no_noise) {
@@ -176,7 +179,7 @@ TEST(Smoothing, gives_the_same_bits_on_any_number_of_threads) {
   }
 }
 
-// A region of several tasks, and fits that reach over the slots of two ranks.
+// A region of several tasks, and fits that reach over the receivers of two ranks.
 TEST(Smoothing, ranks_get_for_their_slots_the_bits_of_one) {
   const Floor f(1, true, 0.05f);
   ASSERT_GT(f.sides.fronts, 16'000u);
@@ -190,10 +193,10 @@ TEST(Smoothing, ranks_get_for_their_slots_the_bits_of_one) {
       auto values = noise;
       std::vector<std::vector<float>> direct(values.size(), std::vector<float>(values[0].size(), 0.0f));
       std::vector<float> own_bias(alone.bias.size(), 0.0f);
-      const auto mine = spread_share(&ranks, f.sides.size());
+      const auto mine = spread_partition(&ranks, f.sides.size());
       Smoothing(f.patches, f.tree, f.sides).smooth(direct, values, own_bias, workers, mine);
       const auto is_same = [&](const std::vector<float>& a, const std::vector<float>& b) {
-        const auto at = [&](std::size_t slot) { return static_cast<std::ptrdiff_t>(slot * bands); };
+        const auto at = [&](std::size_t receiver) { return static_cast<std::ptrdiff_t>(receiver * bands); };
         return std::equal(a.begin() + at(mine.begin()), a.begin() + at(mine.end()),
                           b.begin() + at(mine.begin()));
       };
@@ -272,14 +275,15 @@ TEST(Smoothing, goes_on_round_curved_surfaces) {
         values[r][s * bands + b] = light(s) + sigma * std::sqrt(12.0f) * (uniform4({1, r, s, b})[0] - 0.5f);
   std::vector<float> bias(sides.size() * bands, 0.0f);
   Smoothing(patches, tree, sides).smooth(direct, values, bias, workers, {nullptr, sides.size(), 1});
-  double error2 = 0.0;
+  double total_squared_error = 0.0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     double mean = 0.0;
     for (const auto& v : values) mean += static_cast<double>(v[s * bands]) / 8.0;
-    error2 += (mean - static_cast<double>(light(s))) * (mean - static_cast<double>(light(s)));
+    total_squared_error += (mean - static_cast<double>(light(s))) * (mean - static_cast<double>(light(s)));
   }
   // A fifth of the variance that the patches' own rays have.
-  EXPECT_LT(error2 / static_cast<double>(sides.size()), 0.2 * static_cast<double>(sigma * sigma) / 8.0);
+  EXPECT_LT(total_squared_error / static_cast<double>(sides.size()),
+            0.2 * static_cast<double>(sigma * sigma) / 8.0);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ double mean(const std::vector<int>& codes) {
 // of another scale only where contrast is about the least that counts, epsilon (level + V), and each scale
 // passed by then changes V by no more than that: together from scale 3 on, whose level is 2^phi key / 1.6^6
 // and falls by 1.6^2 with each, by epsilon (1.64 level + 5 V). What is seen is L / (1 + V).
-double most_change(double V, double key) {
+double max_change(double V, double key) {
   const double level = 256.0 * key / std::pow(1.6, 6.0);
   return 0.05 * (1.64 * level + 5.0 * V) / (1.0 + V);
 }
@@ -129,7 +129,7 @@ TEST_F(LocalToneOnACard, it_is_the_processors_picture) {
     for (std::size_t i = 0; i < light.pixels.size(); ++i) {
       const double L = static_cast<double>(curve.scale * light.pixels[i].g);
       const double seen = expected.pixels[i].g;
-      const double most = most_change(L / seen - 1.0, 0.18 * std::exp2(static_cast<double>(exposure)));
+      const double most = max_change(L / seen - 1.0, 0.18 * std::exp2(static_cast<double>(exposure)));
       const auto code = [](double value) { return srgb_code(static_cast<float>(value)); };
       const int it = srgb_code(drawn.pixels[i].g);
       beyond += it < code(seen * (1.0 - most)) - 1 || it > code(seen * (1.0 + most)) + 1 ? 1 : 0;

@@ -84,7 +84,7 @@ TEST(ColourMap, a_scale_holds_nearly_all_values_between_round_ends) {
   const auto both = automatic_value_scale({-0.03f, 0.01f}, false, ColourMap::difference);
   EXPECT_EQ(both.low, -both.high);
   const auto log = automatic_value_scale(values, true, ColourMap::heat);
-  EXPECT_NEAR(log.value_at(log.share(7.0f)), 7.0f, 1e-4f);
+  EXPECT_NEAR(log.value_at(log.fraction(7.0f)), 7.0f, 1e-4f);
   EXPECT_EQ(scale_text(0.25f), "0.25");
 }
 
@@ -171,8 +171,8 @@ TEST_F(Card, false_colours_are_those_of_the_legend) {
   for (const bool logarithmic : {false, true}) {
     const ValueScale scale{.low = 1.0f, .high = 100.0f, .logarithmic = logarithmic};
     const auto image = draw({.paint = Paint::smooth, .scale = scale});
-    expect_near(image, 20, map_colour(scale.map, scale.share(15.0f)));
-    expect_near(image, 44, map_colour(scale.map, scale.share(60.0f)));
+    expect_near(image, 20, map_colour(scale.map, scale.fraction(15.0f)));
+    expect_near(image, 44, map_colour(scale.map, scale.fraction(60.0f)));
   }
 }
 

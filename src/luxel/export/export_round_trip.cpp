@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/export_round_trip.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/core/output_file.h"
+#include "luxel/export/lit_mesh.h"
+#include "luxel/export/mapped_surfaces.h"
+#include "luxel/export/quantise.h"
+#include "luxel/export/round_trip_materials.h"
+#include "luxel/export/round_trip_primitive.h"
+#include "luxel/export/scene_gltf.h"
+#include "luxel/image/image_file.h"
+#include "luxel/import/gltf_array.h"
+#include "luxel/import/gltf_copy.h"
+#include "luxel/import/is_gltf.h"
+#include "luxel/scene/luminous_efficacy.h"
+#include "luxel/solution/back_is_lit.h"
+
+namespace luxel {
+namespace {
+
+// The scene's own file, or the scene as one. order: see round_trip_parts().
+std::unique_ptr<GltfFile> file_of(const Scene& scene, const Vec3& up, std::vector<std::uint32_t>& order) {
+  if (is_gltf(scene.source)) return std::make_unique<GltfFile>(scene.source, known_extensions());
+  auto made = gltf_of(scene, up);
+  order = std::move(made.order);
+  return std::make_unique<GltfFile>(std::move(made.bytes), "scene.glb", known_extensions());
+}
+
+// What all forms share: the file's parts go through it one by one.
+class RoundTripExport {
+ public:
+  RoundTripExport(const RoundTripInput& input, const RoundTripOptions& options)
+      : input_(input),
+        options_(options),
+        file_(file_of(input.scene, options.up, order_)),
+        parts_(round_trip_parts(*file_, input.scene,
+                                is_gltf(input.scene.source) ? options.metres_per_unit : 1.0, order_)),
+        of_triangles_(input.patches, input.scene.triangles.size()),
+        back_is_lit_(lit_backs(input.patches, input.solution)),
+        curve_(curve_for(input.patches, input.solution, options.tone)),
+        copy_(*file_),
+        materials_(copy_, options.program) {}
+
+  const ToneCurve& curve() const { return curve_; }
+  RoundTripScene round_trip() const { return {input_.scene, input_.patches, of_triangles_, back_is_lit_}; }
+
+  // surfaces_of(part): what it becomes. light(part, surface, path): puts the light on a primitive.
+  template <typename SurfacesOf, typename Light>
+  void put(const SurfacesOf& surfaces_of, const Light& light);
+  void describe(const char* form, const std::string& light);
+  // False, and nothing is written, where the monitor says stop.
+  bool write(const std::filesystem::path& path, const Monitor& monitor) const {
+    if (tell(monitor, {"write", 0.0}) == Next::stop) return false;
+    write_file(path, copy_.bytes(path.string()));
+    return true;
+  }
+
+  // COLOR_0 and _IRRADIANCE. front, back: [element][band], W/m², which the surface's vertices name.
+  void colour(const RoundTripPart& part, const RoundTripSurface& surface, const std::string& path,
+              const std::vector<float>& front, const std::vector<float>& back);
+  // code(pixel): what is written of it. Gives the textures; none after the monitor's stop.
+  template <typename Code>
+  std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name, const Code& code,
+                                     const Monitor& monitor);
+  // What a part becomes, and the further texture coordinates of a surface: their number.
+  std::vector<RoundTripSurface> surfaces_on(const RoundTripPages& pages, const RoundTripPart& part,
+                                            const PageCuts& cuts) const;
+  std::size_t add_coordinates(const RoundTripPages& pages, const RoundTripSurface& surface,
+                              const std::string& path);
+  void put_out_lamps();
+
+  RoundTripMaterials& materials() { return materials_; }
+  const BandMaterial& material_of(const RoundTripPart& part) const {
+    const auto number = input_.scene.triangle_material[part.triangles.front()];
+    return input_.patches.materials[static_cast<std::size_t>(number)];
+  }
+
+ private:
+  static std::vector<bool> lit_backs(const PatchSet& patches, const Solution& solution) {
+    std::vector<bool> lit(patches.size());
+    for (std::size_t p = 0; p < lit.size(); ++p) lit[p] = back_is_lit(solution, p);
+    return lit;
+  }
+  // gone: [node] primitives of its mesh, ascending.
+  void take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone);
+  JsonValue material_json(const RoundTripPart& part) const {
+    const auto index = part.drawn.primitive["material"];
+    return index ? file_->object(index, "materials") : index;
+  }
+
+  const RoundTripInput& input_;
+  const RoundTripOptions& options_;
+  std::vector<std::uint32_t> order_;  // see round_trip_parts()
+  std::unique_ptr<GltfFile> file_;
+  std::vector<RoundTripPart> parts_;
+  PatchesOfTriangles of_triangles_;
+  std::vector<bool> back_is_lit_;
+  ToneCurve curve_;
+  GltfCopy copy_;
+  RoundTripMaterials materials_;
+};
+
+// Further primitives of a mesh come behind its own.
+template <typename SurfacesOf, typename Light>
+void RoundTripExport::put(const SurfacesOf& surfaces_of, const Light& light) {
+  // All copies are taken before the first is changed.
+  std::vector<bool> taken(copy_.size("/meshes"));
+  std::map<std::size_t, std::size_t> mesh_of;  // [node]
+  for (const auto& part : parts_)
+    if (const auto node = part.drawn.placed.number; !mesh_of.contains(node))
+      mesh_of[node] = mesh_of_node(copy_, node, taken);
+  std::map<std::size_t, std::vector<std::size_t>> gone;  // [node]: primitives, ascending
+  for (const auto& part : parts_) {
+    if (!is_opaque(input_.scene, part)) continue;
+    const auto mesh = mesh_of.at(part.drawn.placed.number);
+    const auto own = primitive_path(mesh, part.drawn.number);
+    const auto surfaces = surfaces_of(part);
+    if (surfaces.empty()) gone[part.drawn.placed.number].push_back(part.drawn.number);
+    std::vector<std::string> paths;
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+      paths.push_back(
+          s == 0 ? own
+                 : primitive_path(mesh, copy_.append_copy(fmt::format("/meshes/{}/primitives", mesh), own)));
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      put_surface(copy_, *file_, part, surfaces[s], paths[s]);
+      light(part, surfaces[s], paths[s]);
+      if (surfaces.size() > 1 && surfaces.back().back) materials_.one_sided(paths[s]);
+    }
+  }
+  take_off(gone);
+}
+
+// Primitives without a surface: they have no area, or others lie just where they do, and have their light.
+void RoundTripExport::take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone) {
+  for (const auto& [node, primitives] : gone) {
+    const auto place = fmt::format("/nodes/{}", node);
+    const auto mesh = copy_.index_at(place + "/mesh");
+    const bool all = primitives.size() == copy_.size(fmt::format("/meshes/{}/primitives", mesh));
+    // No mesh may be empty: one that nothing shows is left, but what its material needs it may not have.
+    for (auto i = primitives.rbegin(); i != primitives.rend(); ++i)
+      copy_.erase(primitive_path(mesh, *i) + (all ? "/material" : ""));
+    if (!all) continue;
+    for (const auto* member : {"/mesh", "/skin", "/weights"}) copy_.erase(place + member);
+  }
+}
+
+void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& surface,
+                             const std::string& path, const std::vector<float>& front,
+                             const std::vector<float>& back) {
+  const auto profile = profile_of(options_.program);
+  const auto colours = input_.patches.colours();
+  const auto& material = material_of(part);
+  const auto json = material_json(part);
+  const bool textured = RoundTripMaterials::is_textured(json);
+  BandMaterial plain = material;
+  if (textured && material.textures.reflectance && input_.patches.has_colours())
+    for (int b = 0; b < 3; ++b)
+      plain.reflectance[static_cast<std::size_t>(b)] = material.textures.reflectance_factor[b];
+  const auto own = part.drawn.primitive["attributes"]["COLOR_0"];
+  std::optional<GltfArray> tints;
+  if (own) tints.emplace(*file_, own, 3, 4);
+  const auto tint_of = [&](std::size_t v) {
+    if (!tints) return Vec3(1.0f);
+    const auto count = surface.own.size();
+    const auto vertex =
+        v < count ? RoundTripVertex{{surface.own[v], 0, 0}, {1.0, 0.0, 0.0}} : surface.added[v - count];
+    Vec3d sum(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto c = tints->at(vertex.of[i]);
+      sum += vertex.weights[static_cast<int>(i)] * Vec3d(c[0], c[1], c[2]);
+    }
+    return Vec3(sum);
+  };
+  const auto& values = surface.back ? back : front;
+  std::vector<Rgba16> shown;
+  std::vector<Vec3> irradiance;
+  for (std::size_t v = 0; v < surface.light.size(); ++v) {
+    if (surface.light[v] == RoundTripSurface::no_light) {
+      shown.push_back(quantise(Vec3(0.0f)));
+      irradiance.emplace_back(0.0f);
+      continue;
+    }
+    const auto* here = &values[surface.light[v] * colours.bands()];
+    const TextureRatio fraction{.fine_reflectance = tint_of(v)};
+    const auto seen = curve_(in_gamut(radiance_of(plain, surface.back, here, colours, fraction)));
+    shown.push_back(quantise(profile.colours_are_srgb ? srgb_codes(seen) : seen));
+    irradiance.push_back(Vec3(colours.rgb(std::span(here, colours.bands()))));
+  }
+  const auto attributes = path + "/attributes/";
+  copy_.put(attributes + "COLOR_0", fmt::format("{}", copy_.add_colours(shown)));
+  if (profile.keeps_irradiance)
+    copy_.put(attributes + "_IRRADIANCE",
+              fmt::format("{}", copy_.add_vectors(std::span<const Vec3>(irradiance))));
+  materials_.shadeless(path, part.drawn.primitive["material"]);
+}
+
+template <typename Code>
+std::vector<std::size_t> RoundTripExport::add_pages(const std::vector<Image>& pages, const char* name,
+                                                    const Code& code, const Monitor& monitor) {
+  std::vector<std::size_t> textures;
+  const auto sampler =
+      copy_.append("/samplers", R"({"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071})");
+  for (std::size_t p = 0; p < pages.size(); ++p) {
+    auto page = pages[p];
+    for (auto& pixel : page.pixels) pixel = code(pixel);
+    const auto png = png_of(page, {}, monitor);
+    if (png.empty()) return {};
+    const auto image = copy_.add_picture(png, "image/png", fmt::format("{} {}", name, p + 1));
+    textures.push_back(
+        copy_.append("/textures", fmt::format(R"({{"source":{},"sampler":{}}})", image, sampler)));
+  }
+  return textures;
+}
+
+// Coordinates of the file's own are of fronts, and of a page for each node or one for all.
+std::vector<RoundTripSurface> RoundTripExport::surfaces_on(const RoundTripPages& pages,
+                                                           const RoundTripPart& part,
+                                                           const PageCuts& cuts) const {
+  if (!pages.as_file_has_it) return mapped_surfaces(round_trip(), part, pages.atlas, cuts);
+  auto surfaces = uncut_surfaces(round_trip(), part);
+  if (surfaces.size() > 1) surfaces.resize(1);
+  if (surfaces.empty()) return surfaces;
+  for (const auto t : part.triangles)
+    if (of_triangles_.begin(t) < of_triangles_.end(t)) {
+      surfaces[0].page = pages.atlas.page_of(2 * std::size_t{of_triangles_.begin(t)});
+      break;
+    }
+  return surfaces;
+}
+
+// Sets are counted without a gap, and programs look for a lightmap in the second.
+std::size_t RoundTripExport::add_coordinates(const RoundTripPages& pages, const RoundTripSurface& surface,
+                                             const std::string& path) {
+  if (pages.as_file_has_it) return 1;
+  const auto set = [&](std::size_t n) { return fmt::format("{}/attributes/TEXCOORD_{}", path, n); };
+  const auto accessor = fmt::format("{}", copy_.add_vectors(std::span<const Vec2>(surface.uv)));
+  std::size_t number = 0;
+  while (copy_.has(set(number))) ++number;
+  if (number == 0) copy_.put(set(number++), accessor);
+  copy_.put(set(number), accessor);
+  return number;
+}
+
+// Their light is on the surfaces already.
+void RoundTripExport::put_out_lamps() {
+  for (std::size_t n = 0; n < copy_.size("/nodes"); ++n)
+    copy_.erase(fmt::format("/nodes/{}/extensions/KHR_lights_punctual", n));
+}
+
+void RoundTripExport::describe(const char* form, const std::string& light) {
+  const auto& from = input_.solution.provenance;
+  copy_.put("/asset/extras/luxel",
+            fmt::format(R"({{"made_for":"{}","as":"{}","light":{},"method":"{}","rays":{},"seed":"{}",)"
+                        R"("seen_error":{},"predicted_error":{},"scene_fingerprint":"{:016x}"}})",
+                        name(options_.program), form, light, from.method, from.rays, from.seed,
+                        input_.solution.seen_error, input_.solution.predicted_error, from.scene_fingerprint));
+}
+
+std::string vertex_light(const ToneCurve& curve, const ExportProfile& profile) {
+  auto text = fmt::format(
+      R"({{"COLOR_0":{{"quantity":"radiance after the tone curve, over the texture","unit":"1: the display's white",)"
+      R"("encoding":"{}","tone":"{}","scale":{}}})",
+      profile.colours_are_srgb ? "sRGB codes" : "linear sRGB", name(curve.options.op), curve.scale);
+  if (profile.keeps_irradiance)
+    text += fmt::format(R"(,"_IRRADIANCE":{{"quantity":"irradiance","unit":"W/m2 by linear sRGB",)"
+                        R"("radiance":"reflectance * irradiance / pi","lumens_per_watt":{}}})",
+                        luminous_efficacy);
+  return text + "}";
+}
+
+// material(part, surface, path, coordinates): changes the material of a primitive that looks its page up
+// there.
+template <typename Material>
+void put_pages(RoundTripExport& output, const RoundTripPages& pages, const Material& material) {
+  const PageCuts cuts(output.round_trip(), pages.atlas);
+  output.put([&](const RoundTripPart& part) { return output.surfaces_on(pages, part, cuts); },
+             [&](const RoundTripPart& part, const RoundTripSurface& surface, const std::string& place) {
+               material(part, surface, place, output.add_coordinates(pages, surface, place));
+             });
+}
+
+// surfaces_of(preserved, part); front, back: see RoundTripExport::colour().
+template <typename SurfacesOf>
+void export_vertices(const std::filesystem::path& path, const RoundTripInput& input,
+                     const RoundTripOptions& options, const SurfacesOf& surfaces_of,
+                     const std::vector<float>& front, const std::vector<float>& back) {
+  RoundTripExport output(input, options);
+  output.put([&](const RoundTripPart& part) { return surfaces_of(output.round_trip(), part); },
+             [&](const RoundTripPart& part, const RoundTripSurface& surface, const std::string& place) {
+               output.colour(part, surface, place, front, back);
+             });
+  output.describe("vertex", vertex_light(output.curve(), profile_of(options.program)));
+  output.write(path, {});
+}
+
+}  // namespace
+
+Scene scene_of(const PatchSet& patches) {
+  Scene scene;
+  scene.source = "the solution";
+  scene.positions = patches.vertices;
+  scene.triangles = patches.corners;
+  scene.triangle_material = patches.material;
+  scene.triangle_line.resize(patches.size());
+  scene.triangle_group.resize(patches.size());
+  scene.groups = {"surfaces"};
+  const auto colours = patches.colours();
+  const std::vector<float> ones(patches.band_count(), 1.0f);
+  const auto white = colours.rgb(ones);
+  for (const auto& of_patches : patches.materials) {
+    Material material;
+    material.name = of_patches.name;
+    material.two_sided = of_patches.two_sided;
+    material.reflectance = in_gamut(colours.rgb(of_patches.reflectance) / white);
+    material.emittance = in_gamut(colours.rgb(of_patches.emittance));
+    material.textures = of_patches.textures;
+    scene.materials.push_back(std::move(material));
+  }
+  scene.textures = patches.textures;
+  scene.uv_sets = patches.uv_sets;
+  scene.corner_colours = patches.corner_colours;
+  scene.origin = patches.origin;
+  return scene;
+}
+
+void export_round_trip_cut(const std::filesystem::path& path, const RoundTripInput& input,
+                           const SmoothLight& light, const RoundTripOptions& options) {
+  export_vertices(
+      path, input, options,
+      [&](const RoundTripScene& round_trip, const RoundTripPart& part) {
+        return cut_surfaces(round_trip, part, light);
+      },
+      light.irradiance_front, light.irradiance_back);
+}
+
+void export_round_trip_uncut(const std::filesystem::path& path, const RoundTripInput& input,
+                             const VertexFit& fit, const RoundTripOptions& options) {
+  export_vertices(path, input, options, uncut_surfaces, fit.irradiance_front, fit.irradiance_back);
+}
+
+bool export_round_trip_lightmap(const std::filesystem::path& path, const RoundTripInput& input,
+                                const RoundTripPages& pages, const RoundTripOptions& options,
+                                const Monitor& monitor) {
+  RoundTripExport output(input, options);
+  const auto code = [&](const Vec3& irradiance) { return irradiance / pages.white; };
+  const auto textures = output.add_pages(pages.pages, "lightmap", code, monitor);
+  if (textures.empty()) return false;
+  const auto scale = output.curve().scale;
+  const auto colours = input.patches.colours();
+  put_pages(output, pages,
+            [&](const RoundTripPart& part, const RoundTripSurface& surface, const std::string& place,
+                std::size_t set) {
+              const auto own = in_gamut(colours.rgb(output.material_of(part).emittance)) / pi;
+              output.materials().lightmapped(place, part.drawn.primitive["material"], textures[surface.page],
+                                             set, scale * pages.white, scale * own);
+            });
+  output.put_out_lamps();
+  output.describe(
+      "lightmap",
+      fmt::format(R"({{"quantity":"irradiance / white","encoding":"sRGB codes","white_W_per_m2":{},)"
+                  R"("radiance":"reflectance * irradiance / pi","intensity":"white * scale","scale":{},)"
+                  R"("lumens_per_watt":{}}})",
+                  pages.white, scale, luminous_efficacy));
+  return output.write(path, monitor);
+}
+
+bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTripInput& input,
+                                const RoundTripPages& pages, const RoundTripOptions& options,
+                                const Monitor& monitor) {
+  RoundTripExport output(input, options);
+  const auto textures = output.add_pages(pages.pages, "light", output.curve(), monitor);
+  if (textures.empty()) return false;
+  put_pages(output, pages,
+            [&](const RoundTripPart& part, const RoundTripSurface& surface, const std::string& place,
+                std::size_t set) {
+              output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
+                                         set);
+            });
+  output.describe(
+      "emissive",
+      fmt::format(R"({{"quantity":"radiance after the tone curve","unit":"1: the display's white",)"
+                  R"("encoding":"sRGB codes","tone":"{}","scale":{}}})",
+                  name(output.curve().options.op), output.curve().scale));
+  return output.write(path, monitor);
+}
+
+}  // namespace luxel

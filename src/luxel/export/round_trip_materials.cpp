@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/round_trip_materials.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "luxel/scene/material.h"
+
+namespace luxel {
+namespace {
+
+constexpr auto no_material = std::numeric_limits<std::size_t>::max();
+constexpr auto no_texture = std::numeric_limits<std::size_t>::max();
+constexpr const char* older = "/extensions/KHR_materials_pbrSpecularGlossiness";
+constexpr const char* base = "/pbrMetallicRoughness";
+
+std::string texture_info(std::size_t texture, std::size_t coordinates) {
+  return fmt::format(R"({{"index":{},"texCoord":{}}})", texture, coordinates);
+}
+
+}  // namespace
+
+bool RoundTripMaterials::is_textured(const JsonValue& material) {
+  return material["pbrMetallicRoughness"]["baseColorTexture"] ||
+         material["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"];
+}
+
+// The path of the primitive's material where it is still to be changed.
+std::optional<std::string> RoundTripMaterials::changed_for(const std::string& path, const JsonValue& index,
+                                                           std::size_t texture, std::size_t coordinates) {
+  const auto of_file = index ? index.whole() : no_material;
+  const auto [found, is_new] = made_.try_emplace({of_file, texture, coordinates}, 0);
+  if (is_new) {
+    if (!index) {
+      // The colour that the light was solved with; what says nothing of itself would be a mirror.
+      const auto grey = Material().reflectance;
+      found->second = copy_.append(
+          "/materials",
+          fmt::format(
+              R"({{"name":"none","pbrMetallicRoughness":{{"baseColorFactor":[{},{},{},1],"metallicFactor":0}}}})",
+              grey.r, grey.g, grey.b));
+      take_gloss_off(fmt::format("/materials/{}", found->second));
+    } else {
+      taken_.resize(std::max(taken_.size(), of_file + 1));
+      found->second =
+          taken_[of_file] ? copy_.append_copy("/materials", fmt::format("/materials/{}", of_file)) : of_file;
+      taken_[of_file] = true;
+    }
+  }
+  copy_.put(path + "/material", fmt::format("{}", found->second));
+  if (!is_new) return std::nullopt;
+  return fmt::format("/materials/{}", found->second);
+}
+
+// What older files say of the base colour is said as today's do.
+void RoundTripMaterials::plain_base(const std::string& material) {
+  if (!copy_.has(material + older)) return;
+  for (const auto& [from, to] :
+       {std::pair("/diffuseTexture", "/baseColorTexture"), std::pair("/diffuseFactor", "/baseColorFactor")})
+    if (copy_.has(material + older + from)) copy_.put_copy(material + base + to, material + older + from);
+  copy_.put(material + base + "/metallicFactor", "0");
+  copy_.erase(material + older);
+}
+
+// Of a dielectric; a metal is gloss and nothing else.
+void RoundTripMaterials::take_gloss_off(const std::string& material) {
+  copy_.put(material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
+  copy_.use_extension("KHR_materials_specular");
+}
+
+// Those that say how a surface sends light back.
+void RoundTripMaterials::take_extensions_off(const std::string& material) {
+  for (const auto& extension : copy_.keys(material + "/extensions"))
+    if (extension.starts_with("KHR_materials_") || extension == "MOZ_lightmap")
+      copy_.erase(material + "/extensions/" + extension);
+}
+
+void RoundTripMaterials::colour_base(const std::string& material, int grey, double roughness) {
+  plain_base(material);
+  const auto factor = material + base + "/baseColorFactor";
+  const auto alpha = copy_.number_at(factor + "/3", 1.0);
+  copy_.put(factor, fmt::format("[{0},{0},{0},{1}]", grey, alpha));
+  copy_.put(material + base + "/metallicFactor", "0");
+  copy_.put(material + base + "/roughnessFactor", fmt::format("{}", roughness));
+}
+
+void RoundTripMaterials::shadeless(const std::string& path, const JsonValue& index) {
+  const auto material = changed_for(path, index, no_texture, 0);
+  if (!material) return;
+  colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
+  take_extensions_off(*material);  // next to this one the others mean nothing
+  copy_.put(*material + "/extensions/KHR_materials_unlit", "{}");
+  copy_.use_extension("KHR_materials_unlit");
+  if (const auto suffix = profile_of(program_).material_suffix; !suffix.empty())
+    copy_.put_text(*material + "/name", fmt::format("{}{}", copy_.text_at(*material + "/name", ""), suffix));
+}
+
+void RoundTripMaterials::one_sided(const std::string& path) {
+  copy_.put(fmt::format("/materials/{}/doubleSided", copy_.index_at(path + "/material")), "false");
+}
+
+void RoundTripMaterials::lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
+                                     std::size_t coordinates, float intensity, const Vec3& emission) {
+  const auto material = changed_for(path, index, texture, coordinates);
+  if (!material) return;
+  plain_base(*material);
+  copy_.put(*material + "/extensions/MOZ_lightmap",
+            fmt::format(R"({{"index":{},"texCoord":{},"intensity":{}}})", texture, coordinates, intensity));
+  copy_.use_extension("MOZ_lightmap");
+  if (profile_of(program_).gloss_dims_lightmaps) take_gloss_off(*material);
+  const auto most = std::max({emission.r, emission.g, emission.b});
+  if (!(most > 0.0f)) return;
+  // Factors are at most 1, the strength has the rest. With a texture the factor stays, which has the colour.
+  const bool textured = copy_.has(*material + "/emissiveTexture");
+  const auto colour = textured ? Vec3(1.0f) : emission / most;
+  copy_.put(*material + "/emissiveFactor", fmt::format("[{},{},{}]", colour.r, colour.g, colour.b));
+  copy_.put(*material + "/extensions/KHR_materials_emissive_strength",
+            fmt::format(R"({{"emissiveStrength":{}}})", most));
+  copy_.use_extension("KHR_materials_emissive_strength");
+}
+
+void RoundTripMaterials::shining(const std::string& path, const JsonValue& index, std::size_t texture,
+                                 std::size_t coordinates) {
+  const auto material = changed_for(path, index, texture, coordinates);
+  if (!material) return;
+  colour_base(*material, 0, 1.0);
+  // On black nothing shows these. The base colour's picture may still say where there are holes.
+  if (copy_.text_at(*material + "/alphaMode", "OPAQUE") == "OPAQUE")
+    copy_.erase(*material + base + "/baseColorTexture");
+  for (const auto* picture : {"/normalTexture", "/occlusionTexture"}) copy_.erase(*material + picture);
+  copy_.erase(*material + base + "/metallicRoughnessTexture");
+  take_extensions_off(*material);
+  take_gloss_off(*material);
+  copy_.put(*material + "/emissiveFactor", "[1,1,1]");
+  copy_.put(*material + "/emissiveTexture", texture_info(texture, coordinates));
+}
+
+}  // namespace luxel

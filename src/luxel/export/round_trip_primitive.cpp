@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/export/round_trip_primitive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/import/gltf_array.h"
+
+namespace luxel {
+namespace {
+
+constexpr double unit_enough = 1e-12;  // squared lengths below have no direction
+
+// What becomes of an attribute between vertices.
+enum class Kind { position, direction, joints, other };
+
+Kind kind_of(const std::string& name) {
+  if (name == "POSITION") return Kind::position;
+  if (name == "NORMAL" || name == "TANGENT") return Kind::direction;
+  return name.starts_with("JOINTS_") ? Kind::joints : Kind::other;
+}
+
+using Numbers = std::array<double, 4>;
+
+Numbers numbers_at(const GltfArray& array, std::uint32_t element) {
+  const auto found = array.at(element);
+  return {found[0], found[1], found[2], found[3]};
+}
+
+Numbers between(const GltfArray& array, const RoundTripVertex& vertex, Kind kind) {
+  if (kind == Kind::joints) {  // names, not numbers: of the nearest
+    const auto& w = vertex.weights;
+    return numbers_at(array, vertex.of[w.x >= w.y && w.x >= w.z ? 0 : w.y >= w.z ? 1 : 2]);
+  }
+  Numbers sum{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto corner = numbers_at(array, vertex.of[i]);
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += vertex.weights[static_cast<int>(i)] * corner[c];
+  }
+  if (kind == Kind::direction) {
+    const auto square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+    if (square > unit_enough)
+      for (std::size_t c = 0; c < 3; ++c) sum[c] /= std::sqrt(square);
+    if (array.components() == 4) sum[3] = numbers_at(array, vertex.of[0])[3];  // which way a tangent turns
+  }
+  return sum;
+}
+
+std::size_t add(GltfCopy& copy, const std::vector<float>& values, int components, Kind kind) {
+  if (kind == Kind::joints) {
+    std::vector<std::array<std::uint16_t, 4>> joints(values.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      joints[i / 4][i % 4] = static_cast<std::uint16_t>(values[i]);
+    return copy.add_joints(joints);
+  }
+  if (kind != Kind::position) return copy.add_floats(values, components);
+  std::vector<Vec3> positions(values.size() / 3);
+  for (std::size_t i = 0; i < values.size(); ++i) positions[i / 3][static_cast<int>(i % 3)] = values[i];
+  return copy.add_positions(positions);
+}
+
+// The attributes at `path`, of old and new vertices. vertices: that the part has.
+void extend(GltfCopy& copy, GltfFile& file, const JsonValue& attributes, const RoundTripSurface& surface,
+            std::size_t vertices, const std::string& path) {
+  for (const auto& name : attributes.keys()) {
+    const GltfArray array(file, attributes[name], 1, 4);
+    const auto kind = kind_of(name);
+    const auto turns = surface.back && name == "NORMAL";
+    if (surface.has_all_own && surface.added.empty() && !turns) continue;
+    if (array.size() < vertices)
+      attributes[name].refuse(fmt::format("expected {} elements, found {}", vertices, array.size()));
+    std::vector<float> values;
+    values.reserve((surface.own.size() + surface.added.size()) *
+                   static_cast<std::size_t>(array.components()));
+    const auto put = [&](const Numbers& numbers) {
+      for (int c = 0; c < array.components(); ++c) {
+        const auto number = static_cast<float>(numbers[static_cast<std::size_t>(c)]);
+        values.push_back(turns ? -number : number);
+      }
+    };
+    for (const auto v : surface.own) put(numbers_at(array, v));
+    for (const auto& vertex : surface.added) put(between(array, vertex, kind));
+    copy.put(path + "/" + name, fmt::format("{}", add(copy, values, array.components(), kind)));
+  }
+}
+
+}  // namespace
+
+std::string primitive_path(std::size_t mesh, std::size_t primitive) {
+  return fmt::format("/meshes/{}/primitives/{}", mesh, primitive);
+}
+
+std::size_t mesh_of_node(GltfCopy& copy, std::size_t node, std::vector<bool>& taken) {
+  const auto place = fmt::format("/nodes/{}/mesh", node);
+  const auto mesh = copy.index_at(place);
+  if (!taken[mesh]) {
+    taken[mesh] = true;
+    return mesh;
+  }
+  const auto own = copy.append_copy("/meshes", fmt::format("/meshes/{}", mesh));
+  copy.put(place, fmt::format("{}", own));
+  return own;
+}
+
+void put_surface(GltfCopy& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
+                 const std::string& path) {
+  const auto& primitive = part.drawn.primitive;
+  if (surface.back) copy.erase(path + "/attributes/TANGENT");
+  extend(copy, file, primitive["attributes"], surface, part.vertices, path + "/attributes");
+  const auto targets = primitive["targets"];
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    extend(copy, file, targets[i], surface, part.vertices, fmt::format("{}/targets/{}", path, i));
+  if (surface.as_it_was) return;
+  copy.erase(path + "/mode");
+  copy.put(path + "/indices",
+           fmt::format("{}", copy.add_indices(surface.triangles, surface.own.size() + surface.added.size())));
+}
+
+}  // namespace luxel
