@@ -60,7 +60,7 @@ using Solver = std::function<SolveReport(Solution& solution, std::uint64_t seed)
 Run run(const Stage& stage, const Reference& reference, std::string setting, const Solver& solver);
 
 // The same method with ever finer settings. Sampled: errors asked for, ending early with the first that takes
-// `seconds`. Shooting: rays a patch.
+// `seconds`. Shooting: rays per patch.
 std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, SampledOptions options,
                               const std::vector<double>& errors, double seconds, const Workers& workers);
 std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,

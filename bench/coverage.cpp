@@ -53,14 +53,14 @@ class Tally {
     ++intervals_;
   }
   void end_seed() {
-    if (whole_ > 0.0) shares_.push_back(held_ / whole_);
+    if (whole_ > 0.0) fractions_.push_back(held_ / whole_);
     held_ = whole_ = 0.0;
   }
   Held held() const {
     Held result;
     result.intervals = intervals_;
     const auto [mean, variance] =
-        mean_and_variance(shares_.size(), [&](std::size_t k) { return shares_[k]; });
+        mean_and_variance(fractions_.size(), [&](std::size_t k) { return fractions_[k]; });
     result.smoothing = mean;
     result.error = std::sqrt(variance);
     return result;
@@ -69,7 +69,7 @@ class Tally {
  private:
   double held_ = 0.0, whole_ = 0.0;
   std::size_t intervals_ = 0;
-  std::vector<double> shares_;
+  std::vector<double> fractions_;
 };
 
 // The truth's power at one side of a material, W, [band].

@@ -16,7 +16,7 @@ constexpr std::uint64_t reference_seed = 1'000'003;
 
 // The head of a file: the question, then what was reached; both arrays follow, all as the host has them:
 // the file never leaves the machine.
-struct Kept {
+struct StoredReference {
   char magic[8] = {'l', 'u', 'x', 'r', 'e', 'f', '0', '1'};
   std::uint64_t fingerprint = 0;
   std::uint64_t values = 0;  // a side
@@ -26,7 +26,7 @@ struct Kept {
   std::uint64_t rays = 0;
 };
 
-bool same_question(const Kept& a, const Kept& b) {
+bool same_question(const StoredReference& a, const StoredReference& b) {
   return std::equal(std::begin(a.magic), std::end(a.magic), b.magic) && a.fingerprint == b.fingerprint &&
          a.values == b.values && a.seed == b.seed && a.asked_error == b.asked_error &&
          a.asked_seconds == b.asked_seconds;
@@ -38,9 +38,9 @@ bool read(Stream& file, std::vector<float>& values) {
                                      static_cast<std::streamsize>(values.size() * sizeof(float))));
 }
 
-bool find(const std::filesystem::path& path, const Kept& question, Reference& reference) {
+bool find(const std::filesystem::path& path, const StoredReference& question, Reference& reference) {
   std::ifstream file(path, std::ios::binary);
-  Kept kept;
+  StoredReference kept;
   if (!file.read(reinterpret_cast<char*>(&kept), sizeof kept) || !same_question(kept, question)) return false;
   reference.front.resize(kept.values);
   reference.back.resize(kept.values);
@@ -50,7 +50,7 @@ bool find(const std::filesystem::path& path, const Kept& question, Reference& re
   return read(file, reference.front) && read(file, reference.back);
 }
 
-void keep(const std::filesystem::path& path, const Kept& kept, const Reference& reference) {
+void keep(const std::filesystem::path& path, const StoredReference& kept, const Reference& reference) {
   std::filesystem::create_directories(path.parent_path());
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(&kept), sizeof kept);
@@ -100,7 +100,7 @@ std::optional<Reference> by_shooting(const Stage& stage, double error, double se
 Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
                        const Workers& workers) {
   const auto& patches = stage.patches;
-  Kept question;
+  StoredReference question;
   question.fingerprint = patches.scene_fingerprint;
   question.values = patches.size() * patches.band_count();
   question.asked_error = error;

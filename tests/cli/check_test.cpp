@@ -42,7 +42,7 @@ TEST(Check, exits_with_1_for_a_doubt_only_where_that_is_asked_for) {
   EXPECT_EQ(cli::run(folder, "$LUXEL check none.obj --quiet").code, 1);
 }
 
-TEST(Check, repairs_are_said_and_kept_in_the_command_line_of_a_bake) {
+TEST(Check, repairs_are_reported_and_recorded_in_the_command_line_of_a_bake) {
   const auto folder = fresh_folder("repairs");
   const auto run =
       cli::run(folder,

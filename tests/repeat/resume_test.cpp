@@ -130,7 +130,7 @@ TEST(Resume, a_state_of_something_else_is_refused_in_a_sentence) {
             "");
 }
 
-TEST(Resume, a_kept_run_with_a_flipped_or_missing_byte_is_never_taken_for_another) {
+TEST(Resume, a_stored_run_with_a_flipped_or_missing_byte_is_never_taken_for_another) {
   const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
   const auto run = solve(patches, {.error = 0.2});
   const auto path = file("damaged.vtkhdf");

@@ -74,7 +74,7 @@ TEST(Energy, shot_is_what_was_asked_to_be_shot) {
     EXPECT_NEAR(arrival.scale.watts(arrival.shot[b]), asked[b], 3e-7 * asked[b]);  // patch areas are floats
 }
 
-TEST(Energy, is_conserved_by_a_shot_that_was_stopped_and_its_share_is_said) {
+TEST(Energy, is_conserved_by_a_shot_that_was_stopped_and_its_unshot_fraction_is_reported) {
   const auto patches = leaky_scene();
   const Workers workers;
   const Tracer tracer(patches, workers);

@@ -175,7 +175,7 @@ PatchSet leaky_room() {
   return make_patches(b.scene(), {.max_edge = 0.3f});
 }
 
-TEST(PathTraced, backs_of_one_sided_materials_take_up_what_meets_them) {
+TEST(PathTraced, backs_of_one_sided_materials_absorb_what_meets_them) {
   truth::KnownRoom room;
   room.patches = leaky_room();
   const Workers workers;

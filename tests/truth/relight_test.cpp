@@ -34,14 +34,14 @@ void group_by_material(PatchSet& patches) {
     }
 }
 
-struct Kept {
+struct StoredTransport {
   Solution solution;
   std::shared_ptr<const SampleState> state;
 };
 
-Kept solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
+StoredTransport solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
            const Workers& workers) {
-  Kept kept;
+  StoredTransport kept;
   const SampleStorage keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
   solve_sampled(patches, tracer, kept.solution, options, workers, {}, keeping);
   return kept;

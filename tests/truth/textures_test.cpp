@@ -209,7 +209,7 @@ TEST(Holes, LetRaysThrough) {
   }
 }
 
-TEST(Holes, PassTheShareOfASkyThatTheyAre) {
+TEST(Holes, pass_the_fraction_of_a_sky_that_they_are) {
   auto scene = sheet_with_holes();
   // A plate right below the sheet, and much smaller: it sees the sky through the strips alone.
   scene.materials.push_back({"plate", Vec3(0.0f)});

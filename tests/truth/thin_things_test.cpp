@@ -87,7 +87,7 @@ struct Lit {
   EnergyBalance energy;  // not of paths
 };
 
-// unit: metres a metre; of all lengths asked for.
+// unit: metres per metre; of all lengths asked for.
 Lit solve(const Scene& scene, By by, std::uint64_t seed = 1, float max_edge = 2.0f, float unit = 1.0f) {
   Lit lit;
   const Workers workers;

@@ -51,7 +51,7 @@ struct HemicubeSolveOptions {
 };
 
 // A hemicube for each side in each step, nothing stored (Cohen and Greenberg 1985). No error is known, and
-// none is stated. Cost: n hemicubes of n patches a step, and once before the first.
+// none is stated. Cost: n hemicubes of n patches per step, and once before the first.
 SolveReport solve_hemicube(const PatchSet& patches, Solution& solution, const HemicubeSolveOptions& options,
                            const Workers& workers, const Monitor& monitor = {});
 

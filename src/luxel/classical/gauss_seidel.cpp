@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 8192;  // numbers a chunk
+constexpr std::size_t grain = 8192;  // numbers per chunk
 constexpr double slowest_rate = 0.95;
 // Sums over rows below this part of the sum of magnitudes count as that large: less is rounding.
 constexpr double min_sum_part = 1e-4;

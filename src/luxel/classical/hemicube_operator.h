@@ -10,7 +10,7 @@
 namespace luxel {
 
 // Transport by hemicubes: each row is drawn when it is asked for, and forgotten (Cohen and Greenberg 1985;
-// Cohen et al. 1988). Nothing but 8 bytes a receiver and one-sided material is kept, so a scene of any size
+// Cohen et al. 1988). Nothing but 8 bytes per receiver and one-sided material is kept, so a scene of any size
 // fits; each apply() draws the whole scene once for every receiver it is asked for, which is quadratic.
 //
 // A row is what the pixels of a hemicube over the patch see: aliased by its resolution, and seen from its

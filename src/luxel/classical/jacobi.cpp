@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 4096;  // rows a chunk
+constexpr std::size_t grain = 4096;  // rows per chunk
 
 double power(std::span<const float> radiosity, std::span<const float> less, std::span<const float> area,
              const Workers& workers) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t probes = 8;
 constexpr std::uint32_t probe_stream = 0x70726f62u;  // keeps their signs apart from the lines
 constexpr double probe_tolerance = 0.02;
-constexpr std::size_t grain = 64;  // receivers a chunk
+constexpr std::size_t grain = 64;  // receivers per chunk
 
 std::vector<double> own_variance(const LinesOperator& transport, const RowLight& light,
                                  const Workers& workers) {

@@ -32,7 +32,7 @@ double line_standard_error(std::uint32_t lines_met, std::uint32_t lines_shot);
 // uniformly random points of the side in cosine-distributed directions, counted where they end. Unbiased.
 // seed and step: address of the random numbers; rows of the same address repeat, other addresses are
 // independent. `counts` is replaced; its memory is used again. Any number of threads may call. Costs one
-// nearest hit a line.
+// nearest hit per line.
 void count_local_lines(const PatchSet& patches, const Tracer& tracer, std::size_t side, std::uint32_t lines,
                        std::uint64_t seed, std::uint32_t step, LineCounts& counts);
 

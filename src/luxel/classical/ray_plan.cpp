@@ -8,7 +8,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 8192;  // sides a chunk, lit or not
+constexpr std::size_t grain = 8192;  // sides per chunk, lit or not
 
 }  // namespace
 

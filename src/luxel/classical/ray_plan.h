@@ -17,7 +17,7 @@ namespace luxel {
 struct RayPlan {
   std::vector<std::uint64_t> first_ray;  // [entry + 1]
   FixedPoint scale;
-  double quantum = 0.0;    // W a ray, all bands
+  double quantum = 0.0;    // W per ray, all bands
   std::uint64_t rays = 0;  // none where nothing leaves
 
   // The entry that shoots this ray. O(log entries).

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t offset_element = 0xffffffffu;  // the address of the one random offset; no side has it
 constexpr std::size_t block = 64;                      // rays made, then traced, then delivered
-constexpr std::size_t grain = 4096;                    // rays a chunk
+constexpr std::size_t grain = 4096;                    // rays per chunk
 
 // Where rays put their power.
 struct Ledger {

@@ -19,7 +19,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 4096;  // patches a chunk
+constexpr std::size_t grain = 4096;  // patches per chunk
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 

@@ -38,7 +38,7 @@ struct StochasticJacobiOptions {
 // the rest is in unshot_fraction. Neither lamp nor sky is an InputError that says how to add one.
 //
 // Error: relative standard error of a side's irradiance sqrt(P_T / (N P_i)), with P_T the power shot over the
-// run by N rays and P_i the power that arrives. Cost: one nearest hit a ray.
+// run by N rays and P_i the power that arrives. Cost: one nearest hit per ray.
 SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                                     const StochasticJacobiOptions& options, const Workers& workers,
                                     const Monitor& monitor = {});

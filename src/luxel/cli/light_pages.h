@@ -16,7 +16,7 @@ namespace luxel {
 
 // How pages of light came about: for reports.
 struct PagesRecord {
-  int pages = 0, page_size = 0;  // texels a side
+  int pages = 0, page_size = 0;  // texels per side
   bool as_file_has_it = false;   // laid out by the scene's file
   double error_target = 0.0;     // of a texel; 0: none is gathered
   LightmapReport made;

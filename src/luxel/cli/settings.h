@@ -74,7 +74,7 @@ struct PictureSettings {
   std::optional<Camera> of_scene;      // what the scene's file has, where neither is given
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
-  int gather = 0;  // rays a pixel of a final gather; 0: none
+  int gather = 0;  // rays per pixel of a final gather; 0: none
   // Throws UsageError where the camera cannot be: to be asked before hours are spent.
   void check() const;
   // Camera and size; then how a solution is drawn.

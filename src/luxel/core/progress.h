@@ -20,7 +20,7 @@ struct Progress {
   const Solution* light = nullptr;  // a new picture of the whole scene, alive during the call; or nothing
 };
 
-// Called from the calling thread, a few times a second while work goes on. Answering stop ends the call as
+// Called from the calling thread, a few times per second while work goes on. Answering stop ends the call as
 // soon as it can (well under a second) with the result so far, which is still a result. May be empty.
 using Monitor = std::function<Next(const Progress&)>;
 

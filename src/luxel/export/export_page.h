@@ -36,7 +36,7 @@ struct PageOptions {
 //
 // The same input gives the same bytes (from one version of zlib). Whole or not at all; throws DeviceError.
 // Throws DeviceError where this program was built without Node.js and so has no page, MismatchError where the
-// light is not of these patches or has no colour. Cost: linear; 0.6 MB and some 15 bytes a patch
+// light is not of these patches or has no colour. Cost: linear; 0.6 MB and some 15 bytes per patch
 // in the file.
 void export_page(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                  const SmoothLight& light, std::span<const GroupLight> groups, const PageOptions& options);

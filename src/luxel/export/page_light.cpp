@@ -18,7 +18,7 @@ const std::vector<float>& irradiance_of(const SmoothLight& light, bool back) {
 }
 
 // The shares of the page's vertices; of its triangles, for nothing else knows where a vertex lies.
-VertexTextureRatios shares_of(const PatchSet& patches, const PageMesh& mesh) {
+VertexTextureRatios ratios_of(const PatchSet& patches, const PageMesh& mesh) {
   VertexTextureRatios ratios(patches);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const auto v : mesh.triangles[t]) ratios.add(v, mesh.patch[t]);
@@ -87,7 +87,7 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
                           std::span<const GroupLight> groups) {
   const auto colours = patches.colours();
   const RatioLight shared(light, groups, patches.band_count());
-  const auto ratios = shares_of(patches, mesh);
+  const auto ratios = ratios_of(patches, mesh);
   std::vector<float> values;
   for (std::size_t g = 0; g < std::max<std::size_t>(1, groups.size()); ++g)
     for (const bool back : {false, true})
@@ -109,7 +109,7 @@ PageTextureRatios make_page_texture_ratios(const PatchSet& patches, const PageMe
   PageTextureRatios page;
   if (patches.reflectance_ratio.empty() && patches.emittance_ratio.empty()) return page;
   const auto colours = patches.colours();
-  const auto ratios = shares_of(patches, mesh);
+  const auto ratios = ratios_of(patches, mesh);
   const auto over = [](double here, double of_material) {
     return half_of(of_material > 0.0 ? static_cast<float>(here / of_material) : 1.0f);
   };

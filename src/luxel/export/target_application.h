@@ -17,7 +17,7 @@ std::span<const std::string_view> mesh_program_names();
 
 // What a file is made like for it.
 struct ExportProfile {
-  // Attributes of one's own are read, so that the irradiance is worth its 12 bytes a vertex.
+  // Attributes of one's own are read, so that the irradiance is worth its 12 bytes per vertex.
   bool keeps_irradiance = true;
   // Colours are stored in eight bits, and the program decodes sRGB when it is told by the name of a material:
   // so the dark is not cut into steps. Against glTF, which wants them linear.

@@ -28,7 +28,7 @@ struct FactorCheck {
   double environment = 0.0, backs = 0.0, dropped = 0.0;
 };
 
-// The same bits on any number of threads. Cost: some looks at each listed factor. Memory: 16 bytes a factor
+// The same bits on any number of threads. Cost: some looks at each listed factor. Memory: 16 bytes per factor
 // of one in 128 rows, for each thread. Where the monitor says stop, of the rows so far.
 FactorCheck check_view_factors(const ViewFactors& factors, const Workers& workers,
                                const Monitor& monitor = {});

@@ -31,7 +31,7 @@ struct ExactFactorsReport {
 // row's error.
 //
 // Quadratic: one factor for every pair of patch sides. Throws InputError with the predicted time where that
-// is more than options.seconds; it is measured on some pairs first. Memory: 28 bytes a pair of elements.
+// is more than options.seconds; it is measured on some pairs first. Memory: 28 bytes per pair of elements.
 // Nothing where the monitor said stop. The same bits on any number of threads.
 std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tracer& tracer,
                                               const ViewElements& elements,

@@ -29,7 +29,7 @@ struct FormFactor {
 // Read-only after it was made; any number of threads may ask, and the answer depends on the question alone.
 class FormFactors {
  public:
-  // Keeps references to patches and tracer. 0.3 s and 75 MB a million patches.
+  // Keeps references to patches and tracer. 0.3 s and 75 MB per million patches.
   FormFactors(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 
   // The share of the power leaving `from` that arrives at `to`. tolerance: absolute, above 0; what cannot be

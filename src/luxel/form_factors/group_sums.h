@@ -11,7 +11,7 @@
 namespace luxel {
 
 // Sums over rays, for every pair (element, number met) that occurred and every replicate. Memory: about 100
-// bytes a pair and 8 replicates.
+// bytes per pair and 8 replicates.
 class GroupSums {
  public:
   explicit GroupSums(std::uint32_t replicates) : replicates_(replicates) {}

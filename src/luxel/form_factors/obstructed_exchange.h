@@ -28,7 +28,7 @@ struct ObstructedOptions {
 // hidden is integrated, and the rest is the closed form: then edges that touch cost nothing.
 //
 // error: twice the sum over cells of what the last cut changed, and where all points of a cell are in the
-// light (or dark) though a screen reaches in, a guess of what they miss. 10 us a cell and screen.
+// light (or dark) though a screen reaches in, a guess of what they miss. 10 us per cell and screen.
 Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
                              std::span<const std::array<Vec3d, 3>> screens, double open,
                              const ObstructedOptions& options);

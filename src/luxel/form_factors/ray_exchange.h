@@ -20,7 +20,7 @@ struct RayExchangeOptions {
 // Area times form factor, m², from a patch side of that area to a polygon it faces, by shadow rays: origins
 // uniform on the side, directions uniform in the polygon's solid angle (Arvo 1995). For where so many patches
 // stand between that nothing is known but to look. open: the same without them; only what is hidden, or only
-// what is seen, is left to chance, whichever varies less. error: three standard errors. 1 us a ray.
+// what is seen, is left to chance, whichever varies less. error: three standard errors. 1 us per ray.
 Estimate ray_exchange(const Tracer& tracer, const PatchEmitter& from, double area,
                       std::span<const Vec3d> polygon, double open, const RayExchangeOptions& options);
 

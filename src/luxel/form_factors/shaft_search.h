@@ -16,7 +16,7 @@ namespace luxel {
 // Finds the patches that reach into a shaft. Read-only after it was made.
 class ShaftSearch {
  public:
-  // Keeps a reference to patches. 0.3 s and 75 MB a million patches.
+  // Keeps a reference to patches. 0.3 s and 75 MB per million patches.
   ShaftSearch(const PatchSet& patches, const Workers& workers);
 
   // Replaces `found` by those patches, but not more than `most`: then it stops, and says false.

@@ -40,7 +40,7 @@ struct StoredViewFactors {
 };
 StoredViewFactors read_view_factors_hdf5(const std::filesystem::path& path);
 
-// One line a factor: from,to,factor,standard_error (RFC 4180: names that need it in quotes). Sinks stand as
+// One line per factor: from,to,factor,standard_error (RFC 4180: names that need it in quotes). Sinks stand as
 // "(environment)", "(backs)", "(dropped)" where they are not 0. Whole or not at all.
 void write_view_factors_csv(const std::filesystem::path& path, const ViewFactors& factors);
 

@@ -33,7 +33,7 @@ void write_hdr(const std::filesystem::path& path, const Image& linear);
 // PNG, JPEG, BMP, Radiance HDR, OpenEXR (told by their first bytes) or TGA (told by its ending) as linear
 // RGB; 8-bit files are taken as sRGB, deeper PNG files are reduced to 8 bits, grey becomes RGB, alpha is
 // dropped. In the files of linear values NaN becomes 0 and infinity 65504. Throws InputError naming the file
-// where it is missing, damaged, of another format, larger than 512 MiB or than 16384 pixels a side.
+// where it is missing, damaged, of another format, larger than 512 MiB or than 16384 pixels per side.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace luxel

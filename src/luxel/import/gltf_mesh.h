@@ -16,7 +16,7 @@ namespace luxel {
 // The triangles of placed meshes, primitive after primitive, on their way into a Scene.
 class GltfMesh {
  public:
-  // scale: metres a unit of the file. texture_coordinates: the n of TEXCOORD_n of each of the scene's sets.
+  // scale: metres per unit of the file. texture_coordinates: the n of TEXCOORD_n of each of the scene's sets.
   GltfMesh(GltfFile& file, Scene& scene, double scale, std::vector<std::size_t> texture_coordinates);
 
   // Adds a primitive that draws triangles, with all of its arrays, at its place. Throws InputError with the

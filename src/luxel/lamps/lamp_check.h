@@ -22,7 +22,7 @@ struct LampView {
   Side front, back;
 };
 
-// One entry for each material that emits and has patches, in the order of materials. A thousand rays a side
+// One entry for each material that emits and has patches, in the order of materials. A thousand rays per side
 // of a lamp, some milliseconds; the same answer each time.
 std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 

@@ -28,7 +28,7 @@ struct LampChoice {
 
 // Chooses among many lamps at a cost that grows with the logarithm of their number: a binary tree whose nodes
 // know box, power and spread of normals (Conty Estevez and Kulla 2018). A lamp that may give light is never
-// left out. Read-only after it was made; 120 bytes a lamp.
+// left out. Read-only after it was made; 120 bytes per lamp.
 class LightTree {
  public:
   explicit LightTree(const Lamps& lamps);

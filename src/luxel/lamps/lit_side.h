@@ -23,7 +23,7 @@ struct SideLamp {
 // between: with a part above its horizon, and with a part of it before them. Each with its mean over the
 // triangle, so that their sum (weighted by radiance) is right to about 1e-3 RMS over sides: two terms of a
 // series where a lamp is far or matters little, its closed form at three points or many where it is near.
-// mean = false: a rough value, for choosing. Costs about 50 ns a lamp, and 0.4 us or more for one that is
+// mean = false: a rough value, for choosing. Costs about 50 ns per lamp, and 0.4 us or more for one that is
 // near and matters. found: cleared first; whoever keeps it from call to call allocates nothing.
 void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidates,
                      const std::array<Vec3, 3>& corners, const Vec3& n, bool mean,

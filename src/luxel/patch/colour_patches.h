@@ -23,7 +23,7 @@ void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const st
                       const Workers& workers);
 
 // How fine textures are within patches: what a point is over what its patch is in the mean, so that pictures
-// show more than patches. Immutable once made; memory 24 bytes a patch where there are textures, else none.
+// show more than patches. Immutable once made; memory 24 bytes per patch where there are textures, else none.
 class FineColours {
  public:
   // Keeps a reference to the patches. Cost: that of lay_textures().

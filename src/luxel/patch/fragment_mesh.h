@@ -9,7 +9,7 @@
 namespace luxel {
 
 // A triangle cut into fragments, as a mesh that can be changed step by step. Points stand on a grid of
-// integers, where it is decided exactly on which side of a line a point is; so the fragments are
+// integers, where it is decided exactly on which side of a line per point is; so the fragments are
 // counter-clockwise and cover the triangle without overlap, whatever is done. Points 0, 1, 2 are the
 // triangle's corners, at (0, 0), (grid, 0) and (0, grid).
 class FragmentMesh {

@@ -33,7 +33,7 @@ struct PatchOptions {
 // Then the patches are cut along the lines where other surfaces touch or pass through theirs
 // (contact_lines.h), which become edges and PatchSet::contacts; see cut_contacts.h. Patches that no such line
 // meets stay as they are. About two seconds of processor time for a million triangles, most of it shared by
-// the threads, and 20 us a line. The same bits for any number of threads.
+// the threads, and 20 us per line. The same bits for any number of threads.
 //
 // The monitor is told of the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Workers& workers,

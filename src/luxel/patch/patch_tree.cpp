@@ -18,7 +18,7 @@ constexpr float cone_width = 0.9f;         // so no two ends of them are farther
 constexpr float thickness_exact = 1e-3f;   // of a plane region's extent: rounding of a modeller
 constexpr std::uint32_t large_plane = 32;  // patches
 constexpr std::uint32_t region_unit = 64;
-constexpr float normal_weight = 0.5f;  // metres a unit of normal, over the node's extent
+constexpr float normal_weight = 0.5f;  // metres per unit of normal, over the node's extent
 
 // Where a patch is and where it faces.
 struct Item {

@@ -31,7 +31,7 @@ struct PatchTree {
   std::vector<std::uint32_t> regions;      // the topmost flat nodes, in the order of their places
 };
 
-// The same tree on any number of threads. About 0.3 s a million patches on one thread; 50 bytes a
+// The same tree on any number of threads. About 0.3 s per million patches on one thread; 50 bytes a
 // patch.
 PatchTree make_patch_tree(const PatchSet& patches, const Workers& workers);
 

@@ -17,7 +17,7 @@ namespace luxel {
 // no farther than `tolerance` from another point becomes that point, and a line bends by as much to run
 // through it.
 //
-// Points are known by numbers: 0, 1, 2 are the corners. Cost: about a microsecond a point, and what lines
+// Points are known by numbers: 0, 1, 2 are the corners. Cost: about a microsecond per point, and what lines
 // cross.
 class TriangleCut {
  public:

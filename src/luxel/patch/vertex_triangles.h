@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// Which triangles meet at each vertex. Keeps a reference to them. 12 bytes a triangle and 8 a vertex.
+// Which triangles meet at each vertex. Keeps a reference to them. 12 bytes per triangle and 8 a vertex.
 // Thread-safe.
 class VertexTriangles {
  public:

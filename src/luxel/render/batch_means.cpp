@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t first_batches = 2;              // what an error of any kind needs
 constexpr std::uint64_t judged_batches = 4;             // before an error is believed: 64 paths
 constexpr std::uint64_t paths_between_calls = 1 << 16;  // of the monitor
-constexpr std::size_t grain = 4;                        // elements a chunk
+constexpr std::size_t grain = 4;                        // elements per chunk
 constexpr double margin = 1.02;                         // the error of the error
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace luxel {
 // How long a reference goes on.
 struct ReferenceLimits {
   std::uint64_t samples =
-      0;                // paths a patch side, or a pixel, in whole batches; 0: until the error is reached
+      0;                // paths per patch side, or a pixel, in whole batches; 0: until the error is reached
   double error = 0.01;  // relative RMS standard error of the whole; without `samples`
 };
 
@@ -30,7 +30,7 @@ class BatchMeans {
   static constexpr std::uint32_t batch_side = 4;
   static constexpr std::uint64_t batch_paths = batch_side * batch_side;
 
-  // values: numbers an element has.
+  // values: numbers per element has.
   BatchMeans(std::size_t elements, std::size_t values)
       : values_(values),
         count_(elements, 0),

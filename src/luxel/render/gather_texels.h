@@ -15,7 +15,7 @@ namespace luxel {
 
 struct TexelOptions {
   double error = 0.02;            // relative standard error asked of a texel; 0: no final gather
-  std::uint32_t max_rays = 4096;  // cosine rays a texel, and as many to lamps; 64 and more
+  std::uint32_t max_rays = 4096;  // cosine rays per texel, and as many to lamps; 64 and more
   bool directional = false;       // the light vector too, and so all texels by final gather
   double dark = 0.1;              // of the mean light: below, the error is of this much
   std::uint64_t seed = 1;

@@ -14,7 +14,7 @@ namespace luxel {
 // open counts nothing, and what is darker than a hundredth of the sky less in proportion. Where there is next
 // to no indoors, all that is lit counts alike. Neighbours count alike.
 //
-// Gives a Solution with that as irradiance. Deterministic. Cost: 2 rays a patch or a little more.
+// Gives a Solution with that as irradiance. Deterministic. Cost: 2 rays per patch or a little more.
 Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
 
 }  // namespace luxel

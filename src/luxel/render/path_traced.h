@@ -42,7 +42,7 @@ struct PathReport {
 // Fills everything in `solution` but its command line and options. Standard errors are widened as Student's t
 // is (see Solution); errors of different sides are independent. The same input and seed give the same bits on
 // any number of threads. A stop from the monitor ends it in a fraction of a second with what there is. Cost:
-// about four rays a path and bounce that counts; each side takes as many paths as each other.
+// about four rays per path and bounce that counts; each side takes as many paths as each other.
 PathReport trace_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                        const PathOptions& options, const Workers& workers, const Monitor& monitor = {});
 

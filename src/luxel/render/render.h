@@ -16,7 +16,7 @@ namespace luxel {
 struct RenderOptions {
   int width = 1280;          // pixels
   int height = 960;          // pixels
-  int samples_per_side = 3;  // stratified: 3 means 9 rays a pixel
+  int samples_per_side = 3;  // stratified: 3 means 9 rays per pixel
   std::uint64_t seed = 1;
 };
 

@@ -20,7 +20,7 @@ struct TexelPlace {
 
 // [page][texel]: for every texel that is read where a chart is looked up between texels, the point of that
 // chart nearest to its middle. So each is a point of the surface, none beyond its border, and where that
-// border runs along another surface none behind it. The same on any number of threads; about 0.1 us a texel
+// border runs along another surface none behind it. The same on any number of threads; about 0.1 us per texel
 // and side that it touches. After the monitor's stop there are no pages.
 std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Workers& workers,
                                                        const Monitor& monitor = {});

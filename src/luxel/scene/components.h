@@ -29,7 +29,7 @@ struct Components {
   std::vector<std::uint32_t> begin;  // [component]: where its triangles begin in order; one more at the end
 };
 
-// Linear; about 0.3 s a million triangles.
+// Linear; about 0.3 s per million triangles.
 Components find_components(std::span<const Vec3> places, std::span<const CleanTriangle> triangles,
                            const Edges& edges);
 

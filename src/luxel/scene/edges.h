@@ -36,7 +36,7 @@ struct Edges {
   }
 };
 
-// vertices: how many places the corners count. n log n; about 0.3 s and 60 bytes a million triangles.
+// vertices: how many places the corners count. n log n; about 0.3 s and 60 bytes per million triangles.
 Edges find_edges(std::span<const CleanTriangle> triangles, std::size_t vertices);
 
 }  // namespace luxel

@@ -39,7 +39,7 @@ struct OrientReport {
 };
 
 // Turns the scene's triangles as planned; those that lie exactly on a turned one are turned with it, unless
-// they are lamps. About 2 s a million triangles.
+// they are lamps. About 2 s per million triangles.
 OrientReport orient_windings(Scene& scene);
 
 }  // namespace luxel

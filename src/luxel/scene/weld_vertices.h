@@ -30,7 +30,7 @@ struct WeldReport {
 };
 
 // Moves the vertices of the scene's triangles so that those nearer than distance (m) share one place, as
-// weld_points() says. Triangles, and the number of vertices, stay as they are. About 0.5 s a million
+// weld_points() says. Triangles, and the number of vertices, stay as they are. About 0.5 s per million
 // vertices.
 WeldReport weld_vertices(Scene& scene, double distance);
 

@@ -31,7 +31,7 @@ struct CheckReport {
 
 // Looks for all that is the matter with a scene before its light is solved: the mesh by sorting, the light by
 // rays (about 10 million for a million triangles). Nothing is changed. The same report on any number of
-// threads. About 10 s a million triangles on one core, half of it rays; 500 bytes a triangle. Throws what
+// threads. About 10 s per million triangles on one core, half of it rays; 500 bytes per triangle. Throws what
 // make_patches() throws.
 CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Workers& workers,
                      const Monitor& monitor = {});

@@ -13,7 +13,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t first_of_none = 32;  // samples a replicate, where the light knows none
+constexpr std::uint32_t first_of_none = 32;  // samples per replicate, where the light knows none
 
 // A side, and where it stands among those that gather.
 struct Place {
@@ -37,7 +37,7 @@ std::optional<Place> place_of(const LiveLight& light, std::uint32_t patch, bool 
   return place;
 }
 
-// Rounds of gather rays that the side had a part in: their level, and rays a replicate.
+// Rounds of gather rays that the side had a part in: their level, and rays per replicate.
 std::vector<std::array<std::uint32_t, 2>> rounds_of(const LiveLight& light, const Place& place) {
   if (!light.samples || light.samples->rounds.empty()) return {{0, first_of_none}};
   // The first round was everybody's; then sides that no light reaches were left out.

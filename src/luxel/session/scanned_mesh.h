@@ -33,7 +33,7 @@ struct ScannedMesh {
   }
 };
 
-// n log n in all, about 3 s a million triangles. Stopped by the monitor, it returns what there is, with
+// n log n in all, about 3 s per million triangles. Stopped by the monitor, it returns what there is, with
 // is_whole false.
 ScannedMesh scan_mesh(const Scene& scene, const Monitor& monitor, bool& is_whole);
 

@@ -13,7 +13,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 16384;  // numbers a chunk
+constexpr std::size_t grain = 16384;  // numbers per chunk
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t grain = 32;  // receivers a chunk
+constexpr std::size_t grain = 32;  // receivers per chunk
 
 }  // namespace
 

@@ -89,7 +89,7 @@ void HitStore::trace(const Round& round, std::span<const std::uint32_t> receiver
   }
 }
 
-// A block with few rays a receiver has too few that look the same way.
+// A block with few rays per receiver has too few that look the same way.
 std::vector<std::uint32_t> HitStore::traced_together(std::uint32_t per_replicate) const {
   const std::size_t most =
       options_.replicates * per_replicate > GatherRays::max_rows ? 1 : GatherRays::max_blocks;

@@ -183,7 +183,7 @@ class HitStore {
   // Of this rank, since it was balanced: seconds of its threads together, and of the clock.
   double busy_seconds_ = 0.0, traced_seconds_ = 0.0;
   std::vector<double>
-      seconds_per_receiver_;  // [block of shares_]: for one ray a replicate, as its owner measured
+      seconds_per_receiver_;  // [block of shares_]: for one ray per replicate, as its owner measured
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
   std::vector<std::uint32_t> rays_per_receiver_, doublings_;

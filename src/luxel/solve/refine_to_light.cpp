@@ -22,7 +22,7 @@ constexpr double light_fraction = 2.0;  // of the mesh error asked for: how well
 constexpr double poorest_light = 0.03;  // likewise, at most: where that is all that need be known
 constexpr double ratio = 0.5;           // of a squared error: what halving leaves where light jumps
 constexpr double aim = 0.8;             // of the squared error allowed: what the next mesh is to have
-constexpr double max_unrefined_share = 0.35;  // of what differs: what one more mesh need not see to
+constexpr double max_unrefined_fraction = 0.35;  // of what differs: what one more mesh need not see to
 constexpr double min_growth = 0.05;   // of the patches: to cut fewer is not worth solving the light again
 constexpr double large_patch = 5e-4;  // of the whole area: cut once before the light is asked
 constexpr double parts = 4.0;         // of a marked patch; neighbours are cut too, others not at all
@@ -166,7 +166,7 @@ class Refinement {
     sort_by(difference_.squared, order);
     const auto aimed =
         aim * options_.mesh_error * options_.mesh_error * now_.squared_light * (1.0 - ratio) / ratio;
-    const auto least = max_unrefined_share * left;
+    const auto least = max_unrefined_fraction * left;
     const auto few = static_cast<std::size_t>(min_growth * static_cast<double>(now_.patches.size()));
     std::size_t count = 0;
     double cut = 0.0;

@@ -18,7 +18,7 @@ namespace luxel {
 namespace {
 
 constexpr double tolerance = 1e-5;   // of the iteration
-constexpr std::size_t grain = 4096;  // receivers a chunk
+constexpr std::size_t grain = 4096;  // receivers per chunk
 
 std::size_t sky_index(const PatchSet& patches) {
   return patches.has_sky() ? patches.group_count() - 1 : patches.group_count();

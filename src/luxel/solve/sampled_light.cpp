@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 4096;          // receivers a chunk
+constexpr std::size_t grain = 4096;          // receivers per chunk
 constexpr std::uint32_t hue_positions = 64;  // neighbours whose mean colour stands in for that of one of them
 // With fewer receivers there are few windows, so the estimate of their bias is too noisy, and there is little
 // to gain.

@@ -72,7 +72,7 @@ class Sampling {
   RankTimes distribute(std::span<const std::uint8_t> doublings);
   // The shadow rays of a take(), of one part of the units.
   bool take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor);
-  // The monitor is asked a few times a second. Returns false if it said stop.
+  // The monitor is asked a few times per second. Returns false if it said stop.
   bool take_direct(std::span<const std::uint32_t> receivers, std::uint32_t first, const Monitor& monitor);
   void leave_out_unreached_sides(const Solution& first_picture);
   std::size_t direct_width() const { return patches_.group_count() * patches_.band_count(); }

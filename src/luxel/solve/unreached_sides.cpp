@@ -7,7 +7,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t neighbours = 64;  // positions that are lit together
-constexpr std::size_t grain = 4096;       // receivers a chunk
+constexpr std::size_t grain = 4096;       // receivers per chunk
 
 // A picture that is made of patches must not be speckled where few rays find the light.
 void light_neighbours(std::span<const std::uint32_t> begins, std::vector<std::uint8_t>& lit) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t positions_per_unit = 64;
 constexpr double second_part = 0.5, last_part = 0.75;  // shares of a rank's work, where they begin
-constexpr double guess = 1e-5;  // s a sample, as long as nothing is known: units are dealt evenly
+constexpr double guess = 1e-5;  // s per sample, as long as nothing is known: units are dealt evenly
 
 }  // namespace
 

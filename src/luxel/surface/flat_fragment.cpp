@@ -115,12 +115,12 @@ Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, cons
   return chart;
 }
 
-Kept without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides, const Vec3d& direction) {
+Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides, const Vec3d& direction) {
   const auto axes = axes_across(direction);
   Box box;
   for (const auto side : sides)
     for (const auto& p : on_plane(patches, axes, side)) box.add(p);
-  Kept result;
+  Placed result;
   FlatCover cover(box.low, box.high, sides.size());
   for (const auto side : sides)
     (cover.add(on_plane(patches, axes, side)) ? result.kept : result.over).push_back(side);

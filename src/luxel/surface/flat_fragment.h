@@ -22,9 +22,9 @@ Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, cons
 
 // Keeps those sides that cover none kept before, seen along `direction`; what is taken off is given back in
 // the second list. Overlaps of less than a hundred-thousandth of the whole are rounding.
-struct Kept {
+struct Placed {
   std::vector<std::uint32_t> kept, over;
 };
-Kept without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides, const Vec3d& direction);
+Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides, const Vec3d& direction);
 
 }  // namespace luxel

@@ -21,7 +21,7 @@ struct GivenLayout {
   std::uint32_t pages = 1;
 };
 
-// Whether texels are claimed by triangles of two places: of pages of so many texels a side, judged by the
+// Whether texels are claimed by triangles of two places: of pages of so many texels per side, judged by the
 // middles of texels, where more than a thousandth of those taken are. Triangles without patches do not count.
 bool overlaps(const Scene& scene, const PatchSet& patches, const GivenLayout& given, int page_size);
 
@@ -35,7 +35,7 @@ struct LaidOut {
 LaidOut lay_out(const Scene& scene, const PatchSet& patches, const GivenLayout& given, float crease_angle,
                 int page_size, int margin, const Workers& workers);
 
-// The smallest power of two, at most `most`, at which the triangles of each page have so many texels a metre
+// The smallest power of two, at most `most`, at which the triangles of each page have so many texels per metre
 // in the mean over their area.
 int page_size_for(const Scene& scene, const GivenLayout& given, double texels_per_metre, int most);
 

@@ -24,7 +24,7 @@ namespace luxel {
 // they are the less. So linear light is left alone at a border too, a step or mere noise is not drawn out
 // there, and inside a surface, where centroids stand all around, no corner is beyond the values nearby.
 //
-// Cost: about a microsecond a side on one thread.
+// Cost: about a microsecond per side on one thread.
 class SideSlopes {
  public:
   SideSlopes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes, const Workers& workers);

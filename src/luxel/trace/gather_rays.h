@@ -39,7 +39,7 @@ class GatherRays {
   };
 
   // The receivers, rising, lie in max_blocks blocks at most, all fronts or all backs. Each has per_receiver
-  // rays a replicate, a power of two, in that level.
+  // rays per replicate, a power of two, in that level.
   GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> receivers,
              const GatherPoints& points, std::uint32_t level, std::uint32_t per_receiver);
 

@@ -29,7 +29,7 @@ struct Hit {
 // Who sees whom: nearest hit and occlusion over the patches of a scene. The home of Embree (robust,
 // high-quality build, instruction set pinned, so that hosts agree to the bit). Immutable after construction;
 // every method may be called from any number of threads. Build cost about half a second a million patches;
-// memory about 150 bytes a patch.
+// memory about 150 bytes per patch.
 class Tracer {
  public:
   // Keeps no reference to patches. Throws DeviceError where Embree cannot start or runs out of memory.

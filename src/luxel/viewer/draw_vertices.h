@@ -24,7 +24,7 @@ class DrawVertices {
   // Keeps references.
   DrawVertices(const PatchSet& patches, const SmoothLight& light);
 
-  // Goes on with the next patches, at most `count`. About 30 ns a patch.
+  // Goes on with the next patches, at most `count`. About 30 ns per patch.
   void go_on(std::size_t count);
   bool is_done() const { return corners_.size() == patches_.size(); }
 

@@ -22,7 +22,7 @@ void main() { pixel = vec4(texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb, st
 }  // namespace
 
 struct DrawnFrame::State {
-  // Four samples a pixel: made when they are first asked for.
+  // Four samples per pixel: made when they are first asked for.
   struct Sampled {
     ScreenSize size{0, 0};
     GlRenderbuffer colour, depth;

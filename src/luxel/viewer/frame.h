@@ -12,7 +12,7 @@ namespace luxel {
 
 // How edges become smooth.
 enum class EdgeSmoothing {
-  sampled,  // four samples a pixel, where the driver has them
+  sampled,  // four samples per pixel, where the driver has them
   rough,    // one: a fifth of the time where a processor draws
   coarse,   // one for four pixels: where that still takes too long while something moves
   coarsest  // one for nine

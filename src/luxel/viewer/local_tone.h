@@ -10,7 +10,7 @@ namespace luxel {
 
 // Reinhard's local operator (ToneOperator::reinhard_local, equations 5 to 9) on the card: the light that each
 // pixel is held against. image/tone_map.cpp does the same on the processor; here blurs wider than a pixel are
-// made of means of 2 x 2 and 4 x 4 pixels. Some 40 looks at a texel a pixel. Needs the context it was made
+// made of means of 2 x 2 and 4 x 4 pixels. Some 40 looks at a texel per pixel. Needs the context it was made
 // in.
 class LocalTone {
  public:

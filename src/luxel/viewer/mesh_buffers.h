@@ -74,7 +74,7 @@ class SideTexture {
   const GlTexture& texture() const { return texture_; }
 
  private:
-  static constexpr std::size_t width = 1024;  // patches a row; every card takes that
+  static constexpr std::size_t width = 1024;  // patches per row; every card takes that
   const std::vector<float>& values_;
   GlTexture texture_;
   std::size_t rows_ = 0, sent_ = 0;

@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-constexpr int small_tile = 512, large_tile = 1024;  // pixels a side, multiples of four: see LocalTone
+constexpr int small_tile = 512, large_tile = 1024;  // pixels per side, multiples of four: see LocalTone
 constexpr float point_size = 4.0f;                  // pixels
 
 std::size_t tiles_along(int pixels, int side) { return static_cast<std::size_t>((pixels + side - 1) / side); }
@@ -48,7 +48,7 @@ PicturePart PictureMaker::next_part() const {
           {std::min(side_, size_.width - begin.left), std::min(side_, size_.height - begin.bottom)}};
 }
 
-// Four samples a pixel at once; or where a processor draws, which has compiled what rough pictures need for
+// Four samples per pixel at once; or where a processor draws, which has compiled what rough pictures need for
 // the window and would take a tenth of a second for the other, four rough tiles, one a call.
 void PictureMaker::draw_some(Painter& painter) {
   const auto part = next_part();

@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// A picture of any size, also one larger than any framebuffer: drawn tile by tile, four samples a pixel,
+// A picture of any size, also one larger than any framebuffer: drawn tile by tile, four samples per pixel,
 // between frames, then put together and written in a thread of its own. Needs the painter's context.
 class PictureMaker {
  public:

@@ -19,7 +19,7 @@ struct WindowSettings {
   // How a file is read and solved: the one above, and those that are dropped.
   std::function<LiveSettings(const std::filesystem::path&)> live = {};
   ScreenSize size = {};
-  float pixel_ratio = 1.0f;                    // off screen: pixels a unit
+  float pixel_ratio = 1.0f;                    // off screen: pixels per unit
   std::optional<Vec3d> eye = {}, target = {};  // m, in the file's coordinates; none: found
   float vertical_fov = 0.0f;                   // degrees; 0: found
   std::optional<Vec3> up = {};                 // none: found

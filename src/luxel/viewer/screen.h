@@ -48,7 +48,7 @@ class Screen {
 // Both throw DeviceError, one sentence, where it cannot be had: no display, no driver, or none that knows
 // OpenGL 3.3.
 std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size);
-// pixel_ratio: pixels a unit.
+// pixel_ratio: pixels per unit.
 std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio = 1.0f);
 
 // The driver that draws, as it calls itself, and whether it draws on the processor: then a frame takes

@@ -174,7 +174,7 @@ void Viewer::note_changes() {
   joined_ = 0;
 }
 
-// Where a processor draws, four samples a pixel take longer than a frame may: there edges are rough while
+// Where a processor draws, four samples per pixel take longer than a frame may: there edges are rough while
 // something moves, and coarse where even that is slow, and afterwards rough pictures are joined, one a frame.
 void Viewer::draw_scene(bool fine) {
   const bool is_rough = driver_.is_software && !fine;

@@ -74,7 +74,7 @@ TEST(Jacobi, a_step_is_a_bounce) {
   EXPECT_EQ(light.radiosity, expected);
 }
 
-TEST(Jacobi, the_unshot_share_is_what_the_next_step_sends_first) {
+TEST(Jacobi, the_unshot_fraction_is_what_the_next_step_sends_first) {
   const test::RandomMatrix matrix(60);
   double emitted = 0.0;
   for (std::size_t i = 0; i < matrix.emittance.size(); ++i)
@@ -97,7 +97,7 @@ TEST(Jacobi, that_is_stopped_keeps_the_last_whole_step) {
   const test::RandomMatrix matrix(60);
   int asked = 0;
   const auto stopped = iterate(matrix, {}, 1, [&](const Progress&) {
-    return ++asked == 6 ? Next::stop : Next::go_on;  // four times a step: in the midst of the second
+    return ++asked == 6 ? Next::stop : Next::go_on;  // four times per step: in the midst of the second
   });
   EXPECT_EQ(stopped.report.end, JacobiEnd::stopped);
   EXPECT_EQ(stopped.report.unshot_fraction.size(), 1u);

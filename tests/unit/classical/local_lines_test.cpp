@@ -80,7 +80,7 @@ TEST(LocalLines, what_meets_nothing_has_escaped_and_backs_are_told_from_fronts) 
   EXPECT_EQ(row_of(shot.counts(0, 0)).entries.size(), 0u);
 }
 
-TEST(LocalLines, the_error_bar_is_that_of_a_share) {
+TEST(LocalLines, the_error_bar_is_that_of_a_fraction) {
   EXPECT_NEAR(line_standard_error(2500, 10'000), std::sqrt(0.25 * 0.75 / 10'000), 1e-6);
   EXPECT_GT(line_standard_error(0, 100), 1e-3);  // none seen is not none
   EXPECT_NEAR(line_standard_error(0, 100), line_standard_error(100, 100), 1e-15);

@@ -187,7 +187,7 @@ TEST_F(ExportRoundTripPages, a_files_own_coordinates_are_used_as_they_are) {
     EXPECT_NEAR(expect_places(file, pages, 128, 1.0 / (0.4 * 128)), 2.0, 1e-6);
     EXPECT_FALSE(file.root()["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_2"]);
     EXPECT_EQ(file.root()["meshes"][0]["primitives"].size(), 1u);
-    // The diagonal of each, 1.41 m long at 51 texels a metre, two places a texel.
+    // The diagonal of each, 1.41 m long at 51 texels per metre, two places a texel.
     const auto seams = find_seam_places(laid.charts, laid.atlas);
     EXPECT_NEAR(static_cast<double>(seams.size()), 2 * 2 * std::sqrt(2.0) * 0.4 * 128, 20.0);
   }

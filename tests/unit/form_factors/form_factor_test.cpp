@@ -106,7 +106,7 @@ TEST(Shaft, never_misses_a_triangle_that_a_line_between_the_two_crosses) {
   EXPECT_GT(missed, 250);
 }
 
-TEST(VisibleIrradiance, a_screen_takes_away_its_own_share) {
+TEST(VisibleIrradiance, a_screen_takes_away_its_own_fraction) {
   const std::vector<Vec3d> sky = {{-4, -4, 2}, {-4, 4, 2}, {4, 4, 2}, {4, -4, 2}};
   const Triangle screen = {Vec3d(-1, -1, 1), Vec3d(-1, 1, 1), Vec3d(1, 0, 1)};
   const Triangle turned = {screen[0], screen[2], screen[1]};

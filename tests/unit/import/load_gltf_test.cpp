@@ -195,7 +195,7 @@ TEST_F(LoadGltf, a_sparse_array_replaces_elements_of_another_or_of_zeros) {
   EXPECT_EQ(fingerprint(load(zeros)), fingerprint(load(one_triangle())));
 }
 
-TEST_F(LoadGltf, quantised_positions_are_whole_numbers_or_shares_of_the_largest) {
+TEST_F(LoadGltf, quantised_positions_are_whole_numbers_or_fractions_of_the_largest) {
   SmallGltf gltf;
   gltf.array<std::int16_t>(SmallGltf::i16, "VEC3", 3, {0, 0, 0, 32767, 0, 0, 0, 32767, 0},
                            R"(,"normalized":true)");

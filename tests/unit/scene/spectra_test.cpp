@@ -106,7 +106,7 @@ TEST(BandColours, equal_energy_has_its_known_lumens_and_colour) {
   EXPECT_NEAR(colour.b / grey, 0.9087, 5e-4);
 }
 
-TEST(BandColours, a_line_at_555_nm_gives_683_lumens_a_watt) {
+TEST(BandColours, a_line_at_555_nm_gives_683_lumens_per_watt) {
   const auto bands = make_wavebands({400.0, 554.9, 555.0, 555.1, 700.0});
   const std::vector<double> light = {0.0, 0.0, 1.0, 0.0, 0.0};
   EXPECT_NEAR(BandColours(bands).lumens(light), 683.0, 0.5);

@@ -19,7 +19,7 @@ namespace {
 
 using test::LitPatches;
 
-// A square of n x n cells whose lines x(i), y(j) are given, two triangles a cell, the diagonals at random;
+// A square of n x n cells whose lines x(i), y(j) are given, two triangles per cell, the diagonals at random;
 // vertices are placed by `place`, light(place) is that of each centroid.
 struct Lattice {
   std::uint32_t n = 12;

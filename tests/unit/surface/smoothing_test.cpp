@@ -86,7 +86,7 @@ double true_squared_error(const Floor& f, const std::vector<std::vector<float>>&
   return sum;
 }
 
-// A field that one fit to the whole floor can be: so many numbers a band, each of the variance of a mean over
+// A field that one fit to the whole floor can be: so many numbers per band, each of the variance of a mean over
 // 8 replicates. So the error is that of so many of the patches.
 void expect_noise_of(double numbers, const Field& field) {
   const Floor f;
@@ -180,7 +180,7 @@ TEST(Smoothing, gives_the_same_bits_on_any_number_of_threads) {
 }
 
 // A region of several tasks, and fits that reach over the receivers of two ranks.
-TEST(Smoothing, ranks_get_for_their_slots_the_bits_of_one) {
+TEST(Smoothing, ranks_get_for_their_receivers_the_bits_of_one) {
   const Floor f(1, true, 0.05f);
   ASSERT_GT(f.sides.fronts, 16'000u);
   const auto field = [](const Vec3& p) { return p.x < 1.5f ? linear(p) : 2.0f + std::sin(6.0f * p.y); };
