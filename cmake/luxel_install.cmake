@@ -25,7 +25,7 @@ set(LUXEL_PUBLIC_HEADERS
     lamps/choose_portals.h classical/dense_operator.h classical/form_factor_row.h trace/gather_sides.h classical/hemicube.h
     classical/hemicube_operator.h classical/hemicube_pixels.h lamps/lamp_check.h classical/lines_operator.h
     classical/operator.h classical/row_operator.h
-    session/diagnose.h session/fault_mesh.h session/finding.h session/light_walks.h session/openings.h session/scanned_mesh.h
+    session/diagnose.h session/diagnostic_mesh.h session/diagnostic.h session/light_walks.h session/openings.h session/scanned_mesh.h
     session/words.h
     solve/bounces.h classical/classical.h classical/energy.h classical/forecast.h classical/jacobi.h solve/relight.h solve/sampled.h solve/seen_solution.h
     solve/solve_light.h classical/solve_report.h classical/stochastic_jacobi.h classical/surface_means.h

@@ -29,7 +29,7 @@
 // normal distribution, and sampled may leave it dark altogether.
 //
 // Risk. Seeds are fixed. With other random numbers a |z| beyond 7.5 in any of the 300,000 numbers compared
-// has a chance below one in a hundred (Student's t for 31 degrees of degrees_of_freedom; less for the rest);
+// has a chance below one in a hundred (Student's t for 31 degrees of freedom; less for the rest);
 // the root mean square of one pair's scores beyond 2 below 2 in 100,000 where its errors have ten independent
 // directions or more.
 #include <algorithm>

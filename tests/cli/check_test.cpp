@@ -16,7 +16,7 @@ TEST(Check, tells_findings_as_text_as_json_and_as_a_mesh) {
       cli::run(folder, "$LUXEL check cornell-box.obj --places 2 -o faults.glb --json-file r.json --quiet");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_EQ(text.err, "");
-  EXPECT_NE(text.out.find("cornell-box.obj: 32 triangles in 4 connected pieces"), std::string::npos)
+  EXPECT_NE(text.out.find("cornell-box.obj: 32 triangles in 4 connected components"), std::string::npos)
       << text.out;
   EXPECT_NE(text.out.find("\ndoubt  escape: "), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("cornell-box.obj:20  ("), std::string::npos) << text.out;
@@ -27,10 +27,10 @@ TEST(Check, tells_findings_as_text_as_json_and_as_a_mesh) {
   const auto json = Json::parse(read_file(folder / "r.json"));
   EXPECT_EQ(json["command"], "check");
   EXPECT_EQ(json["doubts"], 1);
-  EXPECT_EQ(json["findings"][1]["kind"], "open-edge");
-  EXPECT_EQ(json["findings"][1]["count"], 16);
-  EXPECT_EQ(json["findings"][1]["all_places"], 4);
-  EXPECT_EQ(json["findings"][1]["places"].size(), 2u);
+  EXPECT_EQ(json["diagnostics"][1]["kind"], "open-edge");
+  EXPECT_EQ(json["diagnostics"][1]["count"], 16);
+  EXPECT_EQ(json["diagnostics"][1]["all_places"], 4);
+  EXPECT_EQ(json["diagnostics"][1]["places"].size(), 2u);
   EXPECT_EQ(json["outputs"], Json::array({"faults.glb"}));
 }
 

@@ -62,7 +62,7 @@ TEST_F(ErrorJudge, sees_error_bars_that_are_a_fifth_too_small_or_too_large) {
   EXPECT_NEAR(judge(room_, runs(times(0.8f))).ratio.value, 1.25, 0.05);
 }
 
-// The spread of eight numbers is itself uncertain: Student's t with seven degrees of degrees_of_freedom lies
+// The spread of eight numbers is itself uncertain: Student's t with seven degrees of freedom lies
 // within 1.96 in 90.9 % of cases, not 95. So replicates patch by patch are not enough: what is known of
 // neighbours has to steady the error bar, or replicates have to be many.
 TEST_F(ErrorJudge, sees_that_eight_replicates_alone_make_a_wavering_error_bar) {

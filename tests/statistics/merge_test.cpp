@@ -29,7 +29,7 @@ NamedSolution run(const truth::KnownRoom& room, std::uint64_t seed, double error
 
 TEST(Merge, of_four_runs_has_about_half_the_error_and_says_so) {
   // Eight merges of four runs each, of other seeds: the mean of their scores is judged as in error_bar_test,
-  // with three standard errors (risk 0.02 each by Student's t with seven degrees of degrees_of_freedom;
+  // with three standard errors (risk 0.02 each by Student's t with seven degrees of freedom;
   // measured far inside).
   for (const auto& room : {truth::coloured_room(), truth::hung_plate()}) {
     std::vector<Solution> merged;

@@ -214,7 +214,7 @@ TEST(Portals, a_solve_with_them_has_the_light_of_one_without) {
       b.push_back(mean(with));
     }
     const auto own = estimate_of(b), other = estimate_of(a);
-    // Eight seeds each: Student's t of 14 degrees of degrees_of_freedom, risk 1e-4.
+    // Eight seeds each: Student's t of 14 degrees of freedom, risk 1e-4.
     EXPECT_NEAR(own.mean, other.mean, 5.4 * std::hypot(own.sigma, other.sigma) + 1e-3 * other.mean)
         << material;
   }

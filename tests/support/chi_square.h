@@ -15,7 +15,7 @@ inline double chi_square(const std::vector<std::size_t>& counts, double expected
   return sum;
 }
 
-// The value that chi-square with k degrees of degrees_of_freedom exceeds with a probability of one in a
+// The value that chi-square with k degrees of freedom exceeds with a probability of one in a
 // million: Wilson and Hilferty 1931, good to a per cent for k > 10. Every statistical test here runs at that
 // risk of a false alarm.
 inline double chi_square_limit(double k) {

@@ -40,7 +40,7 @@ struct StoredTransport {
 };
 
 StoredTransport solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
-           const Workers& workers) {
+                      const Workers& workers) {
   StoredTransport kept;
   const SampleStorage keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
   solve_sampled(patches, tracer, kept.solution, options, workers, {}, keeping);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sampled solver in rooms whose light is known: the exact means of the enclosures, and every switch
 // alone. Means come from eight seeds; their spread gives the standard error of the mean, of which seven are
-// allowed (Student's t with seven degrees of degrees_of_freedom: risk 2e-4 each, far less where the stated
+// allowed (Student's t with seven degrees of freedom: risk 2e-4 each, far less where the stated
 // tolerance leads).
 #include "luxel/solve/sampled.h"
 

@@ -26,8 +26,8 @@ struct HemicubeOptions {
 // no pixel's centre sees, gets nothing).
 //
 // An object is scratch memory for one thread: make one a thread. A row depends on patches, options and side
-// alone. Cost at 10,000 patches and a resolution of 128: about 2 ms per point; memory 10 bytes per pixel and 32
-// bytes per patch.
+// alone. Cost at 10,000 patches and a resolution of 128: about 2 ms per point; memory 10 bytes per pixel and
+// 32 bytes per patch.
 class Hemicube {
  public:
   // Keeps a reference to patches. Throws InputError where an option is out of its range.

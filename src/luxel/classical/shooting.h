@@ -47,10 +47,10 @@ struct ShootingOptions {
 // its power, all bands at once, to the nearest side it meets. Unbiased. Variance of a side's arrival: quantum
 // times arrival (a Poisson count), at most.
 //
-// The result does not depend on the number of threads. Cost: one nearest hit per ray, and bands counters added
-// to; little for a side that nothing leaves and nothing meets. Memory: 8 bytes per side and band, and a private
-// copy a thread where that pays (Deposits). Method: listing 2 of the founding course paper; Neumann 1995;
-// Bekaert 1999, chapter 6.
+// The result does not depend on the number of threads. Cost: one nearest hit per ray, and bands counters
+// added to; little for a side that nothing leaves and nothing meets. Memory: 8 bytes per side and band, and a
+// private copy a thread where that pays (Deposits). Method: listing 2 of the founding course paper; Neumann
+// 1995; Bekaert 1999, chapter 6.
 class Shooter {
  public:
   // Keeps references. Of the same workers that shoot.

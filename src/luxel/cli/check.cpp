@@ -10,7 +10,7 @@
 #include "luxel/core/output_file.h"
 #include "luxel/export/export_coloured.h"
 #include "luxel/render/automatic_camera.h"
-#include "luxel/session/fault_mesh.h"
+#include "luxel/session/diagnostic_mesh.h"
 
 namespace luxel {
 namespace {
@@ -52,8 +52,8 @@ class Check final : public Command {
     if (!run_.report.empty()) write_file(run_.report, text.as_json());
     print_result(run_.json ? text.as_json() : text.as_text());
     if (!report.is_whole) return exit_stopped_early;
-    return strict_ && report.count(Gravity::fault) + report.count(Gravity::doubt) > 0 ? exit_failed
-                                                                                      : exit_fine;
+    return strict_ && report.count(Severity::error) + report.count(Severity::warning) > 0 ? exit_failed
+                                                                                          : exit_fine;
   }
 
  private:
@@ -61,7 +61,7 @@ class Check final : public Command {
              const Workers& workers) const {
     std::vector<ColouredMesh> meshes;
     for (auto& part : fault_parts(scene, report)) {
-      const auto name_of = [](FindingKind kind) {
+      const auto name_of = [](DiagnosticKind kind) {
         return fmt::format("{} ({})", name(kind), colour(kind).word);
       };
       meshes.push_back({part.kind ? name_of(*part.kind) : std::string("well (grey)"),
@@ -69,7 +69,7 @@ class Check final : public Command {
                         std::move(part.triangles)});
     }
     const auto patches = make_patches(scene, {.max_edge = no_max_edge}, workers);
-    export_coloured(output, fmt::format("faults of {}", scene.source), meshes, up_of(look_, patches),
+    export_coloured(output, fmt::format("diagnostics of {}", scene.source), meshes, up_of(look_, patches),
                     scene.origin);
   }
 

@@ -60,17 +60,18 @@ std::string line_of(const Scene& scene, const Place& place, const CheckReport& r
   return text;
 }
 
-std::string describe(const Scene& scene, const Finding& finding, const CheckReport& report) {
-  constexpr std::size_t indent = 7;
+std::string describe(const Scene& scene, const Diagnostic& diagnostic, const CheckReport& report) {
+  constexpr std::size_t indent = 9;
   const std::string margin(indent, ' ');
-  auto text = fmt::format("\n{:<{}}{}\n", name(finding.gravity), indent,
-                          wrapped(fmt::format("{}: {}", name(finding.kind), finding.fact), indent, indent));
-  text += fmt::format("{}{}\n", margin, wrapped("Luxel " + finding.consequence, indent, indent));
-  text += fmt::format("{}{}\n", margin, wrapped(finding.remedy, indent, indent));
-  for (const auto& place : finding.places)
+  auto text =
+      fmt::format("\n{:<{}}{}\n", name(diagnostic.severity), indent,
+                  wrapped(fmt::format("{}: {}", name(diagnostic.kind), diagnostic.fact), indent, indent));
+  text += fmt::format("{}{}\n", margin, wrapped("Luxel " + diagnostic.consequence, indent, indent));
+  text += fmt::format("{}{}\n", margin, wrapped(diagnostic.remedy, indent, indent));
+  for (const auto& place : diagnostic.places)
     text += fmt::format("{}  {}\n", margin, wrapped(line_of(scene, place, report), indent + 2, indent + 6));
-  const auto more = finding.all_places - finding.places.size();
-  if (more > 0 && !finding.places.empty())
+  const auto more = diagnostic.all_places - diagnostic.places.size();
+  if (more > 0 && !diagnostic.places.empty())
     text += fmt::format("{}  and {} more\n", margin, with_commas(more));
   return text;
 }
@@ -79,7 +80,7 @@ std::string summary(const Scene& scene, const CheckReport& report) {
   const auto size = report.box.size();
   auto text = fmt::format("{}: {} in {} ({} closed), {:.4g} x {:.4g} x {:.4g} m, {:.4g} m²\n", scene.source,
                           counted_things(report.triangles, "triangle"),
-                          counted_things(report.components, "connected piece"),
+                          counted_things(report.components, "connected component"),
                           with_commas(report.closed_components), size.x, size.y, size.z, report.area);
   const auto& walks = report.walks;
   if (walks.from == LightWalks::From::lamps)
@@ -94,17 +95,17 @@ std::string summary(const Scene& scene, const CheckReport& report) {
 
 std::string verdict(const CheckReport& report) {
   if (!report.is_whole) return "\nstopped before all was looked at\n";
-  if (report.findings.empty()) return "\nnothing found\n";
-  return fmt::format("\n{}, {}, {}\n", counted_things(report.count(Gravity::fault), "fault"),
-                     counted_things(report.count(Gravity::doubt), "doubt"),
-                     counted_things(report.count(Gravity::note), "note"));
+  if (report.diagnostics.empty()) return "\nnothing found\n";
+  return fmt::format("\n{}, {}, {}\n", counted_things(report.count(Severity::error), "error"),
+                     counted_things(report.count(Severity::warning), "warning"),
+                     counted_things(report.count(Severity::note), "note"));
 }
 
 std::string legend(const CheckReport& report, const std::string& file) {
   std::vector<std::string> kinds;
-  for (const auto& finding : report.findings) {
-    auto entry = fmt::format("{} {}", colour(finding.kind).word, name(finding.kind));
-    const bool is_shown = !finding.triangles.empty() || !finding.edges.empty();
+  for (const auto& diagnostic : report.diagnostics) {
+    auto entry = fmt::format("{} {}", colour(diagnostic.kind).word, name(diagnostic.kind));
+    const bool is_shown = !diagnostic.triangles.empty() || !diagnostic.edges.empty();
     if (is_shown && (kinds.empty() || kinds.back() != entry)) kinds.push_back(std::move(entry));
   }
   std::string text = file + ": grey what is well";
@@ -114,24 +115,24 @@ std::string legend(const CheckReport& report, const std::string& file) {
 
 Json to_json(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-Json to_json(const Finding& finding) {
+Json to_json(const Diagnostic& diagnostic) {
   Json places = Json::array();
-  for (const auto& place : finding.places)
+  for (const auto& place : diagnostic.places)
     places.push_back({{"line", place.line},
                       {"object", place.object},
                       {"group", place.group},
                       {"material", place.material},
                       {"at_m", to_json(place.at)},
                       {"detail", place.detail}});
-  return {{"kind", name(finding.kind)},
-          {"gravity", name(finding.gravity)},
-          {"count", finding.count},
-          {"fact", finding.fact},
-          {"consequence", finding.consequence},
-          {"remedy", finding.remedy},
-          {"triangles", finding.triangles.size()},
-          {"colour", colour(finding.kind).word},
-          {"all_places", finding.all_places},
+  return {{"kind", name(diagnostic.kind)},
+          {"severity", name(diagnostic.severity)},
+          {"count", diagnostic.count},
+          {"fact", diagnostic.fact},
+          {"consequence", diagnostic.consequence},
+          {"remedy", diagnostic.remedy},
+          {"triangles", diagnostic.triangles.size()},
+          {"colour", colour(diagnostic.kind).word},
+          {"all_places", diagnostic.all_places},
           {"places", std::move(places)}};
 }
 
@@ -151,7 +152,7 @@ std::string_view name(LightWalks::From from) {
 
 std::string CheckText::as_text() const {
   auto text = summary(*scene, *report);
-  for (const auto& finding : report->findings) text += describe(*scene, finding, *report);
+  for (const auto& diagnostic : report->diagnostics) text += describe(*scene, diagnostic, *report);
   text += verdict(*report);
   for (const auto& output : outputs) text += legend(*report, output);
   return text;
@@ -159,16 +160,16 @@ std::string CheckText::as_text() const {
 
 std::string CheckText::as_json() const {
   const auto& walks = report->walks;
-  Json findings = Json::array();
-  for (const auto& finding : report->findings) findings.push_back(to_json(finding));
+  Json diagnostics = Json::array();
+  for (const auto& diagnostic : report->diagnostics) diagnostics.push_back(to_json(diagnostic));
   Json json = {{"command", "check"},
                {"is_whole", report->is_whole},
-               {"faults", report->count(Gravity::fault)},
-               {"doubts", report->count(Gravity::doubt)},
-               {"notes", report->count(Gravity::note)},
+               {"errors", report->count(Severity::error)},
+               {"warnings", report->count(Severity::warning)},
+               {"notes", report->count(Severity::note)},
                {"triangles", report->triangles},
                {"lit_triangles", report->lit_triangles},
-               {"pieces", report->components},
+               {"components", report->components},
                {"closed_components", report->closed_components},
                {"area_m2", report->area},
                {"low_m", to_json(scene->origin + Vec3d(report->box.low))},
@@ -182,7 +183,7 @@ std::string CheckText::as_json() const {
                  {"lost_at_backs", walks.lost_at_backs},
                  {"back_hits", walks.back_hits}}},
                {"rays", report->rays},
-               {"findings", std::move(findings)},
+               {"diagnostics", std::move(diagnostics)},
                {"outputs", outputs}};
   for (const auto& [key, value] : options->values()) json["options"][key] = value;
   Json stages = Json::array();

@@ -9,8 +9,8 @@
 namespace luxel {
 
 // A picture after every step of an iteration, all from one camera and with one exposure, so that they can be
-// compared: that of the last step, which is why they are drawn at the end. Keeps two numbers per patch and band
-// for each step.
+// compared: that of the last step, which is why they are drawn at the end. Keeps two numbers per patch and
+// band for each step.
 class StepPictures {
  public:
   // Makes the folder. No folder: keeps nothing and draws nothing. Throws DeviceError.

@@ -6,11 +6,13 @@
 
 namespace luxel {
 
-enum class Severity { info, warning };
+// error: what was asked cannot be done, or the light will be wrong. warning: it may not be what was meant.
+// note: for information.
+enum class Severity { note, warning, error };
 
 // One sentence for a person, without a line end.
 struct Message {
-  Severity severity = Severity::info;
+  Severity severity = Severity::note;
   std::string text;
 };
 

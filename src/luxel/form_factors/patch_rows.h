@@ -31,7 +31,8 @@ struct PatchRowScratch {
   std::vector<std::uint32_t> counts;  // [place][replicate]
 };
 
-// Appends the rows of these receivers, per_receiver rays per replicate. min_factor: factors below are dropped.
+// Appends the rows of these receivers, per_receiver rays per replicate. min_factor: factors below are
+// dropped.
 void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> receivers,
                        std::uint32_t per_receiver, double min_factor, PatchRowScratch& scratch,
                        PatchRows& rows);

@@ -26,8 +26,8 @@ struct SampleFactorsOptions {
   double row_error = 0.0;
   double min_factor = 0.0;   // factors below are dropped; their sum is kept
   std::uint64_t memory = 0;  // bytes that factors may take; 0: no bound
-  // What is done afterwards, for the prediction of memory: the laws are enforced; so many bytes per factor are
-  // taken beside the factors at the end.
+  // What is done afterwards, for the prediction of memory: the laws are enforced; so many bytes per factor
+  // are taken beside the factors at the end.
   bool is_enforced = false;
   std::uint32_t bytes_beside = 0;
   std::vector<std::uint8_t> rows = {};  // [element]: whether its row is wanted; empty: all
@@ -54,8 +54,8 @@ struct SampleFactorsReport {
 //
 // Throws InputError, with figures, where the memory that the factors would take is beyond options.memory: it
 // is predicted from some rows before most rays are traced, within a few per cent. Nothing where the monitor
-// said stop before there was an answer. The same bits on any number of threads. Cost: one nearest hit per ray;
-// between patches about 20 bytes a listed factor while they are made, 16 after.
+// said stop before there was an answer. The same bits on any number of threads. Cost: one nearest hit per
+// ray; between patches about 20 bytes a listed factor while they are made, 16 after.
 std::optional<ViewFactors> sample_view_factors(const PatchSet& patches, const Tracer& tracer,
                                                const ViewElements& elements,
                                                const SampleFactorsOptions& options, const Workers& workers,

@@ -10,7 +10,8 @@
 namespace luxel {
 
 // The lamps of KHR_lights_punctual where nodes place them, from candela and lux to W/sr and W/m². Positions
-// are in metres (scale: metres per unit of the file), counted from the scene's origin, which must be in place.
+// are in metres (scale: metres per unit of the file), counted from the scene's origin, which must be in
+// place.
 void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene);
 
 // Likewise the cameras, in the order of nodes. Those without perspective are passed over, with a warning.

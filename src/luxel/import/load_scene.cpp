@@ -96,7 +96,7 @@ void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
 
 void repair(const LoadOptions& options, Scene& scene, const LogSink& log) {
   const auto say = [&](std::string text) {
-    if (log) log({Severity::info, std::move(text)});
+    if (log) log({Severity::note, std::move(text)});
   };
   if (options.weld != 0.0f) say(weld_vertices(scene, options.weld).as_text(options.weld));
   if (options.orient) say(orient_windings(scene).as_text());

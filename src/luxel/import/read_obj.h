@@ -14,8 +14,8 @@ namespace luxel {
 inline constexpr const char* default_name = "default";
 
 // Reads the text of an OBJ file; nothing where the monitor says stop, which it can a few times a megabyte.
-// Coordinates are as the file has them, `scale` metres per unit. Throws InputError naming source and line for a
-// coordinate that is no finite number or lies beyond `farthest`, and for an index that names nothing. Reads
+// Coordinates are as the file has them, `scale` metres per unit. Throws InputError naming source and line for
+// a coordinate that is no finite number or lies beyond `farthest`, and for an index that names nothing. Reads
 // about 130 MB per second.
 std::optional<ObjMesh> read_obj(std::string_view text, const std::string& source, double scale,
                                 const Monitor& monitor = {});

@@ -59,12 +59,12 @@ class DirectLight {
 
   // W/m² from the lamps of each light group, each replicate apart: out[(replicate * groups + group) * bands +
   // band]. Round `round` takes
-  // per_replicate new samples per replicate; rounds are independent. position: the patch's place in an order in
-  // which neighbours are near. side: 2p front, 2p + 1 back. Returns the number of shadow rays, at most
+  // per_replicate new samples per replicate; rounds are independent. position: the patch's place in an order
+  // in which neighbours are near. side: 2p front, 2p + 1 back. Returns the number of shadow rays, at most
   // replicates * per_replicate
   // (twice that with multiple importance): none where no lamp is above the horizon. Any number of threads may
-  // call; the result depends on the arguments alone. Costs 0.1 to 0.4 us per sample beside its shadow ray, and
-  // 0.2 us (one lamp) to 8 us (thousands) a side.
+  // call; the result depends on the arguments alone. Costs 0.1 to 0.4 us per sample beside its shadow ray,
+  // and 0.2 us (one lamp) to 8 us (thousands) a side.
   std::uint64_t estimate(std::size_t side, std::uint32_t position, std::uint32_t round,
                          std::uint32_t per_replicate, std::span<float> out) const;
 

@@ -29,8 +29,8 @@ struct LampTriangle {
 
 // The lamps of a scene as they were before they were cut into patches and meshed: flat convex ones as a few
 // large triangles, so that little has to be chosen and what they give has a closed form. Read-only after it
-// was made; memory about 150 bytes per triangle and 4 a patch. Behind them stand the portals of the sky, where
-// there is a sky: lamps of its radiance and of its light group, the last.
+// was made; memory about 150 bytes per triangle and 4 a patch. Behind them stand the portals of the sky,
+// where there is a sky: lamps of its radiance and of its light group, the last.
 class Lamps {
  public:
   // Joins the patches of each emitting input triangle, where they fill it, and what join_lamps() can.

@@ -39,7 +39,8 @@ struct ContactLine {
 // ends or bends by more than about 85 degrees; and what is shorter than rounding.
 //
 // corners index into positions; triangles have area. The same bits for any number of threads. Cost: n log n,
-// and about 0.3 us per pair of near triangles: two seconds of processor time for a million triangles of a mesh.
+// and about 0.3 us per pair of near triangles: two seconds of processor time for a million triangles of a
+// mesh.
 std::vector<ContactLine> find_contact_lines(const std::vector<CleanTriangle>& triangles,
                                             const std::vector<Vec3>& positions, double gap,
                                             const Workers& workers);

@@ -135,7 +135,7 @@ void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, co
   std::size_t surfaces = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (i == 0 || lines[i].on != lines[i - 1].on) ++surfaces;
-  log({Severity::info,
+  log({Severity::note,
        fmt::format(
            "{} of the triangles are touched or pierced by others, along {} lines: cut along these into {} "
            "patches more",

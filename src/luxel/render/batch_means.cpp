@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/student.h"
 
 namespace luxel {
 namespace {
@@ -96,11 +97,7 @@ double BatchMeans::variance(std::size_t element, std::size_t value) const {
 }
 
 double widening_of(std::uint64_t batches) {
-  if (batches < 2) return 1.0;
-  const auto degrees_of_freedom = static_cast<double>(batches - 1);
-  return 1.0 + (2.37 / degrees_of_freedom + 2.82 / (degrees_of_freedom * degrees_of_freedom) +
-                2.6 / (degrees_of_freedom * degrees_of_freedom * degrees_of_freedom)) /
-                   1.96;
+  return batches < 2 ? 1.0 : student_widening(static_cast<double>(batches - 1));
 }
 
 }  // namespace luxel

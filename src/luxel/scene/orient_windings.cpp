@@ -89,17 +89,19 @@ OrientReport orient_windings(Scene& scene) {
 }
 
 std::string OrientReport::as_text() const {
-  auto text = plan.turned == 0
-                  ? fmt::format("--orient: {} connected pieces looked at; nothing was turned", all_components)
-                  : fmt::format(
-                        "--orient: {} triangles turned round in {} of {} connected pieces ({} closed, now "
-                        "facing outwards; {} that follow their lamps; {} by the greater area)",
-                        plan.turned, plan.components, all_components, plan.closed, plan.lamps,
-                        plan.components - plan.closed - plan.lamps);
+  auto text =
+      plan.turned == 0
+          ? fmt::format("--orient: {} connected components checked; nothing was flipped", all_components)
+          : fmt::format(
+                "--orient: {} triangles flipped in {} of {} connected components ({} closed, now "
+                "facing outwards; {} that follow their lamps; {} by the greater area)",
+                plan.turned, plan.components, all_components, plan.closed, plan.lamps,
+                plan.components - plan.closed - plan.lamps);
   if (plan.not_orientable > 0)
-    text += fmt::format("; {} pieces have no consistent side and stay as they are", plan.not_orientable);
+    text +=
+        fmt::format("; {} components cannot be oriented consistently and are unchanged", plan.not_orientable);
   if (plan.stubborn_lamps > 0)
-    text += fmt::format("; {} lamp triangles keep their side against the rest of their piece",
+    text += fmt::format("; {} lamp triangles face otherwise than the rest of their component",
                         plan.stubborn_lamps);
   return text;
 }

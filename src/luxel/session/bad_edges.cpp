@@ -5,7 +5,7 @@
 
 #include "luxel/scene/orient_windings.h"
 #include "luxel/scene/weld_vertices.h"
-#include "luxel/session/mesh_findings.h"
+#include "luxel/session/mesh_diagnostics.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
@@ -27,33 +27,33 @@ Vec3 middle(const std::array<Vec3, 2>& edge) { return 0.5f * (edge[0] + edge[1])
 
 double length(const std::array<Vec3, 2>& edge) { return glm::distance(Vec3d(edge[0]), Vec3d(edge[1])); }
 
-void find_t_vertices(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+void find_t_vertices(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   const auto& junctions = mesh.junctions.found;
   if (junctions.empty()) return;
-  Finding finding{FindingKind::t_junction, Gravity::note, junctions.size()};
+  Diagnostic diagnostic{DiagnosticKind::t_junction, Severity::note, junctions.size()};
   std::vector<Candidate> candidates;
   for (std::size_t begin = 0, end = 0; begin < junctions.size(); begin = end) {
     const auto e = junctions[begin].edge;
     while (end < junctions.size() && junctions[end].edge == e) ++end;
     const auto triangle = mesh.in_scene(mesh.edges.uses_of(e)[0].triangle);
     const auto edge = mesh.ends(e);
-    finding.triangles.push_back(triangle);
-    finding.edges.push_back(edge);
+    diagnostic.triangles.push_back(triangle);
+    diagnostic.edges.push_back(edge);
     candidates.push_back({triangle, mesh.places[junctions[begin].vertex], length(edge),
                           static_cast<std::uint32_t>(end - begin)});
   }
-  finding.fact = junctions.size() == 1
-                     ? "1 vertex lies inside an edge of a neighbour (a T-junction)"
-                     : fmt::format("{} vertices lie inside edges of neighbours (T-junctions)",
-                                   with_commas(junctions.size()));
-  finding.consequence =
+  diagnostic.fact = junctions.size() == 1
+                        ? "1 vertex lies inside an edge of a neighbour (a T-junction)"
+                        : fmt::format("{} vertices lie inside edges of neighbours (T-junctions)",
+                                      with_commas(junctions.size()));
+  diagnostic.consequence =
       "loses no light there, but does not smooth the light across such an edge: it may show";
-  finding.remedy = "no flag changes that: split the long edge at the vertex in the file";
+  diagnostic.remedy = "no flag changes that: split the long edge at the vertex in the file";
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) { return fmt::format("{} on an edge {} long", c.item, in_metres(c.weight)); },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 // What --weld would do to the open edges: found by welding their ends alone.
@@ -108,80 +108,82 @@ WeldTrial try_weld(const ScannedMesh& mesh) {
   return best;
 }
 
-void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   if (mesh.loops.empty()) return;
-  Finding finding{FindingKind::open_edge, Gravity::note};
+  Diagnostic diagnostic{DiagnosticKind::open_edge, Severity::note};
   std::vector<Candidate> candidates;
   for (const auto& loop : mesh.loops) {
-    finding.count += loop.edges.size();
+    diagnostic.count += loop.edges.size();
     std::uint32_t longest = loop.edges[0];
     for (const auto e : loop.edges) {
-      finding.edges.push_back(mesh.ends(e));
-      finding.triangles.push_back(mesh.in_scene(mesh.edges.uses_of(e)[0].triangle));
+      diagnostic.edges.push_back(mesh.ends(e));
+      diagnostic.triangles.push_back(mesh.in_scene(mesh.edges.uses_of(e)[0].triangle));
       if (length(mesh.ends(e)) > length(mesh.ends(longest))) longest = e;
     }
     candidates.push_back({mesh.in_scene(mesh.edges.uses_of(longest)[0].triangle), middle(mesh.ends(longest)),
                           loop.length, static_cast<std::uint32_t>(loop.edges.size())});
   }
-  std::sort(finding.triangles.begin(), finding.triangles.end());
-  finding.triangles.erase(std::unique(finding.triangles.begin(), finding.triangles.end()),
-                          finding.triangles.end());
+  std::sort(diagnostic.triangles.begin(), diagnostic.triangles.end());
+  diagnostic.triangles.erase(std::unique(diagnostic.triangles.begin(), diagnostic.triangles.end()),
+                             diagnostic.triangles.end());
   const auto weld = try_weld(mesh);
-  finding.fact = fmt::format("{} open, in {}: surfaces end there", counted_is(finding.count, "edge"),
-                             counted_things(mesh.loops.size(), "rim"));
+  diagnostic.fact = fmt::format("{} open, in {}: surfaces end there", counted_is(diagnostic.count, "edge"),
+                                counted_things(mesh.loops.size(), "boundary loop"));
   if (weld.closed > 0)
-    finding.fact += fmt::format(", and {} of them lie so near another one that a gap is likely",
-                                with_commas(weld.closed));
-  if (weld.closed > 0) finding.gravity = Gravity::doubt;
-  finding.consequence =
-      "takes such surfaces as sheets, lit on both sides; light goes round a rim and through a gap";
-  finding.remedy = weld.closed > 0
-                       ? fmt::format("--weld {:g} closes {} of them", weld.distance, with_commas(weld.closed))
-                       : "no flag needed where sheets are meant; --one-sided NAME makes backs absorb";
+    diagnostic.fact += fmt::format(", and {} of them lie so near another one that a gap is likely",
+                                   with_commas(weld.closed));
+  if (weld.closed > 0) diagnostic.severity = Severity::warning;
+  diagnostic.consequence =
+      "takes such surfaces as sheets, lit on both sides; light passes around their boundary and through gaps";
+  diagnostic.remedy =
+      weld.closed > 0 ? fmt::format("--weld {:g} closes {} of them", weld.distance, with_commas(weld.closed))
+                      : "no flag needed where sheets are meant; --one-sided NAME makes backs absorb";
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) {
-        return fmt::format("a rim of {}, {} in all", counted_things(c.item, "edge"), in_metres(c.weight));
+        return fmt::format("a boundary loop of {}, {} in all", counted_things(c.item, "edge"), in_metres(c.weight));
       },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
-void find_non_manifold_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
-  Finding finding{FindingKind::non_manifold_edge, Gravity::note};
+void find_non_manifold_edges(const ScannedMesh& mesh, std::size_t places,
+                             std::vector<Diagnostic>& diagnostics) {
+  Diagnostic diagnostic{DiagnosticKind::non_manifold_edge, Severity::note};
   std::vector<Candidate> candidates;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const auto uses = mesh.edges.uses_of(e);
     if (uses.size() < 3) continue;
     const auto edge = mesh.ends(e);
-    finding.edges.push_back(edge);
-    for (const auto& use : uses) finding.triangles.push_back(mesh.in_scene(use.triangle));
+    diagnostic.edges.push_back(edge);
+    for (const auto& use : uses) diagnostic.triangles.push_back(mesh.in_scene(use.triangle));
     candidates.push_back({mesh.in_scene(uses[0].triangle), middle(edge), length(edge),
                           static_cast<std::uint32_t>(uses.size())});
   }
-  if (finding.edges.empty()) return;
-  std::sort(finding.triangles.begin(), finding.triangles.end());
-  finding.triangles.erase(std::unique(finding.triangles.begin(), finding.triangles.end()),
-                          finding.triangles.end());
-  finding.count = finding.edges.size();
-  finding.fact = fmt::format("{} more than two triangles", counted_have(finding.count, "edge"));
-  finding.consequence = "takes the surfaces as they are; --orient does not carry a side across such an edge";
-  finding.remedy = "no flag needed: walls that meet a floor along its edges look like this";
+  if (diagnostic.edges.empty()) return;
+  std::sort(diagnostic.triangles.begin(), diagnostic.triangles.end());
+  diagnostic.triangles.erase(std::unique(diagnostic.triangles.begin(), diagnostic.triangles.end()),
+                             diagnostic.triangles.end());
+  diagnostic.count = diagnostic.edges.size();
+  diagnostic.fact = fmt::format("{} more than two triangles", counted_have(diagnostic.count, "edge"));
+  diagnostic.consequence =
+      "takes the surfaces as they are; --orient does not carry a side across such an edge";
+  diagnostic.remedy = "no flag needed: walls that meet a floor along its edges look like this";
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) { return fmt::format("{} triangles, {} long", c.item, in_metres(c.weight)); },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 // Neighbours that face opposite ways: told by what --orient would turn.
-void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   std::vector<std::size_t> inconsistent;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
     if (mesh.edges.winds_inconsistently(e)) inconsistent.push_back(e);
   if (inconsistent.empty()) return;
-  Finding finding{FindingKind::windings, Gravity::note, inconsistent.size()};
-  Finding lamps{FindingKind::lamp_windings, Gravity::fault};
+  Diagnostic diagnostic{DiagnosticKind::windings, Severity::note, inconsistent.size()};
+  Diagnostic lamps{DiagnosticKind::lamp_windings, Severity::error};
   std::vector<Candidate> candidates, lamp_candidates;
   std::size_t one_sided = 0;
   for (const auto e : inconsistent) {
@@ -189,7 +191,7 @@ void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Find
     const auto edge = mesh.ends(e);
     const Candidate candidate{mesh.in_scene(uses[1].triangle), middle(edge), length(edge)};
     candidates.push_back(candidate);
-    finding.edges.push_back(edge);
+    diagnostic.edges.push_back(edge);
     if (!is_two_sided(mesh, uses[0].triangle) || !is_two_sided(mesh, uses[1].triangle)) ++one_sided;
     if (!is_lamp(mesh, uses[0].triangle) || !is_lamp(mesh, uses[1].triangle)) continue;
     lamp_candidates.push_back(candidate);
@@ -201,23 +203,23 @@ void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Find
   for (const auto& component : mesh.components.components) components += component.is_consistent() ? 0 : 1;
   for (std::size_t t = 0; t < mesh.clean.kept.size(); ++t)
     if (plan.turn[t] != 0 && !mesh.components.components[mesh.components.of[t]].is_consistent())
-      finding.triangles.push_back(mesh.in_scene(static_cast<std::uint32_t>(t)));
-  finding.gravity = one_sided > 0 ? Gravity::fault : Gravity::note;
-  finding.fact = fmt::format("{} between neighbours that face opposite ways, in {} of {}",
-                             counted_lie(inconsistent.size(), "edge"), with_commas(components),
-                             counted_things(mesh.components.components.size(), "connected piece"));
+      diagnostic.triangles.push_back(mesh.in_scene(static_cast<std::uint32_t>(t)));
+  diagnostic.severity = one_sided > 0 ? Severity::error : Severity::note;
+  diagnostic.fact = fmt::format("{} between neighbours that face opposite ways, in {} of {}",
+                                counted_lie(inconsistent.size(), "edge"), with_commas(components),
+                                counted_things(mesh.components.components.size(), "connected component"));
   if (plan.not_orientable > 0)
-    finding.fact += fmt::format("; {} of these no winding makes consistent (as a Moebius strip)",
-                                with_commas(plan.not_orientable));
-  finding.consequence =
+    diagnostic.fact += fmt::format("; {} of these no winding makes consistent (as a Moebius strip)",
+                                   with_commas(plan.not_orientable));
+  diagnostic.consequence =
       one_sided > 0
-          ? "lets the backs of one-sided materials absorb, so these pieces darken in patches"
+          ? "lets the backs of one-sided materials absorb, so these components darken in patches"
           : "lights both sides alike, so the light is the same; view factors and --one-sided do look";
-  finding.remedy =
+  diagnostic.remedy =
       fmt::format("--orient turns {} round, and says so", counted_things(plan.turned, "triangle"));
   const auto detail = [](const Candidate& c) { return fmt::format("an edge {} long", in_metres(c.weight)); };
-  tell_places(*mesh.scene, candidates, places, detail, finding);
-  findings.push_back(std::move(finding));
+  tell_places(*mesh.scene, candidates, places, detail, diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 
   if (lamps.edges.empty()) return;
   std::sort(lamps.triangles.begin(), lamps.triangles.end());
@@ -229,16 +231,16 @@ void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Find
   lamps.consequence = "lets each part shine from its own front";
   lamps.remedy = "no flag turns a part of a lamp: turn these faces round in the file";
   tell_places(*mesh.scene, lamp_candidates, places, detail, lamps);
-  findings.push_back(std::move(lamps));
+  diagnostics.push_back(std::move(lamps));
 }
 
 }  // namespace
 
-void find_bad_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
-  find_windings(mesh, places, findings);
-  find_t_vertices(mesh, places, findings);
-  find_open_edges(mesh, places, findings);
-  find_non_manifold_edges(mesh, places, findings);
+void find_bad_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
+  find_windings(mesh, places, diagnostics);
+  find_t_vertices(mesh, places, diagnostics);
+  find_open_edges(mesh, places, diagnostics);
+  find_non_manifold_edges(mesh, places, diagnostics);
 }
 
 }  // namespace luxel

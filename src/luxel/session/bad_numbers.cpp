@@ -4,15 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "luxel/session/mesh_findings.h"
+#include "luxel/session/mesh_diagnostics.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
 namespace {
 
-void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   const auto& scene = *mesh.scene;
-  Finding finding{FindingKind::reflectance, Gravity::note};
+  Diagnostic diagnostic{DiagnosticKind::reflectance, Severity::note};
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> first(scene.materials.size(), 0xffffffffu);
   std::vector<double> size(scene.materials.size(), 0.0);
@@ -21,7 +21,7 @@ void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<
     if (!scene.materials[m].stated_reflectance) continue;
     if (size[m] == 0.0) first[m] = t.triangle;
     size[m] += area(scene, t.triangle);
-    finding.triangles.push_back(t.triangle);
+    diagnostic.triangles.push_back(t.triangle);
   }
   float highest = 0.0f;
   float lowered_to = 0.0f;
@@ -31,18 +31,18 @@ void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<
     const auto& taken = scene.materials[m].reflectance;
     highest = std::max({highest, said.r, said.g, said.b});
     lowered_to = std::max({lowered_to, taken.r, taken.g, taken.b});
-    ++finding.count;
+    ++diagnostic.count;
     candidates.push_back({first[m], centroid(scene, first[m]), size[m], static_cast<std::uint32_t>(m)});
   }
-  if (finding.count == 0) return;
-  if (highest >= 1.0f) finding.gravity = Gravity::doubt;
-  const auto reflect = fmt::format("{} {}", counted_things(finding.count, "material"),
-                                   finding.count == 1 ? "reflects" : "reflect");
-  finding.fact = highest >= 1.0f ? fmt::format("{} as much light as they receive, or more (up to {:.3g})",
-                                               reflect, highest)
-                                 : fmt::format("{} nearly all light (up to {:.3g})", reflect, highest);
-  finding.consequence = fmt::format("lowers it to {:.3g} in each band that exceeds it", lowered_to);
-  finding.remedy = "--max-reflectance sets another bound; more likely the file's Kd is too bright";
+  if (diagnostic.count == 0) return;
+  if (highest >= 1.0f) diagnostic.severity = Severity::warning;
+  const auto reflect = fmt::format("{} {}", counted_things(diagnostic.count, "material"),
+                                   diagnostic.count == 1 ? "reflects" : "reflect");
+  diagnostic.fact = highest >= 1.0f ? fmt::format("{} as much light as they receive, or more (up to {:.3g})",
+                                                  reflect, highest)
+                                    : fmt::format("{} nearly all light (up to {:.3g})", reflect, highest);
+  diagnostic.consequence = fmt::format("lowers it to {:.3g} in each band that exceeds it", lowered_to);
+  diagnostic.remedy = "--max-reflectance sets another bound; more likely the file's Kd is too bright";
   tell_places(
       scene, candidates, places,
       [&](const Candidate& c) {
@@ -50,8 +50,8 @@ void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<
         return fmt::format("the file says {:.3g} {:.3g} {:.3g}, on {:.3g} m²", said.r, said.g, said.b,
                            c.weight);
       },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 struct Unit {
@@ -69,7 +69,7 @@ constexpr double largest = 500.0;  // m
 
 double away_from_a_room(double extent) { return std::max(extent / room, room / extent); }
 
-void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
+void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   if (mesh.clean.kept.empty()) return;
   const auto size = mesh.box.size();
   const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
@@ -77,28 +77,28 @@ void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Finding
   const auto* likely = &units[0];
   for (const auto& unit : units)
     if (away_from_a_room(extent * unit.metres) < away_from_a_room(extent * likely->metres)) likely = &unit;
-  Finding finding{FindingKind::units, Gravity::doubt, 1};
-  finding.fact = fmt::format("the scene is {} long: {}", in_metres(extent),
-                             extent > largest ? "too large for a room" : "too small for a room");
-  finding.consequence =
+  Diagnostic diagnostic{DiagnosticKind::units, Severity::warning, 1};
+  diagnostic.fact = fmt::format("the scene is {} long: {}", in_metres(extent),
+                                extent > largest ? "too large for a room" : "too small for a room");
+  diagnostic.consequence =
       "takes coordinates as metres: lumens and --max-edge go by that, light per m² and pictures do not";
-  finding.remedy = fmt::format("if these are {}, --scale {:g} makes it {} long", likely->name, likely->metres,
-                               in_metres(extent * likely->metres));
+  diagnostic.remedy = fmt::format("if these are {}, --scale {:g} makes it {} long", likely->name,
+                                  likely->metres, in_metres(extent * likely->metres));
   tell_places(
       *mesh.scene, {{mesh.in_scene(0), mesh.box.center()}}, places,
       [&](const Candidate&) {
         return fmt::format("the middle of {} x {} x {}", in_metres(size.x), in_metres(size.y),
                            in_metres(size.z));
       },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 }  // namespace
 
-void find_bad_numbers(const ScannedMesh& mesh, std::size_t places, std::vector<Finding>& findings) {
-  find_reflectances(mesh, places, findings);
-  find_units(mesh, places, findings);
+void find_bad_numbers(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
+  find_reflectances(mesh, places, diagnostics);
+  find_units(mesh, places, diagnostics);
 }
 
 }  // namespace luxel

@@ -35,7 +35,7 @@ struct Board {
   LightOptions current;  // of the solve that is, or was, or will be the first
 
   // The Sideline's.
-  std::shared_ptr<const CheckReport> faults;
+  std::shared_ptr<const CheckReport> diagnostics;
   std::shared_ptr<const LiveDifference> difference;
   bool is_answering = false;
   std::optional<std::uint64_t> compared;  // light that was compared with the second solution; none: no such
@@ -49,7 +49,7 @@ struct Board {
   std::optional<Lighting> lighting;
   std::optional<std::optional<int>> bounces;
   std::optional<std::optional<std::filesystem::path>> second;
-  bool asks_faults = false;
+  bool diagnostics_requested = false;
   std::deque<FileOrder> files;
   std::optional<std::filesystem::path> last_save;  // once everything has ended
 
@@ -59,8 +59,8 @@ struct Board {
   bool has_orders() const { return solve || error || lighting || bounces || !files.empty(); }
   // For the Sideline: what can be answered now, and all that was asked.
   bool compares_anew() const { return compared && light && light->number != *compared; }
-  bool has_questions() const { return is_open && (asks_faults || second || compares_anew()); }
-  bool awaits_answers() const { return is_answering || asks_faults || second || compares_anew(); }
+  bool has_questions() const { return is_open && (diagnostics_requested || second || compares_anew()); }
+  bool awaits_answers() const { return is_answering || diagnostics_requested || second || compares_anew(); }
 
   // Does it, without the mutex, and puts what it throws into the status. Says whether it went well. file:
   // that of the scene.

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "luxel/patch/make_patches.h"
-#include "luxel/session/light_findings.h"
-#include "luxel/session/mesh_findings.h"
+#include "luxel/session/light_diagnostics.h"
+#include "luxel/session/mesh_diagnostics.h"
 
 namespace luxel {
 namespace {
@@ -30,8 +30,8 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const W
   const auto paths = options.paths > 0 ? options.paths : std::max<std::size_t>(16'384, patches.size() / 4);
   report.walks = walk_light(patches, tracer, paths, options.seed, workers, monitor);
   const auto openings = find_openings(mesh, report.walks.lost, workers);
-  find_bad_lamps(mesh, patches, views, report.walks, report.findings);
-  find_lost_light(mesh, patches, report.walks, openings, options.places, report.findings);
+  find_bad_lamps(mesh, patches, views, report.walks, report.diagnostics);
+  find_lost_light(mesh, patches, report.walks, openings, options.places, report.diagnostics);
   report.rays = report.walks.rays + 2000 * views.size();
   if (views.empty() && !patches.has_sky()) return true;  // no light at all: not worth a list
   const auto unlit =
@@ -41,15 +41,15 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const W
   report.rays += unlit.rays;
   report.dark_walks = unlit.walks;
   if (!unlit.is_whole) return false;
-  find_dark_surfaces(mesh, patches, unlit, options.places, report.findings);
+  find_dark_surfaces(mesh, patches, unlit, options.places, report.diagnostics);
   return true;
 }
 
 }  // namespace
 
-std::size_t CheckReport::count(Gravity gravity) const {
-  return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
-                                                [&](const Finding& f) { return f.gravity == gravity; }));
+std::size_t CheckReport::count(Severity severity) const {
+  return static_cast<std::size_t>(std::count_if(diagnostics.begin(), diagnostics.end(),
+                                                [&](const Diagnostic& f) { return f.severity == severity; }));
 }
 
 CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Workers& workers,
@@ -59,13 +59,14 @@ CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Work
   const auto mesh = scan_mesh(scene, monitor, report.is_whole);
   if (!report.is_whole) return report;
   summarise(mesh, report);
-  find_bad_triangles(mesh, options.places, report.findings);
-  find_bad_edges(mesh, options.places, report.findings);
-  find_bad_numbers(mesh, options.places, report.findings);
+  find_bad_triangles(mesh, options.places, report.diagnostics);
+  find_bad_edges(mesh, options.places, report.diagnostics);
+  find_bad_numbers(mesh, options.places, report.diagnostics);
   if (!mesh.clean.kept.empty()) report.is_whole = look_at_light(mesh, options, workers, monitor, report);
-  std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
-    return a.gravity != b.gravity ? a.gravity < b.gravity : a.kind < b.kind;
-  });
+  std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) {
+                     return a.severity != b.severity ? a.severity < b.severity : a.kind < b.kind;
+                   });
   return report;
 }
 

@@ -7,7 +7,7 @@
 namespace luxel {
 
 struct CheckOptions {
-  std::size_t places = 5;  // to tell of each finding
+  std::size_t places = 5;  // to tell of each diagnostic
   std::size_t paths = 0;   // of light, for the estimate of what is lost; 0: a quarter of the triangles, but
                            // at least 16,384
   std::uint64_t seed = 1;
@@ -15,18 +15,18 @@ struct CheckOptions {
 
 // What `luxel check` knows of a scene.
 struct CheckReport {
-  std::vector<Finding> findings;  // faults before doubts before notes, the graver kinds first
-  std::size_t triangles = 0;      // of the scene
-  std::size_t lit_triangles = 0;  // that carry light
+  std::vector<Diagnostic> diagnostics;  // diagnostics before doubts before notes, the graver kinds first
+  std::size_t triangles = 0;            // of the scene
+  std::size_t lit_triangles = 0;        // that carry light
   std::size_t components = 0, closed_components = 0;
   double area = 0.0;  // m²
   Bounds box;         // m, counted from the scene's origin
   LightWalks walks;
   std::size_t dark_walks = 0;  // random walks from each side that no light was found from
   std::uint64_t rays = 0;
-  bool is_whole = true;  // false: stopped by the monitor, and findings may be missing
+  bool is_whole = true;  // false: stopped by the monitor, and diagnostics may be missing
 
-  std::size_t count(Gravity gravity) const;
+  std::size_t count(Severity severity) const;
 };
 
 // Looks for all that is the matter with a scene before its light is solved: the mesh by sorting, the light by

@@ -52,7 +52,7 @@ void LiveRun::write(const FileOrder& order) {
       done += ", without the light of each lamp apart, which is not known yet: its first relighting finds it";
   }
   const std::lock_guard lock(board_.mutex);
-  board_.status.messages.push_back({Severity::info, std::move(done)});
+  board_.status.messages.push_back({Severity::note, std::move(done)});
 }
 
 }  // namespace luxel

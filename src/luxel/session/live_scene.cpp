@@ -116,13 +116,13 @@ void LiveScene::show_bounces(std::optional<int> bounces) {
   state_->order([&](Board& b) { b.bounces = bounces; });
 }
 
-void LiveScene::ask_faults() {
-  state_->order([](Board& b) { b.asks_faults = true; });
+void LiveScene::request_diagnostics() {
+  state_->order([](Board& b) { b.diagnostics_requested = true; });
 }
 
-std::shared_ptr<const CheckReport> LiveScene::faults() const {
+std::shared_ptr<const CheckReport> LiveScene::diagnostics() const {
   const std::lock_guard lock(state_->board.mutex);
-  return state_->board.faults;
+  return state_->board.diagnostics;
 }
 
 void LiveScene::compare_with(const std::optional<std::filesystem::path>& solution) {

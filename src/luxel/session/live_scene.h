@@ -86,8 +86,8 @@ class LiveScene {
 
   // Looks for what is wrong with the scene as `luxel check` does; not of a solution's file, which has no
   // scene. Seconds for a large scene, on a quarter of the cores. The answer comes once, and stays.
-  void ask_faults();
-  std::shared_ptr<const CheckReport> faults() const;
+  void request_diagnostics();
+  std::shared_ptr<const CheckReport> diagnostics() const;
 
   // How each light that is shown from now on differs from a solution on the same patches; nothing: none.
   // Where light comes faster than it can be compared, some are left out.

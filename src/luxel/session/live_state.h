@@ -65,7 +65,7 @@ struct LiveStatus {
   std::string stage;
   double done = 0.0;          // share of the stage, 0 to 1
   bool is_idle = false;       // the solver has nothing to do, and no command waits
-  bool is_answering = false;  // beside it faults or a difference are looked for, or will be
+  bool is_answering = false;  // beside it diagnostics or a difference are looked for, or will be
   bool is_paused = false;     // or will be, as soon as the solver hears of it
   bool is_stepping = false;
 

@@ -53,8 +53,8 @@ double area(const Scene& scene, std::uint32_t triangle) {
 }
 
 void tell_places(const Scene& scene, const std::vector<Candidate>& candidates, std::size_t most,
-                 const std::function<std::string(const Candidate&)>& detail, Finding& finding) {
-  finding.all_places = candidates.size();
+                 const std::function<std::string(const Candidate&)>& detail, Diagnostic& diagnostic) {
+  diagnostic.all_places = candidates.size();
   std::vector<std::uint32_t> order(candidates.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto count = static_cast<std::ptrdiff_t>(std::min(most, candidates.size()));
@@ -72,7 +72,7 @@ void tell_places(const Scene& scene, const std::vector<Candidate>& candidates, s
     place.material = scene.materials[static_cast<std::size_t>(scene.triangle_material[c.triangle])].name;
     place.at = scene.origin + Vec3d(c.at);
     place.detail = detail(c);
-    finding.places.push_back(std::move(place));
+    diagnostic.places.push_back(std::move(place));
   }
 }
 

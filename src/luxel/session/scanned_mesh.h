@@ -9,7 +9,7 @@
 #include "luxel/scene/boundary_loops.h"
 #include "luxel/scene/components.h"
 #include "luxel/scene/scene.h"
-#include "luxel/session/finding.h"
+#include "luxel/session/diagnostic.h"
 
 namespace luxel {
 
@@ -42,7 +42,7 @@ struct Candidate {
   std::uint32_t triangle = 0;  // index in the scene
   Vec3 at{0.0f};               // m
   double weight = 0.0;
-  std::uint32_t item = 0;  // whatever the finding goes by
+  std::uint32_t item = 0;  // whatever the diagnostic goes by
 };
 
 // The centroid of a triangle of the scene, m.
@@ -52,6 +52,6 @@ double area(const Scene& scene, std::uint32_t triangle);  // m²
 // Tells the heaviest candidates, of equals the earlier, with the names that the file gives them and a detail
 // each, and counts all.
 void tell_places(const Scene& scene, const std::vector<Candidate>& candidates, std::size_t most,
-                 const std::function<std::string(const Candidate&)>& detail, Finding& finding);
+                 const std::function<std::string(const Candidate&)>& detail, Diagnostic& diagnostic);
 
 }  // namespace luxel

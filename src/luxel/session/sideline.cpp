@@ -19,7 +19,7 @@ void Sideline::go() {
     board_.changed.wait(lock, [&] { return board_.closes || board_.has_questions(); });
     if (board_.closes) return;
     board_.is_answering = true;
-    const bool asks_faults = std::exchange(board_.asks_faults, false);
+    const bool diagnostics_requested = std::exchange(board_.diagnostics_requested, false);
     const auto second = std::exchange(board_.second, {});
     const auto mesh = board_.mesh;
     lock.unlock();
@@ -29,12 +29,12 @@ void Sideline::go() {
     const auto light = board_.compares_anew() ? board_.light : nullptr;
     lock.unlock();
     if (light && second_) board_.attempt(file_, [&] { compare(*light); });
-    if (asks_faults) board_.attempt(file_, [&] { find_faults(mesh.get()); });
+    if (diagnostics_requested) board_.attempt(file_, [&] { run_diagnostics(mesh.get()); });
     lock.lock();
   }
 }
 
-void Sideline::find_faults(const LiveMesh* mesh) {
+void Sideline::run_diagnostics(const LiveMesh* mesh) {
   if (mesh == nullptr || !mesh->scene)
     throw InputError(file_.string(), "faults are looked for in a scene's file; this one has no scene");
   const auto closing = [this](const Progress&) {
@@ -43,7 +43,7 @@ void Sideline::find_faults(const LiveMesh* mesh) {
   };
   auto report = std::make_shared<const CheckReport>(diagnose(*mesh->scene, {}, workers_, closing));
   const std::lock_guard lock(board_.mutex);
-  board_.faults = std::move(report);
+  board_.diagnostics = std::move(report);
 }
 
 void Sideline::read_second(const std::optional<std::filesystem::path>& file) {

@@ -11,10 +11,10 @@
 namespace luxel {
 
 // What is answered beside the solver, in a thread of its own, so that light goes on meanwhile: the search for
-// faults, and the difference of each light to a second solution.
+// diagnostics, and the difference of each light to a second solution.
 class Sideline {
  public:
-  // Keeps a reference to the board. file: that of the scene. threads: that look for faults.
+  // Keeps a reference to the board. file: that of the scene. threads: that look for diagnostics.
   Sideline(Board& board, std::filesystem::path file, int threads);
 
   // Returns once the board says that everything is closed: a fraction of a second, and as long as a second
@@ -22,7 +22,7 @@ class Sideline {
   void go();
 
  private:
-  void find_faults(const LiveMesh* mesh);
+  void run_diagnostics(const LiveMesh* mesh);
   void read_second(const std::optional<std::filesystem::path>& file);
   void compare(const LiveLight& light);
 

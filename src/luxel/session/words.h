@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// Words that the findings share.
+// Words that the diagnostics share.
 
 std::string with_commas(std::size_t count);                       // 12,345
 std::string counted_things(std::size_t count, const char* noun);  // "1 triangle", "1,234 triangles"

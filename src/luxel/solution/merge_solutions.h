@@ -17,7 +17,7 @@ struct NamedSolution {
 // One answer from several independent ones of the same patches: sampled runs with different seeds, or what
 // was merged from such. Light is the mean weighted by rays; its variance is that of such a mean; the bias of
 // sharing, which all runs may have alike, is not taken to cancel; and the widening of standard errors is that
-// of all degrees of degrees_of_freedom together (Welch 1947). In any order the same bytes.
+// of all degrees of freedom together (Welch 1947). In any order the same bytes.
 //
 // Throws InputError naming the file where there are fewer than two, or one is of another scene, other patches
 // or another method, has no standard errors, or is made with random numbers that another one is made with as

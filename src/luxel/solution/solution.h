@@ -51,9 +51,8 @@ struct Solution {
   // The error that can be seen: 95 % of the views, spread over the open space of the scene, stay below it
   // (see trace/seen_error.h); not widened. 0: not estimated.
   double seen_error = 0.0;
-  double predicted_bias = 0.0;  // the part of predicted_error that is bias of sharing
-  double error_degrees_of_freedom =
-      0.0;  // degrees of degrees_of_freedom of the standard errors; 0: not from replicates
+  double predicted_bias = 0.0;            // the part of predicted_error that is bias of sharing
+  double error_degrees_of_freedom = 0.0;  // degrees of freedom of the standard errors; 0: not from replicates
   // Likewise, what the size of the patches does to the light reconstructed from them; 0: not estimated.
   double mesh_error = 0.0;
   double error_95th = 0.0;  // see solution/error_95th.h; 0: not estimated

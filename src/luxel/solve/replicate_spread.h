@@ -35,10 +35,10 @@ inline LoopPartition spread_partition(const Ranks* ranks, std::size_t receivers)
   return {ranks, receivers, 4096};
 }
 
-// constraints: how many of the replicates' degrees of degrees_of_freedom are taken, at least one by their
+// constraints: how many of the replicates' degrees of freedom are taken, at least one by their
 // mean. area: [receiver], m². bias: squared, [receiver * bands + band], may be below 0 where it is an
-// estimate near 0. The same bits on any number of threads. Cost: about 50 ns per receiver for 8 replicates of 3
-// bands. ranks: that call with the same values, of their part of spread_partition() at least, and share the
+// estimate near 0. The same bits on any number of threads. Cost: about 50 ns per receiver for 8 replicates of
+// 3 bands. ranks: that call with the same values, of their part of spread_partition() at least, and share the
 // work.
 Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
                  std::span<const float> area, const Workers& workers, std::size_t constraints = 1,

@@ -62,7 +62,8 @@ struct SampleStorage {
 };
 
 // The production solver: direct light D from Owen-scrambled points on patch and lamp; transport F as a
-// sampled operator, 2^k cosine rays per patch side whose first hits are stored; the reflected light R = rho (D
+// sampled operator, 2^k cosine rays per patch side whose first hits are stored; the reflected light R = rho
+// (D
 // + F R) solved to 1e-6, B = E + R; every number with a standard error from independent replicates; samples
 // doubled, all earlier ones kept, until the error asked for is reached. The equations are in docs/theory.md.
 //

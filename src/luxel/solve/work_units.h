@@ -36,7 +36,8 @@ class WorkUnits {
   // Who takes those of the last part; times: when each rank was done with the first.
   void deal_rest(RankTimes times);
 
-  // What ranks have done with these receivers becomes known to all: `width` numbers per receiver, of each list.
+  // What ranks have done with these receivers becomes known to all: `width` numbers per receiver, of each
+  // list.
   void all_gather(std::span<std::vector<float>> lists, std::size_t width,
                   std::span<const std::uint32_t> receivers);
 

@@ -115,7 +115,8 @@ Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, cons
   return chart;
 }
 
-Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides, const Vec3d& direction) {
+Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides,
+                        const Vec3d& direction) {
   const auto axes = axes_across(direction);
   Box box;
   for (const auto side : sides)

@@ -25,6 +25,7 @@ Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, cons
 struct Placed {
   std::vector<std::uint32_t> kept, over;
 };
-Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides, const Vec3d& direction);
+Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides,
+                        const Vec3d& direction);
 
 }  // namespace luxel

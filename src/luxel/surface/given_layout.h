@@ -35,8 +35,8 @@ struct LaidOut {
 LaidOut lay_out(const Scene& scene, const PatchSet& patches, const GivenLayout& given, float crease_angle,
                 int page_size, int margin, const Workers& workers);
 
-// The smallest power of two, at most `most`, at which the triangles of each page have so many texels per metre
-// in the mean over their area.
+// The smallest power of two, at most `most`, at which the triangles of each page have so many texels per
+// metre in the mean over their area.
 int page_size_for(const Scene& scene, const GivenLayout& given, double texels_per_metre, int most);
 
 }  // namespace luxel

@@ -16,8 +16,8 @@ struct HangingVertex {
   float fraction = 0.0f;   // of the way along it, in (0, 1)
 };
 
-// How far off a line per vertex may lie and count as on it, m: a ten-thousandth of `length`, which no eye sees,
-// and the rounding of the coordinates.
+// How far off a line per vertex may lie and count as on it, m: a ten-thousandth of `length`, which no eye
+// sees, and the rounding of the coordinates.
 double line_tolerance(const Vec3& vertex, double length);
 
 // Of the edges that no other patch shares, the vertices of other such edges that hang on them; sorted by

@@ -59,10 +59,10 @@ void add_direct_rays(const LiveLight& light, const Probe& probe, Marks& marks) {
 
 // Triangles and edges in the colours that `luxel check` gives their kinds.
 void add_faults(const Scene& scene, const CheckReport& report, Marks& marks) {
-  for (const auto& finding : report.findings) {
-    const auto ink = colour(finding.kind).linear;
-    for (const auto& edge : finding.edges) marks.add_segment(edge[0], edge[1], ink);
-    for (const auto triangle : finding.triangles) {
+  for (const auto& diagnostic : report.diagnostics) {
+    const auto ink = colour(diagnostic.kind).linear;
+    for (const auto& edge : diagnostic.edges) marks.add_segment(edge[0], edge[1], ink);
+    for (const auto triangle : diagnostic.triangles) {
       const auto& corners = scene.triangles[triangle];
       for (std::size_t i = 0; i < 3; ++i)
         marks.add_segment(scene.positions[corners[i]], scene.positions[corners[(i + 1) % 3]], ink);
@@ -101,7 +101,7 @@ void Instruments::forget() {
 
 bool Instruments::update(const Look& look, const std::shared_ptr<const LiveMesh>& mesh,
                          const std::shared_ptr<const LiveLight>& light, const Inquiry& inquiry,
-                         const std::shared_ptr<const CheckReport>& faults) {
+                         const std::shared_ptr<const CheckReport>& diagnostics) {
   if (!mesh) return false;
   const auto& probe = inquiry.probe();
   const bool asks_rays = look.rays || look.samples;
@@ -115,7 +115,7 @@ bool Instruments::update(const Look& look, const std::shared_ptr<const LiveMesh>
       asks_rays && light ? light->number : 0,
       inquiry.line_version(),
       mesh->patches.get(),
-      look.faults ? faults.get() : nullptr,
+      look.diagnostics ? diagnostics.get() : nullptr,
       has_side ? std::optional<std::uint64_t>(2ull * probe->patch + (probe->back ? 1 : 0)) : std::nullopt};
   if (wanted == made_) return false;
   made_ = wanted;
@@ -131,7 +131,7 @@ bool Instruments::update(const Look& look, const std::shared_ptr<const LiveMesh>
   if (has_side) add_outline(patches, probe->patch, marks_);
   if (has_side && light && look.rays) add_gather_rays(*light, *probe, size_of(patches), marks_);
   if (has_side && light && look.samples) add_direct_rays(*light, *probe, marks_);
-  if (wanted.faults != nullptr && mesh->scene) add_faults(*mesh->scene, *faults, marks_);
+  if (wanted.diagnostics != nullptr && mesh->scene) add_faults(*mesh->scene, *diagnostics, marks_);
   return true;
 }
 

@@ -14,7 +14,7 @@
 namespace luxel {
 
 // Lines and points over the surfaces that show how the scene and the solver work: normals, boxes of the
-// hierarchy, rays of a patch, faults, the line that light is plotted along.
+// hierarchy, rays of a patch, diagnostics, the line that light is plotted along.
 class Instruments {
  public:
   // Another scene.
@@ -23,7 +23,7 @@ class Instruments {
   // are others than before. Cost: linear where something is asked for anew; a frame where nothing is.
   bool update(const Look& look, const std::shared_ptr<const LiveMesh>& mesh,
               const std::shared_ptr<const LiveLight>& light, const Inquiry& inquiry,
-              const std::shared_ptr<const CheckReport>& faults);
+              const std::shared_ptr<const CheckReport>& diagnostics);
   const Marks& marks() const { return marks_; }
   std::uint64_t version() const { return version_; }
 
@@ -34,7 +34,7 @@ class Instruments {
     int level = 0;
     std::uint64_t light = 0, line = 0;
     const void* mesh = nullptr;
-    const void* faults = nullptr;
+    const void* diagnostics = nullptr;
     std::optional<std::uint64_t> side;
     bool operator==(const Made&) const = default;
   } made_;

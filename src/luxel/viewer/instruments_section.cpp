@@ -22,19 +22,19 @@ void fault_list(const Viewer& viewer) {
     ImGui::TextWrapped("A solution's file has no scene to be checked.");
     return;
   }
-  const auto& report = viewer.faults();
+  const auto& report = viewer.diagnostics();
   if (!report) {
     ImGui::TextDisabled("looking");
     return;
   }
-  if (report->findings.empty()) ImGui::TextDisabled("nothing is the matter");
-  for (const auto& finding : report->findings) {
-    const auto linear = colour(finding.kind).linear;
+  if (report->diagnostics.empty()) ImGui::TextDisabled("nothing is the matter");
+  for (const auto& diagnostic : report->diagnostics) {
+    const auto linear = colour(diagnostic.kind).linear;
     ImGui::ColorButton("##colour",
                        ImVec4(srgb_encode(linear.r), srgb_encode(linear.g), srgb_encode(linear.b), 1.0f),
                        ImGuiColorEditFlags_NoTooltip, ImVec2(10.0f, 10.0f));
     ImGui::SameLine();
-    ImGui::TextWrapped("%s", finding.fact.c_str());
+    ImGui::TextWrapped("%s", diagnostic.fact.c_str());
   }
 }
 
@@ -51,10 +51,10 @@ void instruments_section(Viewer& viewer) {
   ImGui::Checkbox("its rays to lamps", &look.samples);
   ImGui::Checkbox("boxes", &look.boxes);
   ImGui::SameLine(150.0f);
-  ImGui::Checkbox("faults", &look.faults);
+  ImGui::Checkbox("faults", &look.diagnostics);
   if (look.boxes) ImGui::SliderInt("level", &look.box_level, 0, 24);
   bounce_choice(viewer);
-  if (look.faults) fault_list(viewer);
+  if (look.diagnostics) fault_list(viewer);
 }
 
 }  // namespace luxel

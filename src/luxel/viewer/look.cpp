@@ -37,7 +37,7 @@ constexpr Switch switches[] = {{"automatic-exposure", &Look::automatic_exposure}
                                {"boxes", &Look::boxes},
                                {"rays", &Look::rays},
                                {"samples", &Look::samples},
-                               {"faults", &Look::faults},
+                               {"faults", &Look::diagnostics},
                                {"panel", &Look::panel},
                                {"help", &Look::help}};
 

@@ -31,7 +31,7 @@ struct Look {
   int box_level = 4;
   bool rays = false;     // of the patch under the cursor
   bool samples = false;  // its direct light
-  bool faults = false;
+  bool diagnostics = false;
 
   bool panel = true;
   bool help = false;  // all keys

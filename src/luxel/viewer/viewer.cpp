@@ -96,15 +96,15 @@ void Viewer::find_home() {
       has_home_ = true;
     }
   }
-  if (const auto found = finding_home_.take(); found && found->scene == scene_ && !has_home_) {
+  if (const auto found = diagnostic_home_.take(); found && found->scene == scene_ && !has_home_) {
     navigator.set_home(found->pose, true);
     has_home_ = true;
   }
   // The view is judged by the first light; where none will come, by the surfaces.
   const bool has_light_to_judge = session.light() || session.status().is_idle;
-  if (has_home_ || finding_home_.is_busy() || !mesh->tracer || !has_light_to_judge) return;
-  finding_home_.start([mesh, light = session.light(), space = navigator.space(), aspect = navigator.aspect(),
-                       scene = scene_] {
+  if (has_home_ || diagnostic_home_.is_busy() || !mesh->tracer || !has_light_to_judge) return;
+  diagnostic_home_.start([mesh, light = session.light(), space = navigator.space(),
+                          aspect = navigator.aspect(), scene = scene_] {
     const Solution nothing;
     const auto camera =
         automatic_camera(*mesh->patches, light ? light->solution : nothing, *mesh->tracer, Workers(1),
@@ -137,10 +137,10 @@ void Viewer::ask(double seconds) {
   const float aspect = navigator.aspect();
   inquiry.look_at(*mesh, light.get(), navigator.pose(), navigator.space(), aspect, navigator.aim());
   inquiry.update_profile(*mesh, light.get());
-  if (look.faults && !faults_) {
-    if (!asked_faults_) session.live().ask_faults();
+  if (look.diagnostics && !faults_) {
+    if (!asked_faults_) session.live().request_diagnostics();
     asked_faults_ = true;
-    faults_ = session.live().faults();
+    faults_ = session.live().diagnostics();
   }
   // What a picture is being made of stays as it is, and what is seen with it.
   if (is_drawing_picture()) return;

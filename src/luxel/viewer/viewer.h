@@ -81,7 +81,7 @@ class Viewer {
   ScreenSize pixels() const { return screen_.pixels(); }
   const std::string& said() const { return said_; }
   const std::filesystem::path& compared_with() const { return compared_with_; }
-  const std::shared_ptr<const CheckReport>& faults() const { return faults_; }  // null: not known yet
+  const std::shared_ptr<const CheckReport>& diagnostics() const { return faults_; }  // null: not known yet
 
  private:
   void handle_key(Key key);
@@ -109,7 +109,7 @@ class Viewer {
     std::uint64_t scene;
     Pose pose;
   };
-  Background<FoundHome> finding_home_;
+  Background<FoundHome> diagnostic_home_;
   std::uint64_t scene_ = 0;  // that this is set up for
   bool has_space_ = false, has_home_ = false, is_closing_ = false, is_uploaded_ = false;
   std::shared_ptr<const PatchSet> patches_;  // that the lamp board is of

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
-#include "luxel/session/fault_mesh.h"
+#include "luxel/session/diagnostic_mesh.h"
 
 #include "support/truth_scenes.h"
 
@@ -50,7 +50,7 @@ TEST(FaultParts, colour_each_face_once_and_draw_a_rod_for_each_edge) {
   bool has_rods = false;
   for (const auto& part : fault_parts(scene, report)) {
     if (!part.kind) triangles += part.triangles.size();
-    if (part.kind != FindingKind::open_edge) continue;
+    if (part.kind != DiagnosticKind::open_edge) continue;
     has_rods = true;
     EXPECT_EQ(part.triangles.size(), 8u * 6u);
   }

@@ -100,7 +100,7 @@ TEST(Orient, makes_a_closed_piece_face_outwards_and_says_what_it_turned) {
     const auto count = std::string(turned).size();  // two letters a face of two triangles
     const auto expected = count == 0
                               ? std::string("nothing was turned")
-                              : std::to_string(count) + " triangles turned round in 1 of 1 connected pieces";
+                              : std::to_string(count) + " triangles flipped in 1 of 1 connected components";
     EXPECT_NE(files.all_warnings().find(expected), std::string::npos) << files.all_warnings();
   }
 }
@@ -157,7 +157,7 @@ TEST(Orient, leaves_what_has_no_consistent_side) {
   }
   SceneFiles files;
   const auto scene = files.load_text(text, {.orient = true});
-  EXPECT_NE(files.all_warnings().find("1 pieces have no consistent side"), std::string::npos)
+  EXPECT_NE(files.all_warnings().find("1 components cannot be oriented consistently"), std::string::npos)
       << files.all_warnings();
 }
 

@@ -31,17 +31,17 @@ class Diagnose : public testing::Test {
   SceneFiles files_;
 };
 
-const Finding& found(const CheckReport& report, FindingKind kind) {
-  static const Finding nothing;
-  const auto at = std::find_if(report.findings.begin(), report.findings.end(),
-                               [&](const Finding& f) { return f.kind == kind; });
-  EXPECT_NE(at, report.findings.end()) << name(kind) << " was not found";
-  return at == report.findings.end() ? nothing : *at;
+const Diagnostic& found(const CheckReport& report, DiagnosticKind kind) {
+  static const Diagnostic nothing;
+  const auto at = std::find_if(report.diagnostics.begin(), report.diagnostics.end(),
+                               [&](const Diagnostic& f) { return f.kind == kind; });
+  EXPECT_NE(at, report.diagnostics.end()) << name(kind) << " was not found";
+  return at == report.diagnostics.end() ? nothing : *at;
 }
 
 std::string kinds(const CheckReport& report) {
   std::string names;
-  for (const auto& finding : report.findings) names += std::string(name(finding.kind)) + " ";
+  for (const auto& diagnostic : report.diagnostics) names += std::string(name(diagnostic.kind)) + " ";
   return names;
 }
 
@@ -61,10 +61,10 @@ TEST_F(Diagnose, finds_nothing_in_a_closed_room) {
 TEST_F(Diagnose, finds_the_hole_where_a_wall_is_missing_and_the_light_that_leaves_by_it) {
   const auto report = of(corners + ceiling + floor_face + left + right + rear);
   EXPECT_EQ(kinds(report), "escape open-edge ");
-  EXPECT_EQ(found(report, FindingKind::open_edge).count, 4u);
-  EXPECT_EQ(found(report, FindingKind::open_edge).all_places, 1u) << "one rim";
-  const auto& escape = found(report, FindingKind::escape);
-  EXPECT_EQ(escape.gravity, Gravity::doubt);
+  EXPECT_EQ(found(report, DiagnosticKind::open_edge).count, 4u);
+  EXPECT_EQ(found(report, DiagnosticKind::open_edge).all_places, 1u) << "one rim";
+  const auto& escape = found(report, DiagnosticKind::escape);
+  EXPECT_EQ(escape.severity, Severity::warning);
   ASSERT_EQ(escape.places.size(), 1u);
   EXPECT_NEAR(escape.places[0].at.z, 2.0, 1e-5);
   EXPECT_NE(escape.places[0].detail.find("through a hole of 2 m x 2 m"), std::string::npos)
@@ -77,33 +77,33 @@ TEST_F(Diagnose, finds_the_hole_where_a_wall_is_missing_and_the_light_that_leave
 TEST_F(Diagnose, tells_copies_by_whether_they_face_the_other_way) {
   auto report = of(room + "f 1 4 3 2\n");
   EXPECT_EQ(kinds(report), "duplicate ");
-  EXPECT_EQ(found(report, FindingKind::duplicate).count, 2u);
-  EXPECT_EQ(found(report, FindingKind::duplicate).places[0].line, 18u);
-  EXPECT_EQ(found(report, FindingKind::duplicate).places[0].detail, "on line 13, 'wall'");
+  EXPECT_EQ(found(report, DiagnosticKind::duplicate).count, 2u);
+  EXPECT_EQ(found(report, DiagnosticKind::duplicate).places[0].line, 18u);
+  EXPECT_EQ(found(report, DiagnosticKind::duplicate).places[0].detail, "on line 13, 'wall'");
 
   report = of(room + "f 1 2 3 4\n");
   // The fans of both begin at the same corner, so they are cut along the same diagonal.
   EXPECT_EQ(kinds(report), "opposite ");
-  EXPECT_EQ(found(report, FindingKind::opposite).count, 2u);
+  EXPECT_EQ(found(report, DiagnosticKind::opposite).count, 2u);
 }
 
 TEST_F(Diagnose, finds_triangles_without_area_and_slivers) {
   auto report = of(room + "v 1 1 1\nv 1.5 1 1\nf 9 10 9\n");
   EXPECT_EQ(kinds(report), "no-area ");
-  EXPECT_EQ(found(report, FindingKind::no_area).count, 1u);
-  EXPECT_EQ(found(report, FindingKind::no_area).places[0].line, 20u);
-  expect_near(found(report, FindingKind::no_area).places[0].at, {1.25, 1.0, 1.0});
+  EXPECT_EQ(found(report, DiagnosticKind::no_area).count, 1u);
+  EXPECT_EQ(found(report, DiagnosticKind::no_area).places[0].line, 20u);
+  expect_near(found(report, DiagnosticKind::no_area).places[0].at, {1.25, 1.0, 1.0});
 
   report = of(room + "v 0.5 1 1\nv 1.5 1 1\nv 1 1.004 1\nf 9 10 11\n");
   EXPECT_EQ(kinds(report), "open-edge sliver ");
-  EXPECT_EQ(found(report, FindingKind::sliver).places[0].detail, "250 times as long as high");
+  EXPECT_EQ(found(report, DiagnosticKind::sliver).places[0].detail, "250 times as long as high");
 }
 
 TEST_F(Diagnose, finds_t_junctions_and_does_not_call_them_holes) {
   const auto report =
       of(corners + ceiling + left + right + rear + front + "v 0 0 1\nv 2 0 1\nf 1 9 10 2\nf 9 4 3 10\n");
   EXPECT_EQ(kinds(report), "t-junction ");
-  const auto& junctions = found(report, FindingKind::t_junction);
+  const auto& junctions = found(report, DiagnosticKind::t_junction);
   EXPECT_EQ(junctions.count, 2u);
   ASSERT_EQ(junctions.places.size(), 2u);
   expect_near(junctions.places[0].at, {0.0, 0.0, 1.0});
@@ -113,14 +113,14 @@ TEST_F(Diagnose, finds_t_junctions_and_does_not_call_them_holes) {
 TEST_F(Diagnose, finds_neighbours_that_face_opposite_ways) {
   auto report = of(corners + ceiling + floor_face + left + right + rear + "f 4 3 7 8\n");
   EXPECT_EQ(kinds(report), "windings ");
-  EXPECT_EQ(found(report, FindingKind::windings).count, 4u) << "edges";
-  EXPECT_EQ(found(report, FindingKind::windings).triangles, (std::vector<std::uint32_t>{10, 11}));
-  EXPECT_EQ(found(report, FindingKind::windings).gravity, Gravity::note)
+  EXPECT_EQ(found(report, DiagnosticKind::windings).count, 4u) << "edges";
+  EXPECT_EQ(found(report, DiagnosticKind::windings).triangles, (std::vector<std::uint32_t>{10, 11}));
+  EXPECT_EQ(found(report, DiagnosticKind::windings).severity, Severity::note)
       << "two-sided: the light is the same";
 
   report = of(corners + ceiling + floor_face + left + right + rear + "f 4 3 7 8\n", {.one_sided = {"wall"}});
   EXPECT_EQ(kinds(report), "lost-at-backs windings ");
-  EXPECT_EQ(found(report, FindingKind::windings).gravity, Gravity::fault);
+  EXPECT_EQ(found(report, DiagnosticKind::windings).severity, Severity::error);
   // A fifth of the lamp's light meets the wall at once.
   EXPECT_GT(report.walks.lost_at_backs, 0.2);
 }
@@ -128,18 +128,18 @@ TEST_F(Diagnose, finds_neighbours_that_face_opposite_ways) {
 TEST_F(Diagnose, finds_edges_of_more_than_two_triangles) {
   const auto report = of(room + "v 0.5 1 1\nv 1.5 1 1\nf 1 2 10 9\n");
   EXPECT_EQ(kinds(report), "open-edge crowded-edge ");
-  EXPECT_EQ(found(report, FindingKind::non_manifold_edge).count, 1u);
-  EXPECT_EQ(found(report, FindingKind::open_edge).count, 3u);
-  expect_near(found(report, FindingKind::non_manifold_edge).places[0].at, {1.0, 0.0, 0.0});
+  EXPECT_EQ(found(report, DiagnosticKind::non_manifold_edge).count, 1u);
+  EXPECT_EQ(found(report, DiagnosticKind::open_edge).count, 3u);
+  expect_near(found(report, DiagnosticKind::non_manifold_edge).places[0].at, {1.0, 0.0, 0.0});
 }
 
 TEST_F(Diagnose, says_which_weld_closes_a_gap) {
   // The floor lies a tenth of a millimetre below the walls.
   const auto report = of(corners + ceiling + left + right + rear + front +
                          "v 0 -0.0001 0\nv 2 -0.0001 0\nv 2 -0.0001 2\nv 0 -0.0001 2\nf 9 12 11 10\n");
-  const auto& open = found(report, FindingKind::open_edge);
+  const auto& open = found(report, DiagnosticKind::open_edge);
   EXPECT_EQ(open.count, 8u);
-  EXPECT_EQ(open.gravity, Gravity::doubt);
+  EXPECT_EQ(open.severity, Severity::warning);
   EXPECT_EQ(open.remedy, "--weld 0.0002 closes 8 of them");
 }
 
@@ -147,13 +147,14 @@ TEST_F(Diagnose, tells_what_the_file_said_of_a_reflectance_above_one) {
   mtl_ += "newmtl snow\nKd 1.2 0.5 0.5\n";
   const auto report = of(corners + ceiling + left + right + rear + front + "usemtl snow\n" + floor_face);
   EXPECT_EQ(kinds(report), "reflectance ");
-  EXPECT_EQ(found(report, FindingKind::reflectance).places[0].detail, "the file says 1.2 0.5 0.5, on 4 m²");
+  EXPECT_EQ(found(report, DiagnosticKind::reflectance).places[0].detail,
+            "the file says 1.2 0.5 0.5, on 4 m²");
 }
 
 TEST_F(Diagnose, doubts_units_of_a_room_of_kilometres_or_millimetres) {
-  EXPECT_NE(found(of(room, {.scale = 1000.0f}), FindingKind::units).remedy.find("--scale 0.001"),
+  EXPECT_NE(found(of(room, {.scale = 1000.0f}), DiagnosticKind::units).remedy.find("--scale 0.001"),
             std::string::npos);
-  EXPECT_NE(found(of(room, {.scale = 0.001f}), FindingKind::units).remedy.find("--scale 1000"),
+  EXPECT_NE(found(of(room, {.scale = 0.001f}), DiagnosticKind::units).remedy.find("--scale 1000"),
             std::string::npos);
 }
 
@@ -161,12 +162,12 @@ TEST_F(Diagnose, finds_lamps_that_face_a_wall_and_lamps_that_are_shut_in) {
   const auto dark_room = corners + "usemtl wall\nf 5 6 7 8\n" + floor_face + left + right + rear + front;
   auto report = of(dark_room);
   EXPECT_EQ(kinds(report), "no-lamp ");
-  EXPECT_EQ(found(report, FindingKind::no_lamp).gravity, Gravity::fault);
+  EXPECT_EQ(found(report, DiagnosticKind::no_lamp).severity, Severity::error);
 
   report = of(dark_room +
               "usemtl lamp\nv 0.5 1.999 0.5\nv 1.5 1.999 0.5\nv 1.5 1.999 1.5\nv 0.5 1.999 1.5\n"
               "f 12 11 10 9\n");
-  EXPECT_EQ(found(report, FindingKind::lamp_faces_wall).remedy, "--flip lamp turns its faces round");
+  EXPECT_EQ(found(report, DiagnosticKind::lamp_faces_wall).remedy, "--flip lamp turns its faces round");
 
   // A lamp in a closed box of 4 cm.
   std::string box;
@@ -176,13 +177,13 @@ TEST_F(Diagnose, finds_lamps_that_face_a_wall_and_lamps_that_are_shut_in) {
   box += "f 9 12 11 10\nf 13 14 15 16\nf 9 13 16 12\nf 10 11 15 14\nf 9 10 14 13\nf 12 16 15 11\n";
   report = of(dark_room + box + "usemtl lamp\nv 0.99 1 0.99\nv 1.01 1 0.99\nv 1 1 1.01\nf 17 18 19\n");
   EXPECT_EQ(kinds(report), "lamp-enclosed unlit open-edge ");
-  EXPECT_EQ(found(report, FindingKind::unlit).count, 12u) << "the room's twelve triangles";
+  EXPECT_EQ(found(report, DiagnosticKind::unlit).count, 12u) << "the room's twelve triangles";
 
   // The same box without a lamp stays dark inside, and so does what is in it.
   report = of(room + box + "v 0.99 1 0.99\nv 1.01 1 0.99\nv 1 1 1.01\nf 17 18 19\n");
   EXPECT_EQ(kinds(report), "unlit open-edge ");
-  EXPECT_EQ(found(report, FindingKind::unlit).count, 1u);
-  expect_near(found(report, FindingKind::unlit).places[0].at, {1.0, 1.0, 0.9967}, 1e-3);
+  EXPECT_EQ(found(report, DiagnosticKind::unlit).count, 1u);
+  expect_near(found(report, DiagnosticKind::unlit).places[0].at, {1.0, 1.0, 0.9967}, 1e-3);
 }
 
 TEST_F(Diagnose, counts_places_from_the_files_zero) {
@@ -192,7 +193,7 @@ TEST_F(Diagnose, counts_places_from_the_files_zero) {
       far.replace(at + 2, 1, v[2] == '0' ? "100000" : "100002");
   const auto report = of(far + "f 1 4 3 2\n");
   EXPECT_EQ(kinds(report), "duplicate ");
-  EXPECT_NEAR(found(report, FindingKind::duplicate).places[0].at.x, 100000.667, 1e-2);
+  EXPECT_NEAR(found(report, DiagnosticKind::duplicate).places[0].at.x, 100000.667, 1e-2);
 }
 
 TEST_F(Diagnose, gives_the_same_report_on_any_number_of_threads) {
@@ -201,7 +202,8 @@ TEST_F(Diagnose, gives_the_same_report_on_any_number_of_threads) {
   const auto seven = of(open, {}, 7);
   EXPECT_EQ(one.walks.escaped, seven.walks.escaped);
   EXPECT_EQ(one.rays, seven.rays);
-  EXPECT_EQ(found(one, FindingKind::escape).places[0].at, found(seven, FindingKind::escape).places[0].at);
+  EXPECT_EQ(found(one, DiagnosticKind::escape).places[0].at,
+            found(seven, DiagnosticKind::escape).places[0].at);
 }
 
 TEST_F(Diagnose, ends_where_the_monitor_says_stop) {
@@ -215,10 +217,10 @@ TEST(DiagnoseFromTheWild, knows_the_faults_of_the_corner_cases) {
   const std::filesystem::path folder = LUXEL_SOURCE_DIR "/../shared/scenes/corner-cases";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "there are no shared corner cases beside the sources";
   const auto of = [&](const char* file) { return diagnose(load_scene(folder / file), {}, Workers(1)); };
-  EXPECT_EQ(found(of("xatlas/double_sided.obj"), FindingKind::opposite).count, 2u);
-  EXPECT_EQ(found(of("xatlas/zero_area_face.obj"), FindingKind::no_area).count, 1u);
-  EXPECT_EQ(found(of("xatlas/degenerate_edge.obj"), FindingKind::no_area).count, 1u);
-  EXPECT_EQ(found(of("tinyobjloader/cornell_box.obj"), FindingKind::units).gravity, Gravity::doubt)
+  EXPECT_EQ(found(of("xatlas/double_sided.obj"), DiagnosticKind::opposite).count, 2u);
+  EXPECT_EQ(found(of("xatlas/zero_area_face.obj"), DiagnosticKind::no_area).count, 1u);
+  EXPECT_EQ(found(of("xatlas/degenerate_edge.obj"), DiagnosticKind::no_area).count, 1u);
+  EXPECT_EQ(found(of("tinyobjloader/cornell_box.obj"), DiagnosticKind::units).severity, Severity::warning)
       << "its units are millimetres";
 }
 

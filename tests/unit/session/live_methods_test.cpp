@@ -191,7 +191,7 @@ TEST(Sideline, answers_without_the_solver) {
     board.mesh = live.mesh();
     board.light = live.light();
   }
-  board.is_open = board.asks_faults = true;
+  board.is_open = board.diagnostics_requested = true;
   board.second = file;
   std::thread beside([&] { Sideline(board, cornell, 1).go(); });
   EXPECT_TRUE(wait_until([&] {
@@ -205,8 +205,8 @@ TEST(Sideline, answers_without_the_solver) {
   board.changed.notify_all();
   beside.join();
   EXPECT_EQ(board.status.error_message, "");
-  ASSERT_TRUE(board.faults && board.difference);
-  EXPECT_EQ(board.faults->count(Gravity::fault), 0u);
+  ASSERT_TRUE(board.diagnostics && board.difference);
+  EXPECT_EQ(board.diagnostics->count(Severity::error), 0u);
   EXPECT_EQ(board.difference->comparison.relative_rms, 0.0);
 }
 

@@ -324,11 +324,11 @@ TEST(LiveScene, compares_its_light_with_a_second_solution) {
 
 TEST(LiveScene, finds_faults_while_it_solves) {
   LiveScene live(cornell, endless());
-  live.ask_faults();
-  ASSERT_TRUE(wait_until([&] { return live.faults() != nullptr; }));
+  live.request_diagnostics();
+  ASSERT_TRUE(wait_until([&] { return live.diagnostics() != nullptr; }));
   EXPECT_FALSE(live.status().is_idle);
-  EXPECT_EQ(live.faults()->triangles, live.mesh()->scene->triangles.size());
-  EXPECT_EQ(live.faults()->count(Gravity::fault), 0u);
+  EXPECT_EQ(live.diagnostics()->triangles, live.mesh()->scene->triangles.size());
+  EXPECT_EQ(live.diagnostics()->count(Severity::error), 0u);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(ReplicateSpread, of_known_numbers_is_known) {
   const std::vector<float> area = {0.5f};
   const auto spread = spread_of(values, bias, 2, area, Workers(2));
   EXPECT_EQ(spread.mean, (std::vector<float>{4.5f, 2.0f}));
-  // Student's t with 7 degrees of degrees_of_freedom: 2.36462 for 1.95996.
+  // Student's t with 7 degrees of freedom: 2.36462 for 1.95996.
   EXPECT_NEAR(spread.standard_error[0], std::sqrt(0.75 + 0.25) * 2.36462 / 1.95996, 2e-3);
   EXPECT_EQ(spread.standard_error[1], 0.0f);
   EXPECT_NEAR(spread.total_squared_error, 0.5 * (0.75 + 0.25 - 0.01), 1e-7);

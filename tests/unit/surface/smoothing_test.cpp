@@ -86,8 +86,8 @@ double true_squared_error(const Floor& f, const std::vector<std::vector<float>>&
   return sum;
 }
 
-// A field that one fit to the whole floor can be: so many numbers per band, each of the variance of a mean over
-// 8 replicates. So the error is that of so many of the patches.
+// A field that one fit to the whole floor can be: so many numbers per band, each of the variance of a mean
+// over 8 replicates. So the error is that of so many of the patches.
 void expect_noise_of(double numbers, const Field& field) {
   const Floor f;
   constexpr int runs = 200;

@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "luxel/core/log.h"
 #include "luxel/core/vector.h"
 
 namespace luxel {
 
-enum class FindingKind {
+enum class DiagnosticKind {
   no_lamp,
   lamp_lights_nothing,
   lamp_faces_wall,
@@ -34,9 +35,6 @@ enum class FindingKind {
   sliver,
 };
 
-// fault: the light will be wrong or lost. doubt: it may not be what was meant. note: the light is the same.
-enum class Gravity { fault, doubt, note };
-
 // Where something was found. Names are those of the file.
 struct Place {
   std::uint32_t line = 0;  // in the scene's file, from 1; 0 where unknown
@@ -45,9 +43,9 @@ struct Place {
   std::string detail = {};  // what is special about it: "2.3 m²"; may be empty
 };
 
-struct Finding {
-  FindingKind kind = FindingKind::no_lamp;
-  Gravity gravity = Gravity::note;
+struct Diagnostic {
+  DiagnosticKind kind = DiagnosticKind::no_lamp;
+  Severity severity = Severity::note;
   std::size_t count = 0;           // of what the fact speaks of: triangles, edges, loops, materials
   std::string fact = {};           // one sentence: what is the matter, with numbers
   std::string consequence = {};    // one sentence: what Luxel will do about it
@@ -60,14 +58,14 @@ struct Finding {
 };
 
 // "t-junction": for reports and files.
-std::string_view name(FindingKind kind);
-std::string_view name(Gravity gravity);
+std::string_view name(DiagnosticKind kind);
+std::string_view name(Severity severity);
 
-// The colour that a kind has in every file of faults: linear, and in words.
+// The colour that a kind has in every file of diagnostics: linear, and in words.
 struct FaultColour {
   Vec3 linear;
   std::string_view word;
 };
-FaultColour colour(FindingKind kind);
+FaultColour colour(DiagnosticKind kind);
 
 }  // namespace luxel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/session/fault_mesh.h"
+#include "luxel/session/diagnostic_mesh.h"
 
 #include <algorithm>
 
@@ -34,24 +34,24 @@ void add_triangle(const Scene& scene, std::uint32_t triangle, FaultPart& part) {
 }
 
 // Whether the faces themselves are what is the matter, and not the edges between them.
-bool concerns_faces(const Finding& finding) { return finding.edges.empty(); }
+bool concerns_faces(const Diagnostic& diagnostic) { return diagnostic.edges.empty(); }
 
 }  // namespace
 
 std::vector<FaultPart> fault_parts(const Scene& scene, const CheckReport& report) {
   constexpr auto well = 0xffffffffu;
-  std::vector<std::uint32_t> finding_of(scene.triangles.size(), well);
-  for (std::uint32_t f = 0; f < report.findings.size(); ++f)
-    if (concerns_faces(report.findings[f]))
-      for (const auto t : report.findings[f].triangles) finding_of[t] = std::min(finding_of[t], f);
+  std::vector<std::uint32_t> diagnostic_of(scene.triangles.size(), well);
+  for (std::uint32_t f = 0; f < report.diagnostics.size(); ++f)
+    if (concerns_faces(report.diagnostics[f]))
+      for (const auto t : report.diagnostics[f].triangles) diagnostic_of[t] = std::min(diagnostic_of[t], f);
 
-  std::vector<FaultPart> parts(report.findings.size() + 1);
+  std::vector<FaultPart> parts(report.diagnostics.size() + 1);
   for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
-    add_triangle(scene, t, parts[finding_of[t] == well ? 0 : finding_of[t] + 1]);
+    add_triangle(scene, t, parts[diagnostic_of[t] == well ? 0 : diagnostic_of[t] + 1]);
   const auto radius = glm::length(report.box.size()) / 1200.0f;
-  for (std::size_t f = 0; f < report.findings.size(); ++f) {
-    parts[f + 1].kind = report.findings[f].kind;
-    for (const auto& edge : report.findings[f].edges) add_rod(edge, radius, parts[f + 1]);
+  for (std::size_t f = 0; f < report.diagnostics.size(); ++f) {
+    parts[f + 1].kind = report.diagnostics[f].kind;
+    for (const auto& edge : report.diagnostics[f].edges) add_rod(edge, radius, parts[f + 1]);
   }
   return parts;
 }

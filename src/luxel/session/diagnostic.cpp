@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/session/finding.h"
+#include "luxel/session/diagnostic.h"
 
 #include <iterator>
 
@@ -11,7 +11,7 @@ struct Kind {
   FaultColour colour;
 };
 
-// In the order of FindingKind. What concerns faces is bold, what concerns edges bright.
+// In the order of DiagnosticKind. What concerns faces is bold, what concerns edges bright.
 constexpr Kind kinds[] = {
     {"no-lamp", {{0.5f, 0.5f, 0.5f}, "grey"}},
     {"lamp-lights-nothing", {{0.9f, 0.05f, 0.6f}, "pink"}},
@@ -29,24 +29,24 @@ constexpr Kind kinds[] = {
     {"no-area", {{0.95f, 0.05f, 0.02f}, "red"}},
     {"t-junction", {{0.95f, 0.3f, 0.0f}, "orange"}},
     {"open-edge", {{0.9f, 0.75f, 0.0f}, "yellow"}},
-    {"crowded-edge", {{0.05f, 0.55f, 0.1f}, "green"}},
+    {"non-manifold-edge", {{0.05f, 0.55f, 0.1f}, "green"}},
     {"sliver", {{0.35f, 0.4f, 0.02f}, "olive"}},
 };
-static_assert(std::size(kinds) == static_cast<std::size_t>(FindingKind::sliver) + 1);
+static_assert(std::size(kinds) == static_cast<std::size_t>(DiagnosticKind::sliver) + 1);
 
 }  // namespace
 
-std::string_view name(FindingKind kind) { return kinds[static_cast<std::size_t>(kind)].name; }
+std::string_view name(DiagnosticKind kind) { return kinds[static_cast<std::size_t>(kind)].name; }
 
-FaultColour colour(FindingKind kind) { return kinds[static_cast<std::size_t>(kind)].colour; }
+FaultColour colour(DiagnosticKind kind) { return kinds[static_cast<std::size_t>(kind)].colour; }
 
-std::string_view name(Gravity gravity) {
-  switch (gravity) {
-    case Gravity::fault:
-      return "fault";
-    case Gravity::doubt:
-      return "doubt";
-    case Gravity::note:
+std::string_view name(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "error";
+    case Severity::warning:
+      return "warning";
+    case Severity::note:
       return "note";
   }
   return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/session/light_findings.h"
+#include "luxel/session/light_diagnostics.h"
 
 #include <algorithm>
 #include <map>
@@ -47,62 +47,65 @@ std::size_t scene_material(const ScannedMesh& mesh, const PatchSet& patches, std
   return 0;
 }
 
-Finding lamp_finding(const ScannedMesh& mesh, FindingKind kind, std::size_t material, std::string fact) {
+Diagnostic lamp_diagnostic(const ScannedMesh& mesh, DiagnosticKind kind, std::size_t material,
+                           std::string fact) {
   const auto part = part_of(mesh, material);
-  Finding finding{kind, Gravity::fault, 1, std::move(fact)};
-  finding.triangles = part.triangles;
+  Diagnostic diagnostic{kind, Severity::error, 1, std::move(fact)};
+  diagnostic.triangles = part.triangles;
   tell_places(
       *mesh.scene, {{part.largest, centroid(*mesh.scene, part.largest), part.area}}, 1,
       [&](const Candidate& c) {
         return fmt::format("{}, {:.3g} m²", counted_things(part.triangles.size(), "triangle"), c.weight);
       },
-      finding);
-  return finding;
+      diagnostic);
+  return diagnostic;
 }
 
-void find_no_lamp(const ScannedMesh& mesh, std::vector<Finding>& findings) {
+void find_no_lamp(const ScannedMesh& mesh, std::vector<Diagnostic>& diagnostics) {
   const bool has_sky = mesh.scene->sky != Vec3(0.0f);
-  Finding finding{FindingKind::no_lamp, has_sky ? Gravity::note : Gravity::fault, 1};
-  finding.fact = has_sky ? "no surface emits light: all of it comes from the sky" : "no surface emits light";
-  finding.consequence = has_sky ? "lights the scene from all around" : "refuses to bake: all would be black";
-  finding.remedy = has_sky ? "a material with a Ke line is a lamp"
-                           : "--sky 1 lights it from all around; a material with a Ke line is a lamp";
-  findings.push_back(std::move(finding));
+  Diagnostic diagnostic{DiagnosticKind::no_lamp, has_sky ? Severity::note : Severity::error, 1};
+  diagnostic.fact =
+      has_sky ? "no surface emits light: all of it comes from the sky" : "no surface emits light";
+  diagnostic.consequence =
+      has_sky ? "lights the scene from all around" : "refuses to bake: all would be black";
+  diagnostic.remedy = has_sky ? "a material with a Ke line is a lamp"
+                              : "--sky 1 lights it from all around; a material with a Ke line is a lamp";
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 }  // namespace
 
 void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
-                    const LightWalks& walks, std::vector<Finding>& findings) {
-  if (views.empty()) return find_no_lamp(mesh, findings);
+                    const LightWalks& walks, std::vector<Diagnostic>& diagnostics) {
+  if (views.empty()) return find_no_lamp(mesh, diagnostics);
   for (const auto& view : views) {
     const auto material = scene_material(mesh, patches, view.material);
     const auto& name = mesh.scene->materials[material].name;
     const auto kind = judge(view);
     if (kind != LampFault::none) {
-      auto finding = lamp_finding(
-          mesh,
-          kind == LampFault::faces_wall ? FindingKind::lamp_faces_wall : FindingKind::lamp_lights_nothing,
-          material, lamp_fact(patches, view));
-      finding.consequence = "solves it as it is: a lamp shines from the front of its faces alone";
-      finding.remedy = turning_helps(view) ? fmt::format("--flip {} turns its faces round", name)
-                                           : "no flag helps: both of its sides look away from the scene";
-      findings.push_back(std::move(finding));
+      auto diagnostic = lamp_diagnostic(mesh,
+                                        kind == LampFault::faces_wall ? DiagnosticKind::lamp_faces_wall
+                                                                      : DiagnosticKind::lamp_lights_nothing,
+                                        material, lamp_fact(patches, view));
+      diagnostic.consequence = "solves it as it is: a lamp shines from the front of its faces alone";
+      diagnostic.remedy = turning_helps(view) ? fmt::format("--flip {} turns its faces round", name)
+                                              : "no flag helps: both of its sides look away from the scene";
+      diagnostics.push_back(std::move(diagnostic));
       continue;
     }
     const auto paths = walks.set_out[view.material];
     const auto away = static_cast<double>(walks.got_away[view.material]) / static_cast<double>(paths);
     if (paths < enough_paths || away > shut_in) continue;
-    auto finding =
-        lamp_finding(mesh, FindingKind::lamp_enclosed, material,
-                     fmt::format("lamp '{}' is shut in: of {} paths of its light {} get farther than {}",
-                                 name, with_commas(paths), away > 0.0 ? percent(away) : "none",
-                                 in_metres(static_cast<double>(walks.near))));
-    finding.consequence = "lights the inside of what surrounds it, and nothing else";
-    finding.remedy = fmt::format(
+    auto diagnostic =
+        lamp_diagnostic(mesh, DiagnosticKind::lamp_enclosed, material,
+                        fmt::format("lamp '{}' is shut in: of {} paths of its light {} get farther than {}",
+                                    name, with_commas(paths), away > 0.0 ? percent(away) : "none",
+                                    in_metres(static_cast<double>(walks.near))));
+    diagnostic.consequence = "lights the inside of what surrounds it, and nothing else";
+    diagnostic.remedy = fmt::format(
         "give the cover 'd 0' in its MTL, and light passes freely; or --flip {} if it should shine outwards",
         name);
-    findings.push_back(std::move(finding));
+    diagnostics.push_back(std::move(diagnostic));
   }
 }
 
@@ -140,65 +143,66 @@ std::uint32_t triangle_near(const ScannedMesh& mesh, const Opening& opening) {
 }
 
 void find_escape(const ScannedMesh& mesh, const LightWalks& walks, const std::vector<Opening>& openings,
-                 std::size_t places, std::vector<Finding>& findings) {
+                 std::size_t places, std::vector<Diagnostic>& diagnostics) {
   if (walks.escaped < worth_telling) return;
   const bool has_sky = mesh.scene->sky != Vec3(0.0f);
   const bool from_lamps = walks.from == LightWalks::From::lamps;
-  Finding finding{FindingKind::escape, from_lamps ? Gravity::doubt : Gravity::note};
-  finding.count = openings.size();
-  finding.fact =
+  Diagnostic diagnostic{DiagnosticKind::escape, from_lamps ? Severity::warning : Severity::note};
+  diagnostic.count = openings.size();
+  diagnostic.fact =
       from_lamps
           ? fmt::format("{} (± {:.1g}) of the lamps' light leaves the scene, {} before it meets anything",
                         percent(walks.escaped), 100.0 * walks.escaped_error, percent(walks.escaped_at_once))
           : fmt::format("{} (± {:.1g}) of what can be seen from inside is open", percent(walks.escaped),
                         100.0 * walks.escaped_error);
-  finding.consequence = has_sky      ? "lets the light out there, and the sky's light in"
-                        : from_lamps ? "counts it as escaped; nothing comes back"
-                                     : "lets no light in there without --sky";
-  finding.remedy = "close what should be closed in the file (--weld closes gaps); --sky 1 lets light in";
+  diagnostic.consequence = has_sky      ? "lets the light out there, and the sky's light in"
+                           : from_lamps ? "counts it as escaped; nothing comes back"
+                                        : "lets no light in there without --sky";
+  diagnostic.remedy = "close what should be closed in the file (--weld closes gaps); --sky 1 lets light in";
   std::vector<Candidate> candidates;
   for (std::uint32_t i = 0; i < openings.size(); ++i) {
     candidates.push_back({triangle_near(mesh, openings[i]), openings[i].at, openings[i].weight, i});
     if (openings[i].loop == Opening::no_loop) continue;
-    for (const auto e : mesh.loops[openings[i].loop].edges) finding.edges.push_back(mesh.ends(e));
+    for (const auto e : mesh.loops[openings[i].loop].edges) diagnostic.edges.push_back(mesh.ends(e));
   }
   tell_places(
       *mesh.scene, candidates, places, [&](const Candidate& c) { return describe(mesh, openings[c.item]); },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 }  // namespace
 
 void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const LightWalks& walks,
                      const std::vector<Opening>& openings, std::size_t places,
-                     std::vector<Finding>& findings) {
-  find_escape(mesh, walks, openings, places, findings);
+                     std::vector<Diagnostic>& diagnostics) {
+  find_escape(mesh, walks, openings, places, diagnostics);
   if (walks.lost_at_backs < worth_telling) return;
-  Finding finding{FindingKind::lost_at_backs, Gravity::fault};
+  Diagnostic diagnostic{DiagnosticKind::lost_at_backs, Severity::error};
   std::vector<Candidate> candidates;
   for (std::uint32_t m = 0; m < walks.back_loss.size(); ++m) {
     if (walks.back_loss[m] == 0.0) continue;
     const auto part = part_of(mesh, scene_material(mesh, patches, m));
     if (part.triangles.empty()) continue;
-    ++finding.count;
-    finding.triangles.insert(finding.triangles.end(), part.triangles.begin(), part.triangles.end());
+    ++diagnostic.count;
+    diagnostic.triangles.insert(diagnostic.triangles.end(), part.triangles.begin(), part.triangles.end());
     candidates.push_back({part.largest, centroid(*mesh.scene, part.largest), walks.back_loss[m]});
   }
-  std::sort(finding.triangles.begin(), finding.triangles.end());
-  finding.fact = fmt::format("{} of the light falls on backs of {} and is lost", percent(walks.lost_at_backs),
-                             counted_things(finding.count, "one-sided material"));
-  finding.consequence = "lets such backs absorb all light, and counts it as lost at backs";
-  finding.remedy =
-      "--flip NAME turns a material round, --orient each piece; without --one-sided nothing is lost";
+  std::sort(diagnostic.triangles.begin(), diagnostic.triangles.end());
+  diagnostic.fact =
+      fmt::format("{} of the light falls on backs of {} and is lost", percent(walks.lost_at_backs),
+                  counted_things(diagnostic.count, "one-sided material"));
+  diagnostic.consequence = "lets such backs absorb all light, and counts it as lost at backs";
+  diagnostic.remedy =
+      "--flip NAME flips a material, --orient each component; without --one-sided nothing is lost";
   tell_places(
       *mesh.scene, candidates, places, [](const Candidate& c) { return percent(c.weight) + " of the light"; },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const Unlit& unlit,
-                        std::size_t places, std::vector<Finding>& findings) {
+                        std::size_t places, std::vector<Diagnostic>& diagnostics) {
   if (unlit.patches.empty()) return;
   const auto& scene = *mesh.scene;
   // A triangle is dark if all its patches are.
@@ -212,7 +216,7 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
     double area = 0.0, max_area = -1.0;
   };
   std::map<std::array<std::uint32_t, 3>, Part> parts;
-  Finding finding{FindingKind::unlit, Gravity::doubt};
+  Diagnostic diagnostic{DiagnosticKind::unlit, Severity::warning};
   double dark = 0.0;
   double all = 0.0;
   for (std::uint32_t t = 0; t < mesh.clean.kept.size(); ++t) {
@@ -223,7 +227,7 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
         scene.materials[static_cast<std::size_t>(scene.triangle_material[in_scene])].is_lamp())
       continue;
     dark += size;
-    finding.triangles.push_back(in_scene);
+    diagnostic.triangles.push_back(in_scene);
     auto& part = parts[{mesh.components.of[t], scene.triangle_group[in_scene],
                         static_cast<std::uint32_t>(scene.triangle_material[in_scene])}];
     ++part.triangles;
@@ -233,25 +237,25 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
       part.largest = in_scene;
     }
   }
-  if (finding.triangles.empty()) return;
-  finding.count = finding.triangles.size();
+  if (diagnostic.triangles.empty()) return;
+  diagnostic.count = diagnostic.triangles.size();
   std::vector<Candidate> candidates;
   for (const auto& [key, part] : parts)
     candidates.push_back({part.largest, centroid(scene, part.largest), part.area, part.triangles});
-  finding.fact = fmt::format("no light was found from {} ({:.3g} m², {} of the area) in {}",
-                             counted_things(finding.count, "triangle"), dark, percent(dark / all),
-                             counted_things(candidates.size(), "part"));
-  finding.fact += fmt::format(", by {} random walks from each side: an estimate", unlit.walks);
-  finding.consequence = "leaves them black, on both sides";
-  finding.remedy =
+  diagnostic.fact = fmt::format("no light was found from {} ({:.3g} m², {} of the area) in {}",
+                                counted_things(diagnostic.count, "triangle"), dark, percent(dark / all),
+                                counted_things(candidates.size(), "part"));
+  diagnostic.fact += fmt::format(", by {} random walks from each side: an estimate", unlit.walks);
+  diagnostic.consequence = "leaves them black, on both sides";
+  diagnostic.remedy =
       "no flag needed if they are hidden for good; else open what shuts them in, or --flip its lamp";
   tell_places(
       scene, candidates, places,
       [](const Candidate& c) {
         return fmt::format("{}, {:.3g} m²", counted_things(c.item, "triangle"), c.weight);
       },
-      finding);
-  findings.push_back(std::move(finding));
+      diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
 }
 
 }  // namespace luxel

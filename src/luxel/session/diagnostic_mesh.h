@@ -8,10 +8,10 @@
 
 namespace luxel {
 
-// The scene cut up by what is the matter: what is well, and one part a kind of finding. Faces take the
+// The scene cut up by what is the matter: what is well, and one part a kind of diagnostic. Faces take the
 // gravest kind that names them; edges are drawn as thin rods, a six-hundredth of the scene's diagonal thick.
 struct FaultPart {
-  std::optional<FindingKind> kind;                      // nothing: what is well
+  std::optional<DiagnosticKind> kind;                   // nothing: what is well
   std::vector<Vec3> positions;                          // m, counted from the scene's origin
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
 };
