@@ -141,7 +141,8 @@ void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Di
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) {
-        return fmt::format("a boundary loop of {}, {} in all", counted_things(c.item, "edge"), in_metres(c.weight));
+        return fmt::format("a boundary loop of {}, {} in all", counted_things(c.item, "edge"),
+                           in_metres(c.weight));
       },
       diagnostic);
   diagnostics.push_back(std::move(diagnostic));
