@@ -10,31 +10,31 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(Check, tells_findings_as_text_as_json_and_as_a_mesh) {
+TEST(Check, reports_diagnostics_as_text_as_json_and_as_a_mesh) {
   const auto folder = fresh_folder("check");
-  const auto text =
-      cli::run(folder, "$LUXEL check cornell-box.obj --places 2 -o faults.glb --json-file r.json --quiet");
+  const auto text = cli::run(
+      folder, "$LUXEL check cornell-box.obj --places 2 -o diagnostics.glb --json-file r.json --quiet");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_EQ(text.err, "");
   EXPECT_NE(text.out.find("cornell-box.obj: 32 triangles in 4 connected components"), std::string::npos)
       << text.out;
-  EXPECT_NE(text.out.find("\ndoubt  escape: "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("\nwarning  escape: "), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("cornell-box.obj:20  ("), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("\n0 faults, 1 doubt, 1 note\n"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("faults.glb: grey what is well"), std::string::npos) << text.out;
-  EXPECT_GT(std::filesystem::file_size(folder / "faults.glb"), 1000u);
+  EXPECT_NE(text.out.find("\n0 errors, 1 warning, 1 note\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("diagnostics.glb: grey what is well"), std::string::npos) << text.out;
+  EXPECT_GT(std::filesystem::file_size(folder / "diagnostics.glb"), 1000u);
 
   const auto json = Json::parse(read_file(folder / "r.json"));
   EXPECT_EQ(json["command"], "check");
-  EXPECT_EQ(json["doubts"], 1);
+  EXPECT_EQ(json["warnings"], 1);
   EXPECT_EQ(json["diagnostics"][1]["kind"], "open-edge");
   EXPECT_EQ(json["diagnostics"][1]["count"], 16);
   EXPECT_EQ(json["diagnostics"][1]["all_places"], 4);
   EXPECT_EQ(json["diagnostics"][1]["places"].size(), 2u);
-  EXPECT_EQ(json["outputs"], Json::array({"faults.glb"}));
+  EXPECT_EQ(json["outputs"], Json::array({"diagnostics.glb"}));
 }
 
-TEST(Check, exits_with_1_for_a_doubt_only_where_that_is_asked_for) {
+TEST(Check, exits_with_1_for_a_warning_only_with_strict) {
   const auto folder = fresh_folder("strict");
   EXPECT_EQ(cli::run(folder, "$LUXEL check cornell-box.obj --quiet").code, 0);
   EXPECT_EQ(cli::run(folder, "$LUXEL check cornell-box.obj --quiet --strict").code, 1);

@@ -65,7 +65,7 @@ CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Work
   if (!mesh.clean.kept.empty()) report.is_whole = look_at_light(mesh, options, workers, monitor, report);
   std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
                    [](const Diagnostic& a, const Diagnostic& b) {
-                     return a.severity != b.severity ? a.severity < b.severity : a.kind < b.kind;
+                     return a.severity != b.severity ? a.severity > b.severity : a.kind < b.kind;
                    });
   return report;
 }

@@ -99,7 +99,7 @@ TEST(Orient, makes_a_closed_piece_face_outwards_and_says_what_it_turned) {
     EXPECT_NEAR(mesh.components.components[0].volume, 1.0, 1e-6) << turned;
     const auto count = std::string(turned).size();  // two letters a face of two triangles
     const auto expected = count == 0
-                              ? std::string("nothing was turned")
+                              ? std::string("nothing was flipped")
                               : std::to_string(count) + " triangles flipped in 1 of 1 connected components";
     EXPECT_NE(files.all_warnings().find(expected), std::string::npos) << files.all_warnings();
   }

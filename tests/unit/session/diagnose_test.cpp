@@ -127,7 +127,7 @@ TEST_F(Diagnose, finds_neighbours_that_face_opposite_ways) {
 
 TEST_F(Diagnose, finds_edges_of_more_than_two_triangles) {
   const auto report = of(room + "v 0.5 1 1\nv 1.5 1 1\nf 1 2 10 9\n");
-  EXPECT_EQ(kinds(report), "open-edge crowded-edge ");
+  EXPECT_EQ(kinds(report), "open-edge non-manifold-edge ");
   EXPECT_EQ(found(report, DiagnosticKind::non_manifold_edge).count, 1u);
   EXPECT_EQ(found(report, DiagnosticKind::open_edge).count, 3u);
   expect_near(found(report, DiagnosticKind::non_manifold_edge).places[0].at, {1.0, 0.0, 0.0});
