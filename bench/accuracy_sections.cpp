@@ -182,8 +182,8 @@ Json cost_per_patch(const Settings& settings) {
     row["runs"] = {to_json(runs.front()), to_json(runs.back())};
     row["to_one_per_cent"] = to_json(price);
     row["to_one_per_cent_predicted"] = to_json(predicted);
-    row["cpu_us_a_patch"] = us_per_patch;
-    row["embree_cpu_ns_a_ray"] = ns_per_ray;
+    row["cpu_us_per_patch"] = us_per_patch;
+    row["embree_cpu_ns_per_ray"] = ns_per_ray;
     rows.push_back(row);
   }
   return {{"target", target}, {"rows", rows}};

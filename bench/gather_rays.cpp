@@ -12,7 +12,7 @@
 namespace luxel::bench {
 namespace {
 
-// Of receivers that are traced together.
+// Appends the rays of receivers that are traced together.
 void append_rays(const PatchSet& patches, const GatherSides& sides, const GatherRound& round,
                  std::span<const std::uint32_t> receivers, std::vector<Ray>& rays) {
   GatherRays block(patches, sides, receivers, {}, 0, round.per_receiver);

@@ -82,7 +82,7 @@ Json ray_order(const Settings& settings) {
     rows.push_back({{"scene", name},
                     {"patches", patches.size()},
                     {"rays", shuffled.size()},
-                    {"shuffled_ns_a_ray", nanoseconds},
+                    {"shuffled_ns_per_ray", nanoseconds},
                     {"by_patch_gain", patch_gain.median},
                     {"traced_gain", traced_gain.median},
                     {"traced_gain_low", traced_gain.low},

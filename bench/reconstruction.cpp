@@ -88,7 +88,7 @@ Json cost_of_a_million(const Settings& settings, const Workers& workers) {
   const auto each = 1e6 * median(times) / static_cast<double>(patches.size());
   fmt::print("{:>16} {:>9} {:>8.2f} CPU s, {:.2f} us a patch, both sides lit\n", "showpiece", patches.size(),
              median(times), each);
-  return {{"patches", patches.size()}, {"cpu_seconds", median(times)}, {"microseconds_a_patch", each}};
+  return {{"patches", patches.size()}, {"cpu_seconds", median(times)}, {"microseconds_per_patch", each}};
 }
 
 }  // namespace

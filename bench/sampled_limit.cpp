@@ -72,14 +72,14 @@ Json sampled_against_embree(const Settings& settings) {
         ratio.low, ratio.high, shuffled_time / embree_time, 1e9 * sweep_time / count, bytes);
     rows.push_back({{"patches", patches.size()},
                     {"rays", rays.size()},
-                    {"embree_ns_a_ray", 1e9 * embree_time / count},
-                    {"traced_ns_a_ray", 1e9 * traced_time / count},
+                    {"embree_ns_per_ray", 1e9 * embree_time / count},
+                    {"traced_ns_per_ray", 1e9 * traced_time / count},
                     {"ratio", ratio.median},
                     {"ratio_low", ratio.low},
                     {"ratio_high", ratio.high},
                     {"order_gain", shuffled_time / embree_time},
-                    {"sweep_ns_a_ray", 1e9 * sweep_time / count},
-                    {"sweep_bytes_a_ray", bytes}});
+                    {"sweep_ns_per_ray", 1e9 * sweep_time / count},
+                    {"sweep_bytes_per_ray", bytes}});
   }
   return rows;
 }

@@ -108,6 +108,7 @@ class Includes:
     def __init__(self, root, modules):
         self.root = root
         self.modules = {module.name: module for module in modules}
+        self.used = set()  # pairs of a module and one that it includes, as far as complaint() has seen
         homes = {library: module.name for module in reversed(modules) for library in module.libraries}
         self.homes = [(pattern, library, homes.get(library, "no module")) for library, pattern in LIBRARIES.items()]
         self.homes += [(pattern, library, home) for library, (pattern, home) in HOMES_OUTSIDE_MODULES.items()]
@@ -136,12 +137,13 @@ class Includes:
         if module not in self.modules:
             return f"src/luxel/{module} is no luxel_module(...) of CMakeLists.txt"
         if other in self.modules[module].depends:
+            self.used.add((module, other))
             return None
         return f"{module} may not include {other}: its DEPENDS are {' '.join(self.modules[module].depends) or 'empty'}"
 
 
 def check_unused(modules, used):
-    """A declared dependency that no include uses. used: pairs of modules."""
+    """A declared dependency that no include uses. used: see Includes."""
     for module in modules:
         for depend in module.depends:
             if (module.name, depend) not in used:
@@ -155,17 +157,6 @@ def check_readmes(root, modules):
             continue
         if not os.path.isfile(os.path.join(root, "src/luxel", name, "README.md")):
             yield f"src/luxel/{name}", 1, "the folder lacks a README.md: what comes in, what goes out, what to read first"
-
-
-def used_dependencies(root):
-    """The pairs of modules of which one includes the other."""
-    used = set()
-    for name in files_of(root):
-        match = re.match(r"src/luxel/(\w+)/.*\.(h|cpp)$", name)
-        if match:
-            with open(os.path.join(root, name), encoding="utf-8") as file:
-                used.update((match[1], other) for other in re.findall(r'#include "luxel/(\w+)/', file.read()))
-    return used
 
 
 def check_includes(name, lines, includes):
@@ -278,11 +269,11 @@ def violations(root):
     if not modules:
         yield "CMakeLists.txt", 1, "there is no luxel_module(...) line"
     yield from check_modules(modules)
-    yield from check_unused(modules, used_dependencies(root))
     yield from check_readmes(root, modules)
     includes = Includes(root, modules)
     for name in files_of(root):
         yield from check_file(root, name, includes)
+    yield from check_unused(modules, includes.used)
     yield from check_public(root)
     yield from check_types(root)
 

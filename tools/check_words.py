@@ -30,7 +30,7 @@ RULES = [
     ("identifier", r"\w*dark_sides\w*", "unreached sides"),
     ("identifier", r"\w*take_up\w*", "restore, resume"),
     ("identifier", r"\w*[hH]abits\w*|MeshProgram", "export profile, target application"),
-    ("identifier", r"(Loop|Row|Piece|Vertex|Surface|Page)Shares?|PieceMesh|VertexFan|Rims?", "see docs/glossary.md"),
+    ("identifier", r"PieceMesh|VertexFan|Rims?", "fragment mesh, one-ring, boundary loop"),
     ("option", r"--(share|keep-transport|keep-topology|keep-above|report|page)(?![\w-])",
      "--smoothing, --store-transport, --preserve-topology, --min-factor, --json-file, --page-size"),
     ("prose", r"\bslots?\b", "receiver, or row"),
@@ -46,17 +46,25 @@ EXEMPT = {"tools/check_words.py", "tests/repository/check_words_test.py", "tools
 FOLDERS = ("src/", "tests/", "bench/", "tools/", "docs/", "examples/", "integrations/", "web/")
 COMPILED = [(scope, re.compile(rf"(?<!\w)(?:{pattern})(?!\w)" if scope == "identifier" else pattern), term)
             for scope, pattern, term in RULES]
-TOKEN = re.compile(r'//[^\n]*|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"', re.DOTALL)
+# Comments, strings and characters.
+TOKEN = re.compile(r"""//[^\n]*|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'""", re.DOTALL)
 
 
 def scopes_of(name, text):
     """The parts of a file by scope; each keeps its line numbers."""
-    blank = lambda part: re.sub(r"[^\n]", " ", part)  # noqa: E731
-    if name.endswith((".h", ".cpp")):
-        code = TOKEN.sub(lambda m: blank(m[0]), text)
-        prose = "".join(m[0] if m[0].startswith("//") else blank(m[0]) for m in re.finditer(rf"{TOKEN.pattern}|.|\n", text, re.DOTALL))
-        return {"identifier": code, "prose": prose, "option": text}
-    return {"prose": text if name.endswith(".md") else "", "option": text}
+    if not name.endswith((".h", ".cpp")):
+        return {"prose": text if name.endswith(".md") else "", "option": text}
+    code, prose, end = [], [], 0
+    for token in TOKEN.finditer(text):
+        between = text[end:token.start()]
+        code += [between, blank(token[0])]
+        prose += [blank(between), token[0] if token[0].startswith("//") else blank(token[0])]
+        end = token.end()
+    return {"identifier": "".join(code) + text[end:], "prose": "".join(prose), "option": text}
+
+
+def blank(text):
+    return re.sub(r"[^\n]", " ", text)
 
 
 def violations_of(name, text):
@@ -68,14 +76,9 @@ def violations_of(name, text):
             around = part[max(begin, match.start() - 12):match.end() + 12]
             if ALLOWED.search(around):
                 continue
-            if scope == "identifier" and (match[0].count("_") >= MAX_WORDS or is_include(part, match.start())):
+            if scope == "identifier" and match[0].count("_") >= MAX_WORDS:
                 continue
             yield name, part.count("\n", 0, match.start()) + 1, f"'{match[0].strip()}': write {term}"
-
-
-def is_include(text, at):
-    begin = text.rfind("\n", 0, at) + 1
-    return text[begin:].lstrip().startswith("#")
 
 
 def violations(root):

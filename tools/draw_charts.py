@@ -177,7 +177,7 @@ def error_charts(section):
 
 
 def cost_chart(section):
-    rows = [r for r in section["rows"] if r["cpu_us_a_patch"] > 0]
+    rows = [r for r in section["rows"] if r["cpu_us_per_patch"] > 0]
     if len(rows) < 2:
         return
 
@@ -187,8 +187,8 @@ def cost_chart(section):
                   for r in rows]
         return {"name": name, "note": note.format(number(rows[-1][key])), "points": points, "beyond": None}
 
-    series = [relative(f"a patch to {percent(section['target'])}", "cpu_us_a_patch", "{} µs at the end", "µs"),
-              relative("a ray of Embree alone", "embree_cpu_ns_a_ray", "{} ns at the end", "ns")]
+    series = [relative(f"a patch to {percent(section['target'])}", "cpu_us_per_patch", "{} µs at the end", "µs"),
+              relative("a ray of Embree alone", "embree_cpu_ns_per_ray", "{} ns at the end", "ns")]
     yield ("cost-per-patch.svg",
            chart("Processor time as the Cornell box is cut finer", "patches",
                  f"times that at {rows[0]['patches']:,} patches", number, series))

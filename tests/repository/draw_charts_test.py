@@ -30,9 +30,9 @@ def scene(*methods):
 SAMPLED = method("sampled", [run(0.1, 0.04, 10), run(0.11, 0.04, 10), run(1.6, 0.005, 99)], 0.9, "interpolated")
 SHOOTING = method("shooting", [run(0.2, 0.2, 5), run(3.2, 0.05, 80), run(9.9, None, 400)], 80.0, "extrapolated")
 COST = {"cost_per_patch": {"target": 0.01, "rows": [
-    {"patches": 2000, "cpu_us_a_patch": 50.0, "embree_cpu_ns_a_ray": 100.0},
-    {"patches": 20000, "cpu_us_a_patch": 25.0, "embree_cpu_ns_a_ray": 150.0},
-    {"patches": 200000, "cpu_us_a_patch": 0.0, "embree_cpu_ns_a_ray": 200.0}]}}
+    {"patches": 2000, "cpu_us_per_patch": 50.0, "embree_cpu_ns_per_ray": 100.0},
+    {"patches": 20000, "cpu_us_per_patch": 25.0, "embree_cpu_ns_per_ray": 150.0},
+    {"patches": 200000, "cpu_us_per_patch": 0.0, "embree_cpu_ns_per_ray": 200.0}]}}
 
 
 def draw(bench):

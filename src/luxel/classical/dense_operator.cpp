@@ -122,7 +122,7 @@ void DenseOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& 
 
 std::vector<double> DenseOperator::irradiance_error(std::span<const float> radiosity) const {
   const auto count = bands();
-  // What a receiver does not see of a surface it sees of the sky.
+  // The sky fills the part of a surface that a receiver does not see.
   const auto contrast = [&](std::size_t receiver, std::size_t b) {
     return std::abs(double{radiosity[receiver * count + b]} - patches().sky_radiosity(b));
   };

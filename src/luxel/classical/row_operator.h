@@ -13,7 +13,7 @@
 
 namespace luxel {
 
-// What the light that leaves a receiver reaches beside the receivers, as shares of it. With the row of
+// Fractions of the light leaving a receiver that reach no other receiver. With the row of
 // factors they sum to one, to rounding; where factors are integrated, what is escaped may come out below zero
 // by their error.
 struct RowLosses {

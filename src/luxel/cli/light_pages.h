@@ -27,7 +27,7 @@ struct LightPages {
   PagesRecord record;
 };
 
-// What pages are made of. scene: none where it is not at hand; metres_per_unit: as it was loaded.
+// Input of the atlas pages. scene: null where it is not available; metres_per_unit: as it was loaded.
 struct PagesInput {
   const PatchSet& patches;
   const Solution& solution;

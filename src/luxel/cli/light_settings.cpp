@@ -78,8 +78,7 @@ void LightSettings::declare_sampled(OptionSet& set) {
   declare_error_and_time(set);
   set.add_text("focus", "all|camera|NAME", focus,
                "where the seen error counts: all: everywhere; camera: in the picture of --eye or of the "
-               "file's cameras; "
-               "NAME: on surfaces of this material, object or group (with * and ?)");
+               "file's cameras; NAME: on surfaces of this material, object or group (with * and ?)");
   set.add_number("replicates", "count", sampled.replicates, 4u, 32u,
                  "independent estimates; their spread gives the standard errors");
   declare_variance_reduction(set);
@@ -126,8 +125,7 @@ void LightSettings::declare_memory(OptionSet& set) {
   set.add(quantity("memory", "size", sampled.memory, "auto", parse_bytes, as_bytes,
                    "a size such as 512MiB or 4GiB",
                    "maximum memory of the sampled solver, such as 4GiB; less memory makes it slower and "
-                   "changes no result; "
-                   "auto: half of the free memory"));
+                   "changes no result; auto: half of the free memory"));
 }
 
 void LightSettings::declare_bounds(OptionSet& set) {
@@ -166,8 +164,7 @@ void LightSettings::declare_tolerance(OptionSet& set) {
   set.only_with("method", by_bounces);
   set.add({"tolerance", "fraction",
            "fraction of the emitted power that may stay unshot, which is the bias; for --solver "
-           "gauss-seidel, its "
-           "error",
+           "gauss-seidel, its error",
            [this](const std::string& text) {
              const auto fraction = parse_double(text);
              if (!fraction || !(*fraction >= 1e-12 && *fraction <= 0.9))

@@ -26,8 +26,8 @@ struct SampleFactorsOptions {
   double row_error = 0.0;
   double min_factor = 0.0;   // factors below are dropped; their sum is kept
   std::uint64_t memory = 0;  // bytes that factors may take; 0: no bound
-  // What is done afterwards, for the prediction of memory: the laws are enforced; so many bytes per factor
-  // are taken beside the factors at the end.
+  // Later steps, for the prediction of memory: whether enforce_laws() follows, and the additional bytes per
+  // factor at the end.
   bool is_enforced = false;
   std::uint32_t bytes_beside = 0;
   std::vector<std::uint8_t> rows = {};  // [element]: whether its row is wanted; empty: all

@@ -101,7 +101,7 @@ class Joining {
     return other == facet_of_.end() ? none : other->second;
   }
 
-  // What can be reached from the facet over edges and looks the same way, rising; marked as its lamp.
+  // The facets of one orientation that edges connect with the first, ascending; marks them as its lamp.
   std::vector<std::uint32_t> flat_group(std::uint32_t first) {
     const auto normal = glm::normalize(area2_of(facets_[first]));
     std::vector<std::uint32_t> group = {first};

@@ -46,7 +46,7 @@ WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
     }
     const auto lamps = lamp_area(scene, places, triangles, components, p);
     const bool has_lamps = lamps.with + lamps.against > 0.0;
-    // Whether the triangles that face as the first one are those to turn.
+    // Whether to flip the triangles that face like the first one.
     const bool turns_first = has_lamps ? lamps.against > lamps.with
                              : component.is_closed
                                  ? component.volume < 0.0

@@ -7,8 +7,8 @@
 
 namespace luxel {
 
-// What is the matter with the triangles themselves: no area, one upon another, slivers. Appends one
-// diagnostic a kind that there is; `places` of each are told.
+// Finds defective triangles: without area, duplicate, slivers. Appends one diagnostic per kind found, with at
+// most `places` positions each.
 void find_bad_triangles(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics);
 
 // What is the matter with how they hang together: T-junctions, open edges, more than two triangles on one

@@ -15,7 +15,7 @@ namespace luxel {
 
 // Direct light of every receiver, replicate by replicate, and the samples it is the mean of.
 //
-// Several ranks share the receivers, and all know all: between units().deal() and share() each takes the
+// Several ranks share the receivers, and all know all: between units().deal() and all_gather() each takes the
 // samples of its own units, and knows those alone.
 class DirectSamples {
  public:
