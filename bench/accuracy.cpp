@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/solution/solution_layout.h"
 
@@ -53,8 +54,8 @@ double mean_irradiance(const PatchSet& patches, const std::vector<float>& truth)
 Comparison compare(const PatchSet& patches, const Solution& solution, const Reference& reference) {
   Comparison sums;
   sums.floor = 0.01 * mean_irradiance(patches, reference.front);
-  sums.add(patches, solution.irradiance_front, reference.front);
-  sums.add(patches, solution.irradiance_back, reference.back);
+  sums.add(patches, solution.irradiance.front, reference.front);
+  sums.add(patches, solution.irradiance.back, reference.back);
   return sums;
 }
 
@@ -62,10 +63,10 @@ double squared(double x) { return x * x; }
 
 }  // namespace
 
-Stage::Stage(std::string the_name, const Scene& scene, const Workers& workers)
+Stage::Stage(std::string the_name, const Scene& scene, const Context& context)
     : name(std::move(the_name)),
       patches(make_patches(scene, {.max_edge = no_max_edge})),
-      tracer(patches, workers) {}
+      tracer(patches, context) {}
 
 Run run(const Stage& stage, const Reference& reference, std::string setting, const Solver& solver) {
   constexpr int most = 4;              // solves that are averaged
@@ -103,7 +104,7 @@ Run run(const Stage& stage, const Reference& reference, std::string setting, con
 }
 
 std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, SampledOptions options,
-                              const std::vector<double>& errors, double seconds, const Workers& workers) {
+                              const std::vector<double>& errors, double seconds, const Context& context) {
   std::vector<Run> runs;
   for (const auto error : errors) {
     // Without a bound, as users run it: a bound makes for smaller steps. Half the error costs about four
@@ -114,14 +115,14 @@ std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, Sa
     runs.push_back(run(stage, reference, fmt::format("{:g} % asked for", 100.0 * error),
                        [&](Solution& solution, std::uint64_t seed) {
                          options.seed = seed;
-                         return solve_sampled(stage.patches, stage.tracer, solution, options, workers);
+                         return solve_sampled(stage.patches, stage.tracer, solution, options, context);
                        }));
   }
   return runs;
 }
 
 std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
-                               const std::vector<double>& rays_per_patch, const Workers& workers) {
+                               const std::vector<double>& rays_per_patch, const Context& context) {
   // The automatic number has a floor, which is far away from here.
   constexpr double many = 1e6;
   const auto rays_of_many = static_cast<double>(automatic_rays(stage.patches, many));
@@ -132,7 +133,7 @@ std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
                          const StochasticJacobiOptions options{
                              .rays = static_cast<std::uint64_t>(rays_of_many * count / many), .seed = seed};
                          return solve_stochastic_jacobi(stage.patches, stage.tracer, solution, options,
-                                                        workers);
+                                                        context);
                        }));
   return runs;
 }

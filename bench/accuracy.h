@@ -22,7 +22,7 @@ struct Stage {
   Tracer tracer;
 
   // Triangles as they come.
-  Stage(std::string the_name, const Scene& scene, const Workers& workers);
+  Stage(std::string the_name, const Scene& scene, const Context& context);
 };
 
 // The converged irradiance that runs are held against.
@@ -37,7 +37,7 @@ struct Reference {
 // for `seconds`; where it falls short and shooting comes nearer in as long, by shooting. Kept in a file of
 // settings.references named by the scene's fingerprint, so that the next run finds it.
 Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
-                       const Workers& workers);
+                       const Context& context);
 
 // One solve, or the mean of a few with different seeds where it is short.
 struct Run {
@@ -62,9 +62,9 @@ Run run(const Stage& stage, const Reference& reference, std::string setting, con
 // The same method with ever finer settings. Sampled: errors asked for, ending early with the first that takes
 // `seconds`. Shooting: rays per patch.
 std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, SampledOptions options,
-                              const std::vector<double>& errors, double seconds, const Workers& workers);
+                              const std::vector<double>& errors, double seconds, const Context& context);
 std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
-                               const std::vector<double>& rays_per_patch, const Workers& workers);
+                               const std::vector<double>& rays_per_patch, const Context& context);
 
 // What a true error of `target` costs: between two runs by interpolation of the logarithms; beyond the last
 // one as 1/sqrt(time) has it ("extrapolated"); no more than the first where that is better already ("at
@@ -75,7 +75,7 @@ struct Price {
   std::string how;
 };
 Price price_of(const std::vector<Run>& runs, double target);
-// Likewise, taking the solver's own word for the error.
+// The same with the solver's own estimate of the error.
 Price predicted_price_of(const std::vector<Run>& runs, double target);
 
 Json to_json(const Run& run);

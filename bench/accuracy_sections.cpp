@@ -24,14 +24,14 @@ struct Subject {
 
 constexpr double reference_error = 0.001;
 
-Stage stage_of(const Subject& subject, const Settings& settings, const Workers& workers) {
-  return {subject.name, subject.make(settings.small ? subject.triangles / 10 : subject.triangles), workers};
+Stage stage_of(const Subject& subject, const Settings& settings, const Context& context) {
+  return {subject.name, subject.make(settings.small ? subject.triangles / 10 : subject.triangles), context};
 }
 
 Reference reference_of(const Stage& stage, const Subject& subject, const Settings& settings,
-                       const Workers& workers) {
+                       const Context& context) {
   return reference_of(stage, settings.small ? 0.005 : reference_error,
-                      settings.small ? 2.0 : subject.reference_seconds, settings, workers);
+                      settings.small ? 2.0 : subject.reference_seconds, settings, context);
 }
 
 Scene showpiece_of(std::size_t triangles) {
@@ -88,21 +88,21 @@ Json error_against_time(const Settings& settings) {
       {"office, 50,000", office, 50'000, 40.0},           {"two rooms, 10,000", two_rooms, 10'000, 20.0},
       {"showpiece", showpiece_of, 39'884, 40.0}};
   fmt::print("\nerror: true error against processor time\n");
-  const Workers workers;
+  const Context context;
   Json scenes = Json::array();
   for (const auto& subject : subjects) {
-    const auto stage = stage_of(subject, settings, workers);
-    const auto reference = reference_of(stage, subject, settings, workers);
+    const auto stage = stage_of(subject, settings, context);
+    const auto reference = reference_of(stage, subject, settings, context);
     const std::vector<double> errors = {0.08, 0.04, 0.02, 0.01, 0.005};
     const double longest = settings.small ? 1.0 : 30.0;
     auto scene = head_of(stage, reference);
     scene["methods"] = {
-        method_of("sampled", sampled_runs(stage, reference, {}, errors, longest, workers)),
+        method_of("sampled", sampled_runs(stage, reference, {}, errors, longest, context)),
         method_of("sampled, unshared",
-                  sampled_runs(stage, reference, {.smoothing = false}, errors, longest, workers)),
+                  sampled_runs(stage, reference, {.smoothing = false}, errors, longest, context)),
         // Its rays are stratified over the patches by systematic sampling and plain random numbers otherwise;
         // with nothing but plain random numbers it would be a little worse.
-        method_of("shooting", shooting_runs(stage, reference, {25.0, 100.0, 400.0}, workers))};
+        method_of("shooting", shooting_runs(stage, reference, {25.0, 100.0, 400.0}, context))};
     scenes.push_back(scene);
   }
   return {{"target", target}, {"scenes", scenes}};
@@ -115,13 +115,13 @@ Json variance_reduction(const Settings& settings) {
   const std::vector<double> errors = {0.03, 0.015, 0.0075};
   const double longest = settings.small ? 1.0 : 20.0;
   fmt::print("\nvariance: cost of 1 % with each switch turned, over the default's\n");
-  const Workers workers;
+  const Context context;
   Json scenes = Json::array();
   for (const auto& subject : subjects) {
-    const auto stage = stage_of(subject, settings, workers);
-    const auto reference = reference_of(stage, subject, settings, workers);
+    const auto stage = stage_of(subject, settings, context);
+    const auto reference = reference_of(stage, subject, settings, context);
     const auto price_with = [&](const SampledOptions& options) {
-      return price_of(sampled_runs(stage, reference, options, errors, longest, workers), target);
+      return price_of(sampled_runs(stage, reference, options, errors, longest, context), target);
     };
     const auto usual = price_with({});
     fmt::print("{:>26} {:>10} {:>10} {:>10} {:>10}\n", "", "CPU s", "ratio", "Mrays", "ratio");
@@ -158,19 +158,19 @@ Json cost_per_patch(const Settings& settings) {
                                          {"cornell box, 250,000", cornell_box, 250'000, 50.0},
                                          {"cornell box, 1,000,000", cornell_box, 1'000'000, 100.0}};
   fmt::print("\npatches: cost of 1 % a patch, and what a ray costs Embree alone there\n");
-  const Workers workers;
+  const Context context;
   Json rows = Json::array();
   for (const auto& subject : subjects) {
-    const auto stage = stage_of(subject, settings, workers);
-    const auto reference = reference_of(stage, subject, settings, workers);
-    const auto runs = sampled_runs(stage, reference, {}, {0.02, 0.008}, settings.small ? 2.0 : 60.0, workers);
+    const auto stage = stage_of(subject, settings, context);
+    const auto reference = reference_of(stage, subject, settings, context);
+    const auto runs = sampled_runs(stage, reference, {}, {0.02, 0.008}, settings.small ? 2.0 : 60.0, context);
     const auto price = price_of(runs, target);
     const auto predicted = predicted_price_of(runs, target);
     print_runs("sampled", runs, price);
-    const auto rays = gather_rays(stage.patches, fronts_of(stage.patches, workers),
+    const auto rays = gather_rays(stage.patches, fronts_of(stage.patches, context),
                                   {.most = settings.small ? 100'000u : 2'000'000u}, RayOrder::traced);
     const BareEmbree embree(stage.patches);
-    const auto kernel = cost([&] { embree.trace(rays, workers); });
+    const auto kernel = cost([&] { embree.trace(rays, context); });
     const auto count = static_cast<double>(stage.patches.size());
     const auto us_per_patch = 1e6 * price.cpu_seconds / count;
     const auto ns_per_ray = 1e9 * kernel.cpu / static_cast<double>(rays.size());

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/patch/side.h"
 #include "luxel/trace/seen_error.h"
 
 #include "bench/timing.h"
@@ -83,14 +84,16 @@ class Pool {
       : patches_(stage.patches), views_(views), truth_(truth), bands_(patches_.band_count()) {
     differences_.assign(truth.irradiance.size(), 0.0);
     std::map<Surface, std::vector<std::vector<double>>> powers;  // W, [surface][run][band]
-    for (std::size_t side = 0; side < 2 * patches_.size(); ++side)
+    for (std::size_t i = 0; i < side_count(patches_.size()); ++i) {
+      const auto side = SideId::at(i);
       for (const auto& surface : {surface_of(side), everything}) {
         auto& power = powers[surface];
         power.resize(truth.runs.size(), std::vector<double>(bands_, 0.0));
         for (std::size_t k = 0; k < power.size(); ++k)
           for (std::size_t b = 0; b < bands_; ++b)
-            power[k][b] += area(side) * static_cast<double>(truth.runs[k][side * bands_ + b]);
+            power[k][b] += area(side) * static_cast<double>(truth.runs[k][i * bands_ + b]);
       }
+    }
     for (const auto& [surface, power] : powers)
       for (std::size_t b = 0; b < bands_; ++b) {
         const auto& of_run = power;
@@ -102,8 +105,8 @@ class Pool {
   }
 
   void add(const Solution& solution, const SolveReport& report) {
-    add_sides(both_sides(solution.irradiance_front, solution.irradiance_back, bands_),
-              both_sides(solution.standard_error_front, solution.standard_error_back, bands_));
+    add_sides(both_sides(solution.irradiance.front, solution.irradiance.back, bands_),
+              both_sides(solution.standard_error.front, solution.standard_error.back, bands_));
     for (const auto& s : report.means.surfaces) {
       const auto& known = known_.at({s.material, s.is_back});
       for (std::size_t b = 0; b < bands_; ++b)
@@ -145,10 +148,10 @@ class Pool {
  private:
   using Surface = std::pair<std::size_t, bool>;  // material, and whether it is its back
   inline static const Surface everything{std::size_t(-1), false};
-  Surface surface_of(std::size_t side) const {
-    return {static_cast<std::size_t>(patches_.material[side / 2]), side % 2 == 1};
+  Surface surface_of(SideId side) const {
+    return {static_cast<std::size_t>(patches_.material[side.patch()]), side.is_back()};
   }
-  double area(std::size_t side) const { return static_cast<double>(patches_.area[side / 2]); }
+  double area(SideId side) const { return static_cast<double>(patches_.area[side.patch()]); }
   double light(std::size_t i) const { return static_cast<double>(truth_.irradiance[i]); }
   double variance(std::size_t i) const { return static_cast<double>(truth_.variance[i]); }
 
@@ -158,7 +161,7 @@ class Pool {
     for (std::size_t i = 0; i < irradiance.size(); ++i) {
       const auto off = static_cast<double>(irradiance[i]) - light(i);
       const auto squared_error = squared(static_cast<double>(standard_error[i]));
-      const auto weight = area(i / bands_);
+      const auto weight = area(SideId::at(i / bands_));
       differences_[i] += squared(off);
       power += weight * static_cast<double>(irradiance[i]);
       of_truth += weight * light(i);
@@ -188,10 +191,11 @@ class Pool {
     std::vector<double> squared_error(bands_);
     for (const auto side : views_.sides) {
       for (std::size_t b = 0; b < bands_; ++b)
-        squared_error[b] =
-            differences_[side * bands_ + b] / static_cast<double>(seeds_) - variance(side * bands_ + b);
-      const auto of_side = light_of_side(
-          patches_, side, std::span(truth_.irradiance).subspan(side * bands_, bands_), squared_error, black);
+        squared_error[b] = differences_[side.index() * bands_ + b] / static_cast<double>(seeds_) -
+                           variance(side.index() * bands_ + b);
+      const auto of_side =
+          light_of_side(patches_, side, std::span(truth_.irradiance).subspan(side.index() * bands_, bands_),
+                        squared_error, black);
       seen.radiance.push_back(of_side.radiance);
       seen.squared_error.push_back(of_side.squared_error);
     }
@@ -223,7 +227,7 @@ void write(std::ofstream& file, const std::vector<T>& values) {
 }  // namespace
 
 KnownLight known_light(const Stage& stage, std::uint64_t rays, std::uint32_t runs, const Settings& settings,
-                       const Workers& workers) {
+                       const Context& context) {
   const auto bands = stage.patches.band_count();
   const auto path =
       settings.references /
@@ -241,8 +245,8 @@ KnownLight known_light(const Stage& stage, std::uint64_t rays, std::uint32_t run
       Solution solution;
       const SampledOptions options{
           .error = 0.0, .rays = rays / runs, .seed = first_truth_seed + k, .smoothing = false};
-      head[1] += solve_sampled(stage.patches, stage.tracer, solution, options, workers).rays;
-      light.runs[k] = both_sides(solution.irradiance_front, solution.irradiance_back, bands);
+      head[1] += solve_sampled(stage.patches, stage.tracer, solution, options, context).rays;
+      light.runs[k] = both_sides(solution.irradiance.front, solution.irradiance.back, bands);
     }
     std::filesystem::create_directories(path.parent_path());
     std::ofstream file(path, std::ios::binary);
@@ -263,7 +267,7 @@ KnownLight known_light(const Stage& stage, std::uint64_t rays, std::uint32_t run
 }
 
 Coverage coverage_of(const Stage& stage, const Views& views, const KnownLight& truth, double error,
-                     std::size_t seeds, std::uint64_t first_seed, const Workers& workers) {
+                     std::size_t seeds, std::uint64_t first_seed, const Context& context) {
   Pool pool(stage, views, truth);
   double cpu = 0.0;
   double rays = 0.0;
@@ -272,7 +276,7 @@ Coverage coverage_of(const Stage& stage, const Views& views, const KnownLight& t
     SolveReport report;
     cpu += cost([&] {
              report = solve_sampled(stage.patches, stage.tracer, solution,
-                                    {.error = error, .seed = first_seed + k}, workers);
+                                    {.error = error, .seed = first_seed + k}, context);
            }).cpu;
     rays += static_cast<double>(report.rays);
     pool.add(solution, report);

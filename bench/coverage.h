@@ -47,10 +47,10 @@ struct Coverage {
 // The mean of `runs` runs of other seeds without smoothing, `rays` rays in all. Kept in a file of
 // settings.references.
 KnownLight known_light(const Stage& stage, std::uint64_t rays, std::uint32_t runs, const Settings& settings,
-                       const Workers& workers);
+                       const Context& context);
 
 // Runs `seeds` seeds of the sampled solver from first_seed on, at its default options but for the error.
 Coverage coverage_of(const Stage& stage, const Views& views, const KnownLight& truth, double error,
-                     std::size_t seeds, std::uint64_t first_seed, const Workers& workers);
+                     std::size_t seeds, std::uint64_t first_seed, const Context& context);
 
 }  // namespace luxel::bench

@@ -84,18 +84,18 @@ Json to_json(const Coverage& c) {
           {"rays", c.rays}};
 }
 
-Json coverage_of_scene(const Subject& subject, const Settings& settings, const Workers& workers) {
-  Stage stage(subject.name, subject.scene, workers);
-  set_portals(subject.scene, stage.tracer, stage.patches, workers);
-  const auto views = place_views(stage.patches, stage.tracer, workers).stating;
+Json coverage_of_scene(const Subject& subject, const Settings& settings, const Context& context) {
+  Stage stage(subject.name, subject.scene, context);
+  set_portals(subject.scene, stage.tracer, stage.patches, context);
+  const auto views = place_views(stage.patches, stage.tracer, context).stating;
   const auto least = settings.small ? errors[2] : errors[5];
   Solution probe;
   const auto rays =
-      solve_sampled(stage.patches, stage.tracer, probe, {.error = least, .seed = probe_seed}, workers).rays;
+      solve_sampled(stage.patches, stage.tracer, probe, {.error = least, .seed = probe_seed}, context).rays;
   fmt::print("\n{}: {} patches, {:.1f} Mrays to {:g} %\n", stage.name, stage.patches.size(),
              1e-6 * static_cast<double>(rays), 100.0 * least);
   const auto truth = known_light(stage, static_cast<std::uint64_t>(truth_factor * static_cast<double>(rays)),
-                                 truth_runs, settings, workers);
+                                 truth_runs, settings, context);
   fmt::print("truth of {:.0f} Mrays\n", 1e-6 * static_cast<double>(truth.rays));
   fmt::print("{:>7} {:>9} {:>9} {:>6} {:>14} {:>14} {:>14} {:>14} {:>18} {:>7} {:>7} {:>6}\n", "asked",
              "stated", "true", "ratio", "sides", "by area", "surfaces", "power", "power bias", "truth",
@@ -105,7 +105,7 @@ Json coverage_of_scene(const Subject& subject, const Settings& settings, const W
   for (const auto error : errors) {
     if (error < least) break;
     const std::size_t seeds = settings.small ? 3 : 20;
-    const auto c = coverage_of(stage, views, truth, error, seeds, seed, workers);
+    const auto c = coverage_of(stage, views, truth, error, seeds, seed, context);
     seed += 1000;  // independent of the errors before
     fmt::print(
         "{:>5.1f} % {:>7.3f} % {:>7.3f} % {:>6.3f} {:>14} {:>14} {:>14} {:>14} {:>7.3f} +- {:.3f} % {:>7.3f} "
@@ -123,7 +123,7 @@ Json coverage_of_scene(const Subject& subject, const Settings& settings, const W
 
 Json stated_against_true(const Settings& settings) {
   fmt::print("\ncoverage: intervals of 95 % and stated seen errors against known light, 20 seeds each\n");
-  const Workers workers;
+  const Context context;
   const auto size = [&](std::size_t triangles) { return settings.small ? triangles / 10 : triangles; };
   const float coarser = settings.small ? 3.0f : 1.0f;
   Json scenes = Json::array();
@@ -131,7 +131,7 @@ Json stated_against_true(const Settings& settings) {
                               Subject{"room with a window", window_room(0.21f * coarser)},
                               Subject{"white room, reflectance 0.98", white_room(0.23f * coarser)},
                               Subject{"office", office(size(6'000))}})
-    scenes.push_back(coverage_of_scene(subject, settings, workers));
+    scenes.push_back(coverage_of_scene(subject, settings, context));
   return {{"scenes", scenes}};
 }
 

@@ -7,6 +7,7 @@
 
 #include "luxel/core/address.h"
 #include "luxel/core/barycentric.h"
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/core/warp.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/render/point_irradiance.h"
@@ -21,19 +22,17 @@ constexpr std::uint32_t place_step = 0x706c6163u;
 // points, and each point is drawn from one piece.
 std::vector<SurfacePoint> draw_points(const PatchSet& patches, std::size_t count,
                                       const PatchChoice& only_on) {
-  std::vector<double> area_up_to;
-  double area = 0.0;
+  DiscreteDistribution by_area;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    if (!only_on || only_on(patches, p)) area += static_cast<double>(patches.area[p]);
-    area_up_to.push_back(area);
+    by_area.add(!only_on || only_on(patches, p) ? static_cast<double>(patches.area[p]) : 0.0);
   }
   std::vector<SurfacePoint> points;
   const auto key = stream_key(1, place_step, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const auto u = uniform4(key, i);
-    const auto at = area * (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count);
-    const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, at);
-    const auto patch = static_cast<std::size_t>(found - area_up_to.begin());
+    const auto at =
+        by_area.total() * (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count);
+    const auto patch = by_area.at(at);
     points.push_back(surface_point(patches, patch, u[3] < 0.5f, uniform_triangle(u[1], u[2])));
   }
   return points;
@@ -64,7 +63,7 @@ Place place_of(const PatchSet& patches, std::uint32_t triangle, const Vec3& poin
 
 Field drawn_field(const SmoothLight& smooth, std::size_t bands) {
   return [&smooth, bands](std::size_t patch, bool back, const Vec2& w, double* light) {
-    const auto& h = back ? smooth.irradiance_back : smooth.irradiance_front;
+    const auto& h = smooth.irradiance.of(back);
     const auto& c = smooth.corners[patch];
     const std::array<float, 3> weight = {1.0f - w.x - w.y, w.x, w.y};
     for (std::size_t b = 0; b < bands; ++b) {
@@ -75,17 +74,17 @@ Field drawn_field(const SmoothLight& smooth, std::size_t bands) {
 }
 
 PointTruth::PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
-                       const Workers& workers, const PatchChoice& only_on) {
+                       const Context& context, const PatchChoice& only_on) {
   const auto patches = make_patches(scene, {.max_edge = no_max_edge});
-  const Tracer tracer(patches, workers);
+  const Tracer tracer(patches, context);
   bands_ = patches.band_count();
   points_ = draw_points(patches, points, only_on);
   for (auto& p : points_) {
     triangle_.push_back(patches.triangle[p.patch]);
     p.normal = normal(patches, p.patch, p.position, p.normal);
   }
-  light_ = irradiance_at(patches, tracer, points_, paths, 1, workers);
-  again_ = irradiance_at(patches, tracer, points_, paths, 2, workers);
+  light_ = irradiance_at(patches, tracer, points_, paths, 1, context);
+  again_ = irradiance_at(patches, tracer, points_, paths, 2, context);
 }
 
 PointTruth::Sums PointTruth::sums(const PatchSet& patches, const Field& field) const {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/surface_point.h"
 #include "luxel/scene/scene.h"
@@ -33,7 +33,7 @@ class PointTruth {
  public:
   // Where `only_on` says so; nothing said: everywhere.
   PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
-             const Workers& workers, const PatchChoice& only_on = {});
+             const Context& context, const PatchChoice& only_on = {});
 
   // sqrt(mean of (f - t)(f - t') / mean of t t'), over points and bands: the noise of neither t is in it.
   double error(const PatchSet& patches, const Field& field) const;

@@ -29,8 +29,8 @@ void append_rays(const PatchSet& patches, const GatherSides& sides, const Gather
 
 }  // namespace
 
-GatherSides fronts_of(const PatchSet& patches, const Workers& workers) {
-  const auto all = all_gather_sides(patches, make_patch_tree(patches, workers));
+GatherSides fronts_of(const PatchSet& patches, const Context& context) {
+  const auto all = all_gather_sides(patches, make_patch_tree(patches, context));
   std::vector<std::uint8_t> kept(all.size(), 0);
   std::fill_n(kept.begin(), all.fronts, 1);
   return restored_gather_sides(all, kept);
@@ -38,7 +38,7 @@ GatherSides fronts_of(const PatchSet& patches, const Workers& workers) {
 
 std::vector<Ray> gather_rays(const PatchSet& patches, const GatherSides& sides, const GatherRound& round,
                              RayOrder order) {
-  const Tracer none(PatchSet{}, Workers(1));  // nothing is traced here
+  const Tracer none(PatchSet{}, Context(1));  // nothing is traced here
   const auto groups =
       HitStore(patches, sides, none, {.replicates = round.replicates}).traced_together(round.per_receiver);
   std::vector<std::uint32_t> receivers(sides.size());

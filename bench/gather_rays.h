@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/gather_sides.h"
 #include "luxel/trace/tracer.h"
@@ -13,7 +13,7 @@
 namespace luxel::bench {
 
 // The fronts: in a closed room no light reaches the backs, and the solver leaves them out.
-GatherSides fronts_of(const PatchSet& patches, const Workers& workers);
+GatherSides fronts_of(const PatchSet& patches, const Context& context);
 
 // Orders of the same rays.
 enum class RayOrder {

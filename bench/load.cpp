@@ -73,7 +73,7 @@ void timed_write(Steps& steps, const char* name, const std::function<void()>& wr
 Steps measure(int detail, const Scratch& scratch) {
   const auto file = scratch / "room.obj";
   showpiece::write_reading_room(file, detail);
-  const Workers one(1);
+  const Context one(1);
   Steps steps;
   steps.megabytes = 1e-6 * static_cast<double>(fs::file_size(file));
   const auto scene = timed(steps, "load", [&] { return load_scene(file); });

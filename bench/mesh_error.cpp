@@ -74,10 +74,10 @@ struct Row {
 
 class Comparison {
  public:
-  Comparison(const Settings& settings, const Subject& subject, const Workers& workers)
+  Comparison(const Settings& settings, const Subject& subject, const Context& context)
       : settings_(settings),
         uncut_(subject.uncut),
-        workers_(workers),
+        context_(context),
         is_floor_(floor_of(uncut_.scene, subject.up)),
         truth_(truth({})),
         floor_truth_(truth(is_floor_)) {}
@@ -92,7 +92,7 @@ class Comparison {
       PatchSet patches;
       const auto time = cost([&] {
         patches = refine_to_light(make_patches(uncut_.scene, {.target_count = coarse}), {.mesh_error = error},
-                                  report, workers_);
+                                  report, context_);
       });
       auto row = of("refined", patches);
       row.stated = report.mesh_error;
@@ -106,7 +106,7 @@ class Comparison {
  private:
   PointTruth truth(const PatchChoice& only_on) const {
     return {uncut_.scene, uncut_.normal, settings_.small ? 200u : 10'000u, settings_.small ? 16u : 512u,
-            workers_,     only_on};
+            context_,     only_on};
   }
 
   Json noted(const Row& row) const {
@@ -125,11 +125,11 @@ class Comparison {
   }
 
   Row of(const char* how, const PatchSet& patches) const {
-    const Tracer tracer(patches, workers_);
+    const Tracer tracer(patches, context_);
     Solution solution;
     solve_sampled(patches, tracer, solution,
-                  {.error = settings_.small ? 0.1 : 0.004, .error_measure = ErrorMeasure::power}, workers_);
-    const auto smooth = make_smooth_light(patches, solution, {}, workers_);
+                  {.error = settings_.small ? 0.1 : 0.004, .error_measure = ErrorMeasure::power}, context_);
+    const auto smooth = make_smooth_light(patches, solution, {}, context_);
     const auto field = drawn_field(smooth, patches.band_count());
     const auto held_to = [&](const PointTruth& truth, std::size_t count) -> Measured {
       const auto error = truth.error(patches, field);
@@ -143,7 +143,7 @@ class Comparison {
 
   const Settings& settings_;
   const UncutScene& uncut_;
-  const Workers& workers_;
+  const Context& context_;
   PatchChoice is_floor_;
   PointTruth truth_, floor_truth_;
 };
@@ -163,13 +163,13 @@ std::vector<Subject> subjects(const Settings& settings) {
 }  // namespace
 
 Json error_against_patches(const Settings& settings) {
-  const Workers workers;
+  const Context context;
   fmt::print("\nError of the drawn field at points against the number of patches, relative RMS\n");
   fmt::print("{:>24} {:>8} {:>25} {:>25} {:>8} {:>7} {:>7}\n", "scene", "patches", "all: number, error, +-",
              "floor: number, error, +-", "stated", "Mrays", "CPU s");
   Json scenes = Json::array();
   for (const auto& subject : subjects(settings))
-    scenes.push_back(Comparison(settings, subject, workers).measure());
+    scenes.push_back(Comparison(settings, subject, context).measure());
   return {{"scenes", scenes}};
 }
 

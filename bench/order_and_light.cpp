@@ -31,26 +31,28 @@ std::vector<Large> large_scenes(const Settings& settings) {
   return result;
 }
 
-// Seconds from before the hierarchy is built until the monitor is handed a first picture.
+// Seconds from before the hierarchy is built until a first picture is there.
 struct FirstLight {
   double hierarchy = 0.0;
   std::optional<double> light;
 };
-FirstLight first_light(const PatchSet& patches, const Workers& workers) {
+FirstLight first_light(const PatchSet& patches, const Context& context) {
   FirstLight result;
   const auto begin = std::chrono::steady_clock::now();
   const auto since = [begin] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  const Tracer tracer(patches, workers);
+  const Tracer tracer(patches, context);
   result.hierarchy = since();
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = 0.2, .error_measure = ErrorMeasure::power}, workers,
-                [&](const Progress& progress) {
-                  if (!progress.light) return Next::go_on;
-                  result.light = since();
-                  return Next::stop;
-                });
+  bool has_light = false;
+  const auto on_light = [&](const Solution&, const Progress&) {
+    result.light = since();
+    has_light = true;
+  };
+  const auto stop_at_light = [&](const Progress&) { return has_light ? Next::stop : Next::go_on; };
+  solve_sampled(patches, tracer, solution, {.error = 0.2, .error_measure = ErrorMeasure::power},
+                {.on_light = on_light}, context.with_monitor(stop_at_light));
   return result;
 }
 
@@ -62,19 +64,19 @@ Json ray_order(const Settings& settings) {
       "shuffled\n");
   fmt::print("{:>14} {:>10} {:>10} {:>14} {:>14} {:>14}\n", "scene", "patches", "Mrays", "shuffled ns",
              "by patch", "as traced");
-  const Workers workers;
+  const Context context;
   Json rows = Json::array();
   for (const auto& [name, patches] : large_scenes(settings)) {
     const std::size_t most = settings.small ? 200'000 : 4'000'000;
     const BareEmbree embree(patches);
-    const auto sides = fronts_of(patches, workers);
+    const auto sides = fronts_of(patches, context);
     const auto traced = gather_rays(patches, sides, {.most = most}, RayOrder::traced);
     const auto by_patch = gather_rays(patches, sides, {.most = most}, RayOrder::by_patch);
     const auto shuffled = gather_rays(patches, sides, {.most = most}, RayOrder::shuffled);
     double shuffled_time = 0.0;
-    const auto trace_shuffled = [&] { shuffled_time = seconds([&] { embree.trace(shuffled, workers); }); };
-    const auto traced_gain = paired(3, trace_shuffled, [&] { embree.trace(traced, workers); });
-    const auto patch_gain = paired(3, trace_shuffled, [&] { embree.trace(by_patch, workers); });
+    const auto trace_shuffled = [&] { shuffled_time = seconds([&] { embree.trace(shuffled, context); }); };
+    const auto traced_gain = paired(3, trace_shuffled, [&] { embree.trace(traced, context); });
+    const auto patch_gain = paired(3, trace_shuffled, [&] { embree.trace(by_patch, context); });
     const auto nanoseconds = 1e9 * shuffled_time / static_cast<double>(shuffled.size());
     fmt::print("{:>14} {:>10} {:>10.2f} {:>14.0f} {:>12.2f} x {:>12.2f} x\n", name, patches.size(),
                1e-6 * static_cast<double>(shuffled.size()), nanoseconds, patch_gain.median,
@@ -94,12 +96,12 @@ Json ray_order(const Settings& settings) {
 Json time_to_first_light(const Settings& settings) {
   fmt::print("\nlight: seconds until a first picture of the whole scene, hierarchy included\n");
   fmt::print("{:>14} {:>10} {:>12} {:>12}\n", "scene", "patches", "hierarchy", "first light");
-  const Workers workers;
+  const Context context;
   auto scenes = large_scenes(settings);
   scenes.insert(scenes.begin(), {"cornell box", as_it_comes(cornell_box(10'000))});
   Json rows = Json::array();
   for (const auto& [name, patches] : scenes) {
-    const auto [hierarchy, light] = first_light(patches, workers);
+    const auto [hierarchy, light] = first_light(patches, context);
     fmt::print("{:>14} {:>10} {:>12.3f} {:>12}\n", name, patches.size(), hierarchy,
                light ? fmt::format("{:.3f}", *light) : "never");
     rows.push_back({{"scene", name},

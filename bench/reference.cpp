@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "luxel/classical/stochastic_jacobi.h"
+
 #include "bench/accuracy.h"
 #include "bench/timing.h"
 
@@ -61,11 +63,11 @@ void keep(const std::filesystem::path& path, const StoredReference& kept, const 
 }
 
 Reference taken(Solution&& solution, const SolveReport& report) {
-  return {std::move(solution.irradiance_front), std::move(solution.irradiance_back), report.predicted_error,
+  return {std::move(solution.irradiance.front), std::move(solution.irradiance.back), report.predicted_error,
           report.rays, false};
 }
 
-Reference by_sampling(const Stage& stage, double error, double seconds, const Workers& workers) {
+Reference by_sampling(const Stage& stage, double error, double seconds, const Context& context) {
   Solution solution;
   const auto report = solve_sampled(stage.patches, stage.tracer, solution,
                                     {.error = error,
@@ -73,17 +75,17 @@ Reference by_sampling(const Stage& stage, double error, double seconds, const Wo
                                      .seconds = seconds,
                                      .seed = reference_seed,
                                      .smoothing = false},
-                                    workers);
+                                    context);
   return taken(std::move(solution), report);
 }
 
 // For as long, or nothing where a short run foretells that it would not come nearer than `error`.
 std::optional<Reference> by_shooting(const Stage& stage, double error, double seconds,
-                                     const Workers& workers) {
+                                     const Context& context) {
   const auto solve = [&](double rays, Solution& solution) {
     return solve_stochastic_jacobi(
         stage.patches, stage.tracer, solution,
-        {.rays = static_cast<std::uint64_t>(rays), .tolerance = 1e-6, .seed = reference_seed}, workers);
+        {.rays = static_cast<std::uint64_t>(rays), .tolerance = 1e-6, .seed = reference_seed}, context);
   };
   const double few = 20.0 * static_cast<double>(stage.patches.size());
   SolveReport report;
@@ -98,7 +100,7 @@ std::optional<Reference> by_shooting(const Stage& stage, double error, double se
 }  // namespace
 
 Reference reference_of(const Stage& stage, double error, double seconds, const Settings& settings,
-                       const Workers& workers) {
+                       const Context& context) {
   const auto& patches = stage.patches;
   StoredReference question;
   question.fingerprint = patches.scene_fingerprint;
@@ -109,9 +111,9 @@ Reference reference_of(const Stage& stage, double error, double seconds, const S
       settings.references / fmt::format("{:016x}-{}.luxref", patches.scene_fingerprint, patches.size());
   Reference reference;
   if (!find(path, question, reference)) {
-    reference = by_sampling(stage, error, seconds, workers);
+    reference = by_sampling(stage, error, seconds, context);
     if (reference.error > error)
-      if (auto other = by_shooting(stage, reference.error, seconds, workers)) reference = std::move(*other);
+      if (auto other = by_shooting(stage, reference.error, seconds, context)) reference = std::move(*other);
     question.error = reference.error;
     question.rays = reference.rays;
     keep(path, question, reference);

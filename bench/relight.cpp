@@ -26,19 +26,18 @@ double timed(const Change& change) {
   return median(times);
 }
 
-Json measure(const char* name, const Scene& scene, const Workers& workers) {
+Json measure(const char* name, const Scene& scene, const Context& context) {
   auto patches = make_patches(scene, {.max_edge = no_max_edge});
   set_light_groups(scene, {}, patches);
-  const Tracer tracer(patches, workers);
+  const Tracer tracer(patches, context);
   const SampledOptions options = {.error = 0.01, .error_measure = ErrorMeasure::power};
   Solution solution;
   std::shared_ptr<const SampleState> state;
-  const SampleStorage keeping{nullptr, [&](auto kept) { state = std::move(kept); }};
-  const auto solve =
-      seconds([&] { solve_sampled(patches, tracer, solution, options, workers, {}, keeping); });
+  const SolveHooks keeping{nullptr, [&](auto kept) { state = std::move(kept); }};
+  const auto solve = seconds([&] { solve_sampled(patches, tracer, solution, options, keeping, context); });
   std::unique_ptr<Relighter> relighter;
   const auto groups =
-      seconds([&] { relighter = std::make_unique<Relighter>(patches, tracer, state, options, workers); });
+      seconds([&] { relighter = std::make_unique<Relighter>(patches, tracer, state, options, context); });
 
   const auto numbers = patches.group_count() * patches.band_count();
   const auto lamps = timed([&](int i) {
@@ -66,14 +65,14 @@ Json measure(const char* name, const Scene& scene, const Workers& workers) {
 
 Json changed_lamps_and_colours(const Settings& settings) {
   const std::size_t triangles = settings.small ? 2000 : 50'000;
-  const Workers workers;
-  fmt::print("\nOther lamps and colours of light solved to 1 %, {} threads\n", workers.threads());
+  const Context context;
+  fmt::print("\nOther lamps and colours of light solved to 1 %, {} threads\n", context.threads());
   fmt::print("{:>12} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "scene", "patches", "groups", "rays",
              "solve s", "groups s", "lamps ms", "walls ms");
   auto table = Json::array();
-  table.push_back(measure("Cornell box", cornell_box(triangles), workers));
-  table.push_back(measure("office", office(triangles), workers));
-  table.push_back(measure("two rooms", two_rooms(triangles), workers));
+  table.push_back(measure("Cornell box", cornell_box(triangles), context));
+  table.push_back(measure("office", office(triangles), context));
+  table.push_back(measure("two rooms", two_rooms(triangles), context));
   return table;
 }
 

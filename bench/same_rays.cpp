@@ -20,16 +20,16 @@ namespace {
 
 // The rays of one shot, made from the same plan and the same addresses as transport makes them.
 void append_shot(std::vector<Ray>& rays, const PatchSet& patches, const SidePower& leaving,
-                 const ShootingOptions& options, const Workers& workers) {
+                 const ShootingOptions& options, const Context& context) {
   const double offset = uniform4({options.seed, options.step, 0xffffffffu, 0})[0];
-  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, workers);
+  const auto plan = make_ray_plan(leaving, patches.band_count(), options.rays, offset, context);
   const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
   for (std::uint64_t j = 0; j < batches; ++j)
     for (auto ray = j; ray < plan.rays;) {
       const auto entry = plan.entry_of_ray(ray);
       const auto side = leaving.side[entry];
       const PatchEmitter emitter(patches, side);
-      const auto key = stream_key(options.seed, options.step, side);
+      const auto key = stream_key(options.seed, options.step, side.index());
       for (; ray < plan.first_ray[entry + 1]; ray += batches)
         rays.push_back(emitter.ray(uniform4(key, ray - plan.first_ray[entry])));
     }
@@ -38,7 +38,7 @@ void append_shot(std::vector<Ray>& rays, const PatchSet& patches, const SidePowe
 }  // namespace
 
 std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
-                               const StochasticJacobiOptions& options, const Workers& workers) {
+                               const StochasticJacobiOptions& options, const Context& context) {
   const auto bands = patches.band_count();
   auto leaving = lamp_power(patches);
   const auto emitted = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0);
@@ -48,11 +48,11 @@ std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
     const auto wanted = std::max(1.0, std::round(smoothing * static_cast<double>(options.rays)));
     const ShootingOptions shot{
         .rays = static_cast<std::uint64_t>(wanted), .seed = options.seed, .step = step};
-    append_shot(rays, patches, leaving, shot, workers);
-    const auto arrival = shoot(patches, tracer, leaving, shot, workers);
+    append_shot(rays, patches, leaving, shot, context);
+    const auto arrival = shoot(patches, tracer, leaving, shot, context);
     leaving = {arrival.side, std::vector<double>(arrival.arrived.size())};
     for (std::size_t i = 0; i < leaving.watts.size(); ++i)
-      leaving.watts[i] = patches.material_of(leaving.side[i / bands] / 2).reflectance[i % bands] *
+      leaving.watts[i] = patches.material_of(leaving.side[i / bands].patch()).reflectance[i % bands] *
                          arrival.scale.watts(arrival.arrived[i]);
     smoothing = std::accumulate(leaving.watts.begin(), leaving.watts.end(), 0.0) / emitted;
   }
@@ -85,11 +85,11 @@ BareEmbree::~BareEmbree() {
   rtcReleaseDevice(static_cast<RTCDevice>(device_));
 }
 
-std::uint64_t BareEmbree::trace(const std::vector<Ray>& rays, const Workers& workers) const {
+std::uint64_t BareEmbree::trace(const std::vector<Ray>& rays, const Context& context) const {
   std::atomic<std::uint64_t> hits{0};
-  workers.for_chunks(rays.size(), 4096, [&](std::size_t begin, std::size_t end, int) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+  context.for_chunks(rays.size(), 4096, [&](std::size_t begin, std::size_t end, int) {
+    RTCIntersectContext query_context;
+    rtcInitIntersectContext(&query_context);
     std::uint64_t mine = 0;
     for (auto i = begin; i < end; ++i) {
       const auto& r = rays[i];
@@ -99,7 +99,7 @@ std::uint64_t BareEmbree::trace(const std::vector<Ray>& rays, const Workers& wor
           INFINITY,   0xffffffffu, 0,          0};
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(static_cast<RTCScene>(scene_), &context, &query);
+      rtcIntersect1(static_cast<RTCScene>(scene_), &query_context, &query);
       mine += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
     hits += mine;

@@ -12,7 +12,7 @@ namespace luxel::bench {
 
 // Every ray of a whole stochastic Jacobi solve, in the order in which one thread traces them.
 std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
-                               const StochasticJacobiOptions& options, const Workers& workers);
+                               const StochasticJacobiOptions& options, const Context& context);
 
 // Embree with the tracer's settings and nothing around it: one rtcIntersect1 a ray, over ready-made rays.
 class BareEmbree {
@@ -22,7 +22,7 @@ class BareEmbree {
   BareEmbree(const BareEmbree&) = delete;
   BareEmbree& operator=(const BareEmbree&) = delete;
   // The number of rays that hit, so that no compiler drops the work.
-  std::uint64_t trace(const std::vector<Ray>& rays, const Workers& workers) const;
+  std::uint64_t trace(const std::vector<Ray>& rays, const Context& context) const;
 
  private:
   void* device_;

@@ -28,7 +28,7 @@ Json sampled_against_embree(const Settings& settings) {
   fmt::print("{:>10} {:>8} {:>12} {:>10} {:>8} {:>17} {:>14} {:>12} {:>12}\n", "patches", "Mrays",
              "Embree ns", "traced ns", "ratio", "(low to high)", "order's gain", "ns to add up",
              "bytes moved");
-  const Workers one(1);
+  const Context one(1);
   Json rows = Json::array();
   struct Size {
     std::uint32_t triangles, rays_per_receiver;

@@ -6,6 +6,7 @@
 
 #include "luxel/lamps/direct_light.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 
 #include "bench/mesher.h"
 #include "bench/sections.h"
@@ -62,7 +63,7 @@ struct ShadowRays {
 };
 
 ShadowRays shadow_rays(const PatchSet& patches, std::uint32_t per_replicate) {
-  const Tracer tracer(patches, Workers(1));
+  const Tracer tracer(patches, Context(1));
   const Lamps lamps(patches);
   const DirectOptions options;
   const DirectLight direct(patches, tracer, lamps, options);
@@ -72,7 +73,7 @@ ShadowRays shadow_rays(const PatchSet& patches, std::uint32_t per_replicate) {
   const auto spent = cost([&] {
     for (std::size_t p = 0; p < patches.size(); ++p) {
       if (patches.material_of(p).name != "room") continue;
-      rays += direct.estimate(2 * p, static_cast<std::uint32_t>(p), 0, per_replicate, out);
+      rays += direct.estimate(SideId(p, false), static_cast<std::uint32_t>(p), 0, per_replicate, out);
       double sum = 0.0, sum2 = 0.0;
       for (std::uint32_t r = 0; r < options.replicates; ++r) {
         const double value = out[r * patches.band_count()];

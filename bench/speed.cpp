@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/patch/make_patches.h"
 
 #include "bench/rooms.h"
@@ -15,9 +16,9 @@
 namespace luxel::bench {
 namespace {
 
-SolveReport solve(const PatchSet& patches, const Tracer& tracer, std::uint64_t rays, const Workers& workers) {
+SolveReport solve(const PatchSet& patches, const Tracer& tracer, std::uint64_t rays, const Context& context) {
   Solution solution;
-  return solve_stochastic_jacobi(patches, tracer, solution, {.rays = rays, .tolerance = 1e-3}, workers);
+  return solve_stochastic_jacobi(patches, tracer, solution, {.rays = rays, .tolerance = 1e-3}, context);
 }
 
 }  // namespace
@@ -32,20 +33,20 @@ Json against_embree(const Settings& settings) {
   Json rows = Json::array();
   for (const float edge : {1.0f, settings.small ? 0.5f : 0.1f})
     for (const int threads : {1, static_cast<int>(std::thread::hardware_concurrency())}) {
-      const Workers workers(threads);
+      const Context context(threads);
       const auto patches = make_patches(furnished_room(100), {.max_edge = edge});
-      const Tracer tracer(patches, workers);
+      const Tracer tracer(patches, context);
       const StochasticJacobiOptions options{
           .rays = std::max<std::uint64_t>(settings.small ? 50'000 : 1'500'000, 80 * patches.size()),
           .tolerance = 1e-3};
-      const auto rays = rays_of_solve(patches, tracer, options, workers);
+      const auto rays = rays_of_solve(patches, tracer, options, context);
       const BareEmbree embree(patches);
       std::uint64_t hits = 0;
       std::uint64_t solved_rays = 0;
       double embree_time = 0.0;
       const auto ratio = paired(
-          3, [&] { embree_time = seconds([&] { hits = embree.trace(rays, workers); }); },
-          [&] { solved_rays = solve(patches, tracer, options.rays, workers).rays; });
+          3, [&] { embree_time = seconds([&] { hits = embree.trace(rays, context); }); },
+          [&] { solved_rays = solve(patches, tracer, options.rays, context).rays; });
       if (solved_rays != rays.size() || hits == 0)
         throw std::runtime_error("the two sides do not trace the same rays");
       const auto embree_speed = 1e-6 * static_cast<double>(rays.size()) / embree_time;
@@ -67,19 +68,19 @@ Json against_embree(const Settings& settings) {
 Json against_polygons(const Settings& settings) {
   fmt::print("\npolygons: time against polygons at a fixed number of rays (grows like the logarithm)\n");
   fmt::print("{:>10} {:>12} {:>12} {:>16}\n", "polygons", "ns a ray", "to first", "to log(polygons)");
-  const Workers workers;
+  const Context context;
   Json rows = Json::array();
   double first = 0.0;
   double first_log = 0.0;
   for (const int boxes : {10, 100, 1'000, 10'000, 100'000}) {
     if (settings.small && boxes > 1'000) break;
     const auto patches = make_patches(furnished_room(boxes), {.max_edge = no_max_edge});
-    const Tracer tracer(patches, workers);
+    const Tracer tracer(patches, context);
     std::uint64_t rays = 0;
     const std::uint64_t asked = settings.small ? 200'000 : 4'000'000;
     std::vector<double> times;
     for (int i = 0; i < 3; ++i)
-      times.push_back(seconds([&] { rays = solve(patches, tracer, asked, workers).rays; }));
+      times.push_back(seconds([&] { rays = solve(patches, tracer, asked, context).rays; }));
     const auto time = median(times);
     const auto cost = 1e9 * time / static_cast<double>(rays);
     const auto logarithm = std::log(static_cast<double>(patches.size()));
@@ -100,16 +101,16 @@ Json against_lamps(const Settings& settings) {
   fmt::print(
       "\nlamps: a lamp of many triangles against a lamp of 2 of the same power (1 is asked, within noise)\n");
   fmt::print("{:>10} {:>12} {:>17}\n", "triangles", "to 2", "(low to high)");
-  const Workers workers;
+  const Context context;
   const std::uint64_t rays = settings.small ? 50'000 : 1'000'000;
   const auto two = make_patches(furnished_room(200, 2), {.max_edge = no_max_edge});
-  const Tracer tracer_two(two, workers);
+  const Tracer tracer_two(two, context);
   Json rows = Json::array();
   for (const int triangles : {2, 8, 32, 128}) {
     const auto many = make_patches(furnished_room(200, triangles), {.max_edge = no_max_edge});
-    const Tracer tracer_many(many, workers);
+    const Tracer tracer_many(many, context);
     const auto ratio = paired(
-        7, [&] { solve(many, tracer_many, rays, workers); }, [&] { solve(two, tracer_two, rays, workers); });
+        7, [&] { solve(many, tracer_many, rays, context); }, [&] { solve(two, tracer_two, rays, context); });
     fmt::print("{:>10} {:>12.3f} {:>8.3f} to {:.3f}\n", triangles, ratio.median, ratio.low, ratio.high);
     rows.push_back({{"triangles", triangles},
                     {"ratio", ratio.median},
@@ -125,12 +126,12 @@ Json against_threads(const Settings& settings) {
   const auto patches = make_patches(furnished_room(200), {.max_edge = 0.05f});
   const std::uint64_t rays = settings.small ? 50'000 : 1'000'000;
   Json rows = Json::array();
-  const Workers one(1);
+  const Context one(1);
   const Tracer tracer(patches, one);
   for (int threads = 1; threads <= 2 * cores; threads *= 2) {
-    const Workers workers(threads);
+    const Context context(threads);
     const auto ratio = paired(
-        3, [&] { solve(patches, tracer, rays, one); }, [&] { solve(patches, tracer, rays, workers); });
+        3, [&] { solve(patches, tracer, rays, one); }, [&] { solve(patches, tracer, rays, context); });
     fmt::print("{:>3} threads: {:.2f} ({:.2f} to {:.2f})\n", threads, ratio.median, ratio.low, ratio.high);
     rows.push_back({{"threads", threads}, {"speed_up", ratio.median}});
   }

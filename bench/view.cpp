@@ -56,7 +56,7 @@ Json measure(const std::filesystem::path& folder, std::size_t triangles) {
   settings.eye = Vec3d(1.0, 1.6, 1.0);
   settings.target = Vec3d(11.0, 1.0, 8.0);
   settings.live = [](const std::filesystem::path&) {
-    LiveSettings live;
+    SessionSettings live;
     live.patches.max_edge = no_max_edge;
     live.light.sampled.error = 1e-4;  // is not done while someone looks
     return live;

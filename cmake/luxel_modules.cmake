@@ -1,25 +1,23 @@
-# Warnings, and luxel_module(): one static library per module, so that a module links, and sees the headers of, only the
-# outside libraries whose home it is.
+# What every target of the project is compiled with, and luxel_module(): one static library per module, so that a module
+# links, and sees the headers of, only the outside libraries whose home it is.
 
-include(${CMAKE_CURRENT_LIST_DIR}/luxel_libraries.cmake)
-find_package(CLI11 REQUIRED)
-# The window's libraries: only the program needs them.
-if(LUXEL_VIEWER)
-  pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
-  find_package(glfw3 3.3 REQUIRED)
-  pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/luxel_outside_libraries.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/luxel_outside_targets.cmake)
 
 # For every target of the project. -ffp-contract=off and no -march: the same source gives the same bits on every host.
 add_library(luxel_flags INTERFACE)
+target_compile_features(luxel_flags INTERFACE cxx_std_20)
 target_compile_options(luxel_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                                             -Werror -ffp-contract=off -fno-math-errno)
-target_include_directories(luxel_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+                                             $<$<BOOL:${LUXEL_WERROR}>:-Werror> -ffp-contract=off -fno-math-errno)
+target_include_directories(luxel_flags INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 if(LUXEL_SANITIZE)
-  target_compile_options(luxel_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+  target_compile_options(luxel_flags INTERFACE -fsanitize=${LUXEL_SANITIZE} -fno-sanitize-recover=all
                                                -fno-omit-frame-pointer
                                                -Wno-maybe-uninitialized)  # gcc 12 reports std::optional falsely then
-  target_link_options(luxel_flags INTERFACE -fsanitize=address,undefined)
+  target_link_options(luxel_flags INTERFACE -fsanitize=${LUXEL_SANITIZE})
+endif()
+if(LUXEL_SANITIZE MATCHES "thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(luxel_flags INTERFACE -Wno-tsan)  # gcc: fences are not followed; the suppressions explain where
 endif()
 
 if(LUXEL_COVERAGE)
@@ -32,7 +30,7 @@ if(LUXEL_FUZZ)
                                                -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
 endif()
 
-# fmt formats text and glm gives the vectors in signatures: every module may include them.
+# fmt formats text, glm gives the vectors in signatures, and core/json.h is JSON for all modules.
 function(luxel_module name)
   cmake_parse_arguments(MODULE "" "" "DEPENDS;LIBRARIES" ${ARGN})
   set_property(GLOBAL APPEND PROPERTY LUXEL_MODULES ${name})
@@ -40,7 +38,12 @@ function(luxel_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/luxel/${name}/*.cpp)
   if(sources)
     add_library(luxel_${name} STATIC ${sources})
-    target_link_libraries(luxel_${name} PRIVATE luxel_flags ${MODULE_LIBRARIES} PUBLIC fmt::fmt glm::glm)
+    # Position independent, so that the library can become part of a shared one; calls within a file are bound as in a
+    # program, so this costs no time.
+    set_target_properties(luxel_${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(luxel_${name} PRIVATE -fno-semantic-interposition)
+    target_link_libraries(luxel_${name} PRIVATE luxel_flags ${MODULE_LIBRARIES} nlohmann_json::nlohmann_json
+                          PUBLIC fmt::fmt glm::glm)
     set(visibility PUBLIC)
   else()
     add_library(luxel_${name} INTERFACE)

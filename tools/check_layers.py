@@ -10,26 +10,18 @@ import re
 import subprocess
 import sys
 
-# Target in a LIBRARIES list, without its namespace -> the includes it brings, welcome in its home module only.
-LIBRARIES = {
-    "glm": r"glm/",
-    "tbb": r"(tbb|oneapi)/",
-    "ZLIB": r"z(lib|conf)\.h$",
-    "PNG": r"png(conf)?\.h$",
-    "OpenEXR": r"(OpenEXR/|Imath/|Imf|Imath|half\.h$)",
-    "stb": r"(stb/|stb_)",
-    "embree": r"embree[34]/",
-    "luxel_hdf5": r"(H5\w*|hdf5(_hl)?)\.h$",
-    "TinyGLTF": r"tiny_gltf\.h$",
-    "nlohmann_json": r"nlohmann/",
-    "epoxy": r"epoxy/",
-    "glfw": r"GLFW/",
-    "imgui": r"(imgui(_\w+)?\.h$|backends/imgui)",
-    "luxel_mpi": r"mpi\.h$",
-}
-# The program is no luxel_module(...): it links these in src/luxel/cli/CMakeLists.txt. JSON has two homes: one module reads
-# it, the program writes it.
-HOMES_OUTSIDE_MODULES = {"CLI11": (r"CLI/", "cli"), "nlohmann_json": (r"nlohmann/", "cli")}
+
+def read_libraries():
+    """Target, without its namespace -> the includes it provides, allowed in its home module only."""
+    with open(os.path.join(os.path.dirname(__file__), "..", "cmake", "outside_libraries.txt"), encoding="utf-8") as file:
+        lines = [line.split() for line in file if line.strip() and not line.startswith("#")]
+    return {target.split("::")[-1]: pattern for target, pattern in lines}
+
+
+LIBRARIES = read_libraries()
+# The program is no luxel_module(...): it links these in src/luxel/cli/CMakeLists.txt. JSON has two homes: the library's
+# core/json.h, and the program.
+HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli"}
 EVERYWHERE = r"fmt/"
 # Intrinsics: Embree requires two bits of the SSE control register to be set in each thread.
 SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "unistd.h", "termios.h", "sys/file.h",
@@ -47,8 +39,13 @@ SOURCE = (".h", ".cpp", ".py", ".sh", ".mjs", ".cmake")
 LICENSED = (".h", ".cpp", ".py", ".sh", ".mjs")
 MACHINE_PATH = re.compile(r"(?<![\w.}>~])/(?:work|root|home|tmp)/")
 FACELESS = {"util", "utils", "common", "misc"}
-PUBLIC = "cmake/luxel_install.cmake"
+PUBLIC = "include/luxel/"  # the folder of the public headers, which outside projects include
+MAX_PUBLIC = 60
 MAX_LINES = 400
+MAX_PARAMETERS = 6
+# A type with or without a name and a default: "const Solution& light", "int count = 1", "Vec3*".
+PARAMETER = re.compile(r"(?:const\s+)?(?:[\w:]+|std::function)(?:<.*>)?(?:\s*const)?"
+                       r"(?:\s*[&*]+\s*\w*|\s+\w+)?(?:\[\w*\])?(?:\s*=.*)?$", re.DOTALL)
 ONE_FILE_EACH = "integrations/"  # an add-on is installed in other programs as one file, however long
 MAX_BINARY = 200 * 1024
 
@@ -95,7 +92,7 @@ def check_modules(modules):
         for library in module.libraries:
             if library not in LIBRARIES:
                 yield ("CMakeLists.txt", module.line,
-                       f"which includes {library} brings is unknown: add it to LIBRARIES in tools/check_layers.py")
+                       f"which includes {library} brings is unknown: add it to cmake/outside_libraries.txt")
             if library in home:
                 yield "CMakeLists.txt", module.line, f"{library} is at home in {home[library]} already, not in {module.name}"
             home.setdefault(library, module.name)
@@ -110,8 +107,9 @@ class Includes:
         self.modules = {module.name: module for module in modules}
         self.used = set()  # pairs of a module and one that it includes, as far as complaint() has seen
         homes = {library: module.name for module in reversed(modules) for library in module.libraries}
-        self.homes = [(pattern, library, homes.get(library, "no module")) for library, pattern in LIBRARIES.items()]
-        self.homes += [(pattern, library, home) for library, (pattern, home) in HOMES_OUTSIDE_MODULES.items()]
+        self.homes = [(pattern, library, homes.get(library, "no module")) for library, pattern in LIBRARIES.items()
+                      if library in homes or library not in HOMES_OUTSIDE_MODULES]
+        self.homes += [(LIBRARIES[library], library, home) for library, home in HOMES_OUTSIDE_MODULES.items()]
 
     def complaint(self, module, include, quoted):
         """What is wrong with this include line of this module, or None."""
@@ -129,8 +127,10 @@ class Includes:
         return f"<{include}> is neither of the C++ standard library nor of a library with a home module"
 
     def complaint_about_ours(self, module, include):
-        if not os.path.isfile(os.path.join(self.root, "src", include)):
+        if not any(os.path.isfile(os.path.join(self.root, folder, include)) for folder in ("include", "src")):
             return f'"{include}" does not exist'
+        if include.count("/") == 1:  # luxel/luxel.h and luxel/version.h belong to no module
+            return None if module == "cli" else f'"{include}" is for users of the library: include the headers of modules'
         other = include.split("/")[1]
         if other == module or module == "cli":
             return None
@@ -160,7 +160,7 @@ def check_readmes(root, modules):
 
 
 def check_includes(name, lines, includes):
-    match = re.match(r"src/luxel/(\w+)/", name)
+    match = re.match(r"(?:src|include)/luxel/(\w+)/", name)
     if not match:
         return
     for number, line in enumerate(lines, 1):
@@ -174,7 +174,7 @@ def check_types(root):
     """A type has a name of its own: two of one name in one namespace are a quiet fault wherever both are linked."""
     homes = {}
     for name in files_of(root):
-        if not re.match(r"src/luxel/.*\.h$", name):
+        if not re.match(r"(src|include)/luxel/.*\.h$", name):
             continue
         with open(os.path.join(root, name), encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
@@ -188,13 +188,45 @@ def check_types(root):
 def check_own_header(root, name, lines):
     """A file begins with its own header, which so is compiled with nothing before it."""
     own = re.sub(r"^src/(.*)\.cpp$", r"\1.h", name)
-    if own == name or not os.path.isfile(os.path.join(root, "src", own)):
+    if own == name or not any(os.path.isfile(os.path.join(root, folder, own)) for folder in ("include", "src")):
         return
     for number, line in enumerate(lines, 1):
         if re.match(r"\s*#\s*include", line):
             if f'"{own}"' not in line:
                 yield name, number, f'its own header comes first: #include "{own}"'
             return
+
+
+def split_parameters(text):
+    """The parts between commas that stand in no brackets."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character in "([{<") - (character in ")]}>")
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [part.strip() for part in parts]
+
+
+def check_parameters(name, lines):
+    """Functions with many parameters take a struct of them."""
+    text = re.sub(r"//[^\n]*|'(?:\\.|[^'\\\n])'|\"(?:\\.|[^\"\\\n])*\"", "", "\n".join(lines))
+    opened = []
+    for place, character in enumerate(text):
+        if character == "(":
+            opened.append(place)
+        elif character == ")" and opened:
+            begin = opened.pop()
+            inside = text[begin + 1:place]
+            is_function = re.match(r"\s*(?:[;{:=]|const\b|override\b|->|noexcept\b)", text[place + 1:])
+            if inside.count(",") < MAX_PARAMETERS or not is_function:
+                continue
+            parts = split_parameters(inside)
+            named = sum(re.search(r"[\w>&*]\s+[&*]*\w+", part) is not None for part in parts)
+            if len(parts) > MAX_PARAMETERS and 2 * named > len(parts) and all(map(PARAMETER.match, parts)):
+                yield (name, text.count("\n", 0, begin) + 1,
+                       f"{len(parts)} parameters: more than {MAX_PARAMETERS} become a struct with named members")
 
 
 def check_text(name, lines):
@@ -227,40 +259,21 @@ def check_file(root, name, includes):
     if name.endswith((".h", ".cpp")):
         yield from check_includes(name, lines, includes)
         yield from check_own_header(root, name, lines)
-
-
-def public_headers(root):
-    """The list of cmake/luxel_install.cmake, or nothing where there is no such file."""
-    name = os.path.join(root, PUBLIC)
-    if not os.path.exists(name):
-        return set()
-    with open(name, encoding="utf-8") as file:
-        return set(re.search(r"set\(LUXEL_PUBLIC_HEADERS\s([^)]*)\)", file.read())[1].split())
-
-
-def program_modules(root):
-    """The modules of the program alone: nothing of them is public, and the program includes them."""
-    with open(os.path.join(root, PUBLIC), encoding="utf-8") as file:
-        modules = re.search(r"set\(LUXEL_PROGRAM_MODULES\s([^)]*)\)", file.read())
-    return modules[1].split() if modules else []
+        if name.startswith(("src/", "include/")):
+            yield from check_parameters(name, lines)
 
 
 def check_public(root):
-    """The program includes public headers alone, and these no others."""
-    public = public_headers(root)
-    own = tuple(f"{module}/" for module in ("cli", *program_modules(root))) if public else ()
-    for header in sorted(public):
-        if not os.path.exists(os.path.join(root, "src/luxel", header)):
-            yield PUBLIC, 1, f"luxel/{header} does not exist"
-    for name in files_of(root) if public else ():
-        module = re.match(r"src/luxel/((\w+)/.*\.(h|cpp))$", name)
-        if not module or (module[2] != "cli" and module[1] not in public):
-            continue
+    """Public headers include public headers alone, and there are not too many of them."""
+    public = [name for name in files_of(root) if name.startswith(PUBLIC) and name.endswith(".h")]
+    if len(public) > MAX_PUBLIC:
+        yield PUBLIC, 1, f"{len(public)} public headers: {MAX_PUBLIC} is the limit"
+    for name in public:
         with open(os.path.join(root, name), encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
-                include = re.match(r'#include "luxel/(.+)"', line)
-                if include and include[1] not in public and not (module[2] == "cli" and include[1].startswith(own)):
-                    yield name, number, f"{include[1]} is not public: see {PUBLIC}"
+                include = re.match(r'#include "(luxel/.+)"', line)
+                if include and not os.path.isfile(os.path.join(root, "include", include[1])):
+                    yield name, number, f'"{include[1]}" is not public: no outside project has it'
 
 
 def violations(root):

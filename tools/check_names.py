@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 TIDY = "clang-tidy-14"
-OURS = ("src", "tests", "bench", "tools")
+OURS = ("include", "src", "tests", "bench", "tools", "examples")
 TOGETHER = 40  # files in one unit, at most
 # What a line at the left margin declares: two files that declare the same cannot stand in one unit.
 TYPE = re.compile(r"^(?:class|struct|enum class|enum|using|union)\s+(\w+)\b(?!\s*;)")

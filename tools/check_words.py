@@ -3,8 +3,8 @@
 """Refuses words that the project has replaced by the field's terms: check_words.py [ROOT].
 
 RULES lists patterns with a scope: `identifier` (C++ code without comments and strings), `option` (options of the command
-in any text) and `prose` (comments, Markdown). ALLOWED lists what a pattern matches by accident. Prints each violation as
-file:line: sentence. Exit status: 1 if there is one.
+in any text), `prose` (comments, Markdown) and `document` (Markdown). ALLOWED lists what a pattern matches by accident.
+Prints each violation as file:line: sentence. Exit status: 1 if there is one.
 """
 import os
 import re
@@ -37,13 +37,26 @@ RULES = [
     ("prose", rf"(?<![\w-])({QUANTITY}) an? ({UNIT})(?![\w-])", "per"),
     ("prose", r"\b(crowded edges?|dark sides?|twisted|sewn)\b", "non-manifold edge, unreached side, inconsistent winding, welded"),
     ("prose", r"\b(rules|checks) of the house\b", "checks of the repository"),
+    ("document", r"(?m)(?:^(?:[-*] |\d\. )?|(?<=[.:] ))(?:Of|What|Likewise) ", "the subject first"),
+    ("document", r"\b(likewise|nobody|somebody|brilliant|anew)\b", "a plain word: also, as above, very bright, again"),
+    ("document", r"\b(is|are|was|were) (told|said)\b", "reported, stated"),
+    ("document", r"\b[Ff]orecasts?\b", "estimate, prediction"),
+    ("document", r"\b(the|a|an|their|its) shares? of\b|\bshares of\b", "fraction"),
+    ("document", r"\blamps? without a surface\b", "punctual light"),
+    ("document", r"\bpass(es|ed)? over\b", "ignore"),
+    ("document", r"\basked for\b", "requested"),
+    ("document", r"\b(gives?|gave|giving) way\b", "lower thread priority"),
+    ("document", r"\b(one|entry|line|row|list) an? (round|bounce|step|kind|line|mesh|sample|texel|side|patch|file)\b", "per"),
+    ("document", r"\bput together again\b", "join"),
+    ("document", r"\b(hold|holds|held) (it|them|itself) (to|against)\b", "compare"),
+    ("document", r"\ball the same\b", "anyway"),
 ]
 ALLOWED = re.compile(r"shared_\w+|make_shared\w*|texture slots?|share_clipboard|least_squares")
 MAX_WORDS = 4  # longer identifiers are sentences, the names of tests, in which "share" and "kept" are verbs
 # Files that must name the old words.
 EXEMPT = {"tools/check_words.py", "tests/repository/check_words_test.py", "tools/compare_outputs.py",
           "src/luxel/solution/solution_layout.h"}
-FOLDERS = ("src/", "tests/", "bench/", "tools/", "docs/", "examples/", "integrations/", "web/")
+FOLDERS = ("include/", "src/", "tests/", "bench/", "tools/", "docs/", "examples/", "integrations/", "web/")
 COMPILED = [(scope, re.compile(rf"(?<!\w)(?:{pattern})(?!\w)" if scope == "identifier" else pattern), term)
             for scope, pattern, term in RULES]
 # Comments, strings and characters.
@@ -53,7 +66,8 @@ TOKEN = re.compile(r"""//[^\n]*|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^
 def scopes_of(name, text):
     """The parts of a file by scope; each keeps its line numbers."""
     if not name.endswith((".h", ".cpp")):
-        return {"prose": text if name.endswith(".md") else "", "option": text}
+        document = text if name.endswith(".md") else ""
+        return {"prose": document, "document": document, "option": text}
     code, prose, end = [], [], 0
     for token in TOKEN.finditer(text):
         between = text[end:token.start()]
@@ -85,7 +99,7 @@ def violations(root):
     for name in files_of(root):
         if name in EXEMPT or not (name.startswith(FOLDERS) or name.endswith(".md")):
             continue
-        if not name.endswith((".h", ".cpp", ".md", ".py", ".js", ".mjs", ".cmake", ".txt")) or name == "CHANGELOG.md":
+        if not name.endswith((".h", ".cpp", ".md", ".py", ".js", ".mjs", ".cmake", ".txt")):
             continue
         with open(os.path.join(root, name), encoding="utf-8", errors="replace") as file:
             yield from violations_of(name, file.read())

@@ -37,12 +37,12 @@ SmallGltf as_gltf(const Scene& scene) {
 }
 
 Solution lit(const Scene& scene) {
-  const Workers workers;
+  const Context context;
   const auto patches = make_patches(scene, {.max_edge = 0.1f});
-  const Tracer tracer(patches, workers);
+  const Tracer tracer(patches, context);
   Solution light;
   solve_sampled(patches, tracer, light, {.error = 0.0, .error_measure = ErrorMeasure::power, .rays = 100'000},
-                workers);
+                context);
   return light;
 }
 
@@ -54,13 +54,13 @@ TEST(Formats, the_cornell_box_has_the_same_light_as_obj_and_as_glb) {
   EXPECT_TRUE(files.warnings().empty()) << files.all_warnings();
   ASSERT_EQ(glb.triangles.size(), obj.triangles.size());
   const auto one = lit(obj), other = lit(glb);
-  ASSERT_EQ(one.irradiance_front.size(), other.irradiance_front.size());
+  ASSERT_EQ(one.irradiance.front.size(), other.irradiance.front.size());
   // All but the lamp's emission is the same to the bit; that went through cd/m² and back.
   float brightest = 0.0f;
-  for (const auto light : one.irradiance_front) brightest = std::max(brightest, light);
+  for (const auto light : one.irradiance.front) brightest = std::max(brightest, light);
   EXPECT_GT(brightest, 0.0f);
-  for (std::size_t i = 0; i < one.irradiance_front.size(); ++i)
-    ASSERT_NEAR(one.irradiance_front[i], other.irradiance_front[i], 1e-5f * brightest) << i;
+  for (std::size_t i = 0; i < one.irradiance.front.size(); ++i)
+    ASSERT_NEAR(one.irradiance.front[i], other.irradiance.front[i], 1e-5f * brightest) << i;
 }
 
 }  // namespace

@@ -81,15 +81,15 @@ double light_of(const EnergyBalance& energy) { return power(energy.emitted) + po
 
 class Room {
  public:
-  explicit Room(PatchSet patches) : patches_(std::move(patches)), tracer_(patches_, workers_) {}
+  explicit Room(PatchSet patches) : patches_(std::move(patches)), tracer_(patches_, context_) {}
 
   const PatchSet& patches() const { return patches_; }
 
   Answer dense() {
     Solution s;
-    const auto report = solve_dense(patches_, tracer_, s, {.factors = {.tolerance = 1e-5}}, workers_);
+    const auto report = solve_dense(patches_, tracer_, s, {.factors = {.tolerance = 1e-5}}, context_);
     auto answer = answer_of("dense", s, report.energy, 1e-4);
-    answer.bound = both_sides(s.standard_error_front, s.standard_error_back);
+    answer.bound = both_sides(s.standard_error.front, s.standard_error.back);
     answer.error.assign(answer.bound.size(), 0.0);
     return answer;
   }
@@ -98,7 +98,7 @@ class Room {
     Solution s;
     const auto report =
         solve_sampled(patches_, tracer_, s,
-                      {.error = 0.004, .error_measure = ErrorMeasure::power, .replicates = 32}, workers_);
+                      {.error = 0.004, .error_measure = ErrorMeasure::power, .replicates = 32}, context_);
     auto answer = with_stated_errors("sampled", s, report.energy);
     for (std::size_t i = 0; i < answer.error.size(); ++i) {
       answer.error[i] = std::hypot(answer.error[i], 0.001 * answer.irradiance[i]);
@@ -109,7 +109,7 @@ class Room {
   Answer lines() {
     Solution s;
     const auto report = solve_lines(
-        patches_, tracer_, s, {.lines = {.lines = lines_each}, .iteration = {.tolerance = 1e-7}}, workers_);
+        patches_, tracer_, s, {.lines = {.lines = lines_each}, .iteration = {.tolerance = 1e-7}}, context_);
     auto answer = with_stated_errors("lines", s, report.energy);
     line_error_ = answer.error;
     return answer;
@@ -120,7 +120,7 @@ class Room {
     // Nine in ten of the sky's rays meet nothing, or black backs.
     const std::uint64_t rays = patches_.has_sky() ? 300'000 : 2'000'000;
     const auto report =
-        solve_stochastic_jacobi(patches_, tracer_, s, {.rays = rays, .tolerance = 1e-6}, workers_);
+        solve_stochastic_jacobi(patches_, tracer_, s, {.rays = rays, .tolerance = 1e-6}, context_);
     auto answer = answer_of("shooting", s, report.energy, 1e-6);
     const auto emitted = light_of(report.energy);
     // Of the second step, which shoots no sky: all steps have the same.
@@ -141,17 +141,15 @@ class Room {
     constexpr int points = 4;
     Solution one, four;
     std::vector<Numbers> bounces;
-    const auto keep = [&](const Progress& progress) {
-      if (progress.light)
-        bounces.push_back(both_sides(progress.light->irradiance_front, progress.light->irradiance_back));
-      return Next::go_on;
+    const auto keep = [&](const Solution& light, const Progress&) {
+      bounces.push_back(both_sides(light.irradiance.front, light.irradiance.back));
     };
     const JacobiOptions iteration{.tolerance = 1e-3};
-    solve_hemicube(patches_, one, {.hemicube = {resolution, 1}, .iteration = iteration}, workers_);
+    solve_hemicube(patches_, one, {.hemicube = {resolution, 1}, .iteration = iteration}, context_);
     const auto report = solve_hemicube(
-        patches_, four, {.hemicube = {resolution, points}, .iteration = iteration}, workers_, keep);
+        patches_, four, {.hemicube = {resolution, points}, .iteration = iteration}, context_, keep);
     auto answer = answer_of("hemicube", four, report.energy, 0.0);
-    const auto coarse = both_sides(one.irradiance_front, one.irradiance_back);
+    const auto coarse = both_sides(one.irradiance.front, one.irradiance.back);
     const auto lines_worth = M_PI * resolution * resolution / 4.0 * points;
     double square = 0.0, area = 0.0;
     for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -178,11 +176,11 @@ class Room {
     PathOptions options;
     options.limits.error = 0.015;
     options.bounces_from = BouncesFrom::patches;
-    const auto report = trace_light(patches_, tracer_, s, options, workers_);
+    const auto report = trace_light(patches_, tracer_, s, options, context_);
     EnergyBalance energy{report.emitted, report.from_sky,      report.absorbed,
                          report.escaped, report.lost_at_backs, {}};
     auto answer = with_stated_errors("reference", s, energy);
-    double brightest = *std::max_element(s.radiosity_front.begin(), s.radiosity_front.end());
+    double brightest = *std::max_element(s.radiosity.front.begin(), s.radiosity.front.end());
     for (std::size_t b = 0; b < patches_.band_count(); ++b)
       brightest = std::max(brightest, patches_.sky_radiosity(b));
     for (auto& error : answer.error)
@@ -201,7 +199,7 @@ class Room {
                    double balance_allowed) const {
     Answer answer;
     answer.method = method;
-    answer.irradiance = both_sides(s.irradiance_front, s.irradiance_back);
+    answer.irradiance = both_sides(s.irradiance.front, s.irradiance.back);
     answer.bound.assign(answer.irradiance.size(), 0.0);
     const auto went = power(e.absorbed) + power(e.escaped) + power(e.lost_at_backs) + power(e.unshot);
     answer.out_of_balance = went / light_of(e) - 1.0;
@@ -212,12 +210,12 @@ class Room {
   // The error of a mean is no larger than the root mean square error; four of these are allowed.
   Answer with_stated_errors(const char* method, const Solution& s, const EnergyBalance& energy) const {
     auto answer = answer_of(method, s, energy, 4.0 * s.predicted_error);
-    answer.error = both_sides(s.standard_error_front, s.standard_error_back);
+    answer.error = both_sides(s.standard_error.front, s.standard_error.back);
     return answer;
   }
 
   PatchSet patches_;
-  Workers workers_;
+  Context context_;
   Tracer tracer_;
   Numbers line_error_;
 };

@@ -49,8 +49,9 @@ TEST(Check, repairs_are_reported_and_recorded_in_the_command_line_of_a_bake) {
                "$LUXEL bake cornell-box.obj --weld 1e-4 --orient --error 20% --max-edge 0.2 -o a.vtkhdf"
                " && $LUXEL info a.vtkhdf");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.err.find("--weld 0.0001: no two vertices are that near"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("--orient: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("welding within 0.0001 m: no two vertices are that near"), std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("orientation: "), std::string::npos) << run.err;
   EXPECT_NE(run.out.find("--weld 0.0001 --orient"), std::string::npos) << run.out;
 }
 

@@ -116,7 +116,7 @@ TEST_F(Far, solutions_hold_the_coordinates_of_the_file) {
   EXPECT_EQ(near.patches.origin, Vec3d(0.0));
   EXPECT_EQ(far.patches.origin, place);
   EXPECT_EQ(near.patches.vertices, far.patches.vertices);
-  EXPECT_EQ(near.solution.irradiance_front, far.solution.irradiance_front);
+  EXPECT_EQ(near.solution.irradiance.front, far.solution.irradiance.front);
   EXPECT_NE(near.patches.scene_fingerprint, far.patches.scene_fingerprint);
   run("$LUXEL export far.vtkhdf -o copy.vtkhdf --quiet");
   EXPECT_EQ(bytes("far.vtkhdf"), bytes("copy.vtkhdf"));

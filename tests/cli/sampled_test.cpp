@@ -109,7 +109,8 @@ TEST(Sampled, may_focus_on_what_a_camera_sees_or_on_a_material) {
   EXPECT_EQ(floor.code, 0) << floor.err;
   const auto nothing = cli::run(folder, coarse + "--focus sofa");
   EXPECT_EQ(nothing.code, 1);
-  EXPECT_NE(nothing.err.find("no material, object or group is called so"), std::string::npos) << nothing.err;
+  EXPECT_NE(nothing.err.find("no material, object or group is called 'sofa'"), std::string::npos)
+      << nothing.err;
 }
 
 // Without --focus camera a picture's camera must not change the light.

@@ -5,6 +5,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return luxel::answered(data, size, [](std::string_view bytes) {
-    luxel::expect_sound(luxel::load_gltf(std::string(bytes), "nowhere/room.gltf", {}, {}, {}));
+    luxel::expect_sound(luxel::load_gltf(std::string(bytes), "nowhere/room.gltf", {}, {}));
   });
 }

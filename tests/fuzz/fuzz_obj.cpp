@@ -5,6 +5,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return luxel::answered(data, size, [](std::string_view text) {
-    luxel::expect_sound(luxel::load_obj(text, "nowhere/room.obj", {}, {}, {}));
+    luxel::expect_sound(luxel::load_obj(text, "nowhere/room.obj", {}, {}));
   });
 }

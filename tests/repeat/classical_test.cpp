@@ -20,20 +20,21 @@ struct Solved {
   SolveReport report;
 };
 
-Solved solve(const PatchSet& patches, Method method, int threads, const Monitor& monitor = {}) {
-  const Workers workers(threads);
-  const Tracer tracer(patches, workers);
+Solved solve(const PatchSet& patches, Method method, int threads, const Monitor& monitor = {},
+             const LightSink& on_light = {}) {
+  const auto context = Context(threads).with_monitor(monitor);
+  const Tracer tracer(patches, context);
   Solved s;
   if (method == Method::hemicube)
-    s.report = solve_hemicube(patches, s.solution, {.hemicube = {.resolution = 32}}, workers, monitor);
+    s.report = solve_hemicube(patches, s.solution, {.hemicube = {.resolution = 32}}, context, on_light);
   else if (method == Method::lines)
-    s.report = solve_lines(patches, tracer, s.solution, {.lines = {.lines = 200}}, workers, monitor);
+    s.report = solve_lines(patches, tracer, s.solution, {.lines = {.lines = 200}}, context, on_light);
   else
     s.report = solve_dense(patches, tracer, s.solution,
                            {.solver = method == Method::direct   ? DenseSolver::direct
                                       : method == Method::jacobi ? DenseSolver::jacobi
                                                                  : DenseSolver::gauss_seidel},
-                           workers, monitor);
+                           context, on_light);
   return s;
 }
 
@@ -43,9 +44,9 @@ TEST(Classical, gives_the_same_bits_on_any_number_of_threads) {
   const auto patches = room();
   for (const auto method : methods) {
     const auto one = solve(patches, method, 1), many = solve(patches, method, 5);
-    EXPECT_EQ(one.solution.irradiance_front, many.solution.irradiance_front);
-    EXPECT_EQ(one.solution.radiosity_back, many.solution.radiosity_back);
-    EXPECT_EQ(one.solution.standard_error_front, many.solution.standard_error_front);
+    EXPECT_EQ(one.solution.irradiance.front, many.solution.irradiance.front);
+    EXPECT_EQ(one.solution.radiosity.back, many.solution.radiosity.back);
+    EXPECT_EQ(one.solution.standard_error.front, many.solution.standard_error.front);
     EXPECT_EQ(one.report.energy.escaped, many.report.energy.escaped);
     EXPECT_EQ(one.report.stop, StopReason::converged);
   }
@@ -58,9 +59,9 @@ TEST(Classical, that_is_stopped_at_once_leaves_the_lamps_and_says_that_all_is_un
     EXPECT_EQ(s.report.stop, StopReason::stopped_by_user);
     EXPECT_EQ(s.solution.unshot_fraction, 1.0);
     EXPECT_EQ(s.report.energy.unshot, s.report.energy.emitted);
-    EXPECT_EQ(s.solution.irradiance_front, std::vector<float>(3 * patches.size(), 0.0f));
+    EXPECT_EQ(s.solution.irradiance.front, std::vector<float>(3 * patches.size(), 0.0f));
     for (std::size_t p = 0; p < patches.size(); ++p)
-      EXPECT_EQ(s.solution.radiosity_front[3 * p], patches.material_of(p).emittance[0]);
+      EXPECT_EQ(s.solution.radiosity.front[3 * p], patches.material_of(p).emittance[0]);
   }
 }
 
@@ -69,11 +70,12 @@ TEST(Classical, that_is_stopped_while_it_solves_keeps_its_balance) {
   for (const auto method : methods) {
     // Once factors are known: after the first picture, or before there is any.
     bool has_picture = false;
-    const auto s = solve(patches, method, 2, [&](const Progress& p) {
-      has_picture = has_picture || p.light;
+    const auto stop_when_enough = [&](const Progress& p) {
       const bool is_enough = has_picture || method == Method::direct;
       return p.stage == "light" && is_enough ? Next::stop : Next::go_on;
-    });
+    };
+    const auto s = solve(patches, method, 2, stop_when_enough,
+                         [&](const Solution&, const Progress&) { has_picture = true; });
     if (method == Method::gauss_seidel) continue;  // has no moment to stop at
     EXPECT_EQ(s.report.stop, StopReason::stopped_by_user);
     EXPECT_GT(s.report.unshot_fraction, 0.1);

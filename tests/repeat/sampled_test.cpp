@@ -21,11 +21,11 @@ struct Solved {
 };
 
 Solved solve(const PatchSet& patches, const SampledOptions& options, int threads = 2,
-             const Monitor& monitor = {}) {
-  const Workers workers(threads);
-  const Tracer tracer(patches, workers);
+             const Monitor& monitor = {}, const LightSink& on_light = {}) {
+  const auto context = Context(threads).with_monitor(monitor);
+  const Tracer tracer(patches, context);
   Solved solved;
-  solved.report = solve_sampled(patches, tracer, solved.solution, options, workers, monitor);
+  solved.report = solve_sampled(patches, tracer, solved.solution, options, {.on_light = on_light}, context);
   return solved;
 }
 
@@ -33,12 +33,12 @@ PatchSet room() { return make_patches(truth::l_room(), {.max_edge = 0.2f}); }
 
 // The first part of the light that differs, or nothing.
 std::string difference_of_light(const Solution& a, const Solution& b) {
-  if (!sample::same_bits(a.irradiance_front, b.irradiance_front)) return "irradiance_front";
-  if (!sample::same_bits(a.irradiance_back, b.irradiance_back)) return "irradiance_back";
-  if (!sample::same_bits(a.radiosity_front, b.radiosity_front)) return "radiosity_front";
-  if (!sample::same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
-  if (!sample::same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
-  if (!sample::same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
+  if (!sample::same_bits(a.irradiance.front, b.irradiance.front)) return "irradiance_front";
+  if (!sample::same_bits(a.irradiance.back, b.irradiance.back)) return "irradiance_back";
+  if (!sample::same_bits(a.radiosity.front, b.radiosity.front)) return "radiosity_front";
+  if (!sample::same_bits(a.radiosity.back, b.radiosity.back)) return "radiosity_back";
+  if (!sample::same_bits(a.standard_error.front, b.standard_error.front)) return "standard_error_front";
+  if (!sample::same_bits(a.standard_error.back, b.standard_error.back)) return "standard_error_back";
   if (a.unshot_fraction != b.unshot_fraction) return "unshot_fraction";
   if (a.predicted_error != b.predicted_error) return "predicted_error";
   if (a.error_95th != b.error_95th) return "error_95th";
@@ -66,7 +66,7 @@ TEST(SampledRepeat, one_two_and_five_threads_give_identical_bytes) {
   const auto patches = room();
   for (const bool smoothing : {true, false}) {
     const auto one = solve(patches, {.error = 0.02, .smoothing = smoothing}, 1);
-    EXPECT_FALSE(one.solution.standard_error_front.empty());
+    EXPECT_FALSE(one.solution.standard_error.front.empty());
     for (const int threads : {2, 5}) {
       const auto many = solve(patches, {.error = 0.02, .smoothing = smoothing}, threads);
       EXPECT_EQ(difference_of_light(one.solution, many.solution), "") << threads << " threads";
@@ -100,15 +100,17 @@ TEST(SampledRepeat, stored_and_streamed_give_identical_bytes) {
   }
 }
 
-// A monitor that says stop when a doubling's picture comes. The first picture, by shooting, comes before
+// A monitor that stops the work when a doubling's picture comes. The first picture, by shooting, comes before
 // them.
 Solved stopped_after(const PatchSet& patches, std::size_t doublings, Solution& last_picture) {
   std::size_t pictures = 0;
-  return solve(patches, {.error = 0.0, .rays = std::uint64_t{1} << 24}, 2, [&](const Progress& progress) {
-    if (progress.light == nullptr) return Next::go_on;
-    last_picture = *progress.light;
-    return ++pictures == doublings + 1 ? Next::stop : Next::go_on;
-  });
+  return solve(
+      patches, {.error = 0.0, .rays = std::uint64_t{1} << 24}, 2,
+      [&](const Progress&) { return pictures == doublings + 1 ? Next::stop : Next::go_on; },
+      [&](const Solution& light, const Progress&) {
+        last_picture = light;
+        ++pictures;
+      });
 }
 
 TEST(SampledRepeat, a_run_stopped_at_a_doubling_is_a_run_bounded_to_it) {
@@ -146,8 +148,8 @@ TEST(SampledRepeat, a_run_never_traces_more_than_it_may_once_it_has_begun_to_dou
 
 TEST(SampledRepeat, another_seed_gives_another_answer) {
   const auto patches = room();
-  EXPECT_NE(solve(patches, {.error = 0.05, .seed = 1}).solution.irradiance_front,
-            solve(patches, {.error = 0.05, .seed = 2}).solution.irradiance_front);
+  EXPECT_NE(solve(patches, {.error = 0.05, .seed = 1}).solution.irradiance.front,
+            solve(patches, {.error = 0.05, .seed = 2}).solution.irradiance.front);
 }
 
 }  // namespace

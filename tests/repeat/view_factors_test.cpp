@@ -13,13 +13,13 @@ TEST(ViewFactors, are_the_same_bits_on_any_number_of_threads) {
   for (const auto kind : {Between::materials, Between::patches}) {
     std::vector<ViewFactors> results;
     for (const int threads : {1, 2, 5}) {
-      const Workers workers(threads);
+      const Context context(threads);
       const auto patches = make_patches(scene, {.max_edge = 0.3f});
-      const Tracer tracer(patches, workers);
+      const Tracer tracer(patches, context);
       const auto elements = make_view_elements(scene, patches, kind, ElementSides::both);
       SampleFactorsReport report;
-      auto factors = *sample_view_factors(patches, tracer, elements, {.error = 0.004}, workers, {}, report);
-      enforce_laws(factors, workers);
+      auto factors = *sample_view_factors(patches, tracer, elements, {.error = 0.004}, report, context);
+      enforce_laws(factors, context);
       results.push_back(std::move(factors));
     }
     for (std::size_t i = 1; i < results.size(); ++i) {

@@ -23,6 +23,11 @@ class CheckWords(unittest.TestCase):
         self.assertEqual(self.lines("docs/a.md", "Eight\nbytes a ray.\n"), [2])
         self.assertEqual(self.lines("src/a.cpp", 'auto a = "rays a side";\n'), [])
 
+    def test_sentences_of_documents_begin_with_their_subject(self):
+        self.assertEqual(self.lines("docs/a.md", "# What this is\nRays carry light.\n- Of these, few return. What is left stays.\n"), [3, 3])
+        self.assertEqual(self.lines("docs/a.md", "The error that was asked for.\n"), [1])
+        self.assertEqual(self.lines("src/a.h", "// Of all rays, those asked for.\n"), [])
+
     def test_sentences_may_use_words_as_verbs(self):
         self.assertEqual(self.lines("tests/a.cpp", "TEST(A, neighbours_that_share_no_index_are_split_alike)\n"), [])
 

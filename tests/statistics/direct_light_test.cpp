@@ -12,6 +12,7 @@
 
 #include "luxel/core/address.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 #include "support/truth_scenes.h"
@@ -30,7 +31,7 @@ struct Estimate {
 // A room of patches with what direct light needs.
 struct Room {
   explicit Room(const Scene& scene, float max_edge = no_max_edge)
-      : patches(make_patches(scene, {.max_edge = max_edge})), tracer(patches, Workers(1)), lamps(patches) {}
+      : patches(make_patches(scene, {.max_edge = max_edge})), tracer(patches, Context(1)), lamps(patches) {}
 
   PatchSet patches;
   Tracer tracer;
@@ -43,7 +44,7 @@ struct Room {
   }
 
   // What cosine rays from the side meet.
-  Estimate truth(std::size_t side, std::size_t rays = 400'000) const {
+  Estimate truth(SideId side, std::size_t rays = 400'000) const {
     const PatchEmitter emitter(patches, side);
     const auto bands = patches.band_count();
     std::vector<double> sum(bands, 0.0);
@@ -66,7 +67,7 @@ struct Room {
     return result;
   }
 
-  Estimate estimate(std::size_t side, const DirectOptions& options, std::uint32_t per_replicate = 64) const {
+  Estimate estimate(SideId side, const DirectOptions& options, std::uint32_t per_replicate = 64) const {
     const DirectLight direct(patches, tracer, lamps, options);
     const auto bands = patches.band_count();
     std::vector<float> out(options.replicates * bands);
@@ -87,13 +88,13 @@ struct Room {
     return result;
   }
 
-  void expect_truth(std::size_t side, const DirectOptions& options = {.replicates = replicates}) const {
+  void expect_truth(SideId side, const DirectOptions& options = {.replicates = replicates}) const {
     const auto is = estimate(side, options);
     const auto should = truth(side);
     for (std::size_t b = 0; b < is.mean.size(); ++b) {
       const auto sigma = std::hypot(is.sigma[b], should.sigma[b]);
       EXPECT_NEAR(is.mean[b], should.mean[b], risk_sigmas * sigma + closed_form_error * should.mean[b] + 1e-9)
-          << "side " << side << " band " << b;
+          << "side " << side.index() << " band " << b;
     }
   }
 };
@@ -122,7 +123,7 @@ std::vector<DirectOptions> all_options() {
 
 TEST(DirectLight, a_side_that_sees_the_lamp_wholly_has_no_noise) {
   const Room room(lamp_and_floor().scene());
-  const auto side = side_of(room.first_of("floor"), false);
+  const auto side = SideId(room.first_of("floor"), false);
   EXPECT_EQ(room.estimate(side, {.replicates = replicates}).sigma[0], 0.0);
   room.expect_truth(side);
 }
@@ -131,8 +132,7 @@ TEST(DirectLight, a_lamp_half_hidden_is_unbiased_with_every_option) {
   auto builder = lamp_and_floor();
   builder.material("shelf", 0.5f, 0.0f).quad({0.5f, 0, 1}, {0.9f, 0, 1}, {0.9f, 2, 1}, {0.5f, 2, 1});
   const Room room(builder.scene());
-  for (const auto& options : all_options())
-    room.expect_truth(side_of(room.first_of("floor"), false), options);
+  for (const auto& options : all_options()) room.expect_truth(SideId(room.first_of("floor"), false), options);
 }
 
 // A panel that hangs askew, made of 72 triangles: one lamp, whose pieces stand in nobody's way.
@@ -149,15 +149,14 @@ TEST(DirectLight, a_meshed_panel_half_hidden_is_unbiased_with_every_option) {
     for (int j = 0; j < 6; ++j) builder.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
   const Room room(builder.scene());
   ASSERT_EQ(room.lamps.size(), 2u);
-  for (const auto& options : all_options())
-    room.expect_truth(side_of(room.first_of("floor"), false), options);
+  for (const auto& options : all_options()) room.expect_truth(SideId(room.first_of("floor"), false), options);
 }
 
 TEST(DirectLight, a_side_that_sees_no_lamp_is_dark) {
   auto builder = lamp_and_floor();
   builder.material("cover", 0.5f, 0.0f).quad({0, 0, 2}, {3, 0, 2}, {3, 3, 2}, {0, 3, 2});
   const Room room(builder.scene());
-  const auto dark = room.estimate(side_of(room.first_of("floor"), false), {.replicates = replicates});
+  const auto dark = room.estimate(SideId(room.first_of("floor"), false), {.replicates = replicates});
   EXPECT_EQ(dark.mean[0], 0.0);
   EXPECT_EQ(dark.sigma[0], 0.0);
 }
@@ -166,16 +165,16 @@ TEST(DirectLight, no_ray_is_traced_where_no_lamp_is_above_the_horizon) {
   const Room room(lamp_and_floor().scene());
   const DirectLight direct(room.patches, room.tracer, room.lamps, {});
   std::vector<float> out(8 * room.patches.band_count(), 1.0f);
-  EXPECT_EQ(direct.estimate(side_of(room.first_of("floor"), true), 0, 0, 16, out), 0u);
+  EXPECT_EQ(direct.estimate(SideId(room.first_of("floor"), true), 0, 0, 16, out), 0u);
   EXPECT_EQ(*std::max_element(out.begin(), out.end()), 0.0f);
-  EXPECT_EQ(direct.estimate(side_of(room.first_of("lamp"), false), 0, 0, 16, out), 0u);
+  EXPECT_EQ(direct.estimate(SideId(room.first_of("lamp"), false), 0, 0, 16, out), 0u);
 }
 
 TEST(DirectLight, the_back_of_a_patch_is_lit_too) {
   auto builder = lamp_and_floor();
   builder.material("awning", 0.5f, 0.0f).triangle({0, 0, 1}, {0, 0.3f, 1}, {0.3f, 0, 1.1f});
   const Room room(builder.scene());
-  const auto back = side_of(room.first_of("awning"), true);
+  const auto back = SideId(room.first_of("awning"), true);
   EXPECT_GT(room.estimate(back, {.replicates = replicates}).mean[0], 0.05);
   room.expect_truth(back);
 }
@@ -191,9 +190,9 @@ TEST(DirectLight, a_huge_near_ceiling_is_as_accurate_as_a_small_lamp) {
   const Room room(b.scene());
   for (const bool multiple_importance : {false, true}) {
     const DirectOptions options{.replicates = replicates, .multiple_importance = multiple_importance};
-    room.expect_truth(side_of(room.first_of("shelf"), false), options);
-    room.expect_truth(side_of(room.first_of("wall"), true), options);
-    room.expect_truth(side_of(room.first_of("wall"), false), options);
+    room.expect_truth(SideId(room.first_of("shelf"), false), options);
+    room.expect_truth(SideId(room.first_of("wall"), true), options);
+    room.expect_truth(SideId(room.first_of("wall"), false), options);
   }
 }
 
@@ -204,7 +203,7 @@ TEST(DirectLight, multiple_importance_gives_the_closed_form) {
   huge.material("floor", 0.5f, 0.0f).triangle({4, 4, 2.8f}, {4.5f, 4, 2.8f}, {4, 4.5f, 2.8f});
   for (const auto& scene : {huge.scene(), lamp_and_floor().scene()}) {
     const Room room(scene);
-    const auto side = side_of(room.first_of("floor"), false);
+    const auto side = SideId(room.first_of("floor"), false);
     const auto exact = room.estimate(side, {.replicates = replicates}).mean[0];
     const auto is = room.estimate(side, {.replicates = replicates, .multiple_importance = true}, 1024);
     EXPECT_NEAR(is.mean[0], exact, risk_sigmas * is.sigma[0] + closed_form_error * exact);
@@ -218,7 +217,7 @@ TEST(DirectLight, multiple_importance_counts_its_cosine_rays) {
   const auto rays = [&](bool multiple_importance) {
     const DirectLight direct(room.patches, room.tracer, room.lamps,
                              {.multiple_importance = multiple_importance});
-    return direct.estimate(side_of(room.first_of("floor"), false), 0, 0, 16, out);
+    return direct.estimate(SideId(room.first_of("floor"), false), 0, 0, 16, out);
   };
   EXPECT_EQ(rays(false), 128u);
   EXPECT_EQ(rays(true), 256u);
@@ -236,7 +235,7 @@ TEST(DirectLight, patches_that_touch_the_edge_of_a_lamp_are_right) {
     for (std::size_t p = 0; p < room.patches.size() && tried < 6; ++p) {
       if (room.patches.material_of(p).name == "ceiling" || ceiling_edge(p) == 0) continue;
       ++tried;
-      room.expect_truth(side_of(p, false));
+      room.expect_truth(SideId(p, false));
     }
     EXPECT_GT(tried, 3u);
   }
@@ -248,7 +247,7 @@ TEST(DirectLight, a_wall_that_pokes_through_the_plane_of_the_lamp_is_right) {
   b.material("lamp", 0.5f, 2.0f).quad({0, 0, 2.6f}, {0, 4, 2.6f}, {4, 4, 2.6f}, {4, 0, 2.6f});
   b.material("wall", 0.5f, 0.0f).triangle({0, 1, 2}, {0, 3, 2.1f}, {0, 1.5f, 3});
   const Room room(b.scene());
-  const auto side = side_of(room.first_of("wall"), false);
+  const auto side = SideId(room.first_of("wall"), false);
   EXPECT_GT(room.estimate(side, {.replicates = replicates}).mean[0], 0.4);
   room.expect_truth(side);
 }
@@ -262,8 +261,7 @@ TEST(DirectLight, lamps_of_different_colours_keep_apart) {
   b.material("shelf", 0.5f, 0.0f).quad({0.3f, 0, 1}, {0.45f, 0, 1}, {0.45f, 2, 1}, {0.3f, 2, 1});
   b.material("floor", 0.5f, 0.0f).triangle({0, 0, 0}, {0.3f, 0, 0}, {0, 0.3f, 0});
   const Room room(b.scene());
-  for (const auto& options : all_options())
-    room.expect_truth(side_of(room.first_of("floor"), false), options);
+  for (const auto& options : all_options()) room.expect_truth(SideId(room.first_of("floor"), false), options);
 }
 
 // Small triangles every which way under the ceiling of a room; the floor and a shelf see some through others.
@@ -289,7 +287,7 @@ TEST(DirectLight, five_hundred_lamps_are_unbiased_with_every_option) {
   const Room room(swarm(500));
   for (const auto& options : all_options())
     for (const auto* name : {"floor", "shelf"})
-      for (const bool back : {false, true}) room.expect_truth(side_of(room.first_of(name), back), options);
+      for (const bool back : {false, true}) room.expect_truth(SideId(room.first_of(name), back), options);
 }
 
 // Means of few samples in many places: a bias of the ratio of small sums would show.
@@ -297,7 +295,7 @@ TEST(DirectLight, few_samples_have_no_bias_and_their_spread_is_honest) {
   auto builder = lamp_and_floor();
   builder.material("shelf", 0.5f, 0.0f).quad({0.5f, 0, 1}, {0.9f, 0, 1}, {0.9f, 2, 1}, {0.5f, 2, 1});
   const Room room(builder.scene());
-  const auto side = side_of(room.first_of("floor"), false);
+  const auto side = SideId(room.first_of("floor"), false);
   const auto much = room.estimate(side, {.replicates = 64}, 16384);
   const auto exact = much.mean[0];
   const auto bands = room.patches.band_count();
@@ -332,13 +330,13 @@ TEST(DirectLight, the_same_call_gives_the_same_bits_in_any_order) {
   const Room room(truth::cube_a(), 0.4f);
   const DirectLight direct(room.patches, room.tracer, room.lamps, {});
   const auto size = 8 * room.patches.band_count();
-  const auto sides = 2 * room.patches.size();
+  const auto sides = side_count(room.patches.size());
   std::vector<std::vector<float>> first(sides, std::vector<float>(size));
   for (std::size_t s = 0; s < sides; ++s)
-    direct.estimate(s, static_cast<std::uint32_t>(s / 2), 1, 4, first[s]);
+    direct.estimate(SideId::at(s), static_cast<std::uint32_t>(s / 2), 1, 4, first[s]);
   std::vector<float> again(size);
   for (std::size_t s = sides; s-- > 0;) {
-    direct.estimate(s, static_cast<std::uint32_t>(s / 2), 1, 4, again);
+    direct.estimate(SideId::at(s), static_cast<std::uint32_t>(s / 2), 1, 4, again);
     ASSERT_EQ(again, first[s]);
   }
 }
@@ -374,7 +372,7 @@ TEST(DirectLight, of_bulbs_with_many_facets_is_unbiased) {
                                              {.replicates = replicates, .multiple_importance = true}};
   for (const auto* name : {"floor", "near", "shade"})
     for (const bool back : {false, true})
-      for (const auto& options : chosen) room.expect_truth(side_of(room.first_of(name), back), options);
+      for (const auto& options : chosen) room.expect_truth(SideId(room.first_of(name), back), options);
 }
 
 }  // namespace

@@ -23,13 +23,13 @@ namespace luxel::truth {
 namespace {
 
 std::vector<Solution> solve_with_seeds(const KnownRoom& room, const SampledOptions& options, int seeds) {
-  const Workers workers;
-  const Tracer tracer(room.patches, workers);
+  const Context context;
+  const Tracer tracer(room.patches, context);
   std::vector<Solution> runs(static_cast<std::size_t>(seeds));
   for (std::size_t s = 0; s < runs.size(); ++s) {
     auto with_seed = options;
     with_seed.seed = s + 1;
-    const auto report = solve_sampled(room.patches, tracer, runs[s], with_seed, workers);
+    const auto report = solve_sampled(room.patches, tracer, runs[s], with_seed, context);
     if (options.error > 0.0) {
       EXPECT_EQ(report.stop, StopReason::error_reached);
       EXPECT_LE(report.predicted_error, options.error);
@@ -41,7 +41,7 @@ std::vector<Solution> solve_with_seeds(const KnownRoom& room, const SampledOptio
 
 bool has_error_bars(const KnownRoom& room, const Solution& run) {
   const auto count = room.patches.size() * room.patches.band_count();
-  return run.standard_error_front.size() == count && run.standard_error_back.size() == count;
+  return run.standard_error.front.size() == count && run.standard_error.back.size() == count;
 }
 
 std::string room_name(const testing::TestParamInfo<RoomMaker>& info) { return info.param.name; }
@@ -96,8 +96,8 @@ TEST_P(ErrorBars, of_the_whole_are_made_of_those_of_the_sides) {
         if (std::sqrt(square / light) < run.error_95th) below += 1.0;
       }
     };
-    count(run.irradiance_front, run.standard_error_front);
-    count(run.irradiance_back, run.standard_error_back);
+    count(run.irradiance.front, run.standard_error.front);
+    count(run.irradiance.back, run.standard_error.back);
     EXPECT_NEAR(below / lit, 0.95, 0.01);
   }
 }

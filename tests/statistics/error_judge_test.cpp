@@ -23,12 +23,12 @@ class ErrorJudge : public testing::Test {
     std::normal_distribution<double> normal;
     std::vector<Solution> all(40);
     for (auto& run : all) {
-      for (const auto H : room_.truth.irradiance_front) {
-        run.irradiance_front.push_back(static_cast<float>(H * (1.0 + noise * normal(random))));
-        run.standard_error_front.push_back(static_cast<float>(noise * H));
+      for (const auto H : room_.truth.irradiance.front) {
+        run.irradiance.front.push_back(static_cast<float>(H * (1.0 + noise * normal(random))));
+        run.standard_error.front.push_back(static_cast<float>(noise * H));
       }
-      run.irradiance_back.assign(run.irradiance_front.size(), 0.0f);
-      run.standard_error_back.assign(run.irradiance_front.size(), 0.0f);
+      run.irradiance.back.assign(run.irradiance.front.size(), 0.0f);
+      run.standard_error.back.assign(run.irradiance.front.size(), 0.0f);
       run.predicted_error = noise;
       if (wrong) wrong(run);
     }
@@ -53,7 +53,7 @@ TEST_F(ErrorJudge, passes_honest_error_bars) {
 TEST_F(ErrorJudge, sees_error_bars_that_are_a_fifth_too_small_or_too_large) {
   const auto times = [](float factor) {
     return [factor](Solution& run) {
-      for (auto& error : run.standard_error_front) error *= factor;
+      for (auto& error : run.standard_error.front) error *= factor;
       run.predicted_error *= factor;
     };
   };
@@ -69,7 +69,7 @@ TEST_F(ErrorJudge, sees_that_eight_replicates_alone_make_a_wavering_error_bar) {
   std::mt19937_64 random(2);
   std::chi_squared_distribution<double> seven(7.0);
   const auto verdict = judge(room_, runs([&](Solution& run) {
-                               for (auto& error : run.standard_error_front)
+                               for (auto& error : run.standard_error.front)
                                  error *= static_cast<float>(std::sqrt(seven(random) / 7.0));
                              }));
   EXPECT_NEAR(verdict.coverage.value, 0.9092, 4.0 * verdict.coverage.standard_error);
@@ -77,7 +77,7 @@ TEST_F(ErrorJudge, sees_that_eight_replicates_alone_make_a_wavering_error_bar) {
 
 TEST_F(ErrorJudge, sees_light_that_is_too_much_by_a_tenth_of_the_noise) {
   const auto verdict = judge(room_, runs([](Solution& run) {
-                               for (auto& H : run.irradiance_front) H *= 1.003f;
+                               for (auto& H : run.irradiance.front) H *= 1.003f;
                              }));
   EXPECT_NEAR(verdict.bias.value, 0.003, 4.0 * verdict.bias.standard_error);
   EXPECT_GT(verdict.bias.value, 6.0 * verdict.bias.standard_error);
@@ -85,8 +85,8 @@ TEST_F(ErrorJudge, sees_light_that_is_too_much_by_a_tenth_of_the_noise) {
 
 TEST_F(ErrorJudge, sees_a_bias_that_cancels_over_the_room) {
   const auto verdict = judge(room_, runs([](Solution& run) {
-                               for (std::size_t i = 0; i < run.irradiance_front.size(); ++i)
-                                 run.irradiance_front[i] *= (i / 3) % 2 == 0 ? 1.012f : 0.988f;
+                               for (std::size_t i = 0; i < run.irradiance.front.size(); ++i)
+                                 run.irradiance.front[i] *= (i / 3) % 2 == 0 ? 1.012f : 0.988f;
                              }));
   EXPECT_NEAR(verdict.bias.value, 0.0, 0.001);
   const auto fraction = 0.012 * 0.012 / (0.012 * 0.012 + noise * noise);
@@ -101,8 +101,8 @@ TEST_F(ErrorJudge, is_less_sure_of_runs_whose_patches_err_together) {
   const auto alone = judge(room_, runs());
   const auto together = judge(room_, runs([&](Solution& run) {
                                 const auto common = static_cast<float>(1.0 + noise * normal(random));
-                                for (auto& H : run.irradiance_front) H *= common;
-                                for (auto& error : run.standard_error_front) error *= std::sqrt(2.0f);
+                                for (auto& H : run.irradiance.front) H *= common;
+                                for (auto& error : run.standard_error.front) error *= std::sqrt(2.0f);
                                 run.predicted_error *= std::sqrt(2.0);
                               }));
   EXPECT_GT(together.coverage.standard_error, 3.0 * alone.coverage.standard_error);

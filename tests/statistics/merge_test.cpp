@@ -19,11 +19,11 @@ namespace luxel {
 namespace {
 
 NamedSolution run(const truth::KnownRoom& room, std::uint64_t seed, double error = 0.03) {
-  const Workers workers;
-  const Tracer tracer(room.patches, workers);
+  const Context context;
+  const Tracer tracer(room.patches, context);
   NamedSolution result{"seed " + std::to_string(seed), {room.patches, {}}};
   solve_sampled(room.patches, tracer, result.baked.solution,
-                {.error = error, .error_measure = ErrorMeasure::power, .seed = seed}, workers);
+                {.error = error, .error_measure = ErrorMeasure::power, .seed = seed}, context);
   return result;
 }
 
@@ -66,8 +66,8 @@ TEST(Merge, in_any_order_gives_the_same_bytes_and_weighs_by_rays) {
     double mean = 0.0;
     for (const auto& r : runs)
       mean += static_cast<double>(r.baked.solution.provenance.rays) / rays *
-              static_cast<double>(r.baked.solution.irradiance_front[i]);
-    EXPECT_NEAR(merged.solution.irradiance_front[i], mean, 1e-6 * mean);
+              static_cast<double>(r.baked.solution.irradiance.front[i]);
+    EXPECT_NEAR(merged.solution.irradiance.front[i], mean, 1e-6 * mean);
   }
   EXPECT_EQ(merged.solution.provenance.merged.size(), 3u);
   EXPECT_EQ(static_cast<double>(merged.solution.provenance.rays), rays);
@@ -80,19 +80,19 @@ TEST(Merge, in_any_order_gives_the_same_bytes_and_weighs_by_rays) {
 TEST(Merge, bias_of_sharing_is_not_taken_to_cancel) {
   auto sample = sample::baked_with_errors(3, 3);
   auto& s = sample.solution;
-  for (auto* array : {&s.standard_error_front, &s.standard_error_back})
+  for (auto* array : {&s.standard_error.front, &s.standard_error.back})
     std::fill(array->begin(), array->end(), 0.0f);
-  for (auto* array : {&s.smoothing_bias_front, &s.smoothing_bias_back})
+  for (auto* array : {&s.smoothing_bias.front, &s.smoothing_bias.back})
     std::fill(array->begin(), array->end(), 2.0f);
   s.error_degrees_of_freedom = 1e9;  // no widening
-  std::fill(s.standard_error_front.begin(), s.standard_error_front.end(), std::sqrt(4.0f + 9.0f));
-  std::fill(s.standard_error_back.begin(), s.standard_error_back.end(), 2.0f);
+  std::fill(s.standard_error.front.begin(), s.standard_error.front.end(), std::sqrt(4.0f + 9.0f));
+  std::fill(s.standard_error.back.begin(), s.standard_error.back.end(), 2.0f);
   auto other = sample;
   other.solution.provenance.seed = 8;
   const auto merged = merge_solutions({{"a", sample}, {"b", other}}).solution;
-  EXPECT_NEAR(merged.standard_error_front[0], std::sqrt(4.0 + 9.0 / 2.0), 1e-5);
-  EXPECT_NEAR(merged.standard_error_back[0], 2.0, 1e-5);
-  EXPECT_EQ(merged.smoothing_bias_front[0], 2.0f);
+  EXPECT_NEAR(merged.standard_error.front[0], std::sqrt(4.0 + 9.0 / 2.0), 1e-5);
+  EXPECT_NEAR(merged.standard_error.back[0], 2.0, 1e-5);
+  EXPECT_EQ(merged.smoothing_bias.front[0], 2.0f);
 }
 
 std::string complaint(const std::vector<NamedSolution>& solutions) {
@@ -110,8 +110,8 @@ TEST(Merge, refuses_what_does_not_belong_together_by_name) {
   b.name = "b.vtkhdf";
   EXPECT_NE(complaint({a}), "");
   EXPECT_EQ(complaint({a, b}),
-            "b.vtkhdf: it is made with seed 7, as is a.vtkhdf: they are not independent, give each bake a "
-            "--seed of its own");
+            "b.vtkhdf: it is made with seed 7, as is a.vtkhdf: they are not independent, give each run a "
+            "seed of its own");
   b.baked.solution.provenance.seed = 8;
   EXPECT_EQ(complaint({a, b}), "");
   auto other_scene = b;
@@ -124,7 +124,7 @@ TEST(Merge, refuses_what_does_not_belong_together_by_name) {
   EXPECT_NE(complaint({a, finer}).find("but of other patches"), std::string::npos);
   auto shot = b;
   shot.baked.solution.provenance.method = "stochastic-jacobi";
-  EXPECT_NE(complaint({a, shot}).find("--method sampled"), std::string::npos);
+  EXPECT_NE(complaint({a, shot}).find("the sampled method"), std::string::npos);
 }
 
 }  // namespace

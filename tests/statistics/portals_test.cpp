@@ -15,6 +15,7 @@
 #include "luxel/patch/light_groups.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/hit_store.h"
 #include "luxel/solve/relight.h"
@@ -45,7 +46,7 @@ Estimate estimate_of(const std::vector<double>& values) {
 
 struct Room {
   explicit Room(const Scene& scene, std::vector<Portal> portals = {}, float max_edge = 1.0f)
-      : patches(make_patches(scene, {.max_edge = max_edge})), tracer(patches, Workers(1)) {
+      : patches(make_patches(scene, {.max_edge = max_edge})), tracer(patches, Context(1)) {
     patches.portals = std::move(portals);
   }
 
@@ -53,7 +54,7 @@ struct Room {
   Tracer tracer;
 
   // What cosine rays find of the sky, W/m².
-  Estimate sky_by_cosine(std::size_t side) const {
+  Estimate sky_by_cosine(SideId side) const {
     constexpr std::size_t rays = 20'000;
     const PatchEmitter emitter(patches, side);
     double escaped = 0.0;
@@ -68,9 +69,9 @@ struct Room {
     const DirectLight light(patches, tracer, lamps, options);
     const auto width = patches.group_count() * patches.band_count();
     std::vector<float> out(options.replicates * width);
-    std::vector<std::vector<double>> values(2 * patches.size());
+    std::vector<std::vector<double>> values(side_count(patches.size()));
     for (std::size_t side = 0; side < values.size(); ++side) {
-      light.estimate(side, 0, 0, samples, out);
+      light.estimate(SideId::at(side), 0, 0, samples, out);
       for (std::size_t r = 0; r < options.replicates; ++r)
         values[side].push_back(static_cast<double>(out[r * width]));
     }
@@ -79,18 +80,19 @@ struct Room {
 
   // Light of the sky by both ways together: all sides, replicate by replicate, [side][replicate].
   std::vector<std::vector<double>> sky_by_both(const DirectOptions& options, std::uint32_t samples) const {
-    const Workers workers(2);
-    const auto tree = make_patch_tree(patches, workers);
+    const Context context(2);
+    const auto tree = make_patch_tree(patches, context);
     HitStore hits(patches, all_gather_sides(patches, tree), tracer, {.replicates = options.replicates});
     std::vector<std::uint32_t> all(hits.sides().size());
     for (std::uint32_t s = 0; s < all.size(); ++s) all[s] = s;
     constexpr std::uint32_t rays = 64;
-    hits.double_rays(all, rays, workers);
+    hits.double_rays(all, rays, context);
     auto values = direct(options, samples);
     for (std::uint32_t r = 0; r < options.replicates; ++r)
       for (std::size_t block = 0; block < hits.blocks(); ++block)
         hits.for_each_hit(r, block, [&](std::uint32_t receiver, std::uint32_t element) {
-          if (element == hits.escaped()) values[hits.sides().side[receiver]][r] += std::numbers::pi / rays;
+          if (element == hits.escaped())
+            values[hits.sides().side[receiver].index()][r] += std::numbers::pi / rays;
         });
     return values;
   }
@@ -102,7 +104,7 @@ void expect_unbiased(const Room& room, const DirectOptions& options, const std::
   const auto values = room.sky_by_both(options, samples);
   for (std::size_t side = 0; side < values.size(); side += 5) {
     const auto own = estimate_of(values[side]);
-    const auto truth = room.sky_by_cosine(side);
+    const auto truth = room.sky_by_cosine(SideId::at(side));
     // 1.5e-3: of the closed form's quadrature; 8e-4: cosine rays that found next to nothing know no spread.
     const auto allowed =
         risk_sigmas * std::hypot(own.sigma, truth.sigma) + 1.5e-3 * truth.mean + std::numbers::pi * 8e-4;
@@ -117,8 +119,8 @@ TEST(Portals, an_open_window_gives_its_closed_form_without_noise) {
   for (std::size_t patch = 0; patch < room.patches.size(); ++patch) {
     if (room.patches.material_of(patch).name == "front") continue;
     for (const bool back : {false, true}) {
-      const auto side = side_of(patch, back);
-      const auto own = estimate_of(direct[side]);
+      const auto side = SideId(patch, back);
+      const auto own = estimate_of(direct[side.index()]);
       const auto truth = room.sky_by_cosine(side);
       if (truth.mean > 1.0 || truth.mean == 0.0) {  // outside
         EXPECT_NEAR(own.mean, 0.0, 1e-6);
@@ -126,7 +128,7 @@ TEST(Portals, an_open_window_gives_its_closed_form_without_noise) {
       }
       ++lit;
       EXPECT_NEAR(own.mean, truth.mean, risk_sigmas * truth.sigma + 1.5e-3 * truth.mean);
-      EXPECT_LT(own.sigma, 1e-5 * own.mean) << "side " << side;
+      EXPECT_LT(own.sigma, 1e-5 * own.mean) << "side " << side.index();
     }
   }
   EXPECT_GT(lit, 10u);
@@ -194,8 +196,8 @@ struct Run {
 Run solve(const Room& room, const SampledOptions& options, int threads = 2,
           std::shared_ptr<const SampleState> from = nullptr) {
   Run run;
-  const SampleStorage keeping{std::move(from), [&](auto state) { run.states.push_back(std::move(state)); }};
-  solve_sampled(room.patches, room.tracer, run.solution, options, Workers(threads), {}, keeping);
+  const SolveHooks keeping{std::move(from), [&](auto state) { run.states.push_back(std::move(state)); }};
+  solve_sampled(room.patches, room.tracer, run.solution, options, keeping, Context(threads));
   return run;
 }
 
@@ -208,7 +210,7 @@ TEST(Portals, a_solve_with_them_has_the_light_of_one_without) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       const SampledOptions options = {.error = 0.0, .rays = 60'000, .seed = seed};
       const auto mean = [&](const Room& room) {
-        return truth::mean_irradiance(room.patches, solve(room, options).solution.irradiance_front, material);
+        return truth::mean_irradiance(room.patches, solve(room, options).solution.irradiance.front, material);
       };
       a.push_back(mean(without));
       b.push_back(mean(with));
@@ -230,11 +232,11 @@ TEST(Portals, the_sky_is_relit_with_its_light_through_portals) {
   ASSERT_EQ(room.patches.light_groups.back(), sky_group);
   const SampledOptions options = {.error = 0.02, .error_measure = ErrorMeasure::power, .rays = 200'000};
   const auto run = solve(room, options);
-  const Workers workers(2);
-  Relighter relighter(room.patches, room.tracer, run.states.back(), options, workers);
+  const Context context(2);
+  Relighter relighter(room.patches, room.tracer, run.states.back(), options, context);
   const auto light_of = [&](float lamp, float sky) {
     relighter.set_lamps({lamp, lamp, lamp, sky, sky, sky});
-    return truth::mean_irradiance(room.patches, relighter.light().irradiance_front, "floor");
+    return truth::mean_irradiance(room.patches, relighter.light().irradiance.front, "floor");
   };
   const auto both = light_of(1.0f, 1.0f), lamp = light_of(1.0f, 0.0f), sky = light_of(0.0f, 1.0f);
   EXPECT_NEAR(both, lamp + sky, 1e-4 * both);
@@ -242,7 +244,7 @@ TEST(Portals, the_sky_is_relit_with_its_light_through_portals) {
   // The lamp alone lights the floor as where there is no sky at all.
   const Room dark(builder.scene(), {}, 0.2f);
   const auto alone =
-      truth::mean_irradiance(dark.patches, solve(dark, options).solution.irradiance_front, "floor");
+      truth::mean_irradiance(dark.patches, solve(dark, options).solution.irradiance.front, "floor");
   EXPECT_NEAR(lamp, alone, 0.02 * alone);
 }
 

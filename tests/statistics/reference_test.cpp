@@ -18,13 +18,13 @@ struct Both {
 };
 
 Both both(const truth::KnownRoom& room, double error) {
-  const Workers workers;
-  const Tracer tracer(room.patches, workers);
+  const Context context;
+  const Tracer tracer(room.patches, context);
   Both both{{room.patches, {}}, {room.patches, {}}};
   trace_light(room.patches, tracer, both.traced.solution,
-              {.limits = {.error = error}, .bounces_from = BouncesFrom::patches}, workers);
+              {.limits = {.error = error}, .bounces_from = BouncesFrom::patches}, context);
   solve_sampled(room.patches, tracer, both.solved.solution,
-                {.error = error, .error_measure = ErrorMeasure::power}, workers);
+                {.error = error, .error_measure = ErrorMeasure::power}, context);
   return both;
 }
 
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Every, SolverAndPaths, testing::ValuesIn(truth::known_r
 TEST(Compare, finds_a_solver_out_that_is_wrong_by_two_per_cent) {
   auto [traced, solved] = both(truth::luminous_ceiling(), 0.02);
   EXPECT_TRUE(compare_solutions(traced, solved).agrees().value());
-  for (auto& H : solved.solution.irradiance_front) H *= 1.02f;
+  for (auto& H : solved.solution.irradiance.front) H *= 1.02f;
   const auto c = compare_solutions(traced, solved);
   EXPECT_FALSE(c.agrees().value()) << "mean z² " << c.mean_z2 << ", within " << c.within;
   EXPECT_NEAR(c.mean_bias, 0.02, 0.003);
@@ -57,7 +57,7 @@ TEST(Compare, says_where_a_solver_is_wrong) {
   auto [traced, solved] = both(truth::luminous_ceiling(), 0.02);
   for (std::size_t p = 0; p < solved.patches.size(); ++p)
     if (solved.patches.material_of(p).name == "floor")
-      for (std::size_t b = 0; b < 3; ++b) solved.solution.irradiance_front[3 * p + b] *= 0.8f;
+      for (std::size_t b = 0; b < 3; ++b) solved.solution.irradiance.front[3 * p + b] *= 0.8f;
   const auto c = compare_solutions(traced, solved);
   EXPECT_FALSE(c.agrees().value());
   for (const auto& d : c.largest) EXPECT_EQ(solved.patches.material_of(d.index / 2).name, "floor");

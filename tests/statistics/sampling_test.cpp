@@ -10,6 +10,7 @@
 #include "luxel/core/triangle.h"
 #include "luxel/core/warp.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 #include "support/chi_square.h"
@@ -168,7 +169,7 @@ TEST(Sampling, rays_leave_each_side_of_a_patch_uniformly_and_by_the_cosine) {
   const auto normal2 = area_vector2(a, b, c);
   const auto n2 = glm::dot(normal2, normal2);
   for (const bool back : {false, true}) {
-    const PatchEmitter emitter(patches, side_of(0, back));
+    const PatchEmitter emitter(patches, SideId(0, back));
     const Frame frame(back ? -patches.normal[0] : patches.normal[0]);
     std::vector<std::size_t> points(64, 0);
     std::vector<std::size_t> directions(64, 0);

@@ -22,16 +22,16 @@ KnownRoom room_without_sharing(const std::string& name, const Scene& scene, floa
   KnownRoom room;
   room.name = name;
   room.patches = make_patches(scene, {.max_edge = max_edge});
-  const Workers workers;
-  const Tracer tracer(room.patches, workers);
+  const Context context;
+  const Tracer tracer(room.patches, context);
   Solution solution;
   const auto report = solve_sampled(
       room.patches, tracer, solution,
       {.error = target / 5.0, .error_measure = ErrorMeasure::power, .seed = 1000, .smoothing = false},
-      workers);
+      context);
   EXPECT_EQ(report.stop, StopReason::error_reached);
-  room.truth.irradiance_front.assign(solution.irradiance_front.begin(), solution.irradiance_front.end());
-  room.truth.irradiance_back.assign(solution.irradiance_back.begin(), solution.irradiance_back.end());
+  room.truth.irradiance.front.assign(solution.irradiance.front.begin(), solution.irradiance.front.end());
+  room.truth.irradiance.back.assign(solution.irradiance.back.begin(), solution.irradiance.back.end());
   room.truth_error = target / 5.0;
   return room;
 }
@@ -40,19 +40,19 @@ KnownRoom room_without_sharing(const std::string& name, const Scene& scene, floa
 // where they should be (risk 1e-3 a figure with so few seeds). The error bars hold the truth 92 to 97 times
 // in 100, the predicted error is the true one within a tenth.
 void expect_honest(const KnownRoom& room) {
-  const Workers workers;
-  const Tracer tracer(room.patches, workers);
+  const Context context;
+  const Tracer tracer(room.patches, context);
   std::vector<Solution> runs(12);
   for (std::size_t s = 0; s < runs.size(); ++s) {
     const auto report =
         solve_sampled(room.patches, tracer, runs[s],
-                      {.error = target, .error_measure = ErrorMeasure::power, .seed = s + 1}, workers);
+                      {.error = target, .error_measure = ErrorMeasure::power, .seed = s + 1}, context);
     EXPECT_EQ(report.stop, StopReason::error_reached);
   }
   Solution alone;
   const auto without =
       solve_sampled(room.patches, tracer, alone,
-                    {.error = target, .error_measure = ErrorMeasure::power, .smoothing = false}, workers);
+                    {.error = target, .error_measure = ErrorMeasure::power, .smoothing = false}, context);
   EXPECT_LT(3 * runs[0].provenance.rays, 2 * without.rays)
       << "sharing saves a third of the rays, or it is not at work";
 

@@ -20,7 +20,7 @@ struct Spread {
   double predicted = 0.0;  // what the solver says of itself
 };
 
-Spread spread(const PatchSet& patches, const Tracer& tracer, const Workers& workers, std::uint64_t rays,
+Spread spread(const PatchSet& patches, const Tracer& tracer, const Context& context, std::uint64_t rays,
               int seeds) {
   std::vector<std::vector<float>> runs;
   Spread result;
@@ -28,8 +28,8 @@ Spread spread(const PatchSet& patches, const Tracer& tracer, const Workers& work
     Solution solution;
     solve_stochastic_jacobi(patches, tracer, solution,
                             {.rays = rays, .tolerance = 1e-5, .seed = static_cast<std::uint64_t>(seed)},
-                            workers);
-    runs.push_back(solution.irradiance_front);
+                            context);
+    runs.push_back(solution.irradiance.front);
     result.predicted += solution.predicted_error / seeds;
   }
   double variance = 0.0;
@@ -48,19 +48,19 @@ Spread spread(const PatchSet& patches, const Tracer& tracer, const Workers& work
 class CubeNoise : public testing::Test {
  protected:
   PatchSet patches_ = make_patches(truth::cube_a(), {.max_edge = 0.2f});
-  Workers workers_;
-  Tracer tracer_{patches_, workers_};
+  Context context_;
+  Tracer tracer_{patches_, context_};
 };
 
 TEST_F(CubeNoise, falls_as_one_over_the_root_of_the_rays) {
-  const auto coarse = spread(patches_, tracer_, workers_, 20'000, 32);
-  const auto fine = spread(patches_, tracer_, workers_, 320'000, 32);
+  const auto coarse = spread(patches_, tracer_, context_, 20'000, 32);
+  const auto fine = spread(patches_, tracer_, context_, 320'000, 32);
   // The relative error of each is sqrt(1 / (2 * 31 * patches)), about 0.5 %; five of them on the ratio.
   EXPECT_NEAR(coarse.error / fine.error, 4.0, 4.0 * 5.0 * std::sqrt(2.0) * 0.005);
 }
 
 TEST_F(CubeNoise, is_what_the_solver_predicts_of_itself) {
-  const auto measured = spread(patches_, tracer_, workers_, 100'000, 32);
+  const auto measured = spread(patches_, tracer_, context_, 100'000, 32);
   // The prediction takes arrivals for a Poisson count; stratification may make the truth a little smaller,
   // propagated noise a little larger: both are below three per cent here.
   EXPECT_NEAR(measured.error / measured.predicted, 1.0, 0.03 + 5.0 * 0.005);
@@ -78,10 +78,10 @@ TEST_F(CubeNoise, of_a_patch_follows_the_formula) {
     Solution solution;
     const auto report = solve_stochastic_jacobi(
         patches_, tracer_, solution,
-        {.rays = 100'000, .tolerance = 1e-5, .seed = static_cast<std::uint64_t>(seed)}, workers_);
+        {.rays = 100'000, .tolerance = 1e-5, .seed = static_cast<std::uint64_t>(seed)}, context_);
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-      sum[p] += solution.radiosity_front[3 * p];
-      sum2[p] += static_cast<double>(solution.radiosity_front[3 * p]) * solution.radiosity_front[3 * p];
+      sum[p] += solution.radiosity.front[3 * p];
+      sum2[p] += static_cast<double>(solution.radiosity.front[3 * p]) * solution.radiosity.front[3 * p];
     }
     rays = static_cast<double>(report.rays);
     shot_power = report.energy.emitted[0] * rays / static_cast<double>(report.steps[0].rays);  // P_T

@@ -49,7 +49,7 @@ TEST(ViewFactorErrors, shrink_when_laws_are_enforced_and_nothing_becomes_negativ
   for (int seed = 1; seed <= seeds; ++seed) {
     auto factors = cube.counted({.seed = static_cast<std::uint64_t>(seed), .rays = 256, .error = 0.0});
     before.add(factors, truth);
-    const auto done = enforce_laws(factors, cube.workers);
+    const auto done = enforce_laws(factors, cube.context);
     after.add(factors, truth);
     EXPECT_LT(done.worst_row_sum, 1e-12);
     EXPECT_LT(done.change_in_standard_errors, 1.5);
@@ -71,7 +71,7 @@ TEST(ViewFactorErrors, of_unlike_areas_have_no_bias_when_joined) {
   double sum = 0.0, squares = 0.0;
   for (int seed = 1; seed <= seeds; ++seed) {
     auto factors = plates.counted({.seed = static_cast<std::uint64_t>(seed), .rays = 256, .error = 0.0});
-    enforce_laws(factors, plates.workers);
+    enforce_laws(factors, plates.context);
     const auto error = factor(factors, "large", "small").value - truth;
     sum += error;
     squares += error * error;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "luxel/core/triangle.h"
+#include "luxel/patch/side.h"
 
 namespace luxel::truth {
 namespace {
@@ -109,11 +110,11 @@ double pair_factor(const Patch& receiver, double receiver_sign, const Patch& sen
 }  // namespace
 
 std::vector<double> form_factors(const PatchSet& patches, const std::vector<ConvexPolygon>& screens,
-                                 const Workers& workers) {
+                                 const Context& context) {
   const auto all = in_double(patches);
   const auto sides = 2 * all.size();
   std::vector<double> factors(sides * sides, 0.0);
-  workers.for_chunks(all.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(all.size(), 1, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (std::size_t side = 0; side < 4; ++side) {
@@ -130,11 +131,11 @@ std::vector<double> form_factors(const PatchSet& patches, const std::vector<Conv
 }
 
 TrueLight true_light(const PatchSet& patches, const std::vector<double>& form_factors) {
-  const auto sides = 2 * patches.size();
+  const auto sides = side_count(patches.size());
   const auto bands = patches.band_count();
   TrueLight light;
-  light.irradiance_front.assign(patches.size() * bands, 0.0);
-  light.irradiance_back.assign(patches.size() * bands, 0.0);
+  light.irradiance.front.assign(patches.size() * bands, 0.0);
+  light.irradiance.back.assign(patches.size() * bands, 0.0);
   for (std::size_t band = 0; band < bands; ++band) {
     std::vector<double> radiosity(sides, 0.0);
     for (double change = 1.0, largest = 0.0; change > 1e-13 * largest;) {
@@ -150,7 +151,7 @@ TrueLight true_light(const PatchSet& patches, const std::vector<double>& form_fa
         change = std::max(change, std::abs(B - radiosity[s]));
         largest = std::max(largest, B);
         radiosity[s] = B;
-        (back ? light.irradiance_back : light.irradiance_front)[p * bands + band] = H;
+        light.irradiance.of(back)[p * bands + band] = H;
       }
     }
   }

@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 
 #include "support/point_factor.h"
 
@@ -13,7 +14,7 @@ namespace luxel::truth {
 
 // Irradiance of both sides of every patch, W/m², [patch][band], as in Solution.
 struct TrueLight {
-  std::vector<double> irradiance_front, irradiance_back;
+  FrontAndBack<double> irradiance;
 };
 
 // Form factors between all sides of a small scene, [from][to], side 2p the front of patch p and 2p + 1 its
@@ -27,7 +28,7 @@ struct TrueLight {
 // cross patches (measured; the test asks for 1e-7 and 1e-5). Cost: half a second for 400 patches, three times
 // that with a screen or two.
 std::vector<double> form_factors(const PatchSet& patches, const std::vector<ConvexPolygon>& screens,
-                                 const Workers& workers);
+                                 const Context& context);
 
 // The exact solution of H = F B, B = E + rho H over these patches (constant radiosity on each, backs of
 // one-sided materials black), by Gauss-Seidel to 1e-13.

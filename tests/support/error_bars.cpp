@@ -24,17 +24,17 @@ template <typename Body>
 void for_each_number(const KnownRoom& room, const Body& body) {
   const auto bands = room.patches.band_count();
   for (const bool back : {false, true}) {
-    const auto& truth = back ? room.truth.irradiance_back : room.truth.irradiance_front;
+    const auto& truth = room.truth.irradiance.of(back);
     for (std::size_t i = 0; i < truth.size(); ++i) body(room.patches.area[i / bands], truth[i], i, back);
   }
 }
 
 double light(const Solution& run, std::size_t i, bool back) {
-  return back ? run.irradiance_back[i] : run.irradiance_front[i];
+  return back ? run.irradiance.back[i] : run.irradiance.front[i];
 }
 
 double stated(const Solution& run, std::size_t i, bool back) {
-  const auto& errors = back ? run.standard_error_back : run.standard_error_front;
+  const auto& errors = run.standard_error.of(back);
   return errors.empty() ? 0.0 : errors[i];
 }
 

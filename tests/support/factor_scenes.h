@@ -20,18 +20,18 @@ struct FactorScene {
   FactorScene(Scene built, Between kind, ElementSides sides = ElementSides::front, float max_edge = 0.0f)
       : scene(std::move(built)),
         patches(make_patches(scene, {.max_edge = max_edge})),
-        tracer(patches, workers),
+        tracer(patches, context),
         elements(make_view_elements(scene, patches, kind, sides)) {}
 
   ViewFactors counted(const SampleFactorsOptions& options) const {
-    return *sample_view_factors(patches, tracer, elements, options, workers, {}, report);
+    return *sample_view_factors(patches, tracer, elements, options, report, context);
   }
   ViewFactors exact() const {
     ExactFactorsReport ignored;
-    return *exact_view_factors(patches, tracer, elements, {}, workers, {}, ignored);
+    return *exact_view_factors(patches, tracer, elements, {}, ignored, context);
   }
 
-  Workers workers{2};
+  Context context{2};
   Scene scene;
   PatchSet patches;
   Tracer tracer;

@@ -13,8 +13,8 @@ KnownRoom with_truth(const std::string& name, const Scene& scene, float max_edge
   KnownRoom room;
   room.name = name;
   room.patches = make_patches(scene, {.max_edge = max_edge});
-  const Workers workers;
-  room.truth = true_light(room.patches, form_factors(room.patches, screens, workers));
+  const Context context;
+  room.truth = true_light(room.patches, form_factors(room.patches, screens, context));
   room.truth_error = screens.empty() ? 1e-6 : 1e-5;
   return room;
 }
@@ -82,8 +82,8 @@ KnownRoom mixed_furnace() {
   room.name = "mixed_furnace";
   room.patches = make_patches(scene, {.max_edge = 0.26f});
   room.truth_error = 1e-6;  // emittances are floats
-  room.truth.irradiance_front.assign(room.patches.size() * room.patches.band_count(), 1.0);
-  room.truth.irradiance_back.assign(room.truth.irradiance_front.size(), 0.0);
+  room.truth.irradiance.front.assign(room.patches.size() * room.patches.band_count(), 1.0);
+  room.truth.irradiance.back.assign(room.truth.irradiance.front.size(), 0.0);
   return room;
 }
 

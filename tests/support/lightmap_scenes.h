@@ -19,13 +19,13 @@ inline Solution even_light(const PatchSet& patches, float front, float back = 0.
   Solution s;
   s.bands = patches.bands;
   const auto values = patches.size() * patches.band_count();
-  s.irradiance_front.assign(values, front);
-  s.irradiance_back.assign(values, back);
+  s.irradiance.front.assign(values, front);
+  s.irradiance.back.assign(values, back);
   for (std::size_t p = 0; p < patches.size(); ++p)
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
       const auto& m = patches.material_of(p);
-      s.radiosity_front.push_back(m.emittance[b] + m.reflectance[b] * front);
-      s.radiosity_back.push_back(m.reflectance[b] * back);
+      s.radiosity.front.push_back(m.emittance[b] + m.reflectance[b] * front);
+      s.radiosity.back.push_back(m.reflectance[b] * back);
     }
   return s;
 }

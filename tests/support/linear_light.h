@@ -18,10 +18,10 @@ inline Solution linear_light(const PatchSet& patches) {
       const auto& m = patches.material_of(p);
       const auto front = linear_front(patches.centroid(p));
       const auto back = m.two_sided ? linear_back(patches.centroid(p)) : 0.0f;
-      s.irradiance_front.push_back(front);
-      s.irradiance_back.push_back(back);
-      s.radiosity_front.push_back(m.emittance[b] + m.reflectance[b] * front);
-      s.radiosity_back.push_back(m.reflectance[b] * back);
+      s.irradiance.front.push_back(front);
+      s.irradiance.back.push_back(back);
+      s.radiosity.front.push_back(m.emittance[b] + m.reflectance[b] * front);
+      s.radiosity.back.push_back(m.reflectance[b] * back);
     }
   return s;
 }

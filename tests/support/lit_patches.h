@@ -47,10 +47,10 @@ struct LitPatches {
     patches.triangle.push_back(static_cast<std::uint32_t>(patches.size() - 1));
     const auto& m = patches.materials[material];
     for (std::size_t band = 0; band < patches.band_count(); ++band) {
-      solution.irradiance_front.push_back(front);
-      solution.irradiance_back.push_back(back);
-      solution.radiosity_front.push_back(m.emittance[band] + m.reflectance[band] * front);
-      solution.radiosity_back.push_back(m.reflectance[band] * back);
+      solution.irradiance.front.push_back(front);
+      solution.irradiance.back.push_back(back);
+      solution.radiosity.front.push_back(m.emittance[band] + m.reflectance[band] * front);
+      solution.radiosity.back.push_back(m.reflectance[band] * back);
     }
     return patches.size() - 1;
   }

@@ -36,7 +36,7 @@ class RandomMatrix final : public TransportOperator {
   std::size_t bands() const override { return band_count; }
   std::span<const std::uint32_t> row_begins() const override { return begins_; }
   void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-             std::size_t end, const Workers&) const override {
+             std::size_t end, const Context&) const override {
     for (auto i = begin; i < end; ++i)
       for (std::size_t b = 0; b < band_count; ++b) {
         double sum = 0.0;

@@ -10,6 +10,7 @@
 #include "luxel/import/gltf_array.h"
 #include "luxel/import/gltf_parts.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/surface/vertex_fit.h"
 
 #include "support/linear_light.h"
 #include "support/scene_files.h"

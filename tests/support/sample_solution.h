@@ -48,10 +48,10 @@ inline Solution solution(const PatchSet& patches) {
   const auto count = patches.size() * patches.band_count();
   Solution solution;
   solution.bands = patches.bands;
-  solution.irradiance_front = numbers(count, 1.0f);
-  solution.irradiance_back = numbers(count, 1000.0f);
-  solution.radiosity_front = numbers(count, 2000.0f);
-  solution.radiosity_back = numbers(count, 3000.0f);
+  solution.irradiance.front = numbers(count, 1.0f);
+  solution.irradiance.back = numbers(count, 1000.0f);
+  solution.radiosity.front = numbers(count, 2000.0f);
+  solution.radiosity.back = numbers(count, 3000.0f);
   solution.unshot_fraction = 1.0 / 3.0;
   solution.predicted_error = 0.01;
   solution.stop = StopReason::converged;
@@ -76,10 +76,10 @@ inline Baked baked(std::size_t count, std::size_t bands) {
 inline Baked baked_with_errors(std::size_t count, std::size_t bands) {
   auto sample = baked(count, bands);
   auto& light = sample.solution;
-  light.standard_error_front = numbers(count * bands, 4000.0f);
-  light.standard_error_back = numbers(count * bands, 5000.0f);
-  light.smoothing_bias_front = numbers(count * bands, 6000.0f);
-  light.smoothing_bias_back = numbers(count * bands, 7000.0f);
+  light.standard_error.front = numbers(count * bands, 4000.0f);
+  light.standard_error.back = numbers(count * bands, 5000.0f);
+  light.smoothing_bias.front = numbers(count * bands, 6000.0f);
+  light.smoothing_bias.back = numbers(count * bands, 7000.0f);
   light.error_95th = 0.025;
   light.error_degrees_of_freedom = 6.0;
   light.predicted_bias = 0.003;
@@ -138,14 +138,14 @@ inline std::string difference(const Provenance& a, const Provenance& b) {
 
 inline std::string difference(const Solution& a, const Solution& b) {
   if (a.bands != b.bands) return "bands";
-  if (!same_bits(a.irradiance_front, b.irradiance_front)) return "irradiance_front";
-  if (!same_bits(a.irradiance_back, b.irradiance_back)) return "irradiance_back";
-  if (!same_bits(a.radiosity_front, b.radiosity_front)) return "radiosity_front";
-  if (!same_bits(a.radiosity_back, b.radiosity_back)) return "radiosity_back";
-  if (!same_bits(a.standard_error_front, b.standard_error_front)) return "standard_error_front";
-  if (!same_bits(a.standard_error_back, b.standard_error_back)) return "standard_error_back";
-  if (!same_bits(a.smoothing_bias_front, b.smoothing_bias_front)) return "smoothing_bias_front";
-  if (!same_bits(a.smoothing_bias_back, b.smoothing_bias_back)) return "smoothing_bias_back";
+  if (!same_bits(a.irradiance.front, b.irradiance.front)) return "irradiance_front";
+  if (!same_bits(a.irradiance.back, b.irradiance.back)) return "irradiance_back";
+  if (!same_bits(a.radiosity.front, b.radiosity.front)) return "radiosity_front";
+  if (!same_bits(a.radiosity.back, b.radiosity.back)) return "radiosity_back";
+  if (!same_bits(a.standard_error.front, b.standard_error.front)) return "standard_error_front";
+  if (!same_bits(a.standard_error.back, b.standard_error.back)) return "standard_error_back";
+  if (!same_bits(a.smoothing_bias.front, b.smoothing_bias.front)) return "smoothing_bias_front";
+  if (!same_bits(a.smoothing_bias.back, b.smoothing_bias.back)) return "smoothing_bias_back";
   if (a.error_95th != b.error_95th) return "error_95th";
   if (a.error_degrees_of_freedom != b.error_degrees_of_freedom) return "error_degrees_of_freedom";
   if (a.predicted_bias != b.predicted_bias) return "predicted_bias";

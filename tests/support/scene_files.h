@@ -41,8 +41,8 @@ class SceneFiles {
   // The warnings of this load are kept, without the folder's name.
   Scene load(const std::string& name, const LoadOptions& options = {}) {
     warnings_.clear();
-    return load_scene(path(name), options,
-                      [this](const Message& message) { warnings_.push_back(without_folder(message.text)); });
+    const auto log = [this](const Message& message) { warnings_.push_back(without_folder(message.text)); };
+    return load_scene(path(name), options, Context().with_log(log));
   }
   Scene load_text(const std::string& obj, const LoadOptions& options = {}) {
     write("room.obj", obj);

@@ -28,11 +28,11 @@ struct Solved {
 
 Solved solve(const Scene& scene, float max_edge, DenseSolveOptions options = {}, bool joins_faces = false) {
   Solved s;
-  const Workers workers;
+  const Context context;
   s.patches = make_patches(scene, {.max_edge = max_edge});
   if (joins_faces) options.face = uncut_faces(scene, s.patches);
-  const Tracer tracer(s.patches, workers);
-  s.report = solve_dense(s.patches, tracer, s.solution, options, workers);
+  const Tracer tracer(s.patches, context);
+  s.report = solve_dense(s.patches, tracer, s.solution, options, context);
   return s;
 }
 
@@ -84,14 +84,14 @@ void expect_mesh_exact(const Solved& s, double unit) {
       if (expected == 0.0) continue;  // these are not listed; the means below hold them
     }
     for (std::size_t band = 0; band < 3; ++band)
-      EXPECT_NEAR(s.solution.radiosity_front[3 * p + band] / unit / expected, 1.0, 1e-6)
+      EXPECT_NEAR(s.solution.radiosity.front[3 * p + band] / unit / expected, 1.0, 1e-6)
           << name << " quad at " << low.x << ' ' << low.y << ' ' << low.z;
   }
   std::map<std::string, std::pair<double, double>> sums;
   for (std::size_t p = 0; p < s.patches.size(); ++p) {
     auto name = s.patches.material_of(p).name;
     if (name.starts_with("wall")) name = "wall";
-    sums[name].first += double{s.patches.area[p]} * double{s.solution.radiosity_front[3 * p]};
+    sums[name].first += double{s.patches.area[p]} * double{s.solution.radiosity.front[3 * p]};
     sums[name].second += double{s.patches.area[p]};
   }
   for (const auto& [name, mean] : std::map<std::string, double>{
@@ -130,17 +130,17 @@ TEST(Dense, the_cube_of_quads_from_its_file_is_exact_to_six_digits) {
 TEST(Dense, is_within_its_stated_error_of_the_truth_patch_by_patch) {
   for (const auto make : {truth::open_plates, truth::coloured_room, truth::hung_plate, truth::l_shaped}) {
     const auto room = make();
-    const Workers workers;
-    const Tracer tracer(room.patches, workers);
+    const Context context;
+    const Tracer tracer(room.patches, context);
     Solution solution;
-    solve_dense(room.patches, tracer, solution, {}, workers);
+    solve_dense(room.patches, tracer, solution, {}, context);
     const auto mean =
-        std::accumulate(room.truth.irradiance_front.begin(), room.truth.irradiance_front.end(), 0.0) /
-        static_cast<double>(room.truth.irradiance_front.size());
+        std::accumulate(room.truth.irradiance.front.begin(), room.truth.irradiance.front.end(), 0.0) /
+        static_cast<double>(room.truth.irradiance.front.size());
     for (const bool back : {false, true}) {
-      const auto& truth = back ? room.truth.irradiance_back : room.truth.irradiance_front;
-      const auto& found = back ? solution.irradiance_back : solution.irradiance_front;
-      const auto& stated = back ? solution.standard_error_back : solution.standard_error_front;
+      const auto& truth = room.truth.irradiance.of(back);
+      const auto& found = solution.irradiance.of(back);
+      const auto& stated = solution.standard_error.of(back);
       for (std::size_t i = 0; i < truth.size(); ++i) {
         const auto allowed = double{stated[i]} + room.truth_error * mean;
         EXPECT_LE(std::abs(double{found[i]} - truth[i]), allowed)

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 
 #include "support/known_rooms.h"
 #include "support/truth_scenes.h"
@@ -20,10 +21,10 @@ ConvexPolygon square(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   return convex_polygon(std::array{a, b, c, d});
 }
 
-double row_sum(const std::vector<double>& factors, std::size_t side) {
+double row_sum(const std::vector<double>& factors, SideId side) {
   const auto sides = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(factors.size()))));
   double sum = 0.0;
-  for (std::size_t t = 0; t < sides; ++t) sum += factors[side * sides + t];
+  for (std::size_t t = 0; t < sides; ++t) sum += factors[side.index() * sides + t];
   return sum;
 }
 
@@ -33,13 +34,13 @@ double worst_row(const PatchSet& patches, const std::vector<double>& factors, bo
   double worst = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (material.empty() || patches.material_of(p).name == material)
-      worst = std::max(worst, std::abs(row_sum(factors, 2 * p + (back ? 1 : 0)) - 1.0));
+      worst = std::max(worst, std::abs(row_sum(factors, SideId(p, back)) - 1.0));
   return worst;
 }
 
 double mean_of(const KnownRoom& room, const std::string& material) {
   return mean_irradiance(room.patches,
-                         {room.truth.irradiance_front.begin(), room.truth.irradiance_front.end()}, material);
+                         {room.truth.irradiance.front.begin(), room.truth.irradiance.front.end()}, material);
 }
 
 TEST(DenseTruth, a_point_sees_a_disc_like_polygon_as_the_closed_form_says) {
@@ -70,9 +71,9 @@ TEST(DenseTruth, a_screen_takes_away_exactly_its_own_shadow) {
 }
 
 TEST(DenseTruth, opposed_and_adjacent_unit_squares_have_their_textbook_factors) {
-  const Workers workers;
+  const Context context;
   const auto patches = make_patches(cube_a(), {.max_edge = no_max_edge});
-  const auto factors = form_factors(patches, {}, workers);
+  const auto factors = form_factors(patches, {}, context);
   const auto between = [&](std::size_t wall, std::size_t other) {  // two triangles each
     double sum = 0.0;
     for (std::size_t p = 2 * wall; p < 2 * wall + 2; ++p)
@@ -85,21 +86,21 @@ TEST(DenseTruth, opposed_and_adjacent_unit_squares_have_their_textbook_factors) 
 }
 
 TEST(DenseTruth, rows_of_a_closed_room_sum_to_one) {
-  const Workers workers;
+  const Context context;
   const auto patches = make_patches(cube_a(), {.max_edge = 0.26f});
   ASSERT_EQ(patches.size(), 384u);
-  const auto factors = form_factors(patches, {}, workers);
+  const auto factors = form_factors(patches, {}, context);
   EXPECT_LT(worst_row(patches, factors, false), 1e-7);
-  for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_EQ(row_sum(factors, 2 * p + 1), 0.0);
+  for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_EQ(row_sum(factors, SideId(p, true)), 0.0);
 }
 
 // A wrong shadow would show: what is hidden by a screen must be made up for by the screen itself.
 TEST(DenseTruth, rows_of_rooms_with_screens_sum_to_one) {
-  const Workers workers;
+  const Context context;
   const auto l = l_shaped();
-  EXPECT_LT(worst_row(l.patches, form_factors(l.patches, l_room_screens(), workers), false), 1e-5);
+  EXPECT_LT(worst_row(l.patches, form_factors(l.patches, l_room_screens(), context), false), 1e-5);
   const auto hung = hung_plate();
-  const auto factors = form_factors(hung.patches, hung_plate_screens(), workers);
+  const auto factors = form_factors(hung.patches, hung_plate_screens(), context);
   EXPECT_LT(worst_row(hung.patches, factors, false), 1e-5);
   EXPECT_LT(worst_row(hung.patches, factors, true, "plate"), 1e-5);
 }
@@ -137,10 +138,10 @@ TEST(DenseTruth, a_furnace_shines_with_one_everywhere) {
     scene.materials[k].reflectance = Vec3(reflectance[k]);
     scene.materials[k].emittance = Vec3(1.0f - reflectance[k]);
   }
-  const Workers workers;
+  const Context context;
   const auto patches = make_patches(scene, {.max_edge = 0.5f});
-  const auto light = true_light(patches, form_factors(patches, {}, workers));
-  for (const auto H : light.irradiance_front) EXPECT_NEAR(H, 1.0, 1e-6);
+  const auto light = true_light(patches, form_factors(patches, {}, context));
+  for (const auto H : light.irradiance.front) EXPECT_NEAR(H, 1.0, 1e-6);
 }
 
 // Two cubes that share a wall: one box with a screen across is each of them alone.
@@ -159,20 +160,20 @@ TEST(DenseTruth, a_wall_across_a_box_makes_two_rooms) {
   b.material("left", 0.5f, 0.0f).quad({0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1});
   b.material("right", 0.5f, 0.0f).quad({2, 0, 1}, {2, 1, 1}, {2, 1, 0}, {2, 0, 0});
   b.material("across", 0.5f, 0.0f).quad({1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1});  // faces x = 2
-  const Workers workers;
+  const Context context;
   KnownRoom room;
   room.patches = make_patches(b.scene(), {.max_edge = 0.51f});
   const auto across = square({1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1});
-  room.truth = true_light(room.patches, form_factors(room.patches, {across}, workers));
+  room.truth = true_light(room.patches, form_factors(room.patches, {across}, context));
 
   const auto alone_patches = make_patches(cube_a(), {.max_edge = 0.51f});
-  const auto alone = true_light(alone_patches, form_factors(alone_patches, {}, workers));
-  const std::vector<float> front(alone.irradiance_front.begin(), alone.irradiance_front.end());
+  const auto alone = true_light(alone_patches, form_factors(alone_patches, {}, context));
+  const std::vector<float> front(alone.irradiance.front.begin(), alone.irradiance.front.end());
   const auto wall = mean_irradiance(alone_patches, front, "wall_x0");
   EXPECT_NEAR(mean_of(room, "left"), wall, 2e-6);
   EXPECT_NEAR(mean_of(room, "right"), 0.1 * wall, 1e-6);
   EXPECT_NEAR(mean_of(room, "across"), 0.1 * wall, 1e-6);
-  room.truth.irradiance_front.swap(room.truth.irradiance_back);
+  room.truth.irradiance.front.swap(room.truth.irradiance.back);
   EXPECT_NEAR(mean_of(room, "across"), wall, 2e-6);
 }
 

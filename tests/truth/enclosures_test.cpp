@@ -21,11 +21,11 @@ struct Solved {
 
 Solved solve(const Scene& scene, float max_edge, std::uint64_t rays, double tolerance = 1e-6) {
   Solved s;
-  const Workers workers;
+  const Context context;
   s.patches = make_patches(scene, {.max_edge = max_edge});
-  const Tracer tracer(s.patches, workers);
+  const Tracer tracer(s.patches, context);
   s.report =
-      solve_stochastic_jacobi(s.patches, tracer, s.solution, {.rays = rays, .tolerance = tolerance}, workers);
+      solve_stochastic_jacobi(s.patches, tracer, s.solution, {.rays = rays, .tolerance = tolerance}, context);
   return s;
 }
 
@@ -41,7 +41,7 @@ void expect_means(const Solved& s, const std::map<std::string, double>& exact, d
       if (s.patches.material_of(p).name == name) area += s.patches.area[p];
     const auto bands = static_cast<double>(s.patches.band_count());
     const auto standard_error = std::sqrt(quantum / (bands * value * area));
-    const auto mean = truth::mean_irradiance(s.patches, s.solution.irradiance_front, name);
+    const auto mean = truth::mean_irradiance(s.patches, s.solution.irradiance.front, name);
     EXPECT_NEAR(mean / value, 1.0, tolerance + 4.0 * standard_error)
         << name << ": expected " << value << ", found " << mean;
   }
@@ -102,7 +102,7 @@ TEST(Enclosures, a_furnace_is_exact) {
   double worst = 0.0;
   for (std::size_t p = 0; p < s.patches.size(); ++p) {
     double H = 0.0;  // all three bands travel on the same rays: their sum is the Poisson count
-    for (std::size_t b = 0; b < 3; ++b) H += s.solution.irradiance_front[3 * p + b];
+    for (std::size_t b = 0; b < 3; ++b) H += s.solution.irradiance.front[3 * p + b];
     const auto z = (H - 3.0) / std::sqrt(quantum * 3.0 / s.patches.area[p]);
     chi2 += z * z;
     worst = std::max(worst, std::abs(z));
@@ -118,7 +118,7 @@ TEST(Enclosures, a_furnace_of_one_grey_has_its_exact_mean_to_the_tolerance) {
   double sum = 0.0;
   double area = 0.0;
   for (std::size_t p = 0; p < s.patches.size(); ++p) {
-    sum += static_cast<double>(s.patches.area[p]) * s.solution.irradiance_front[3 * p];
+    sum += static_cast<double>(s.patches.area[p]) * s.solution.irradiance.front[3 * p];
     area += s.patches.area[p];
   }
   EXPECT_NEAR(sum / area, 1.0, 1e-6);  // nothing leaks: what is shot arrives

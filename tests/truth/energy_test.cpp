@@ -7,6 +7,7 @@
 #include "luxel/classical/shooting.h"
 #include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/lamps/side_power.h"
 #include "luxel/lamps/sky_box.h"
 #include "luxel/patch/make_patches.h"
@@ -38,9 +39,9 @@ void expect_balanced(const Arrival& a) {
 
 TEST(Energy, is_conserved_to_the_last_unit_of_fixed_point) {
   const auto patches = leaky_scene();
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto arrival = shoot(patches, tracer, lamp_power(patches), {.rays = 300'001}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto arrival = shoot(patches, tracer, lamp_power(patches), {.rays = 300'001}, context);
   EXPECT_EQ(arrival.rays, 300'001u);
   expect_balanced(arrival);
   EXPECT_GT(std::accumulate(arrival.absorbed.begin(), arrival.absorbed.end(), std::int64_t{0}), 0);
@@ -50,12 +51,12 @@ TEST(Energy, is_conserved_to_the_last_unit_of_fixed_point) {
 TEST(Energy, of_lamps_and_sky_is_conserved_to_the_last_unit_of_fixed_point) {
   auto patches = leaky_scene();
   patches.sky = {1.0f, 2.0f, 0.5f};
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   auto leaving = lamp_power(patches);
-  const auto lamps = shoot(patches, tracer, leaving, {.rays = 300'001}, workers);
+  const auto lamps = shoot(patches, tracer, leaving, {.rays = 300'001}, context);
   add_sky_power(patches, SkyBox(patches), leaving);
-  const auto arrival = shoot(patches, tracer, leaving, {.rays = 300'001}, workers);
+  const auto arrival = shoot(patches, tracer, leaving, {.rays = 300'001}, context);
   expect_balanced(arrival);
   for (std::size_t b = 0; b < 3; ++b) {
     EXPECT_GT(arrival.from_sky[b], 0);
@@ -66,9 +67,9 @@ TEST(Energy, of_lamps_and_sky_is_conserved_to_the_last_unit_of_fixed_point) {
 
 TEST(Energy, shot_is_what_was_asked_to_be_shot) {
   const auto patches = leaky_scene();
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto arrival = shoot(patches, tracer, lamp_power(patches), {.rays = 1'000'000}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto arrival = shoot(patches, tracer, lamp_power(patches), {.rays = 1'000'000}, context);
   const double asked[3] = {1.0, 0.1f, 3.0};  // W: one square metre
   for (std::size_t b = 0; b < 3; ++b)
     EXPECT_NEAR(arrival.scale.watts(arrival.shot[b]), asked[b], 3e-7 * asked[b]);  // patch areas are floats
@@ -76,12 +77,12 @@ TEST(Energy, shot_is_what_was_asked_to_be_shot) {
 
 TEST(Energy, is_conserved_by_a_shot_that_was_stopped_and_its_unshot_fraction_is_reported) {
   const auto patches = leaky_scene();
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   int calls = 0;
   const auto arrival =
-      shoot(patches, tracer, lamp_power(patches), {.rays = 100'000, .batch = 10'000}, workers,
-            [&](const Progress&) { return ++calls == 3 ? Next::stop : Next::go_on; });
+      shoot(patches, tracer, lamp_power(patches), {.rays = 100'000, .batch = 10'000},
+            context.with_monitor([&](const Progress&) { return ++calls == 3 ? Next::stop : Next::go_on; }));
   EXPECT_DOUBLE_EQ(arrival.fraction, 0.3);
   EXPECT_EQ(arrival.rays, 30'000u);
   expect_balanced(arrival);
@@ -90,21 +91,21 @@ TEST(Energy, is_conserved_by_a_shot_that_was_stopped_and_its_unshot_fraction_is_
 
 TEST(Energy, batches_are_parts_of_one_plan_and_change_nothing) {
   const auto patches = leaky_scene();
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto whole = shoot(patches, tracer, lamp_power(patches), {.rays = 123'457}, workers);
-  const auto parts = shoot(patches, tracer, lamp_power(patches), {.rays = 123'457, .batch = 1000}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto whole = shoot(patches, tracer, lamp_power(patches), {.rays = 123'457}, context);
+  const auto parts = shoot(patches, tracer, lamp_power(patches), {.rays = 123'457, .batch = 1000}, context);
   EXPECT_EQ(whole.arrived, parts.arrived);
   EXPECT_EQ(whole.escaped, parts.escaped);
 }
 
 TEST(Energy, emitted_equals_absorbed_escaped_lost_and_unshot) {
   const auto patches = leaky_scene();
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;
   const auto report =
-      solve_stochastic_jacobi(patches, tracer, solution, {.rays = 200'000, .tolerance = 1e-3}, workers);
+      solve_stochastic_jacobi(patches, tracer, solution, {.rays = 200'000, .tolerance = 1e-3}, context);
   EXPECT_EQ(report.stop, StopReason::converged);
   for (std::size_t b = 0; b < 3; ++b) {
     const auto& e = report.energy;
@@ -119,11 +120,11 @@ TEST(Energy, emitted_equals_absorbed_escaped_lost_and_unshot) {
 
 TEST(Energy, a_step_carries_the_same_quantum_as_the_first) {
   const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;
   const auto report =
-      solve_stochastic_jacobi(patches, tracer, solution, {.rays = 100'000, .tolerance = 0.01}, workers);
+      solve_stochastic_jacobi(patches, tracer, solution, {.rays = 100'000, .tolerance = 0.01}, context);
   ASSERT_GT(report.steps.size(), 3u);
   EXPECT_EQ(report.steps[0].rays, 100'000u);
   for (std::size_t k = 1; k < report.steps.size(); ++k)
@@ -133,12 +134,12 @@ TEST(Energy, a_step_carries_the_same_quantum_as_the_first) {
 
 TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
   const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;
   const auto report = solve_stochastic_jacobi(
-      patches, tracer, solution, {.rays = 8'000'000}, workers,
-      [&](const Progress& p) { return p.rays > 3'000'000 ? Next::stop : Next::go_on; });
+      patches, tracer, solution, {.rays = 8'000'000},
+      context.with_monitor([&](const Progress& p) { return p.rays > 3'000'000 ? Next::stop : Next::go_on; }));
   EXPECT_EQ(report.stop, StopReason::stopped_by_user);
   EXPECT_EQ(solution.stop, StopReason::stopped_by_user);
   EXPECT_EQ(report.steps.size(), 1u);
@@ -146,7 +147,7 @@ TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
   EXPECT_NEAR(report.unshot_fraction, 0.5, 0.002);
   double received = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    received += static_cast<double>(patches.area[p]) * solution.irradiance_front[3 * p];
+    received += static_cast<double>(patches.area[p]) * solution.irradiance.front[3 * p];
   EXPECT_NEAR(received, 1.0, 0.002);
   // Its error is that of the rays it shot, not of those it was asked for: each carried three watts (one a
   // band) over them.
@@ -154,7 +155,7 @@ TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
   double variance = 0.0;
   double square = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const double H = 3.0 * static_cast<double>(solution.irradiance_front[3 * p]);
+    const double H = 3.0 * static_cast<double>(solution.irradiance.front[3 * p]);
     variance += quantum * H;
     square += static_cast<double>(patches.area[p]) * H * H;
   }
@@ -165,15 +166,17 @@ TEST(Energy, a_scene_without_a_lamp_is_refused_with_advice) {
   auto scene = truth::cube_a();
   for (auto& m : scene.materials) m.emittance = Vec3(0.0f);
   const auto patches = make_patches(scene, {.max_edge = no_max_edge});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;
   try {
-    solve_stochastic_jacobi(patches, tracer, solution, {.rays = 1000}, workers);
+    solve_stochastic_jacobi(patches, tracer, solution, {.rays = 1000}, context);
     FAIL() << "expected an InputError";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("Ke"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("--sky"), std::string::npos) << error.what();
+    const auto hints = hints_of(error);
+    ASSERT_EQ(hints.size(), 1u);
+    EXPECT_EQ(hints[0].setting, Setting::sky);
   }
 }
 

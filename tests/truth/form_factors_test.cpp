@@ -13,6 +13,7 @@
 #include "luxel/classical/hemicube.h"
 #include "luxel/classical/local_lines.h"
 #include "luxel/form_factors/form_factor.h"
+#include "luxel/patch/side.h"
 
 #include "support/chi_square.h"
 #include "support/known_rooms.h"
@@ -24,20 +25,21 @@ namespace {
 struct Rows {
   KnownRoom room;
   std::vector<ConvexPolygon> screens;
-  std::vector<std::size_t> sides;
+  std::vector<SideId> sides;
   std::vector<std::vector<FormFactor>> exact;  // [entry of sides][side]
 };
 
 Rows make_rows(KnownRoom room, std::vector<ConvexPolygon> screens) {
-  const Workers workers;
+  const Context context;
   Rows rows{std::move(room), std::move(screens), {}, {}};
   const auto& patches = rows.room.patches;
-  const Tracer tracer(patches, workers);
-  const FormFactors factors(patches, tracer, workers);
+  const Tracer tracer(patches, context);
+  const FormFactors factors(patches, tracer, context);
   for (std::size_t p = 3; p < patches.size(); p += 1 + patches.size() / 3) {
-    rows.sides.push_back(2 * p);
+    rows.sides.emplace_back(p, false);
     auto& row = rows.exact.emplace_back();
-    for (std::size_t to = 0; to < 2 * patches.size(); ++to) row.push_back(factors.between(2 * p, to, 1e-4));
+    for (std::size_t to = 0; to < side_count(patches.size()); ++to)
+      row.push_back(factors.between(SideId(p, false), SideId::at(to), 1e-4));
   }
   return rows;
 }
@@ -74,18 +76,18 @@ TEST(FormFactorTruth, rows_of_closed_rooms_sum_to_one_within_their_errors) {
 
 // The tests' own factors come from other cuts of other integrals, good to 1e-6 of the receiver.
 TEST(FormFactorTruth, exact_factors_are_those_the_tests_know) {
-  const Workers workers;
+  const Context context;
   for (const auto& rows : all_rows()) {
     if (rows.room.name == "l_shaped") continue;  // known by its row sums; the tests' own take long
-    const auto known = form_factors(rows.room.patches, rows.screens, workers);
-    const auto sides = 2 * rows.room.patches.size();
+    const auto known = form_factors(rows.room.patches, rows.screens, context);
+    const auto sides = side_count(rows.room.patches.size());
     int exact = 0, integrated = 0;
     for (std::size_t k = 0; k < rows.sides.size(); ++k)
       for (std::size_t to = 0; to < sides; ++to) {
         const auto& factor = rows.exact[k][to];
         (factor.exact ? exact : integrated) += 1;
-        EXPECT_NEAR(factor.value, known[rows.sides[k] * sides + to], factor.error + 2e-6)
-            << rows.room.name << ", side " << rows.sides[k] << " to " << to;
+        EXPECT_NEAR(factor.value, known[rows.sides[k].index() * sides + to], factor.error + 2e-6)
+            << rows.room.name << ", side " << rows.sides[k].index() << " to " << to;
       }
     EXPECT_EQ(integrated > 0, !rows.screens.empty()) << rows.room.name;
     EXPECT_GT(exact, 100);
@@ -95,16 +97,16 @@ TEST(FormFactorTruth, exact_factors_are_those_the_tests_know) {
 // Lines miss a factor by their standard error, so that the sum of squares is a chi-square. Factors of few
 // lines are pooled. Risk: one in a million a row, twelve rows.
 TEST(FormFactorTruth, lines_count_the_exact_factors) {
-  const Workers workers;
+  const Context context;
   constexpr std::uint32_t lines = 40'000;
   constexpr double few = 20.0;
   for (const auto& rows : all_rows()) {
-    const Tracer tracer(rows.room.patches, workers);
+    const Tracer tracer(rows.room.patches, context);
     for (std::size_t k = 0; k < rows.sides.size(); ++k) {
       LineCounts counts;
-      count_local_lines(rows.room.patches, tracer, rows.sides[k], lines, 5, 0, counts);
+      count_local_lines(rows.room.patches, tracer, rows.sides[k], {lines, 5}, counts);
       std::map<std::size_t, double> met;
-      for (const auto& entry : counts.entries) met[entry.side] = entry.lines;
+      for (const auto& entry : counts.entries) met[entry.side.index()] = entry.lines;
       double square = 0.0, cells = 0.0, pooled = 0.0, pooled_met = 0.0;
       const auto compare = [&](double expected, double count) {
         square += (count - expected) * (count - expected) / expected;
@@ -119,7 +121,7 @@ TEST(FormFactorTruth, lines_count_the_exact_factors) {
       add(lines * (1.0 - sum_of(rows.exact[k])), counts.escaped);
       if (pooled >= few) compare(pooled, pooled_met);
       EXPECT_LT(square, statistics::chi_square_limit(cells))
-          << rows.room.name << ", side " << rows.sides[k] << ", cells " << cells;
+          << rows.room.name << ", side " << rows.sides[k].index() << ", cells " << cells;
     }
   }
 }
@@ -135,15 +137,15 @@ TEST(FormFactorTruth, hemicubes_come_near_with_pixels_and_points) {
         FormFactorRow row;
         hemicube.row(rows.sides[k], row);
         std::map<std::size_t, double> met;
-        for (const auto& entry : row.entries) met[entry.side] = static_cast<double>(entry.factor);
+        for (const auto& entry : row.entries) met[entry.side.index()] = static_cast<double>(entry.factor);
         auto sum = std::fabs(row.escaped - (1.0 - sum_of(rows.exact[k])));
         for (std::size_t to = 0; to < rows.exact[k].size(); ++to)
           sum += std::fabs(met[to] - rows.exact[k][to].value);
         return 0.5 * sum;
       };
       const auto good = misplaced(fine);
-      EXPECT_LT(good, 0.012) << rows.room.name << ", side " << rows.sides[k];
-      EXPECT_LT(good, 0.5 * misplaced(coarse)) << rows.room.name << ", side " << rows.sides[k];
+      EXPECT_LT(good, 0.012) << rows.room.name << ", side " << rows.sides[k].index();
+      EXPECT_LT(good, 0.5 * misplaced(coarse)) << rows.room.name << ", side " << rows.sides[k].index();
     }
   }
 }

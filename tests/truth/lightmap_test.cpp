@@ -12,10 +12,13 @@
 #include "luxel/core/address.h"
 #include "luxel/core/error.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/dilate.h"
+#include "luxel/render/gather_texels.h"
 #include "luxel/render/make_lightmap.h"
 #include "luxel/render/point_gather.h"
 #include "luxel/render/point_irradiance.h"
+#include "luxel/render/solve_seams.h"
 #include "luxel/render/texel_places.h"
 #include "luxel/solve/sampled.h"
 
@@ -36,22 +39,22 @@ struct LitScene {
 
 LitScene bake(const Scene& scene, float max_edge, double error = 0.02) {
   LitScene baked{make_patches(scene, {.max_edge = max_edge}), {}};
-  const Workers workers;
-  const Tracer tracer(baked.patches, workers);
+  const Context context;
+  const Tracer tracer(baked.patches, context);
   solve_sampled(baked.patches, tracer, baked.light, {.error = error, .error_measure = ErrorMeasure::power},
-                workers);
+                context);
   return baked;
 }
 
 Lightmap lightmap_of(const LitScene& baked, LightmapOptions options, LightmapReport* report = nullptr) {
-  const Workers workers(2);
-  const Tracer tracer(baked.patches, workers);
-  return make_lightmap(baked.patches, baked.light, &tracer, options, workers, report);
+  const Context context(2);
+  const Tracer tracer(baked.patches, context);
+  return make_lightmap({baked.patches, baked.light, &tracer}, options, report, context);
 }
 
 // What a reader sees at a place of a side.
-Vec3 read(const Lightmap& map, std::size_t side, const Vec2& weights) {
-  const auto& t = map.atlas.corners[side];
+Vec3 read(const Lightmap& map, SideId side, const Vec2& weights) {
+  const auto& t = map.atlas.corners[side.index()];
   const auto at = t[0] + weights.x * (t[1] - t[0]) + weights.y * (t[2] - t[0]);
   return look_up(map.pages[map.atlas.page_of(side)].irradiance, at);
 }
@@ -66,8 +69,8 @@ void for_places(const Body& body) {
 
 TEST(Lightmap, of_a_furnace_is_one_on_every_texel_and_in_the_margins) {
   const auto patches = make_patches(truth::furnace(Vec3(0.2f, 0.5f, 0.8f), Vec3(0.6f)), {.max_edge = 0.15f});
-  const auto map = make_lightmap(patches, even_light(patches, 1.0f), nullptr,
-                                 {.texels_per_metre = 30.0, .margin = 3}, Workers(2));
+  const auto map = make_lightmap({patches, even_light(patches, 1.0f)},
+                                 {.texels_per_metre = 30.0, .margin = 3}, nullptr, Context(2));
   ASSERT_EQ(map.pages.size(), 1u);
   std::size_t dilated = 0;
   const auto& page = map.pages[0];
@@ -87,8 +90,8 @@ TEST(Lightmap, of_a_furnace_is_one_on_every_texel_and_in_the_margins) {
 // few in 600 are.
 TEST(Lightmap, a_final_gather_in_a_furnace_gives_one_within_its_error) {
   const auto patches = make_patches(truth::furnace(Vec3(0.2f, 0.5f, 0.8f), Vec3(0.6f)), {.max_edge = 0.3f});
-  const Workers workers(2);
-  const Tracer tracer(patches, workers);
+  const Context context(2);
+  const Tracer tracer(patches, context);
   const auto smooth = make_smooth_light(patches, even_light(patches, 1.0f));
   const PointGather gather(patches, smooth, tracer);
   double sum = 0.0, score2 = 0.0, stated2 = 0.0;
@@ -139,7 +142,7 @@ TEST(Lightmap, gathered_texels_hold_the_closed_form_where_patches_are_far_too_la
     for_places([&](const Vec2& w) {
       const auto at = corners[0] + w.x * (corners[1] - corners[0]) + w.y * (corners[2] - corners[0]);
       const auto truth = 100.0 * under_square_lamp(at.x, at.y, 0.5, 1.0);
-      const auto found = static_cast<double>(read(map, 2 * p, w).r);
+      const auto found = static_cast<double>(read(map, SideId(p, false), w).r);
       square += (found - truth) * (found - truth);
       light += truth * truth;
       EXPECT_NEAR(found, truth, 0.06 * truth + 0.1) << at.x << ' ' << at.y;
@@ -161,9 +164,9 @@ TEST(Lightmap, a_directional_one_knows_what_a_tilted_surface_gets_from_the_sky) 
   ASSERT_EQ(map.pages[0].light_vector.size(), 3u);
   Vec3d sum(0.0);
   int count = 0;
-  const auto places = find_texel_places(map.atlas, Workers(1));
+  const auto places = find_texel_places(map.atlas, Context(1));
   for (std::size_t i = 0; i < places[0].size(); ++i) {
-    if (places[0][i].kind != Texel::inside || places[0][i].side % 2 == 1)
+    if (places[0][i].kind != Texel::inside || places[0][i].side.is_back())
       continue;  // backs see the sky below
     const Vec3d vector(map.pages[0].light_vector[0].pixels[i].g, map.pages[0].light_vector[1].pixels[i].g,
                        map.pages[0].light_vector[2].pixels[i].g);
@@ -192,7 +195,7 @@ TEST(Lightmap, a_directional_one_holds_the_closed_form_of_tilted_surfaces_under_
   for (std::size_t p = 0; p < baked.patches.size(); ++p) {
     if (baked.patches.material_of(p).name != "floor") continue;
     const auto& t = map.atlas.corners[2 * p];
-    const auto& page = map.pages[map.atlas.page_of(2 * p)];
+    const auto& page = map.pages[map.atlas.page_of(SideId(p, false))];
     const auto corners = baked.patches.points(p);
     for_places([&](const Vec2& w) {
       const auto at = corners[0] + w.x * (corners[1] - corners[0]) + w.y * (corners[2] - corners[0]);
@@ -236,7 +239,7 @@ TEST(Lightmap, no_light_leaks_through_walls_or_under_boxes_and_no_darkness_comes
       const bool under =
           middle.x > 0.53f && middle.x < 1.27f && middle.y > 0.61f && middle.y < 1.38f && middle.z < 0.001f;
       for_places([&](const Vec2& w) {
-        const auto found = read(map, 2 * p, w).r;
+        const auto found = read(map, SideId(p, false), w).r;
         if (behind || under) {
           EXPECT_EQ(found, 0.0f) << name << ' ' << middle.x << ' ' << middle.y << ' ' << middle.z;
           ++dark;
@@ -253,12 +256,12 @@ TEST(Lightmap, no_light_leaks_through_walls_or_under_boxes_and_no_darkness_comes
 
 TEST(Lightmap, both_sides_of_the_seams_of_a_sphere_agree) {
   const auto baked = bake(truth::sphere(14, 0.5f), 1.0f, 0.03);
-  const Workers workers(2);
-  const auto charts = make_charts(baked.patches, baked.light, {.texel = 0.1f}, workers);
+  const Context context(2);
+  const auto charts = make_charts(baked.patches, baked.light, {.texel = 0.1f}, context);
   const auto smooth = make_smooth_light(baked.patches, baked.light);
   Lightmap map;
   map.atlas = pack_charts(baked.patches, charts, {.texel = 0.1f});
-  gather_texels(baked.patches, baked.light, smooth, nullptr, {}, workers, map);
+  gather_texels({baked.patches, baked.light}, smooth, {}, map, context);
   const auto unsolved = map;
   const auto report = solve_seams(charts, map);
   ASSERT_GT(report.places, 300u);
@@ -295,11 +298,11 @@ TEST(Lightmap, a_room_with_a_block_has_the_light_of_paths_from_the_points) {
     const auto u = uniform4(7, p);
     const auto w = uniform_triangle(u[0], u[1]);
     points.push_back(surface_point(patches, p, false, w));
-    found.push_back(read(map, 2 * p, w));
+    found.push_back(read(map, SideId(p, false), w));
   }
-  const Workers workers(2);
-  const Tracer tracer(patches, workers);
-  const auto truth = irradiance_at(patches, tracer, points, 1024, 5, workers);
+  const Context context(2);
+  const Tracer tracer(patches, context);
+  const auto truth = irradiance_at(patches, tracer, points, 1024, 5, context);
   double square = 0.0, light = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto d = static_cast<double>(found[i].r) - truth[3 * i];
@@ -312,10 +315,10 @@ TEST(Lightmap, a_room_with_a_block_has_the_light_of_paths_from_the_points) {
 
 TEST(Lightmap, the_same_bits_on_one_and_five_threads_and_on_pages_of_any_size_much_the_same_light) {
   const auto baked = bake(truth::cube_a(), 0.3f, 0.05);
-  const Tracer tracer(baked.patches, Workers(1));
+  const Tracer tracer(baked.patches, Context(1));
   const LightmapOptions options{.texels_per_metre = 12.0, .page_size = 32, .texels = {.error = 0.05}};
-  const auto one = make_lightmap(baked.patches, baked.light, &tracer, options, Workers(1));
-  const auto five = make_lightmap(baked.patches, baked.light, &tracer, options, Workers(5));
+  const auto one = make_lightmap({baked.patches, baked.light, &tracer}, options, nullptr, Context(1));
+  const auto five = make_lightmap({baked.patches, baked.light, &tracer}, options, nullptr, Context(5));
   ASSERT_GT(one.pages.size(), 1u);
   ASSERT_EQ(one.pages.size(), five.pages.size());
   for (std::size_t p = 0; p < one.pages.size(); ++p) {
@@ -327,14 +330,15 @@ TEST(Lightmap, the_same_bits_on_one_and_five_threads_and_on_pages_of_any_size_mu
 
 TEST(Lightmap, a_stop_among_texels_leaves_the_interpolated_light) {
   const auto baked = bake(truth::cube_a(), 0.3f, 0.05);
-  const Workers workers(2);
-  const Tracer tracer(baked.patches, workers);
+  const Context context(2);
+  const Tracer tracer(baked.patches, context);
   LightmapReport report;
-  const auto stopped = make_lightmap(
-      baked.patches, baked.light, &tracer, {.texels = {.error = 0.01}}, workers, &report,
-      [](const Progress& progress) { return progress.stage == "texels" ? Next::stop : Next::go_on; });
+  const auto stopped = make_lightmap({baked.patches, baked.light, &tracer}, {.texels = {.error = 0.01}},
+                                     &report, context.with_monitor([](const Progress& progress) {
+                                       return progress.stage == "texels" ? Next::stop : Next::go_on;
+                                     }));
   EXPECT_TRUE(report.texels.stopped);
-  const auto plain = make_lightmap(baked.patches, baked.light, nullptr, {}, workers);
+  const auto plain = make_lightmap({baked.patches, baked.light}, {}, nullptr, context);
   EXPECT_EQ(stopped.pages[0].irradiance.pixels, plain.pages[0].irradiance.pixels);
 }
 
@@ -342,17 +346,19 @@ TEST(Lightmap, a_stop_among_texels_leaves_the_interpolated_light) {
 TEST(Lightmap, a_stop_in_any_other_stage_leaves_no_pages) {
   const auto patches = make_patches(truth::sphere(14, 0.5f), {.max_edge = 1.0f});
   const auto light = even_light(patches, 1.0f);
-  const Workers workers(2);
+  const Context context(2);
   std::set<std::string> stages;
-  make_lightmap(patches, light, nullptr, {}, workers, nullptr, [&](const Progress& progress) {
+  const auto note_stage = [&](const Progress& progress) {
     stages.emplace(progress.stage);
     return Next::go_on;
-  });
+  };
+  make_lightmap({patches, light}, {}, nullptr, context.with_monitor(note_stage));
   EXPECT_EQ(stages, (std::set<std::string>{"charts", "places", "smooth light", "seams", "margins"}));
   for (const auto& stage : stages) {
-    const auto stopped = make_lightmap(
-        patches, light, nullptr, {}, workers, nullptr,
-        [&](const Progress& progress) { return progress.stage == stage ? Next::stop : Next::go_on; });
+    const auto stopped =
+        make_lightmap({patches, light}, {}, nullptr, context.with_monitor([&](const Progress& progress) {
+          return progress.stage == stage ? Next::stop : Next::go_on;
+        }));
     EXPECT_TRUE(stopped.pages.empty()) << stage;
   }
 }
@@ -360,11 +366,11 @@ TEST(Lightmap, a_stop_in_any_other_stage_leaves_no_pages) {
 TEST(Lightmap, senseless_options_and_light_of_other_patches_are_refused) {
   const auto patches = make_patches(truth::cube({}), {.max_edge = 0.5f});
   const auto light = even_light(patches, 1.0f);
-  const Workers workers(1);
-  EXPECT_THROW(make_lightmap(patches, light, nullptr, {.texels_per_metre = 0.0}, workers), InputError);
-  EXPECT_THROW(make_lightmap(patches, light, nullptr, {.page_size = 3}, workers), InputError);
-  EXPECT_THROW(make_lightmap(patches, light, nullptr, {.texels = {.error = 2.0}}, workers), InputError);
-  EXPECT_THROW(make_lightmap(patches, {}, nullptr, {}, workers), MismatchError);
+  const Context context(1);
+  EXPECT_THROW(make_lightmap({patches, light}, {.texels_per_metre = 0.0}, nullptr, context), InputError);
+  EXPECT_THROW(make_lightmap({patches, light}, {.page_size = 3}, nullptr, context), InputError);
+  EXPECT_THROW(make_lightmap({patches, light}, {.texels = {.error = 2.0}}, nullptr, context), InputError);
+  EXPECT_THROW(make_lightmap({patches, {}}, {}, nullptr, context), MismatchError);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ const Camera inside = {.eye = {0.1f, 0.15f, 0.2f}, .target = {0.9f, 0.8f, 0.6f},
 
 PathPicture trace(const PatchSet& patches, const PathOptions& options, const Camera& camera = inside,
                   int threads = 0) {
-  const Workers workers(threads);
-  const Tracer tracer(patches, workers);
-  return trace_picture(patches, tracer, camera, small, options, workers);
+  const Context context(threads);
+  const Tracer tracer(patches, context);
+  return trace_picture(patches, tracer, camera, small, options, context);
 }
 
 // Sum of z² over pixels, green: each expected alike, or as another picture with errors of its own.
@@ -94,12 +94,12 @@ TEST(PathPicture, shows_emission_from_the_front_alone_and_black_one_sided_backs)
 
 TEST(FinalGather, agrees_with_paths_and_counts_lamps_once) {
   const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.1f});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = 0.005, .error_measure = ErrorMeasure::power}, workers);
+  solve_sampled(patches, tracer, solution, {.error = 0.005, .error_measure = ErrorMeasure::power}, context);
   const auto gathered = gather_picture(patches, solution, tracer, inside,
-                                       {.width = small.width, .height = small.height, .rays = 400}, workers);
+                                       {.width = small.width, .height = small.height, .rays = 400}, context);
   const auto traced = trace(patches, {.limits = {.samples = 1024}});
   double difference = 0.0;
   double square = 0.0;
@@ -117,18 +117,18 @@ TEST(FinalGather, agrees_with_paths_and_counts_lamps_once) {
 
 TEST(FinalGather, of_a_furnace_is_one_colour) {
   const auto patches = make_patches(truth::furnace(Vec3(0.7f), Vec3(0.3f)), {.max_edge = 0.5f});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;  // the exact one
   solution.bands = patches.bands;
-  solution.radiosity_front.assign(3 * patches.size(), 1.0f);
-  solution.radiosity_back.assign(3 * patches.size(), 0.0f);
+  solution.radiosity.front.assign(3 * patches.size(), 1.0f);
+  solution.radiosity.back.assign(3 * patches.size(), 0.0f);
   const auto picture = gather_picture(patches, solution, tracer, inside,
-                                      {.width = small.width, .height = small.height, .rays = 256}, workers);
+                                      {.width = small.width, .height = small.height, .rays = 256}, context);
   EXPECT_NEAR(mean_color(picture).g, 1.0f / pi, 0.003f / pi);
   for (const auto& pixel : picture.pixels) EXPECT_NEAR(pixel.g, 1.0f / pi, 0.1f / pi);
-  solution.radiosity_front.pop_back();
-  EXPECT_THROW(gather_picture(patches, solution, tracer, inside, {}, workers), MismatchError);
+  solution.radiosity.front.pop_back();
+  EXPECT_THROW(gather_picture(patches, solution, tracer, inside, {}, context), MismatchError);
 }
 
 TEST(FinalGather, takes_at_least_the_rays_asked_for) {

@@ -28,10 +28,10 @@ struct Traced {
 };
 
 Traced trace(const PatchSet& patches, const PathOptions& options) {
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Traced traced;
-  traced.report = trace_light(patches, tracer, traced.solution, options, workers);
+  traced.report = trace_light(patches, tracer, traced.solution, options, context);
   return traced;
 }
 
@@ -45,9 +45,9 @@ Scores score(const truth::KnownRoom& room, const Solution& solution) {
   double light = 0.0;
   double variance = 0.0;
   for (const bool back : {false, true}) {
-    const auto& truth = back ? room.truth.irradiance_back : room.truth.irradiance_front;
-    const auto& found = back ? solution.irradiance_back : solution.irradiance_front;
-    const auto& error = back ? solution.standard_error_back : solution.standard_error_front;
+    const auto& truth = room.truth.irradiance.of(back);
+    const auto& found = solution.irradiance.of(back);
+    const auto& error = solution.standard_error.of(back);
     for (std::size_t i = 0; i < truth.size(); ++i) {
       if (truth[i] < 1e-9) {
         EXPECT_EQ(found[i], 0.0f) << "light in the dark";
@@ -102,9 +102,9 @@ void expect_means(const PatchSet& patches, const std::map<std::string, double>& 
     for (std::size_t p = 0; p < patches.size(); ++p) {
       if (patches.material_of(p).name != name) continue;
       const double a = patches.area[p];
-      const double error = s.standard_error_front[3 * p];
+      const double error = s.standard_error.front[3 * p];
       area += a;
-      mean += a * static_cast<double>(s.irradiance_front[3 * p]);
+      mean += a * static_cast<double>(s.irradiance.front[3 * p]);
       variance += a * a * error * error;
     }
     const auto error = std::sqrt(variance) / area;
@@ -134,15 +134,15 @@ TEST(PathTraced, an_l_shaped_room_of_large_patches_is_lit_round_the_corner) {
 
 // The same cube, as radiosity on twelve patches: another number, and dense truth knows it.
 TEST(PathTraced, bounces_from_patches_keep_the_error_of_the_mesh) {
-  const Workers workers;
+  const Context context;
   truth::KnownRoom room;
   room.patches = make_patches(truth::cube_a(), {.max_edge = no_max_edge});
-  room.truth = truth::true_light(room.patches, truth::form_factors(room.patches, {}, workers));
+  room.truth = truth::true_light(room.patches, truth::form_factors(room.patches, {}, context));
   const auto traced =
       trace(room.patches, {.limits = {.samples = 40'000}, .bounces_from = BouncesFrom::patches});
-  for (std::size_t i = 0; i < room.truth.irradiance_front.size(); ++i)
-    EXPECT_NEAR(traced.solution.irradiance_front[i], room.truth.irradiance_front[i],
-                4.5 * traced.solution.standard_error_front[i]);
+  for (std::size_t i = 0; i < room.truth.irradiance.front.size(); ++i)
+    EXPECT_NEAR(traced.solution.irradiance.front[i], room.truth.irradiance.front[i],
+                4.5 * traced.solution.standard_error.front[i]);
 }
 
 TEST(PathTraced, a_furnace_glows_alike_everywhere_however_white) {
@@ -153,10 +153,10 @@ TEST(PathTraced, a_furnace_glows_alike_everywhere_however_white) {
       double sum = 0.0;
       double variance = 0.0;
       for (std::size_t p = 0; p < patches.size(); ++p) {
-        const double error = s.standard_error_front[3 * p];
-        sum += static_cast<double>(s.irradiance_front[3 * p]) - 1.0;
+        const double error = s.standard_error.front[3 * p];
+        sum += static_cast<double>(s.irradiance.front[3 * p]) - 1.0;
         variance += error * error;
-        EXPECT_NEAR(s.irradiance_front[3 * p], 1.0, 5.5 * error)
+        EXPECT_NEAR(s.irradiance.front[3 * p], 1.0, 5.5 * error)
             << "patch " << p << " of reflectance " << white;
       }
       EXPECT_LT(std::abs(sum), 5.0 * std::sqrt(variance)) << white;
@@ -178,14 +178,14 @@ PatchSet leaky_room() {
 TEST(PathTraced, backs_of_one_sided_materials_absorb_what_meets_them) {
   truth::KnownRoom room;
   room.patches = leaky_room();
-  const Workers workers;
+  const Context context;
   const std::array<Vec3, 4> turned_away = {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
   room.truth = truth::true_light(
-      room.patches, truth::form_factors(room.patches, {truth::convex_polygon(turned_away)}, workers));
+      room.patches, truth::form_factors(room.patches, {truth::convex_polygon(turned_away)}, context));
   // What a one-sided back receives is nobody's light.
   for (std::size_t p = 0; p < room.patches.size(); ++p)
     if (!room.patches.material_of(p).two_sided)
-      for (std::size_t b = 0; b < 3; ++b) room.truth.irradiance_back[3 * p + b] = 0.0;
+      for (std::size_t b = 0; b < 3; ++b) room.truth.irradiance.back[3 * p + b] = 0.0;
   const auto traced =
       trace(room.patches, {.limits = {.samples = 8000}, .bounces_from = BouncesFrom::patches});
   const auto s = score(room, traced.solution);
@@ -212,32 +212,32 @@ TEST(PathTraced, gives_the_same_bits_on_any_number_of_threads) {
   const auto patches = leaky_room();
   Solution first;
   for (const int threads : {1, 2, 5}) {
-    const Workers workers(threads);
-    const Tracer tracer(patches, workers);
+    const Context context(threads);
+    const Tracer tracer(patches, context);
     Solution solution;
-    trace_light(patches, tracer, solution, {.limits = {.error = 0.03}}, workers);
+    trace_light(patches, tracer, solution, {.limits = {.error = 0.03}}, context);
     if (threads == 1) first = solution;
-    EXPECT_EQ(solution.irradiance_front, first.irradiance_front);
-    EXPECT_EQ(solution.irradiance_back, first.irradiance_back);
-    EXPECT_EQ(solution.standard_error_front, first.standard_error_front);
+    EXPECT_EQ(solution.irradiance.front, first.irradiance.front);
+    EXPECT_EQ(solution.irradiance.back, first.irradiance.back);
+    EXPECT_EQ(solution.standard_error.front, first.standard_error.front);
     EXPECT_EQ(solution.provenance.rays, first.provenance.rays);
   }
 }
 
 TEST(PathTraced, that_is_stopped_has_the_light_of_the_paths_so_far) {
   const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.2f});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solution solution;
   int calls = 0;
   const auto stop_after = [&](const Progress&) { return ++calls > 8 ? Next::stop : Next::go_on; };
   const auto report =
-      trace_light(patches, tracer, solution, {.limits = {.error = 1e-5}}, workers, stop_after);
+      trace_light(patches, tracer, solution, {.limits = {.error = 1e-5}}, context.with_monitor(stop_after));
   EXPECT_EQ(report.stop, StopReason::stopped_by_user);
   EXPECT_TRUE(report.complete);
-  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance_front, "floor"), 0.34243, 0.03);
+  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance.front, "floor"), 0.34243, 0.03);
   calls = 1000;
-  EXPECT_FALSE(trace_light(patches, tracer, solution, {}, workers, stop_after).complete);
+  EXPECT_FALSE(trace_light(patches, tracer, solution, {}, context.with_monitor(stop_after)).complete);
 }
 
 TEST(PathTraced, a_scene_without_a_lamp_is_refused_with_advice) {

@@ -43,10 +43,10 @@ Answer solved(const Scene& scene, float edge, double error = 0.01) {
   Answer a;
   check_scene(scene);
   a.patches = make_patches(scene, {.max_edge = edge});
-  const Workers workers(2);
-  const Tracer tracer(a.patches, workers);
+  const Context context(2);
+  const Tracer tracer(a.patches, context);
   a.report = solve_sampled(a.patches, tracer, a.light, {.error = error, .error_measure = ErrorMeasure::power},
-                           workers);
+                           context);
   return a;
 }
 
@@ -73,10 +73,10 @@ TEST(PointLights, FollowTheInverseSquareLaw) {
   const auto a = solved(scene, 0.5f, 0.003);
   for (std::size_t p = 0; p < a.patches.size(); ++p) {
     const auto exact = exact_mean(a, p, scene.point_lights[0]);
-    EXPECT_NEAR(a.light.irradiance_front[3 * p], exact,
-                6.0 * a.light.standard_error_front[3 * p] + 1e-4 * exact);
-    EXPECT_NEAR(a.light.irradiance_front[3 * p + 2], 0.25 * a.light.irradiance_front[3 * p], 1e-5);
-    EXPECT_EQ(a.light.irradiance_back[3 * p], 0.0f);
+    EXPECT_NEAR(a.light.irradiance.front[3 * p], exact,
+                6.0 * a.light.standard_error.front[3 * p] + 1e-4 * exact);
+    EXPECT_NEAR(a.light.irradiance.front[3 * p + 2], 0.25 * a.light.irradiance.front[3 * p], 1e-5);
+    EXPECT_EQ(a.light.irradiance.back[3 * p], 0.0f);
   }
 }
 
@@ -87,7 +87,7 @@ TEST(PointLights, InTheSunAllIsAlikeAndLevel) {
       {.name = "sun", .kind = PointLightKind::directional, .direction = down, .intensity = Vec3(3.0f)}};
   const auto a = solved(scene, 0.5f);
   for (std::size_t p = 0; p < a.patches.size(); ++p)
-    EXPECT_NEAR(a.light.irradiance_front[3 * p], 3.0 * 2.0 / std::sqrt(5.0), 1e-5);
+    EXPECT_NEAR(a.light.irradiance.front[3 * p], 3.0 * 2.0 / std::sqrt(5.0), 1e-5);
 }
 
 // All power of a lamp in a closed room is absorbed, wherever it stands.
@@ -107,8 +107,8 @@ TEST(PointLights, GiveAClosedRoomTheirPower) {
     double absorbed = 0.0, squared_noise = 0.0;
     for (std::size_t p = 0; p < a.patches.size(); ++p) {
       const auto fraction = double{a.patches.area[p]} * (1.0 - double{a.patches.reflectance(p, 0)});
-      absorbed += fraction * double{a.light.irradiance_front[3 * p]};
-      squared_noise += std::pow(fraction * double{a.light.standard_error_front[3 * p]}, 2);
+      absorbed += fraction * double{a.light.irradiance.front[3 * p]};
+      squared_noise += std::pow(fraction * double{a.light.standard_error.front[3 * p]}, 2);
     }
     // Errors of patches hang together by what they reflect: an upper bound is their sum over a few.
     EXPECT_NEAR(absorbed, power, 6.0 * 3.0 * std::sqrt(squared_noise)) << static_cast<int>(kind);
@@ -124,14 +124,14 @@ TEST(PointLights, AreSeenByPathsAlike) {
   scene.point_lights[1].direction = {1, 0, 0};
   scene.point_lights[1].name = "spot";
   const auto a = solved(scene, 0.5f, 0.005);
-  const Workers workers(2);
-  const Tracer tracer(a.patches, workers);
+  const Context context(2);
+  const Tracer tracer(a.patches, context);
   Solution paths;
   trace_light(a.patches, tracer, paths, {.limits = {.error = 0.01}, .bounces_from = BouncesFrom::patches},
-              workers);
-  for (std::size_t i = 0; i < paths.irradiance_front.size(); ++i)
-    EXPECT_NEAR(a.light.irradiance_front[i], paths.irradiance_front[i],
-                6.0 * std::hypot(a.light.standard_error_front[i], paths.standard_error_front[i]));
+              context);
+  for (std::size_t i = 0; i < paths.irradiance.front.size(); ++i)
+    EXPECT_NEAR(a.light.irradiance.front[i], paths.irradiance.front[i],
+                6.0 * std::hypot(a.light.standard_error.front[i], paths.standard_error.front[i]));
 }
 
 TEST(PointLights, AreLightGroups) {
@@ -148,11 +148,11 @@ TEST(PointLights, AreRefusedByMethodsThatDoNotKnowThem) {
   auto scene = black_floor();
   scene.point_lights = {lamp_at({0, 0, 1})};
   const auto patches = make_patches(scene, {.max_edge = 1.0f});
-  const Workers workers(1);
-  const Tracer tracer(patches, workers);
+  const Context context(1);
+  const Tracer tracer(patches, context);
   Solution light;
   try {
-    solve_light(patches, tracer, light, {.method = LightOptions::by_shooting}, workers);
+    solve_light(patches, tracer, light, {.method = Method::shooting}, context);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("lamp 'lamp' has no surface"), std::string::npos)

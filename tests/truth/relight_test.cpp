@@ -40,10 +40,10 @@ struct StoredTransport {
 };
 
 StoredTransport solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
-                      const Workers& workers) {
+                      const Context& context) {
   StoredTransport kept;
-  const SampleStorage keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
-  solve_sampled(patches, tracer, kept.solution, options, workers, {}, keeping);
+  const SolveHooks keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
+  solve_sampled(patches, tracer, kept.solution, options, keeping, context);
   return kept;
 }
 
@@ -61,15 +61,15 @@ double difference(const std::vector<float>& a, const std::vector<float>& b) {
 TEST(Relight, with_nothing_changed_is_the_light_of_the_run) {
   auto patches = make_patches(truth::l_room(), {.max_edge = 0.12f});
   group_by_material(patches);
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   const Relighter relighter(patches, tracer, kept.state,
-                            {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+                            {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   const auto again = relighter.light();
   // The two iterations begin elsewhere and end within 1e-6 of the whole each.
-  EXPECT_LT(difference(kept.solution.irradiance_front, again.irradiance_front), 1e-4);
-  EXPECT_LT(difference(kept.solution.radiosity_front, again.radiosity_front), 1e-4);
+  EXPECT_LT(difference(kept.solution.irradiance.front, again.irradiance.front), 1e-4);
+  EXPECT_LT(difference(kept.solution.radiosity.front, again.radiosity.front), 1e-4);
   EXPECT_NEAR(again.predicted_error, kept.solution.predicted_error, 0.02 * kept.solution.predicted_error);
   EXPECT_EQ(again.provenance.scene_fingerprint, patches.scene_fingerprint);
 }
@@ -79,14 +79,14 @@ TEST(Relight, is_linear_in_the_lamps) {
   auto patches = room.patches;
   group_by_material(patches);
   ASSERT_EQ(patches.light_groups.size(), 2u);
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   Relighter relighter(patches, tracer, kept.state, {.error = 0.02, .error_measure = ErrorMeasure::power},
-                      workers);
+                      context);
   const auto lit = [&](std::vector<float> weight) {
     relighter.set_lamps(std::move(weight));
-    return relighter.light().irradiance_front;
+    return relighter.light().irradiance.front;
   };
   const auto first = lit({1, 1, 1, 0, 0, 0});
   const auto second = lit({0, 0, 0, 1, 1, 1});
@@ -114,15 +114,15 @@ TEST(Relight, lamps_and_reflectances_give_the_light_of_the_changed_room_with_hon
       material.reflectance[b] = reflectance[m * bands + b];
       material.emittance[b] *= weight[material.light_group * bands + b];
     }
-  const Workers workers;
-  after.truth = truth::true_light(after.patches, truth::form_factors(after.patches, {}, workers));
+  const Context context;
+  after.truth = truth::true_light(after.patches, truth::form_factors(after.patches, {}, context));
 
-  const Tracer tracer(before.patches, workers);
+  const Tracer tracer(before.patches, context);
   std::vector<Solution> runs;
   for (std::size_t s = 0; s < seeds; ++s) {
     const SampledOptions options = {.error = 0.02, .error_measure = ErrorMeasure::power, .seed = s + 1};
-    const auto kept = solve(before.patches, tracer, options, workers);
-    Relighter relighter(before.patches, tracer, kept.state, options, workers);
+    const auto kept = solve(before.patches, tracer, options, context);
+    Relighter relighter(before.patches, tracer, kept.state, options, context);
     relighter.set_lamps(weight);
     relighter.set_reflectance(reflectance);
     runs.push_back(relighter.light());
@@ -145,11 +145,11 @@ TEST(Relight, the_sky_is_a_group_of_its_own) {
   auto patches = make_patches(scene, {.max_edge = 0.25f});
   set_light_groups(scene, {}, patches);
   ASSERT_EQ(patches.light_groups, (std::vector<std::string>{"lamp", "sky"}));
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto kept = solve(patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
   Relighter relighter(patches, tracer, kept.state, {.error = 0.01, .error_measure = ErrorMeasure::power},
-                      workers);
+                      context);
 
   const auto expect_fresh = [&](const std::vector<float>& weight) {
     auto changed = scene;
@@ -157,11 +157,11 @@ TEST(Relight, the_sky_is_a_group_of_its_own) {
     changed.sky *= weight[3];
     const auto fresh_patches = make_patches(changed, {.max_edge = 0.25f});
     const auto fresh =
-        solve(fresh_patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, workers);
+        solve(fresh_patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
     relighter.set_lamps(weight);
     const auto relit = relighter.light();
     // The same seed, so the same rays: only the lamps' choice of samples could differ.
-    EXPECT_LT(difference(fresh.solution.irradiance_front, relit.irradiance_front), 0.02);
+    EXPECT_LT(difference(fresh.solution.irradiance.front, relit.irradiance.front), 0.02);
     EXPECT_EQ(relighter.patches().has_sky(), fresh_patches.has_sky());
     EXPECT_EQ(relighter.patches().sky_radiosity(1), fresh_patches.sky_radiosity(1));
   };
@@ -173,11 +173,11 @@ TEST(Relight, same_bytes_for_any_number_of_threads) {
   auto patches = make_patches(truth::l_room(), {.max_edge = 0.12f});
   group_by_material(patches);
   const auto relit = [&](int threads) {
-    const Workers workers(threads);
-    const Tracer tracer(patches, workers);
-    const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, workers);
+    const Context context(threads);
+    const Tracer tracer(patches, context);
+    const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
     Relighter relighter(patches, tracer, kept.state, {.error = 0.02, .error_measure = ErrorMeasure::power},
-                        workers);
+                        context);
     relighter.set_lamps({0.5f, 0.6f, 0.7f});
     auto lamps = relighter.light();
     relighter.set_reflectance(std::vector(3 * patches.materials.size(), 0.25f));
@@ -193,11 +193,11 @@ TEST(Relight, same_bytes_for_any_number_of_threads) {
 
 TEST(Relight, numbers_that_cannot_be_are_refused) {
   auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
-  const Workers workers;
-  const Tracer tracer(patches, workers);
-  const auto kept = solve(patches, tracer, {.error = 0.1, .error_measure = ErrorMeasure::power}, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
+  const auto kept = solve(patches, tracer, {.error = 0.1, .error_measure = ErrorMeasure::power}, context);
   Relighter relighter(patches, tracer, kept.state, {.error = 0.1, .error_measure = ErrorMeasure::power},
-                      workers);
+                      context);
   EXPECT_THROW(relighter.set_lamps({1.0f}), InputError);
   EXPECT_THROW(relighter.set_lamps({1.0f, -1.0f, 1.0f}), InputError);
   EXPECT_THROW(relighter.set_reflectance({0.5f}), InputError);

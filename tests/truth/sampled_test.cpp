@@ -15,6 +15,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 
 #include "support/error_bars.h"
 #include "support/known_rooms.h"
@@ -27,13 +28,13 @@ constexpr std::size_t seeds = 8;
 constexpr double allowed = 7.0;  // standard errors of a mean over seeds
 
 std::vector<Solution> solve_with_seeds(const PatchSet& patches, const SampledOptions& options) {
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   std::vector<Solution> runs(seeds);
   for (std::size_t s = 0; s < seeds; ++s) {
     auto with_seed = options;
     with_seed.seed = s + 1;
-    solve_sampled(patches, tracer, runs[s], with_seed, workers);
+    solve_sampled(patches, tracer, runs[s], with_seed, context);
   }
   return runs;
 }
@@ -44,10 +45,10 @@ struct Solved {
 };
 
 Solved solve(const PatchSet& patches, const SampledOptions& options) {
-  const Workers workers;
-  const Tracer tracer(patches, workers);
+  const Context context;
+  const Tracer tracer(patches, context);
   Solved solved;
-  solved.report = solve_sampled(patches, tracer, solved.solution, options, workers);
+  solved.report = solve_sampled(patches, tracer, solved.solution, options, context);
   return solved;
 }
 
@@ -65,7 +66,7 @@ void expect_means(const PatchSet& patches, const std::map<std::string, double>& 
   for (const auto& [name, value] : exact) {
     const auto& material = name;
     const auto mean = measure(runs, [&](const Solution& run) {
-      return truth::mean_irradiance(patches, run.irradiance_front, material);
+      return truth::mean_irradiance(patches, run.irradiance.front, material);
     });
     EXPECT_NEAR(mean.value / value, 1.0, tolerance + allowed * mean.standard_error / value)
         << name << ": expected " << value << ", found " << mean.value << " +- " << mean.standard_error;
@@ -125,8 +126,8 @@ TEST(SampledEnclosures, a_furnace_is_exact) {
   expect_means(patches, {{"walls", 1.0}, {"block", 1.0}}, 0.0005);
   const auto solved = solve(patches, {.error = 0.01, .error_measure = ErrorMeasure::power});
   double worst = 0.0;
-  for (std::size_t i = 0; i < solved.solution.irradiance_front.size(); ++i) {
-    const double H = solved.solution.irradiance_front[i];
+  for (std::size_t i = 0; i < solved.solution.irradiance.front.size(); ++i) {
+    const double H = solved.solution.irradiance.front[i];
     worst = std::max(worst, std::abs(H - 1.0));
   }
   EXPECT_LT(worst, 0.1) << "one patch is far off";
@@ -169,10 +170,9 @@ class SampledSwitch : public testing::TestWithParam<Switch> {
 
   static void expect_mean_of(const truth::KnownRoom& room, const std::vector<Solution>& runs, bool back,
                              std::size_t material, std::size_t band) {
-    const auto exact =
-        sum_of(room.patches, back ? room.truth.irradiance_back : room.truth.irradiance_front, material, band);
+    const auto exact = sum_of(room.patches, room.truth.irradiance.of(back), material, band);
     const auto mean = measure(runs, [&](const Solution& run) {
-      return sum_of(room.patches, back ? run.irradiance_back : run.irradiance_front, material, band);
+      return sum_of(room.patches, run.irradiance.of(back), material, band);
     });
     EXPECT_NEAR(mean.value, exact, 0.003 * exact + allowed * mean.standard_error)
         << room.name << ", " << room.patches.materials[material].name << (back ? ", back" : "") << ", band "
@@ -211,11 +211,11 @@ truth::KnownRoom leaky_room() {
 TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed) {
   auto room = leaky_room();
   const std::array<Vec3, 4> turned_away = {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
-  const Workers workers;
-  const auto factors = truth::form_factors(room.patches, {truth::convex_polygon(turned_away)}, workers);
+  const Context context;
+  const auto factors = truth::form_factors(room.patches, {truth::convex_polygon(turned_away)}, context);
   room.truth = truth::true_light(room.patches, factors);
   std::vector<double> lost(3, 0.0);  // what the plate's back takes up
-  const auto sides = 2 * room.patches.size();
+  const auto sides = side_count(room.patches.size());
   for (std::size_t from = 0; from < sides; from += 2) {
     const auto p = from / 2;
     double to_back = 0.0;
@@ -223,7 +223,7 @@ TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed)
       if (!room.patches.material_of(to / 2).two_sided) to_back += factors[from * sides + to];
     for (std::size_t band = 0; band < 3; ++band) {
       const auto& m = room.patches.material_of(p);
-      const auto B = m.emittance[band] + m.reflectance[band] * room.truth.irradiance_front[3 * p + band];
+      const auto B = m.emittance[band] + m.reflectance[band] * room.truth.irradiance.front[3 * p + band];
       lost[band] += room.patches.area[p] * B * to_back;
     }
   }
@@ -232,7 +232,7 @@ TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed)
   EXPECT_LT(truth::true_error(room, solution), 0.01);
   for (std::size_t p = 0; p < room.patches.size(); ++p)
     if (!room.patches.material_of(p).two_sided) {
-      EXPECT_EQ(solution.irradiance_back[3 * p], 0.0f);
+      EXPECT_EQ(solution.irradiance.back[3 * p], 0.0f);
     }
   double of_material = 0.0;
   for (std::size_t band = 0; band < 3; ++band) {
@@ -266,11 +266,11 @@ TEST(SampledSides, radiosity_is_emittance_and_what_is_reflected) {
     for (std::size_t band = 0; band < 3; ++band) {
       const auto& m = room.patches.material_of(p);
       const auto i = 3 * p + band;
-      EXPECT_NEAR(solution.radiosity_front[i],
-                  m.emittance[band] + m.reflectance[band] * solution.irradiance_front[i],
-                  1e-6 * (1.0 + solution.radiosity_front[i]));
-      EXPECT_NEAR(solution.radiosity_back[i], m.reflectance[band] * solution.irradiance_back[i],
-                  1e-6 * (1.0 + solution.radiosity_back[i]));
+      EXPECT_NEAR(solution.radiosity.front[i],
+                  m.emittance[band] + m.reflectance[band] * solution.irradiance.front[i],
+                  1e-6 * (1.0 + solution.radiosity.front[i]));
+      EXPECT_NEAR(solution.radiosity.back[i], m.reflectance[band] * solution.irradiance.back[i],
+                  1e-6 * (1.0 + solution.radiosity.back[i]));
     }
 }
 
@@ -282,10 +282,10 @@ TEST(SampledSides, a_lamp_seen_from_its_back_lights_nothing) {
   b.material("ceiling", 0.5f, 0.0f).quad({0, 1, 2}, {1, 1, 2}, {1, 0, 2}, {0, 0, 2});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.3f});
   const auto [solution, report] = solve(patches, {.error = 0.02, .error_measure = ErrorMeasure::power});
-  EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance_front, "floor"), 0.0);
-  EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance_back, "lamp"), 0.0);
-  EXPECT_EQ(truth::mean_irradiance(patches, solution.standard_error_front, "floor"), 0.0);
-  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance_front, "ceiling"), 0.20189, 0.002);
+  EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance.front, "floor"), 0.0);
+  EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance.back, "lamp"), 0.0);
+  EXPECT_EQ(truth::mean_irradiance(patches, solution.standard_error.front, "floor"), 0.0);
+  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance.front, "ceiling"), 0.20189, 0.002);
 }
 
 TEST(SampledSides, a_two_sided_patch_is_lit_on_its_back) {
@@ -294,10 +294,10 @@ TEST(SampledSides, a_two_sided_patch_is_lit_on_its_back) {
   b.material("upper", 0.5f, 0.0f).quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.1f});
   const auto [solution, report] = solve(patches, {.error = 0.01, .error_measure = ErrorMeasure::power});
-  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance_back, "upper"), 0.20189437848, 0.001);
-  EXPECT_NEAR(truth::mean_irradiance(patches, solution.radiosity_back, "upper"), 0.10094718924, 0.0005);
-  EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance_front, "upper"), 0.0);
-  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance_front, "lower"), 0.02043611012, 0.0004);
+  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance.back, "upper"), 0.20189437848, 0.001);
+  EXPECT_NEAR(truth::mean_irradiance(patches, solution.radiosity.back, "upper"), 0.10094718924, 0.0005);
+  EXPECT_EQ(truth::mean_irradiance(patches, solution.irradiance.front, "upper"), 0.0);
+  EXPECT_NEAR(truth::mean_irradiance(patches, solution.irradiance.front, "lower"), 0.02043611012, 0.0004);
 }
 
 TEST(SampledSides, a_scene_without_a_lamp_is_refused_with_advice) {

@@ -3,7 +3,7 @@
 
 #include "luxel/patch/make_patches.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/solve/seen_solution.h"
+#include "luxel/solve/seen_measure.h"
 
 #include "support/truth_scenes.h"
 
@@ -19,10 +19,10 @@ struct Solved {
 
 Solved solve(const Scene& scene, const SampledOptions& options) {
   Solved s{make_patches(scene, {.max_edge = 0.1f}), {}, {}, 0.0};
-  const Workers workers(2);
-  const Tracer tracer(s.patches, workers);
-  s.report = solve_sampled(s.patches, tracer, s.solution, options, workers);
-  s.recomputed = seen_error_of(s.patches, tracer, s.solution, workers);
+  const Context context(2);
+  const Tracer tracer(s.patches, context);
+  s.report = solve_sampled(s.patches, tracer, s.solution, options, context);
+  s.recomputed = seen_error_of(s.patches, tracer, s.solution, context);
   return s;
 }
 

@@ -30,47 +30,47 @@ struct Answer {
   Solution light;
   EnergyBalance energy;
 };
-using Solve = Answer (*)(const PatchSet&, const Tracer&, const Workers&);
+using Solve = Answer (*)(const PatchSet&, const Tracer&, const Context&);
 
-Answer sampled(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Answer sampled(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Answer a;
   a.energy = solve_sampled(patches, tracer, a.light,
-                           {.error = 0.01, .error_measure = ErrorMeasure::power, .replicates = 32}, workers)
+                           {.error = 0.01, .error_measure = ErrorMeasure::power, .replicates = 32}, context)
                  .energy;
   return a;
 }
-Answer shooting(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Answer shooting(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Answer a;
   a.energy =
-      solve_stochastic_jacobi(patches, tracer, a.light, {.rays = 500'000, .tolerance = 1e-6}, workers).energy;
+      solve_stochastic_jacobi(patches, tracer, a.light, {.rays = 500'000, .tolerance = 1e-6}, context).energy;
   return a;
 }
-Answer dense(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Answer dense(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Answer a;
-  a.energy = solve_dense(patches, tracer, a.light, {}, workers).energy;
+  a.energy = solve_dense(patches, tracer, a.light, {}, context).energy;
   return a;
 }
-Answer dense_by_parts(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Answer dense_by_parts(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Answer a;
-  a.energy = solve_dense(patches, tracer, a.light, {.solver = DenseSolver::gauss_seidel}, workers).energy;
+  a.energy = solve_dense(patches, tracer, a.light, {.solver = DenseSolver::gauss_seidel}, context).energy;
   return a;
 }
-Answer hemicube(const PatchSet& patches, const Tracer&, const Workers& workers) {
+Answer hemicube(const PatchSet& patches, const Tracer&, const Context& context) {
   Answer a;
-  a.energy = solve_hemicube(patches, a.light, {.hemicube = {.resolution = 64, .points = 4}}, workers).energy;
+  a.energy = solve_hemicube(patches, a.light, {.hemicube = {.resolution = 64, .points = 4}}, context).energy;
   return a;
 }
-Answer lines(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Answer lines(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Answer a;
-  a.energy = solve_lines(patches, tracer, a.light, {.lines = {.lines = 4096}}, workers).energy;
+  a.energy = solve_lines(patches, tracer, a.light, {.lines = {.lines = 4096}}, context).energy;
   return a;
 }
-Answer reference(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Answer reference(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Answer a;
   PathOptions options;
   options.limits.samples = 1024;
   options.bounces_from = BouncesFrom::patches;
-  const auto report = trace_light(patches, tracer, a.light, options, workers);
+  const auto report = trace_light(patches, tracer, a.light, options, context);
   a.energy = {report.emitted, report.from_sky, report.absorbed, report.escaped, report.lost_at_backs, {}};
   return a;
 }
@@ -91,15 +91,15 @@ class Sky : public testing::TestWithParam<Method> {
     auto scene = built;
     scene.sky = Vec3(sky);
     patches_ = make_patches(scene, {.max_edge = max_edge});
-    const Workers workers;
-    const Tracer tracer(patches_, workers);
-    answer_ = GetParam().solve(patches_, tracer, workers);
+    const Context context;
+    const Tracer tracer(patches_, context);
+    answer_ = GetParam().solve(patches_, tracer, context);
     const auto& s = answer_.light;
     double squared_error = 0.0, squared_light = 0.0;
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-      const auto H = double{s.irradiance_front[3 * p]};
+      const auto H = double{s.irradiance.front[3 * p]};
       const auto off = H - full * truth(patches_, p);
-      const auto stated = s.standard_error_front.empty() ? 0.0 : double{s.standard_error_front[3 * p]};
+      const auto stated = s.standard_error.front.empty() ? 0.0 : double{s.standard_error.front[3 * p]};
       squared_error += double{patches_.area[p]} * off * off;
       squared_light += double{patches_.area[p]} * H * H;
       if (s.provenance.method != "stochastic-jacobi") {
@@ -137,7 +137,7 @@ TEST_P(Sky, alone_lights_all_of_a_convex_thing_alike_and_nothing_within_it) {
   block(b, {0, 0, 0}, {1, 2, 1});
   expect(b.scene(), 1.2f, all_of_it);
   const auto& s = answer_.light;
-  for (std::size_t i = 0; i < s.irradiance_back.size(); ++i) EXPECT_LE(s.irradiance_back[i], 1e-5 * full);
+  for (std::size_t i = 0; i < s.irradiance.back.size(); ++i) EXPECT_LE(s.irradiance.back[i], 1e-5 * full);
   for (std::size_t b2 = 0; b2 < 3; ++b2) {
     EXPECT_NEAR(answer_.energy.from_sky[b2], 10.0 * full, 0.01 * full) << "10 m² see nothing but the sky";
     EXPECT_NEAR(answer_.energy.absorbed[b2], 4.0 * full, 0.01 * full);
@@ -154,7 +154,7 @@ TEST_P(Sky, makes_a_furnace_of_things_that_emit_what_they_do_not_reflect) {
   block(b, {1.2f, 0.3f, 0.1f}, {1.6f, 0.9f, 1.3f});
   expect(b.scene(), 1.1f, all_of_it);
   for (std::size_t p = 0; p < patches_.size(); ++p) {
-    const auto B = double{answer_.light.radiosity_front[3 * p]};
+    const auto B = double{answer_.light.radiosity.front[3 * p]};
     EXPECT_NEAR(B / full, 1.0, 0.1);
   }
 }

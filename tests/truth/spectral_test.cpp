@@ -61,24 +61,24 @@ Vec3d fine_colour(const Of& of) {
 }
 
 Vec3d colour_of_patch(const Baked& baked, std::size_t patch) {
-  return baked.patches.colours().rgb(&baked.solution.radiosity_front[patch * baked.patches.band_count()]);
+  return baked.patches.colours().rgb(&baked.solution.radiosity.front[patch * baked.patches.band_count()]);
 }
 
 Baked solve_dense(const Scene& scene) {
-  const Workers workers(2);
+  const Context context(2);
   Baked baked;
   baked.patches = make_patches(scene, {.max_edge = no_max_edge});
-  const Tracer tracer(baked.patches, workers);
-  luxel::solve_dense(baked.patches, tracer, baked.solution, {}, workers);
+  const Tracer tracer(baked.patches, context);
+  luxel::solve_dense(baked.patches, tracer, baked.solution, {}, context);
   return baked;
 }
 
 Baked solve_sampled(const Scene& scene, const SampledOptions& options, int threads = 2) {
-  const Workers workers(threads);
+  const Context context(threads);
   Baked baked;
   baked.patches = make_patches(scene, {.max_edge = 0.5f});
-  const Tracer tracer(baked.patches, workers);
-  luxel::solve_sampled(baked.patches, tracer, baked.solution, options, workers);
+  const Tracer tracer(baked.patches, context);
+  luxel::solve_sampled(baked.patches, tracer, baked.solution, options, context);
   return baked;
 }
 
@@ -162,20 +162,20 @@ TEST(Spectral, pictures_of_a_glowing_room_are_of_its_colour_by_every_road) {
   const auto scene = glowing_cube(paint, lamp, 10.0);
   const auto baked = solve_dense(scene);
   const auto expected = colour_of_patch(baked, 0) / std::numbers::pi;
-  const Workers workers(2);
-  const Tracer tracer(baked.patches, workers);
+  const Context context(2);
+  const Tracer tracer(baked.patches, context);
   const auto expect_mean = [&](const Image& picture, double fraction) {
     const auto mean = mean_color(picture);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(static_cast<double>(mean[i]), expected[i], fraction * expected.r);
   };
   expect_mean(render(baked.patches, make_smooth_light(baked.patches, baked.solution), tracer, inside,
-                     {.width = 24, .height = 18}, workers),
+                     {.width = 24, .height = 18}, context),
               1e-4);
   expect_mean(gather_picture(baked.patches, baked.solution, tracer, inside,
-                             {.width = 24, .height = 18, .rays = 64}, workers),
+                             {.width = 24, .height = 18, .rays = 64}, context),
               0.01);
   const auto traced =
-      trace_picture(baked.patches, tracer, inside, {24, 18}, {.limits = {.samples = 128}}, workers);
+      trace_picture(baked.patches, tracer, inside, {24, 18}, {.limits = {.samples = 128}}, context);
   expect_mean(traced.radiance, 0.01);
   EXPECT_GT(traced.standard_error.pixels[0].r, 0.0f);
 }
@@ -187,8 +187,8 @@ TEST(Spectral, every_number_of_threads_gives_the_same_bytes) {
   const auto one = solve_sampled(scene, {.error = 0.1, .error_measure = ErrorMeasure::power}, 1);
   for (const int threads : {2, 5}) {
     const auto many = solve_sampled(scene, {.error = 0.1, .error_measure = ErrorMeasure::power}, threads);
-    EXPECT_EQ(one.solution.irradiance_front, many.solution.irradiance_front);
-    EXPECT_EQ(one.solution.standard_error_front, many.solution.standard_error_front);
+    EXPECT_EQ(one.solution.irradiance.front, many.solution.irradiance.front);
+    EXPECT_EQ(one.solution.standard_error.front, many.solution.standard_error.front);
   }
 }
 
@@ -199,7 +199,7 @@ TEST(Spectral, the_file_keeps_the_wavelengths) {
   const auto again = read_solution(path);
   EXPECT_EQ(again.patches.wavebands, baked.patches.wavebands);
   EXPECT_EQ(again.patches.bands[3], "430 nm");
-  EXPECT_EQ(again.solution.radiosity_front, baked.solution.radiosity_front);
+  EXPECT_EQ(again.solution.radiosity.front, baked.solution.radiosity.front);
   std::filesystem::remove(path);
   baked.patches.wavebands[2].width = 0.0;
   EXPECT_THROW(write_solution(path, baked.patches, baked.solution), MismatchError);

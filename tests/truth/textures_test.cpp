@@ -85,10 +85,10 @@ Scene chequered_box(bool textured) {
 }
 
 Solution solved(const PatchSet& patches) {
-  const Workers workers(2);
-  const Tracer tracer(patches, workers);
+  const Context context(2);
+  const Tracer tracer(patches, context);
   Solution light;
-  solve_sampled(patches, tracer, light, {.error = 0.01, .error_measure = ErrorMeasure::power}, workers);
+  solve_sampled(patches, tracer, light, {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
   return light;
 }
 
@@ -104,19 +104,19 @@ TEST(Textures, LightAsMaterialsOfTheSameColoursDo) {
   // Lamps are joined differently, so both are estimates: of the same light within their errors.
   const auto one = solved(plain), other = solved(textured);
   double off2 = 0.0, squared_light = 0.0;
-  for (std::size_t i = 0; i < one.irradiance_front.size(); ++i) {
+  for (std::size_t i = 0; i < one.irradiance.front.size(); ++i) {
     const double area = plain.area[i / 3];
-    const auto d = double{one.irradiance_front[i]} - double{other.irradiance_front[i]};
+    const auto d = double{one.irradiance.front[i]} - double{other.irradiance.front[i]};
     off2 += area * d * d;
-    squared_light += area * double{one.irradiance_front[i]} * double{one.irradiance_front[i]};
+    squared_light += area * double{one.irradiance.front[i]} * double{one.irradiance.front[i]};
   }
   EXPECT_LT(std::sqrt(off2 / squared_light), 1.3 * std::hypot(one.predicted_error, other.predicted_error));
 }
 
 TEST(Textures, ColourAlikeOnAnyNumberOfThreads) {
   const auto scene = chequered_box(true);
-  const auto one = make_patches(scene, {.max_edge = 0.02f}, Workers(1));
-  const auto four = make_patches(scene, {.max_edge = 0.02f}, Workers(4));
+  const auto one = make_patches(scene, {.max_edge = 0.02f}, Context(1));
+  const auto four = make_patches(scene, {.max_edge = 0.02f}, Context(4));
   EXPECT_EQ(one.reflectance_ratio, four.reflectance_ratio);
   EXPECT_EQ(one.emittance_ratio, four.emittance_ratio);
   EXPECT_EQ(one.uv_sets, four.uv_sets);
@@ -155,7 +155,7 @@ TEST(Textures, ComeBackFromASolutionFile) {
 
 TEST(Textures, ShowFinerThanPatches) {
   const auto patches = make_patches(chequered_box(true), {.max_edge = no_max_edge, .contacts = false});
-  const FineColours fine(patches, Workers());
+  const FineColours fine(patches, Context());
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (patches.material_of(p).textures.reflectance) continue;
     EXPECT_EQ(fine.reflectance(p, 0.4f, 0.3f), Vec3(1.0f));
@@ -196,7 +196,7 @@ Scene sheet_with_holes() {
 
 TEST(Holes, LetRaysThrough) {
   const auto patches = make_patches(sheet_with_holes(), {.max_edge = 0.3f});
-  const Tracer tracer(patches, Workers(1));
+  const Tracer tracer(patches, Context(1));
   double area = 0.0;
   for (const auto a : patches.area) area += double{a};
   EXPECT_NEAR(area, 2.0, 1e-3);  // half of 4 m²
@@ -231,8 +231,8 @@ TEST(Holes, pass_the_fraction_of_a_sky_that_they_are) {
   double sum = 0.0, area = 0.0, squared_error = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (patches.material[p] == MaterialId{1}) {
-      sum += double{patches.area[p]} * double{light.irradiance_front[3 * p]};
-      squared_error += std::pow(double{patches.area[p]} * double{light.standard_error_front[3 * p]}, 2);
+      sum += double{patches.area[p]} * double{light.irradiance.front[3 * p]};
+      squared_error += std::pow(double{patches.area[p]} * double{light.standard_error.front[3 * p]}, 2);
       area += double{patches.area[p]};
     }
   // The plate is as wide as two pairs of strips, and at 2 cm what it sees past its own strips is the next

@@ -90,21 +90,21 @@ struct Lit {
 // unit: metres per metre; of all lengths asked for.
 Lit solve(const Scene& scene, By by, std::uint64_t seed = 1, float max_edge = 2.0f, float unit = 1.0f) {
   Lit lit;
-  const Workers workers;
+  const Context context;
   lit.patches =
       make_patches(scene, {.max_edge = unit * max_edge, .contact_gap = unit * PatchOptions().contact_gap});
-  const Tracer tracer(lit.patches, workers);
+  const Tracer tracer(lit.patches, context);
   auto& [patches, solution, energy] = lit;
   if (by == By::sampling)
     energy = solve_sampled(patches, tracer, solution,
-                           {.error = 0.02, .error_measure = ErrorMeasure::power, .seed = seed}, workers)
+                           {.error = 0.02, .error_measure = ErrorMeasure::power, .seed = seed}, context)
                  .energy;
   if (by == By::shooting)
     energy =
-        solve_stochastic_jacobi(patches, tracer, solution, {.rays = 100'000, .seed = seed}, workers).energy;
+        solve_stochastic_jacobi(patches, tracer, solution, {.rays = 100'000, .seed = seed}, context).energy;
   if (by == By::paths)
     trace_light(patches, tracer, solution,
-                {.limits = {.samples = 384}, .bounces_from = BouncesFrom::patches, .seed = seed}, workers);
+                {.limits = {.samples = 384}, .bounces_from = BouncesFrom::patches, .seed = seed}, context);
   return lit;
 }
 
@@ -132,14 +132,14 @@ Mean mean_of(const std::vector<Lit>& all, const Number& number) {
 }
 
 double front(const Lit& lit, const char* material) {
-  return truth::mean_irradiance(lit.patches, lit.light.irradiance_front, material);
+  return truth::mean_irradiance(lit.patches, lit.light.irradiance.front, material);
 }
 Mean front(const std::vector<Lit>& all, const char* material) {
   return mean_of(all, [&](const Lit& lit) { return front(lit, material); });
 }
 Mean back(const std::vector<Lit>& all, const char* material) {
   return mean_of(all, [&](const Lit& lit) {
-    return truth::mean_irradiance(lit.patches, lit.light.irradiance_back, material);
+    return truth::mean_irradiance(lit.patches, lit.light.irradiance.back, material);
   });
 }
 
@@ -235,7 +235,7 @@ Scene table(Pile pile) {
 TEST(ThinThings, surfaces_on_top_of_each_other_give_the_light_of_one) {
   for (const auto by : {By::sampling, By::shooting}) {
     const auto once = solve_often(table(Pile::once), by);
-    EXPECT_EQ(once[0].light.irradiance_front, solve(table(Pile::twice), by).light.irradiance_front);
+    EXPECT_EQ(once[0].light.irradiance.front, solve(table(Pile::twice), by).light.irradiance.front);
     for (const auto pile : {Pile::other_diagonal, Pile::overlap, Pile::opposite}) {
       const auto all = solve_often(table(pile), by);
       for (const auto* material : {"floor", "walls", "ceiling"}) {
@@ -263,8 +263,8 @@ TEST(ThinThings, a_closed_box_in_a_lit_room_is_black_inside) {
     const auto lit = solve(box_at(midst), by, 1, 0.5f);
     for (std::size_t p = 0; p < lit.patches.size(); ++p) {
       if (lit.patches.material_of(p).name != "box") continue;
-      EXPECT_EQ(lit.light.irradiance_back[3 * p], 0.0f) << static_cast<int>(by) << ": patch " << p;
-      EXPECT_GT(lit.light.irradiance_front[3 * p], 0.0f);
+      EXPECT_EQ(lit.light.irradiance.back[3 * p], 0.0f) << static_cast<int>(by) << ": patch " << p;
+      EXPECT_GT(lit.light.irradiance.front[3 * p], 0.0f);
     }
   }
 }
@@ -279,10 +279,10 @@ TEST(ThinThings, a_corner_through_a_wall_lets_in_no_more_than_the_hole_it_makes)
     for (std::size_t p = 0; p < lit.patches.size(); ++p) {
       const auto& name = lit.patches.material_of(p).name;
       if (name == "walls")
-        brightest = std::max(brightest, static_cast<double>(lit.light.radiosity_front[3 * p]));
+        brightest = std::max(brightest, static_cast<double>(lit.light.radiosity.front[3 * p]));
       if (name == "box")
         inside +=
-            static_cast<double>(lit.patches.area[p]) * static_cast<double>(lit.light.irradiance_back[3 * p]);
+            static_cast<double>(lit.patches.area[p]) * static_cast<double>(lit.light.irradiance.back[3 * p]);
     }
     EXPECT_GT(brightest, 0.0);
     EXPECT_LE(inside, hole * brightest / (1.0 - 0.8)) << static_cast<int>(by);
@@ -294,8 +294,8 @@ std::vector<Scene> all_scenes() {
 }
 
 void expect_same_light(const Lit& a, const Lit& b) {
-  EXPECT_EQ(a.light.irradiance_front, b.light.irradiance_front);
-  EXPECT_EQ(a.light.irradiance_back, b.light.irradiance_back);
+  EXPECT_EQ(a.light.irradiance.front, b.light.irradiance.front);
+  EXPECT_EQ(a.light.irradiance.back, b.light.irradiance.back);
 }
 
 TEST(ThinThings, light_is_the_same_in_millimetres_and_in_kilometres) {

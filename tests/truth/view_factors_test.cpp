@@ -123,7 +123,7 @@ TEST(ViewFactors, give_the_heat_that_the_textbook_has_for_a_closed_shield) {
   add_cube(b, 0.75f, true);
   const FactorScene boxes(b.scene(), Between::materials, ElementSides::both);
   auto factors = boxes.counted({.error = 5e-4});
-  enforce_laws(factors, boxes.workers);
+  enforce_laws(factors, boxes.context);
   EXPECT_NEAR(factor(factors, "hot", "shield:back").value, 1.0, 1e-9);
   EXPECT_NEAR(factor(factors, "shield:back", "hot").value, 1.0 / 2.25, 1e-9) << "by reciprocity";
   EXPECT_NEAR(factor(factors, "cold", "shield").value, 2.25 / 4.0, 1e-9);
@@ -140,7 +140,7 @@ TEST(ViewFactors, give_half_the_heat_between_near_plates_with_a_shield) {
   // edges, 1 % on each side of the shield, is the difference.
   const FactorScene plates(plates_with_shield(0.01f, true), Between::materials, ElementSides::both);
   auto factors = plates.counted({.error = 5e-4});
-  enforce_laws(factors, plates.workers);
+  enforce_laws(factors, plates.context);
   constexpr double emissivity = 0.8;
   const auto endless = 1.0 / (2.0 * (2.0 / emissivity - 1.0));
   const auto heat = solve_network(factors, emissivity);
@@ -165,7 +165,7 @@ TEST(ViewFactors, between_patches_agree_with_closed_forms_and_keep_the_laws) {
   }
   // Over some thousand factors: 1 within a few per cent.
   EXPECT_NEAR(squares / expected, 1.0, 0.2);
-  const auto check = check_view_factors(counted, room.workers);
+  const auto check = check_view_factors(counted, room.context);
   EXPECT_NEAR(check.reciprocity / check.expected_reciprocity, 1.0, 0.2);
   EXPECT_LE(check.largest, 1.0);
 }
@@ -177,7 +177,7 @@ TEST(ViewFactors, of_patches_are_counted_until_a_row_is_known_and_their_number_i
   EXPECT_LE(room.report.row_error, 0.04);
   EXPECT_EQ(room.report.rays_per_side, 1024u) << "1 / 0.04² is 625";
   const auto predicted = static_cast<double>(room.report.predicted_factors);
-  const auto done = enforce_laws(factors, room.workers);
+  const auto done = enforce_laws(factors, room.context);
   EXPECT_EQ(done.count, factors.count());
   EXPECT_NEAR(predicted / static_cast<double>(factors.count()), 1.0, 0.15);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // node photographs.mjs PAGE.html FOLDER
-// The pictures of docs/sharing.md: what a person sees at a desk and on a phone.
+// The pictures of docs/html-pages.md: what a person sees at a desk and on a phone.
 import { join, resolve } from 'node:path';
 import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';

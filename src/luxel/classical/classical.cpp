@@ -5,8 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "luxel/classical/dense_operator.h"
 #include "luxel/classical/direct_solve.h"
 #include "luxel/classical/gauss_seidel.h"
+#include "luxel/classical/hemicube_operator.h"
+#include "luxel/classical/jacobi.h"
 #include "luxel/classical/line_errors.h"
 #include "luxel/classical/row_light.h"
 #include "luxel/classical/stochastic_jacobi.h"
@@ -15,17 +18,17 @@
 namespace luxel {
 namespace {
 
-constexpr double rounding = 1e-6;  // of the light: factors and radiosities are floats
+constexpr double rounding = 1e-6;  // relative to the light: factors and radiosities are stored as floats
 
-// One run of any of the three: light, solution and report are kept in step.
-class Run {
+// One run of any of the three methods; updates light, solution and report together.
+class ClassicalRun {
  public:
-  Run(const PatchSet& patches, Solution& solution, const char* method, const Workers& workers,
-      const Monitor& monitor)
-      : patches_(patches), solution_(solution), workers_(workers), monitor_(monitor) {
+  ClassicalRun(const PatchSet& patches, Solution& solution, const char* method, const LightSink& on_light,
+               const Context& context)
+      : patches_(patches), solution_(solution), on_light_(on_light), context_(context) {
     check_light(patches);
     const auto before = std::exchange(solution_, {});
-    solution_.mesh_error = before.mesh_error;  // this and the three below are the caller's
+    solution_.mesh_error = before.mesh_error;  // this and the three below are set by the caller
     solution_.provenance.program_version = before.provenance.program_version;
     solution_.provenance.command_line = before.provenance.command_line;
     solution_.provenance.options = before.provenance.options;
@@ -34,14 +37,14 @@ class Run {
     solution_.provenance.scene_fingerprint = patches.scene_fingerprint;
   }
 
-  // Stopped before there was an operator: only the lamps shine.
+  // The run was stopped before there was an operator: only the lamps emit.
   SolveReport stopped_in_the_dark() {
     const auto count = patches_.size() * patches_.band_count();
-    for (auto* array : {&solution_.irradiance_front, &solution_.irradiance_back, &solution_.radiosity_front,
-                        &solution_.radiosity_back})
+    for (auto* array : {&solution_.irradiance.front, &solution_.irradiance.back, &solution_.radiosity.front,
+                        &solution_.radiosity.back})
       array->assign(count, 0.0f);
     for (std::size_t i = 0; i < count; ++i)
-      solution_.radiosity_front[i] = patches_.emittance(i / patches_.band_count(), i % patches_.band_count());
+      solution_.radiosity.front[i] = patches_.emittance(i / patches_.band_count(), i % patches_.band_count());
     auto& energy = report_.energy;
     energy.emitted = energy.unshot = emitted_power(patches_);
     for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
@@ -58,10 +61,11 @@ class Run {
       show_light(transport, light);
     };
     report_.unshot_fraction = 1.0;
-    const auto end =
-        jacobi(transport, light.area, light.emittance, light.from_sky, light.reflectance, light.before,
-               light.irradiance, light.radiosity, options, workers_, monitor_, show)
-            .end;
+    const auto end = jacobi(transport,
+                            {light.area, light.emittance, light.from_sky, light.reflectance, light.before,
+                             light.irradiance, light.radiosity},
+                            options, context_, show)
+                         .end;
     if (end == JacobiEnd::stopped) return StopReason::stopped_by_user;
     return end == JacobiEnd::step_limit ? StopReason::step_limit : StopReason::converged;
   }
@@ -69,11 +73,11 @@ class Run {
   // R = rho (D + F E + F R), and then B = E + R.
   StopReason iterate_by_parts(const RowOperator& transport, RowLight& light, double tolerance) {
     std::vector<float> direct(light.irradiance.size());
-    transport.apply(light.emittance, direct, 0, transport.size(), workers_);
+    transport.apply(light.emittance, direct, 0, transport.size(), context_);
     for (std::size_t i = 0; i < direct.size(); ++i) direct[i] += light.from_sky[i];
     std::vector<float> reflected(direct.size(), 0.0f);
-    gauss_seidel(transport, direct, light.reflectance, reflected, light.irradiance, {.tolerance = tolerance},
-                 workers_);
+    gauss_seidel(transport, {direct, light.reflectance, reflected, light.irradiance},
+                 {.tolerance = tolerance}, context_.quiet());
     for (std::size_t i = 0; i < reflected.size(); ++i) light.before[i] = light.emittance[i] + reflected[i];
     close(transport, light);
     return StopReason::converged;
@@ -85,7 +89,7 @@ class Run {
     for (std::size_t i = 0; i < leaves_first.size(); ++i)
       leaves_first[i] += light.reflectance[i] * light.from_sky[i];
     auto radiosity = leaves_first;
-    if (!solve_directly(transport.factors(), leaves_first, light.reflectance, radiosity, workers_, monitor_))
+    if (!solve_directly(transport.factors(), leaves_first, light.reflectance, radiosity, context_))
       return StopReason::stopped_by_user;
     report_.unshot_fraction = 0.0;
     light.before = std::move(radiosity);
@@ -108,7 +112,7 @@ class Run {
  private:
   // H and B from the radiosity found.
   void close(const RowOperator& transport, RowLight& light) {
-    transport.apply(light.before, light.irradiance, 0, transport.size(), workers_);
+    transport.apply(light.before, light.irradiance, 0, transport.size(), context_);
     for (std::size_t i = 0; i < light.radiosity.size(); ++i) {
       light.irradiance[i] += light.from_sky[i];
       light.radiosity[i] = light.emittance[i] + light.reflectance[i] * light.irradiance[i];
@@ -116,11 +120,13 @@ class Run {
     show_light(transport, light);
   }
 
-  // What the monitor answers is asked again before the next work.
+  // The monitor is polled again before the next stage.
   void show_light(const RowOperator& transport, const RowLight& light) {
     write_light(transport, light, {}, solution_);
     solution_.unshot_fraction = report_.unshot_fraction;
-    tell(monitor_, {"light", 1.0 - report_.unshot_fraction, 0, 0.0, &solution_});
+    const Progress progress{"light", 1.0 - report_.unshot_fraction};
+    if (on_light_) on_light_(solution_, progress);
+    context_.report(progress);
   }
 
   SolveReport sign(StopReason reason) {
@@ -133,19 +139,20 @@ class Run {
 
   const PatchSet& patches_;
   Solution& solution_;
-  const Workers& workers_;
-  const Monitor& monitor_;
+  const LightSink& on_light_;
+  const Context& context_;
   SolveReport report_;
 };
 
-// How far the light may be off: the errors of the factors, sent on from side to side as light is.
+// Bound of the error of the light: the errors of the factors, propagated from side to side as light is.
 std::vector<float> integration_errors(const DenseOperator& transport, const RowLight& light,
-                                      const Workers& workers) {
+                                      const Context& context) {
   const auto gathered = transport.irradiance_error(light.before);
   const std::vector<float> direct(gathered.begin(), gathered.end());
   std::vector<float> reflected(direct.size(), 0.0f), error(direct.size(), 0.0f);
-  gauss_seidel(transport, direct, light.reflectance, reflected, error, {.tolerance = 0.01}, workers);
-  // What is left free of a row is as exact as the row's sum, not as itself.
+  gauss_seidel(transport, {direct, light.reflectance, reflected, error}, {.tolerance = 0.01},
+               context.quiet());
+  // The part of a row that is left for the sky is as accurate as the row's sum.
   const auto& patches = transport.patches();
   for (std::size_t i = 0; i < error.size(); ++i) {
     const auto sky = static_cast<float>(patches.sky_radiosity(i % patches.band_count()));
@@ -157,10 +164,10 @@ std::vector<float> integration_errors(const DenseOperator& transport, const RowL
 }  // namespace
 
 SolveReport solve_dense(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                        const DenseSolveOptions& options, const Workers& workers, const Monitor& monitor) {
-  Run run(patches, solution, "dense", workers, monitor);
+                        const DenseSolveOptions& options, const Context& context, const LightSink& on_light) {
+  ClassicalRun run(patches, solution, "dense", on_light, context);
   run.report().error_kind = ErrorKind::integration;
-  auto transport = DenseOperator::make(patches, tracer, options.factors, workers, monitor);
+  auto transport = DenseOperator::make(patches, tracer, options.factors, context);
   if (!transport) return run.stopped_in_the_dark();
   if (!options.face.empty()) transport->join_faces(options.face);
   RowLight light(*transport);
@@ -176,14 +183,14 @@ SolveReport solve_dense(const PatchSet& patches, const Tracer& tracer, Solution&
       reason = run.iterate_by_parts(*transport, light, options.iteration.tolerance);
       break;
   }
-  return run.finish(*transport, light, integration_errors(*transport, light, workers), reason);
+  return run.finish(*transport, light, integration_errors(*transport, light, context), reason);
 }
 
 SolveReport solve_hemicube(const PatchSet& patches, Solution& solution, const HemicubeSolveOptions& options,
-                           const Workers& workers, const Monitor& monitor) {
-  Run run(patches, solution, "hemicube", workers, monitor);
+                           const Context& context, const LightSink& on_light) {
+  ClassicalRun run(patches, solution, "hemicube", on_light, context);
   run.report().error_kind = ErrorKind::unknown;
-  const auto transport = HemicubeOperator::make(patches, options.hemicube, workers, monitor);
+  const auto transport = HemicubeOperator::make(patches, options.hemicube, context);
   if (!transport) return run.stopped_in_the_dark();
   RowLight light(*transport);
   const auto reason = run.iterate(*transport, light, options.iteration);
@@ -191,15 +198,15 @@ SolveReport solve_hemicube(const PatchSet& patches, Solution& solution, const He
 }
 
 SolveReport solve_lines(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                        const LinesSolveOptions& options, const Workers& workers, const Monitor& monitor) {
-  Run run(patches, solution, "lines", workers, monitor);
+                        const LinesSolveOptions& options, const Context& context, const LightSink& on_light) {
+  ClassicalRun run(patches, solution, "lines", on_light, context);
   solution.provenance.seed = options.lines.seed;
-  const auto transport = LinesOperator::make(patches, tracer, options.lines, workers, monitor);
+  const auto transport = LinesOperator::make(patches, tracer, options.lines, context);
   if (!transport) return run.stopped_in_the_dark();
   run.report().rays = std::uint64_t{options.lines.lines} * transport->size();
   RowLight light(*transport);
   const auto reason = run.iterate(*transport, light, options.iteration);
-  const auto errors = line_errors(*transport, light, options.lines.seed, workers);
+  const auto errors = line_errors(*transport, light, options.lines.seed, context);
   return run.finish(*transport, light, errors, reason);
 }
 

@@ -7,6 +7,7 @@
 
 #include "luxel/classical/row_turns.h"
 #include "luxel/form_factors/form_factor.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 namespace luxel {
@@ -33,31 +34,30 @@ struct Pair {
 };
 
 // The backs of one-sided materials.
-std::vector<std::uint32_t> dead_sides(const PatchSet& patches) {
-  std::vector<std::uint32_t> sides;
+std::vector<SideId> dead_sides(const PatchSet& patches) {
+  std::vector<SideId> sides;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    if (!patches.material_of(p).two_sided) sides.push_back(static_cast<std::uint32_t>(side_of(p, true)));
+    if (!patches.material_of(p).two_sided) sides.push_back(SideId(p, true));
   return sides;
 }
 
 }  // namespace
 
-DenseOperator::DenseOperator(const PatchSet& patches, const Workers& workers)
-    : RowOperator(patches, workers), factors_(size() * size(), 0.0f), error_at_backs_(size(), 0.0) {}
+DenseOperator::DenseOperator(const PatchSet& patches, const Context& context)
+    : RowOperator(patches, context), factors_(size() * size(), 0.0f), error_at_backs_(size(), 0.0) {}
 
 std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const Tracer& tracer,
-                                                 const DenseOptions& options, const Workers& workers,
-                                                 const Monitor& monitor) {
-  DenseOperator transport(patches, workers);
-  const FormFactors form_factors(patches, tracer, workers);
+                                                 const DenseOptions& options, const Context& context) {
+  DenseOperator transport(patches, context);
+  const FormFactors form_factors(patches, tracer, context);
   const auto n = transport.size();
   const auto side = [&](std::size_t receiver) { return transport.sides().side[receiver]; };
   const auto area = [&](std::size_t receiver) {
-    return static_cast<double>(patches.area[side(receiver) / 2]);
+    return static_cast<double>(patches.area[side(receiver).patch()]);
   };
   auto& escaped = transport.losses().escaped;
 
-  // 1. Pairs of receivers, from the smaller one, whose factor is the larger: then both are within the
+  // 1. Pairs of receivers. The factor from the smaller one is the larger of the two, so both are within the
   // tolerance.
   const auto pairs = n * (n - 1) / 2;
   const auto chunks = (pairs + pairs_per_chunk - 1) / pairs_per_chunk;
@@ -82,14 +82,14 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
              static_cast<float>(factor.error), static_cast<float>(factor.error * ratio)});
     }
   };
-  if (!for_chunks_in_turns(pairs, pairs_per_chunk, workers, monitor, find_pairs)) return {};
+  if (!for_chunks_in_turns(pairs, pairs_per_chunk, context, find_pairs)) return {};
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
     transport.integrated_.insert(transport.integrated_.end(), integrated[chunk].begin(),
                                  integrated[chunk].end());
     transport.exact_error_ = std::max(transport.exact_error_, exact_error[chunk]);
   }
 
-  // 2. What does not reach a receiver: it ends at the backs of one-sided materials, or nowhere.
+  // 2. The remainder of each row: absorbed at the backs of one-sided materials, or escaped.
   const auto dead = dead_sides(patches);
   const auto find_losses = [&](std::size_t begin, std::size_t end) {
     for (auto receiver = begin; receiver < end; ++receiver) {
@@ -100,11 +100,11 @@ std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const 
         escaped[receiver] -= factor.value;
         transport.error_at_backs_[receiver] += factor.error;
         transport.losses().at_backs[receiver * patches.materials.size() +
-                                    static_cast<std::size_t>(patches.material[back / 2])] += factor.value;
+                                    static_cast<std::size_t>(patches.material[back.patch()])] += factor.value;
       }
     }
   };
-  if (!for_chunks_in_turns(n, 1, workers, dead.empty() ? Monitor() : monitor, find_losses)) return {};
+  if (!for_chunks_in_turns(n, 1, dead.empty() ? context.quiet() : context, find_losses)) return {};
   return transport;
 }
 
@@ -122,7 +122,7 @@ void DenseOperator::for_rows(std::size_t begin, std::size_t end, const RowBody& 
 
 std::vector<double> DenseOperator::irradiance_error(std::span<const float> radiosity) const {
   const auto count = bands();
-  // The sky fills the part of a surface that a receiver does not see.
+  // The sky fills the part of the hemisphere that a receiver does not see covered.
   const auto contrast = [&](std::size_t receiver, std::size_t b) {
     return std::abs(double{radiosity[receiver * count + b]} - patches().sky_radiosity(b));
   };
@@ -142,12 +142,12 @@ std::vector<double> DenseOperator::irradiance_error(std::span<const float> radio
 
 void DenseOperator::join_faces(std::span<const std::uint32_t> face) {
   const auto n = size();
-  // Receivers by face and by which side of it they are.
+  // Receivers sorted by face and side.
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t receiver) {
     const auto side = sides().side[receiver];
-    return 2 * std::uint64_t{face[side / 2]} + side % 2;
+    return 2 * std::uint64_t{face[side.patch()]} + (side.is_back() ? 1 : 0);
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
   std::vector<double> mean(n);
@@ -158,7 +158,7 @@ void DenseOperator::join_faces(std::span<const std::uint32_t> face) {
     double area = 0.0;
     double escaped = 0.0;
     for (auto k = begin; k < end; ++k) {
-      const double own = patches().area[sides().side[order[k]] / 2];
+      const double own = patches().area[sides().side[order[k]].patch()];
       area += own;
       escaped += own * losses().escaped[order[k]];
       for (std::size_t j = 0; j < n; ++j) mean[j] += own * double{factors_[order[k] * n + j]};

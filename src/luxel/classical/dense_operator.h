@@ -6,25 +6,21 @@
 #include <span>
 #include <vector>
 
+#include "luxel/classical/method_options.h"
 #include "luxel/classical/row_operator.h"
-#include "luxel/core/progress.h"
+#include "luxel/core/context.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
-
-struct DenseOptions {
-  double tolerance = 1e-4;  // absolute, of each form factor, where what lies between must be integrated
-};
 
 // Transport as the whole matrix of form factors (Goral et al. 1984; closed forms of Schröder and Hanrahan
 // 1993): n² factors for n receivers. Reciprocal to rounding: the factor of each pair is found once. Memory: 4
 // n² bytes, and 16 for each pair that had to be integrated. Cost: n² / 2 form factors.
 class DenseOperator final : public RowOperator {
  public:
-  // Keeps a reference to patches. Nothing if the monitor said stop.
+  // Keeps a reference to patches. Returns nothing if the monitor stops the work.
   static std::optional<DenseOperator> make(const PatchSet& patches, const Tracer& tracer,
-                                           const DenseOptions& options, const Workers& workers,
-                                           const Monitor& monitor = {});
+                                           const DenseOptions& options, const Context& context = {});
 
   void for_rows(std::size_t begin, std::size_t end, const RowBody& body) const override;
 
@@ -48,7 +44,7 @@ class DenseOperator final : public RowOperator {
           error_back = 0.0f;  // of the factor from receiver to other, and from other to receiver
   };
 
-  DenseOperator(const PatchSet& patches, const Workers& workers);
+  DenseOperator(const PatchSet& patches, const Context& context);
 
   std::vector<float> factors_;
   std::vector<Integrated> integrated_;

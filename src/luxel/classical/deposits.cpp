@@ -7,15 +7,17 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t cache_lines = 16;       // counters in two lines, which processors fetch as a pair
-constexpr std::size_t always_private = 1024;  // counters: a hot spot if shared, nothing to clear if not
-constexpr std::size_t grain = 1 << 14;        // places a chunk
+constexpr std::size_t cache_lines = 16;  // counters per two cache lines, which processors fetch as a pair
+// counters up to which each thread has a copy: shared ones would be contended, and clearing so few costs
+// nothing
+constexpr std::size_t always_private = 1024;
+constexpr std::size_t grain = 1 << 14;  // places per chunk
 
 }  // namespace
 
-Deposits::Deposits(std::size_t places, std::size_t bands, const Workers& workers)
+Deposits::Deposits(std::size_t places, std::size_t bands, const Context& context)
     : bands_(bands),
-      threads_(static_cast<std::size_t>(workers.threads())),
+      threads_(static_cast<std::size_t>(context.threads())),
       stride_((places * bands + cache_lines - 1) / cache_lines * cache_lines),
       counters_(stride_, 0),
       touched_(places, 0) {}
@@ -28,18 +30,18 @@ void Deposits::expect(std::uint64_t adds) {
   if (is_private_ && counters_.size() < threads_ * stride_) counters_.resize(threads_ * stride_, 0);
 }
 
-Deposits::Sums Deposits::take(const Workers& workers) {
-  // 1. Where each chunk's entries begin.
+Deposits::Sums Deposits::take(const Context& context) {
+  // 1. The first entry of each chunk.
   std::vector<std::size_t> begins((touched_.size() + grain - 1) / grain + 1, 0);
-  workers.for_chunks(touched_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(touched_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     begins[begin / grain + 1] = std::accumulate(&touched_[begin], touched_.data() + end, std::size_t{0});
   });
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  // 2. The entries, and zero in their place.
+  // 2. Copy the entries and reset them to zero.
   Sums sums;
   sums.place.resize(begins.back());
   sums.sum.resize(begins.back() * bands_);
-  workers.for_chunks(touched_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(touched_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     auto entry = begins[begin / grain];
     if (entry == begins[begin / grain + 1]) return;
     for (auto place = begin; place < end; ++place) {

@@ -5,33 +5,33 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 
 namespace luxel {
 
-// Counters that many threads add to: at each of many places one a band. As a rule each worker has its own
-// copy: adds need no lock, and no line of memory wanders between processors. Where the copies would cost more
-// than they save (few adds, or more memory than private_bytes) there is one shared copy with atomic adds. The
-// sums are the same either way.
+// Counters that many threads add to: one per band at each place. Usually each thread has its own copy: adds
+// need no lock, and no cache line moves between processors. Where the copies would cost more than they save
+// (few adds, or more memory than private_bytes) there is one shared copy with atomic adds. The sums are the
+// same either way.
 //
-// Places that were added to are marked, so that take() costs as much as those; a byte of all the others is
-// all that it looks at. So an owner keeps its Deposits from batch to batch.
+// Places that were added to are marked, so that the cost of take() is proportional to their number; it reads
+// one byte of each other place. Reuse a Deposits from batch to batch.
 class Deposits {
  public:
   static constexpr std::size_t private_bytes = std::size_t{1} << 29;  // of all copies together
 
-  // All zero. For adds by these workers.
-  Deposits(std::size_t places, std::size_t bands, const Workers& workers);
+  // All zero. For adds by the threads of this context.
+  Deposits(std::size_t places, std::size_t bands, const Context& context);
 
-  // Makes ready for about so many calls of add().
+  // Prepares for about this many calls of add().
   void expect(std::uint64_t adds);
   bool is_private() const { return is_private_; }
 
-  // Adds `quantum` (one number a band) at a place. worker: who adds.
-  void add(int worker, std::size_t place, std::span<const std::int64_t> quantum) {
+  // Adds `quantum` (one number per band) at a place. thread: the index of the calling thread.
+  void add(int thread, std::size_t place, std::span<const std::int64_t> quantum) {
     auto* to = counters_.data() + place * bands_;
     if (is_private_) {
-      to += static_cast<std::size_t>(worker) * stride_;
+      to += static_cast<std::size_t>(thread) * stride_;
       for (std::size_t b = 0; b < quantum.size(); ++b) to[b] += quantum[b];
     } else {
       for (std::size_t b = 0; b < quantum.size(); ++b)
@@ -43,24 +43,24 @@ class Deposits {
   }
 
   // Says that a place will be added to soon.
-  void prefetch(int worker, std::size_t place) const {
-    const auto copy = is_private_ ? static_cast<std::size_t>(worker) * stride_ : 0;
+  void prefetch(int thread, std::size_t place) const {
+    const auto copy = is_private_ ? static_cast<std::size_t>(thread) * stride_ : 0;
     __builtin_prefetch(counters_.data() + copy + place * bands_, 1);
     __builtin_prefetch(touched_.data() + place, 1);
   }
 
-  // What was added since the beginning or the last take, over all workers; nothing is left. Call when no
+  // Returns the sums since the beginning or the last take, over all threads, and resets them. Call when no
   // thread adds.
   struct Sums {
     std::vector<std::uint32_t> place;  // that were added to, rising
     std::vector<std::int64_t> sum;     // [entry of place][band]
   };
-  Sums take(const Workers& workers);
+  Sums take(const Context& context);
 
  private:
   std::size_t bands_;
   std::size_t threads_;
-  std::size_t stride_;  // from one worker's copy to the next: whole cache lines, so that none is shared
+  std::size_t stride_;  // from one thread's copy to the next: whole cache lines, so that none is shared
   bool is_private_ = false;
   std::vector<std::int64_t> counters_;
   std::vector<std::uint8_t> touched_;  // [place], of all copies

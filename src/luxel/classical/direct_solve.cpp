@@ -11,18 +11,18 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t block = 48;  // columns eliminated together: their rows stay in the cache
+constexpr std::size_t block = 48;  // columns eliminated together, so that their rows stay in the cache
 constexpr std::size_t rows_per_chunk = 16;
 
-// A = P^-1 L U, in the place of A. Rows are not moved but named: row i of the factors is rows_[i] of A.
+// A = P^-1 L U, stored in place of A. Rows are not moved but indexed: row i of the factors is rows_[i] of A.
 class Elimination {
  public:
-  Elimination(std::size_t n, std::vector<double> matrix, const Workers& workers)
-      : n_(n), a_(std::move(matrix)), rows_(n), workers_(workers) {
+  Elimination(std::size_t n, std::vector<double> matrix, const Context& context)
+      : n_(n), a_(std::move(matrix)), rows_(n), context_(context) {
     std::iota(rows_.begin(), rows_.end(), std::size_t{0});
   }
 
-  // fraction_done(columns done / n) may say stop.
+  // fraction_done(columns done / n) may stop the work.
   template <typename FractionDone>
   bool run(const FractionDone& fraction_done) {
     for (std::size_t first = 0; first < n_; first += block) {
@@ -54,7 +54,7 @@ class Elimination {
  private:
   double* row(std::size_t i) { return &a_[rows_[i] * n_]; }
 
-  // Columns [first, last) of the rows from `first` on.
+  // Eliminates columns [first, last) of the rows from `first` on.
   void eliminate_columns(std::size_t first, std::size_t last) {
     for (auto k = first; k < last; ++k) {
       auto pivot = k;
@@ -71,14 +71,14 @@ class Elimination {
     }
   }
 
-  // The rows [first, last) right of their columns.
+  // Updates the rows [first, last) to the right of these columns.
   void finish_rows(std::size_t first, std::size_t last) {
     for (auto k = first; k < last; ++k)
       for (auto i = k + 1; i < last; ++i) subtract(row(i), row(i)[k], row(k), last);
   }
 
   void update_rest(std::size_t first, std::size_t last) {
-    workers_.for_chunks(n_ - last, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(n_ - last, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto k = first; k < last; ++k)
         for (auto i = last + begin; i < last + end; ++i) subtract(row(i), row(i)[k], row(k), last);
     });
@@ -92,14 +92,13 @@ class Elimination {
   std::size_t n_;
   std::vector<double> a_;
   std::vector<std::size_t> rows_;
-  const Workers& workers_;
+  const Context& context_;
 };
 
 }  // namespace
 
 bool solve_directly(std::span<const float> factors, std::span<const float> emittance,
-                    std::span<const float> reflectance, std::span<float> radiosity, const Workers& workers,
-                    const Monitor& monitor) {
+                    std::span<const float> reflectance, std::span<float> radiosity, const Context& context) {
   const auto n = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(factors.size()))));
   std::copy(emittance.begin(), emittance.end(), radiosity.begin());
   if (n == 0) return true;
@@ -109,18 +108,18 @@ bool solve_directly(std::span<const float> factors, std::span<const float> emitt
   for (std::size_t band = 0; band < bands; ++band) {
     if (is_solved[band]) continue;
     std::vector<double> matrix(n * n);
-    workers.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i)
         for (std::size_t j = 0; j < n; ++j)
           matrix[i * n + j] =
               (i == j ? 1.0 : 0.0) - double{reflectance[i * bands + band]} * double{factors[i * n + j]};
     });
-    Elimination elimination(n, std::move(matrix), workers);
+    Elimination elimination(n, std::move(matrix), context);
     const auto tell_whole = [&](double fraction) {
-      return tell(monitor, {"light", (static_cast<double>(band) + fraction) / static_cast<double>(bands)});
+      return context.report({"light", (static_cast<double>(band) + fraction) / static_cast<double>(bands)});
     };
     if (!elimination.run(tell_whole)) return false;
-    // All bands that reflect like this one.
+    // Solves all bands that have the same reflectances.
     for (auto other = band; other < bands; ++other) {
       bool is_alike = true;
       for (std::size_t i = 0; i < n && is_alike; ++i)

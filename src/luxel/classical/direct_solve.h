@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 
 namespace luxel {
 
@@ -14,12 +13,12 @@ namespace luxel {
 //
 // factors: F, [row][row]. emittance (E), reflectance (rho), radiosity (B, the result): [row][band]. Cost: 2/3
 // n³ operations for each set of reflectances that bands do not share (about 10 s on two cores for n = 4,000),
-// and direct_solve_bytes(n). The same bits on any number of threads. False where the monitor said stop; then
-// radiosity is E. Throws InputError where the matrix is singular, which no F with rows of sum 1 at most and
-// rho < 1 gives.
+// and direct_solve_bytes(n). The same bits on any number of threads. Returns false where the monitor stops
+// the work; radiosity is then E. Throws InputError where the matrix is singular, which cannot occur for F
+// with rows of sum 1 at most and rho < 1.
 bool solve_directly(std::span<const float> factors, std::span<const float> emittance,
-                    std::span<const float> reflectance, std::span<float> radiosity, const Workers& workers,
-                    const Monitor& monitor = {});
+                    std::span<const float> reflectance, std::span<float> radiosity,
+                    const Context& context = {});
 
 // The most it holds beside its arguments.
 constexpr std::uint64_t direct_solve_bytes(std::uint64_t rows) { return 8 * rows * rows; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -11,10 +12,10 @@ namespace {
 
 constexpr std::size_t grain = 8192;  // numbers per chunk
 constexpr double slowest_rate = 0.95;
-// Sums over rows below this part of the sum of magnitudes count as that large: less is rounding.
+// A sum over rows counts as at least this fraction of the sum of magnitudes; less is rounding.
 constexpr double min_sum_part = 1e-4;
 
-// Where the parts begin: blocks of rows, shared out evenly.
+// Where the parts begin: blocks of rows, distributed evenly.
 std::vector<std::size_t> part_begins(std::span<const std::uint32_t> row_begins, std::size_t parts) {
   const auto blocks = row_begins.size() - 1;
   parts = std::clamp<std::size_t>(parts, 1, std::max<std::size_t>(1, blocks));
@@ -26,7 +27,7 @@ std::vector<std::size_t> part_begins(std::span<const std::uint32_t> row_begins, 
 struct Change {
   double difference = 0.0;
   double whole = 0.0;
-  std::vector<double> sum_difference, sum;  // [band], over rows; empty where sums are not judged
+  std::vector<double> sum_difference, sum;  // [band], over rows; empty where sums are not tested
 
   Change& operator+=(const Change& other) {
     difference += other.difference;
@@ -49,20 +50,23 @@ struct Change {
   }
 };
 
-// Changes fall geometrically: those to come sum to change * rate / (1 - rate). before: below 0 for none.
+// Changes decrease geometrically: the remaining ones sum to change * rate / (1 - rate). before: the change of
+// the previous sweep; below 0 if there is none.
 double distance_after(double change, double before) {
   const auto rate = before >= 0.0 ? std::clamp(change / std::max(before, 1e-30), 0.3, slowest_rate) : 0.9;
   return change * rate / (1.0 - rate);
 }
 
-// Rows [begin, end): adds the direct light, reflects, and returns how much that changed. summed: bands whose
-// sums are judged, or 0.
-Change reflect(std::span<const float> direct, std::span<const float> reflectance, std::span<float> radiosity,
-               std::span<float> irradiance, std::size_t begin, std::size_t end, std::size_t summed,
-               const Workers& workers) {
-  const Change none{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
-  std::vector<Change> chunks((end - begin + grain - 1) / grain, none);
-  workers.for_chunks(end - begin, grain, [&](std::size_t b, std::size_t e, int) {
+// Rows [begin, end): adds the direct light, reflects, and returns the change. summed: number of bands whose
+// sums are tested, or 0.
+Change reflect(const GaussSeidelRows& rows, std::size_t begin, std::size_t end, std::size_t summed,
+               const Context& context) {
+  const auto direct = rows.direct, reflectance = rows.reflectance;
+  const auto radiosity = rows.radiosity, irradiance = rows.irradiance;
+
+  const Change zeros{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
+  std::vector<Change> chunks((end - begin + grain - 1) / grain, zeros);
+  context.for_chunks(end - begin, grain, [&](std::size_t b, std::size_t e, int) {
     auto& change = chunks[b / grain];
     for (auto i = begin + b; i < begin + e; ++i) {
       irradiance[i] += direct[i];
@@ -77,24 +81,25 @@ Change reflect(std::span<const float> direct, std::span<const float> reflectance
       radiosity[i] = reflected;
     }
   });
-  auto sum = none;
+  auto sum = zeros;
   for (const auto& c : chunks) sum += c;
   return sum;
 }
 
-// Anderson's acceleration of x -> g(x): remembers differences of g(x) and of the residual f = g(x) - x, and
-// takes from g(x) the combination whose differences of f make up f best, in the least squares.
+// Anderson's acceleration of x -> g(x): stores differences of g(x) and of the residual f = g(x) - x.
+// Subtracts from g(x) the combination of differences whose residuals approximate f best in the least-squares
+// sense.
 class Acceleration {
  public:
-  Acceleration(std::size_t memory, std::size_t count, const Workers& workers)
-      : memory_(memory), workers_(workers), before_(memory > 0 ? count : 0) {}
+  Acceleration(std::size_t memory, std::size_t count, const Context& context)
+      : memory_(memory), context_(context), before_(memory > 0 ? count : 0) {}
 
   // Call before a sweep changes x.
   void begin(std::span<const float> x) {
     if (memory_ > 0) std::copy_n(x.begin(), before_.size(), before_.begin());
   }
 
-  // x is g of what it was at begin(); it becomes the better guess.
+  // x is g applied to its value at begin(); it is replaced by the accelerated iterate.
   void improve(std::span<float> x) {
     if (memory_ == 0) return;
     const auto n = before_.size();
@@ -125,13 +130,13 @@ class Acceleration {
 
  private:
   struct Step {
-    std::vector<float> residual, image;  // differences
+    std::vector<float> residual, image;  // differences between consecutive steps
     std::vector<double> products;        // of the residual with those of the steps up to this one
   };
 
   template <typename Body>
   void for_all(std::size_t n, Body body) const {
-    workers_.for_chunks(n, grain, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(n, grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) body(i);
     });
   }
@@ -143,7 +148,7 @@ class Acceleration {
 
   static double dot(const std::vector<float>& a, const std::vector<float>& b, std::size_t begin,
                     std::size_t end) {
-    constexpr std::size_t lanes = 8;  // sums side by side: none waits for the last
+    constexpr std::size_t lanes = 8;  // independent partial sums, which hide the latency of additions
     std::array<double, lanes> sums{};
     for (; begin + lanes <= end; begin += lanes)
       for (std::size_t k = 0; k < lanes; ++k)
@@ -152,12 +157,13 @@ class Acceleration {
     return std::accumulate(sums.begin(), sums.end(), 0.0);
   }
 
-  // Of the last step with all steps; then of each step with the residual. In one pass, chunk by chunk.
+  // The products of the newest step with all steps, and of each step with the residual, in one pass over
+  // chunks.
   std::vector<double> new_products() const {
     const auto m = steps_.size();
     const auto n = residual_.size();
     std::vector<double> chunks((n + grain - 1) / grain * 2 * m);
-    workers_.for_chunks(n, grain, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(n, grain, [&](std::size_t begin, std::size_t end, int) {
       auto* sums = &chunks[begin / grain * 2 * m];
       for (std::size_t k = 0; k < m; ++k) {
         sums[k] = dot(steps_.back().residual, steps_[k].residual, begin, end);
@@ -169,7 +175,7 @@ class Acceleration {
     return sums;
   }
 
-  // The normal equations, a few by a few, by Cholesky's method. A direction that adds nothing gets no weight.
+  // Solves the small normal equations by Cholesky's method. A linearly dependent direction gets weight 0.
   std::vector<double> least_squares() {
     constexpr double min_pivot = 1e-10;
     const auto m = steps_.size();
@@ -198,7 +204,7 @@ class Acceleration {
   }
 
   std::size_t memory_;
-  const Workers& workers_;
+  const Context& context_;
   std::vector<float> before_;
   std::vector<float> residual_, image_;  // of the last call
   std::vector<Step> steps_;
@@ -206,14 +212,16 @@ class Acceleration {
 
 }  // namespace
 
-GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<const float> direct,
-                               std::span<const float> reflectance, std::span<float> radiosity,
-                               std::span<float> irradiance, const GaussSeidelOptions& options,
-                               const Workers& workers, const Monitor& monitor) {
+GaussSeidelReport gauss_seidel(const TransportOperator& transport, const GaussSeidelRows& rows,
+                               const GaussSeidelOptions& options, const Context& context) {
   const auto bands = transport.bands();
+  const auto radiosity = rows.radiosity;
+  assert(rows.direct.size() == transport.size() * bands);
+  assert(rows.reflectance.size() == rows.direct.size() && rows.irradiance.size() == rows.direct.size());
+  assert(radiosity.size() >= rows.direct.size());
   const auto begins = part_begins(transport.row_begins(), options.parts);
   const auto summed = options.sum_tolerance > 0.0 ? bands : 0;
-  Acceleration acceleration(options.memory, transport.size() * bands, workers);
+  Acceleration acceleration(options.memory, transport.size() * bands, context);
   GaussSeidelReport report;
   double change_before = -1.0;
   double sum_change_before = -1.0;
@@ -221,10 +229,9 @@ GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<con
     acceleration.begin(radiosity);
     Change sweep{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
     for (std::size_t part = 0; part + 1 < begins.size(); ++part) {
-      transport.apply(radiosity, irradiance, begins[part], begins[part + 1], workers);
-      sweep += reflect(direct, reflectance, radiosity, irradiance, begins[part] * bands,
-                       begins[part + 1] * bands, summed, workers);
-      report.is_stopped = tell(monitor, {"light"}) == Next::stop;
+      transport.apply(radiosity, rows.irradiance, begins[part], begins[part + 1], context);
+      sweep += reflect(rows, begins[part] * bands, begins[part + 1] * bands, summed, context);
+      report.is_stopped = context.report({"light"}) == Next::stop;
       if (report.is_stopped) return report;
     }
     const auto change = sweep.relative();

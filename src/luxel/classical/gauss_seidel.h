@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "luxel/classical/operator.h"
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 
 namespace luxel {
 
 struct GaussSeidelOptions {
   double tolerance = 1e-6;  // of the whole radiosity: estimated distance to the fixed point
   std::size_t parts = 8;    // rows are taken in this many parts; 1 is the Jacobi iteration
-  std::size_t memory = 3;   // earlier sweeps that Anderson's acceleration looks back at; 0: none
-  // Likewise, of the sums over all rows, one per band; 0: not judged. Where the radiosity is noise, what is
-  // common to all rows is a small part of the whole and converges last.
+  std::size_t memory = 3;   // earlier sweeps used by Anderson's acceleration; 0 disables it
+  // The same for the sums over all rows, one per band; 0 disables the test. Where the radiosity is noise, the
+  // component common to all rows is a small part of the whole and converges last.
   double sum_tolerance = 0.0;
   int max_sweeps = 10'000;
 };
@@ -26,21 +25,27 @@ struct GaussSeidelReport {
   double distance = 0.0;       // estimated, to the fixed point, over the whole radiosity
   double sum_distance = 0.0;   // likewise, of the sums over all rows; 0 where they are not judged
   bool converged = false;
-  bool is_stopped = false;  // the monitor said so, amid a sweep
+  bool is_stopped = false;  // the monitor stopped it amid a sweep
 };
 
-// Solves B = rho (D + F B) by block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one
-// part are computed side by side from the newest radiosities of the others. Between sweeps the radiosity goes
-// to the combination of the last ones whose changes cancel best (Anderson 1965; Walker and Ni 2011). Parts
-// are fixed and sums are ordered, so the bits do not depend on the number of threads. Converges for any F
-// whose rows sum to at most 1 and rho < 1.
+// What the iteration is of, and where its light goes. Rows: [row][band].
+struct GaussSeidelRows {
+  std::span<const float> direct;       // D
+  std::span<const float> reflectance;  // rho
+  // The start and the result, [element][band], at least the rows; elements behind them (sinks) stay.
+  std::span<float> radiosity;
+  std::span<float> irradiance;  // out: D + F B
+};
+
+// Solves B = rho (D + F B) by block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one part
+// are computed in parallel from the newest radiosities of the others. Between sweeps the radiosity is
+// replaced by the combination of the last ones whose changes cancel best (Anderson 1965; Walker and Ni 2011).
+// Parts are fixed and sums are ordered, so the bits do not depend on the number of threads. Converges for any
+// F whose rows sum to at most 1 and rho < 1.
 //
-// direct (D), reflectance (rho), irradiance (out: D + F B): [row][band]. radiosity: the start and the result,
-// [element][band], at least the rows; what stands behind them (sinks) is left alone. Cost: one apply() a
-// sweep; memory: 2 * memory + 2 copies of the rows. The monitor is asked after each part.
-GaussSeidelReport gauss_seidel(const TransportOperator& transport, std::span<const float> direct,
-                               std::span<const float> reflectance, std::span<float> radiosity,
-                               std::span<float> irradiance, const GaussSeidelOptions& options,
-                               const Workers& workers, const Monitor& monitor = {});
+// Cost: one apply() per sweep; memory: 2 * memory + 2 copies of the rows. The monitor is polled after each
+// part.
+GaussSeidelReport gauss_seidel(const TransportOperator& transport, const GaussSeidelRows& rows,
+                               const GaussSeidelOptions& options, const Context& context = {});
 
 }  // namespace luxel

@@ -7,28 +7,30 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
 namespace {
 
-// A face looks along an axis (u, v, 1): where these three numbers stand in local coordinates.
+// A face looks along an axis (u, v, 1): the positions of these three components in local coordinates.
 struct Axes {
   glm::length_t u, v, w;
-  double sign;  // of w
+  double sign;  // of the component w
 };
 constexpr std::array<Axes, 5> axes = {
     {{0, 1, 2, 1.0}, {1, 2, 0, 1.0}, {1, 2, 0, -1.0}, {0, 2, 1, 1.0}, {0, 2, 1, -1.0}}};
 
 constexpr double fronts_first = 1.0 + 1e-6;
 
-constexpr std::uint32_t below = 1u << 20;  // the horizon
+constexpr std::uint32_t below = 1u << 20;  // bit of the horizon
 
-// Four bits a face, one for each plane of its pyramid: set where p is outside. All planes go through the eye,
-// so a triangle whose corners share a bit is not seen in that face.
+// Four bits per face, one for each plane of its pyramid: set where p is outside. All planes contain the eye,
+// so a triangle whose corners share a bit is not visible in that face.
 std::uint32_t outside_bits(const Vec3& p) {
   const auto bit = [](bool is_outside, int place) { return static_cast<std::uint32_t>(is_outside) << place; };
   const auto [x, y, z] = std::array{p.x, p.y, p.z};
@@ -61,7 +63,7 @@ void check(const HemicubeOptions& options) {
     throw InputError(fmt::format("a hemicube looks from 1, 4, 16, 64 or 256 points, not {}", options.points));
 }
 
-// The smallest whole number of at least x, where x in [0, 4096].
+// The smallest integer that is at least x, for x in [0, 4096].
 int at_least(double x) {
   const auto whole = static_cast<int>(x);
   return static_cast<double>(whole) < x ? whole + 1 : whole;
@@ -81,17 +83,17 @@ Hemicube::Hemicube(const PatchSet& patches, const HemicubeOptions& options)
   }
   local_.resize(patches.vertices.size());
   outside_.resize(patches.vertices.size());
-  sum_.assign(2 * patches.size(), 0.0);
+  sum_.assign(side_count(patches.size()), 0.0);
 }
 
-void Hemicube::row(std::size_t side, FormFactorRow& row) {
-  const auto points = patches_.points(side / 2);
+void Hemicube::row(SideId side, FormFactorRow& row) {
+  const auto points = patches_.points(side.patch());
   const auto area = area_vector2(points[0], points[1], points[2]);
   row.entries.clear();
   row.escaped = 1.0;
   if (!(glm::length(area) > 0.0)) return;
 
-  const auto n = (side % 2 == 0 ? 1.0 : -1.0) * glm::normalize(area);
+  const auto n = (side.is_back() ? -1.0 : 1.0) * glm::normalize(area);
   const Vec3d across(Frame(Vec3(n)).s);
   const auto s = glm::normalize(across - glm::dot(across, n) * n);
   const auto t = glm::cross(n, s);
@@ -99,8 +101,7 @@ void Hemicube::row(std::size_t side, FormFactorRow& row) {
   add_centres(Vec3d(points[0]), Vec3d(points[1]), Vec3d(points[2]), options_.points, centres);
   escaped_ = 0.0;
   for (const auto& centre : centres) {
-    look(centre + static_cast<double>(origin_lift(points)) * n, s, t, n,
-         static_cast<std::uint32_t>(side / 2));
+    look(centre + static_cast<double>(origin_lift(points)) * n, s, t, n, side.patch());
     add_up(faces_[0], pixels_.top);
     for (std::size_t f = 1; f < faces_.size(); ++f) add_up(faces_[f], pixels_.side);
   }
@@ -108,8 +109,8 @@ void Hemicube::row(std::size_t side, FormFactorRow& row) {
   std::sort(met_.begin(), met_.end());
   const auto fraction = 1.0 / static_cast<double>(centres.size());
   for (const auto other : met_) {
-    row.entries.push_back({other, static_cast<float>(sum_[other] * fraction)});
-    sum_[other] = 0.0;
+    row.entries.push_back({other, static_cast<float>(sum_[other.index()] * fraction)});
+    sum_[other.index()] = 0.0;
   }
   met_.clear();
   row.escaped = escaped_ * fraction;
@@ -119,7 +120,7 @@ void Hemicube::look(const Vec3d& eye, const Vec3d& s, const Vec3d& t, const Vec3
                     std::uint32_t own_patch) {
   for (auto& face : faces_) {
     std::fill(face.nearness.begin(), face.nearness.end(), 0.0f);
-    std::fill(face.side.begin(), face.side.end(), nothing);
+    std::fill(face.side.begin(), face.side.end(), SideId());
   }
   for (std::size_t i = 0; i < local_.size(); ++i) {
     const auto d = Vec3d(patches_.vertices[i]) - eye;
@@ -134,21 +135,22 @@ void Hemicube::look(const Vec3d& eye, const Vec3d& s, const Vec3d& t, const Vec3
     Seen seen;
     seen.edge = {glm::cross(a, b), glm::cross(b, c), glm::cross(c, a)};
     const auto volume = glm::dot(a, seen.edge[1]);
-    if (volume == 0.0) continue;  // edge on
+    if (volume == 0.0) continue;  // seen edge on
     seen.nearness = (seen.edge[0] + seen.edge[1] + seen.edge[2]) / volume;
-    // Along an edge of a solid, faces turned to the eye and away from it are equally near.
+    // Along an edge of a solid, faces towards the eye and away from it are equally near; those towards the
+    // eye win.
     if (volume < 0.0) seen.nearness *= fronts_first;
     if (volume < 0.0)
       for (auto& edge : seen.edge) edge = -edge;
-    seen.side = static_cast<std::uint32_t>(side_of(p, volume > 0.0));
+    seen.side = SideId(p, volume > 0.0);
     for (std::size_t f = 0; f < faces_.size(); ++f)
       if (((out >> (4 * f)) & 15u) == 0) draw(f, seen, corners);
   }
 }
 
 // Scan conversion in homogeneous coordinates (Olano and Greer 1997): the edges are planes through the eye, so
-// nothing needs clipping at a near plane, however the triangle lies. Two triangles that share an edge compute
-// the same numbers for it but for their sign, so that no pixel falls between them.
+// no triangle has to be clipped at a near plane. Two triangles that share an edge compute the same numbers
+// for it except for the sign, so no pixel falls between them.
 void Hemicube::draw(std::size_t f, const Seen& seen, const std::array<std::uint32_t, 3>& corners) {
   auto& face = faces_[f];
   const auto& axis = axes[f];
@@ -157,7 +159,7 @@ void Hemicube::draw(std::size_t f, const Seen& seen, const std::array<std::uint3
   const auto u0 = -1.0 + 0.5 * step;                   // centre of column 0
   const auto v0 = (f == 0 ? -1.0 : 0.0) + 0.5 * step;  // and of row 0
 
-  // Rows that the triangle may touch: between its corners where all are before the eye.
+  // The rows that the triangle may cover: between its corners, where all of them are in front of the eye.
   auto low = 0.0, high = static_cast<double>(face.rows - 1);
   auto low_v = 1e30, high_v = -1e30;
   bool before = true;
@@ -174,7 +176,7 @@ void Hemicube::draw(std::size_t f, const Seen& seen, const std::array<std::uint3
     if (low > high) return;
   }
 
-  // Of the plane p: p_u u + p_v v + p_w, as a function of column and row.
+  // Value of the plane p, p_u u + p_v v + p_w, as a function of column and row.
   struct Line {
     double column, row, constant;
   };
@@ -222,11 +224,11 @@ void Hemicube::add_up(const Face& face, const std::vector<double>& pixels) {
     const auto side = face.side[i];
     double run = 0.0;
     for (; i < pixels.size() && face.side[i] == side; ++i) run += pixels[i];
-    if (side == nothing) {
+    if (!side) {
       escaped_ += run;
     } else {
-      if (sum_[side] == 0.0) met_.push_back(side);
-      sum_[side] += run;
+      if (sum_[side.index()] == 0.0) met_.push_back(side);
+      sum_[side.index()] += run;
     }
   }
 }

@@ -8,14 +8,11 @@
 
 #include "luxel/classical/form_factor_row.h"
 #include "luxel/classical/hemicube_pixels.h"
+#include "luxel/classical/method_options.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
-
-struct HemicubeOptions {
-  int resolution = 128;  // pixels along an edge of the top face: even, 2 to 4096; the four sides have half
-  int points = 1;        // of the patch that look: centres of 1, 4, 16, 64 or 256 equal parts
-};
 
 // Rows of form factors by the hemicube (Cohen and Greenberg 1985): the scene is drawn on the five faces of
 // half a cube that stands on the patch, and each pixel gives its part of the cosine-weighted hemisphere to
@@ -23,7 +20,7 @@ struct HemicubeOptions {
 //
 // What is wrong with a row: it is that of points, not of the whole patch (use more points where patches are
 // near each other), and a pixel belongs to one patch alone (use more resolution where patches are small: what
-// no pixel's centre sees, gets nothing).
+// no pixel's centre sees, gets none).
 //
 // An object is scratch memory for one thread: make one a thread. A row depends on patches, options and side
 // alone. Cost at 10,000 patches and a resolution of 128: about 2 ms per point; memory 10 bytes per pixel and
@@ -33,24 +30,22 @@ class Hemicube {
   // Keeps a reference to patches. Throws InputError where an option is out of its range.
   explicit Hemicube(const PatchSet& patches, const HemicubeOptions& options = {});
 
-  // Replaces `row` by the row of this side. A patch without area sees nothing: all escapes.
-  void row(std::size_t side, FormFactorRow& row);
+  // Replaces `row` by the row of this side. A patch without area sees nothing: all of its power escapes.
+  void row(SideId side, FormFactorRow& row);
 
  private:
-  static constexpr std::uint32_t nothing = 0xffffffffu;
-
   // The pixels of one face: which side is nearest, and the reciprocal of its depth.
   struct Face {
     int rows = 0;
     std::vector<float> nearness;
-    std::vector<std::uint32_t> side;
+    std::vector<SideId> side;
   };
   // A patch as seen from the eye: the planes through the eye and each edge, inside above; and the plane that
   // gives 1 / depth.
   struct Seen {
     std::array<Vec3d, 3> edge;
     Vec3d nearness;
-    std::uint32_t side = 0;
+    SideId side;
   };
 
   void look(const Vec3d& eye, const Vec3d& s, const Vec3d& t, const Vec3d& n, std::uint32_t own_patch);
@@ -64,7 +59,7 @@ class Hemicube {
   std::vector<Vec3> local_;             // [vertex], relative to the eye
   std::vector<std::uint32_t> outside_;  // [vertex], bits: outside of which planes of which faces
   std::vector<double> sum_;             // [side]
-  std::vector<std::uint32_t> met_;      // sides whose sum is not 0
+  std::vector<SideId> met_;             // sides whose sum is not 0
   double escaped_ = 0.0;
 };
 

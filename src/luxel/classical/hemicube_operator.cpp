@@ -6,11 +6,11 @@
 namespace luxel {
 
 std::optional<HemicubeOperator> HemicubeOperator::make(const PatchSet& patches,
-                                                       const HemicubeOptions& options, const Workers& workers,
-                                                       const Monitor& monitor) {
-  HemicubeOperator transport(patches, options, workers);
+                                                       const HemicubeOptions& options,
+                                                       const Context& context) {
+  HemicubeOperator transport(patches, options, context);
   const bool is_whole =
-      for_chunks_in_turns(transport.size(), 1, workers, monitor, [&](std::size_t begin, std::size_t end) {
+      for_chunks_in_turns(transport.size(), 1, context, [&](std::size_t begin, std::size_t end) {
         Hemicube hemicube(patches, options);
         FormFactorRow row;
         for (auto receiver = begin; receiver < end; ++receiver) {

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// To the rectangle [0, u] x [0, v] of the plane z = 1.
+// Form factor to the rectangle [0, u] x [0, v] of the plane z = 1.
 double top_corner(double u, double v) {
   const auto p = std::sqrt(1.0 + u * u);
   const auto q = std::sqrt(1.0 + v * v);
   return (u / p * arc_tangent(v, p) + v / q * arc_tangent(u, q)) / two_pi;
 }
 
-// To the rectangle [0, u] x [0, height] of the plane x = 1.
+// Form factor to the rectangle [0, u] x [0, height] of the plane x = 1.
 double side_corner(double u, double height) {
   const auto q = std::sqrt(1.0 + height * height);
   return (arc_tangent(u, 1.0) - arc_tangent(u, q) / q) / two_pi;

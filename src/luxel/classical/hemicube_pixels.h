@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// What each pixel of a hemicube is worth: the form factor from the point under the cube to the pixel, in
-// closed form over the whole pixel (Howell's catalogue, B-3 and B-4), so that all of them sum to 1.
+// The form factor of each pixel of a hemicube, from the point under the cube to the pixel, in closed form
+// over the whole pixel (Howell's catalogue, B-3 and B-4), so that all of them sum to 1.
 struct HemicubePixels {
   int resolution = 0;
   std::vector<double> top;   // [row][column], resolution² of them, over [-1, 1]²

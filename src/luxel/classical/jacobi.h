@@ -5,18 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "luxel/classical/method_options.h"
 #include "luxel/classical/operator.h"
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 
 namespace luxel {
 
-struct JacobiOptions {
-  double tolerance = 1e-4;  // share of the power of lamps and sky that may stay unshot: the bias
-  int steps = 0;            // bounces at most; 0: no bound
-};
-
-// What there is after a step.
+// The state after a step.
 struct JacobiStep {
   int step = 0;                       // from 1: after the first there is direct light alone
   std::span<const float> before;      // B of the step before, [row][band], W/m²
@@ -24,6 +19,19 @@ struct JacobiStep {
   std::span<const float> radiosity;   // B = E + rho H
   double unshot_fraction = 1.0;       // what stands in B but not in `before`, over the power of E and D
 };
+// What the iteration is of, and where its light goes.
+struct JacobiRows {
+  std::span<const float> area;  // [row], m²
+  // The others: [row][band].
+  std::span<const float> emittance;    // E
+  std::span<const float> outside;      // D; empty: none
+  std::span<const float> reflectance;  // rho
+  // Filled with the last whole step, or with 0, 0 and E where there is none.
+  std::span<float> before;  // the radiosity that this step sent on
+  std::span<float> irradiance;
+  std::span<float> radiosity;
+};
+
 using EachStep = std::function<void(const JacobiStep& step)>;
 
 enum class JacobiEnd { converged, step_limit, stopped };
@@ -43,14 +51,9 @@ struct JacobiReport {
 // the power that was reflected last and not yet sent on falls below the tolerance. Converges where rows of F
 // sum to at most 1 and rho < 1; the unshot power falls by about the mean reflectance a step.
 //
-// area: [row], m². emittance (E), outside (D), reflectance (rho): [row][band]; outside may be empty: none.
-// radiosity, irradiance, before: [row][band], filled with the last whole step, or with E, 0 and 0 where there
-// is none. The same bits on any number of threads. The monitor hears of the stage "light" within each step,
+// The same bits on any number of threads. The monitor hears of the stage "light" within each step,
 // and its stop drops the step that was begun. Cost: one apply() a step; memory: one more copy of the rows.
-JacobiReport jacobi(const TransportOperator& transport, std::span<const float> area,
-                    std::span<const float> emittance, std::span<const float> outside,
-                    std::span<const float> reflectance, std::span<float> before, std::span<float> irradiance,
-                    std::span<float> radiosity, const JacobiOptions& options, const Workers& workers,
-                    const Monitor& monitor = {}, const EachStep& each_step = {});
+JacobiReport jacobi(const TransportOperator& transport, const JacobiRows& rows, const JacobiOptions& options,
+                    const Context& context = {}, const EachStep& each_step = {});
 
 }  // namespace luxel

@@ -7,14 +7,13 @@
 namespace luxel {
 
 std::optional<LinesOperator> LinesOperator::make(const PatchSet& patches, const Tracer& tracer,
-                                                 const LinesOptions& options, const Workers& workers,
-                                                 const Monitor& monitor) {
-  LinesOperator transport(patches, options.lines, workers);
+                                                 const LinesOptions& options, const Context& context) {
+  LinesOperator transport(patches, options.lines, context);
   const bool is_whole =
-      for_chunks_in_turns(transport.size(), 4, workers, monitor, [&](std::size_t begin, std::size_t end) {
+      for_chunks_in_turns(transport.size(), 4, context, [&](std::size_t begin, std::size_t end) {
         LineCounts counts;
         for (auto receiver = begin; receiver < end; ++receiver) {
-          count_local_lines(patches, tracer, transport.sides().side[receiver], options.lines, options.seed, 0,
+          count_local_lines(patches, tracer, transport.sides().side[receiver], {options.lines, options.seed},
                             counts);
           const auto row = row_of(counts);
           transport.rows_[receiver] = transport.factors_of(row);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "luxel/core/address.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 namespace luxel {
@@ -14,8 +15,8 @@ namespace {
 
 constexpr std::size_t batch = 256;  // lines traced together
 
-// Sorts what was met and counts what is alike.
-void count_alike(std::vector<std::uint32_t>& met, std::vector<LineCounts::Entry>& entries) {
+// Sorts the hits and counts equal ones.
+void count_alike(std::vector<SideId>& met, std::vector<LineCounts::Entry>& entries) {
   std::sort(met.begin(), met.end());
   entries.clear();
   for (const auto side : met) {
@@ -36,11 +37,13 @@ double line_standard_error(std::uint32_t lines_met, std::uint32_t lines_shot) {
   return std::sqrt(p * (1.0 - p) / std::max(1.0, n));
 }
 
-void count_local_lines(const PatchSet& patches, const Tracer& tracer, std::size_t side, std::uint32_t lines,
-                       std::uint64_t seed, std::uint32_t step, LineCounts& counts) {
+void count_local_lines(const PatchSet& patches, const Tracer& tracer, SideId side, const LineRays& line_rays,
+                       LineCounts& counts) {
+  const auto lines = line_rays.lines;
+
   const PatchEmitter emitter(patches, side);
-  const auto key = stream_key(seed, step, static_cast<std::uint32_t>(side));
-  std::vector<std::uint32_t> met;
+  const auto key = stream_key(line_rays.seed, line_rays.step, side.index());
+  std::vector<SideId> met;
   met.reserve(lines);
   std::array<Ray, batch> rays;
   std::array<Hit, batch> hits;
@@ -49,7 +52,7 @@ void count_local_lines(const PatchSet& patches, const Tracer& tracer, std::size_
     for (std::size_t i = 0; i < n; ++i) rays[i] = emitter.ray(uniform4(key, from + i));
     tracer.nearest(std::span(rays.data(), n), std::span(hits.data(), n));
     for (std::size_t i = 0; i < n; ++i)
-      if (hits[i]) met.push_back(static_cast<std::uint32_t>(side_of(hits[i].patch, hits[i].back)));
+      if (hits[i]) met.emplace_back(hits[i].patch, hits[i].back);
   }
   counts.lines = lines;
   counts.escaped = lines - static_cast<std::uint32_t>(met.size());

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 
 namespace luxel {
 
@@ -26,7 +26,7 @@ class TransportOperator {
   // [element][band], W/m², two arrays. begin and end: of row_begins(). The same bits on any number of
   // threads.
   virtual void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-                     std::size_t end, const Workers& workers) const = 0;
+                     std::size_t end, const Context& context) const = 0;
 };
 
 }  // namespace luxel

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "luxel/patch/side.h"
+
 namespace luxel {
 namespace {
 
-constexpr std::size_t grain = 8192;  // sides per chunk, lit or not
+constexpr std::size_t grain = 8192;  // sides per chunk
 
 }  // namespace
 
@@ -24,16 +26,16 @@ void RayPlan::write_quantum(std::span<const double> watts, std::span<std::int64_
 }
 
 RayPlan make_ray_plan(const SidePower& leaving, std::size_t bands, std::uint64_t rays, double offset,
-                      const Workers& workers) {
+                      const Context& context) {
   const auto entries = leaving.side.size();
-  const auto sides = entries > 0 ? std::size_t{leaving.side.back()} + 1 : 0;
+  const auto sides = entries > 0 ? std::size_t{leaving.side.back().index()} + 1 : 0;
   const auto power = [&](std::size_t e) {
     return std::accumulate(&leaving.watts[e * bands], &leaving.watts[e * bands] + bands, 0.0);
   };
   // 1. The running sum at the beginning of each chunk, added in order.
   std::vector<double> sum_before((sides + grain - 1) / grain + 1, 0.0);
-  workers.for_chunks(sides, grain, [&](std::size_t begin, std::size_t end, int) {
-    const auto range = entries_between(leaving.side, begin, end);
+  context.for_chunks(sides, grain, [&](std::size_t begin, std::size_t end, int) {
+    const auto range = entries_between(leaving.side, SideId::at(begin), SideId::at(end));
     double sum = 0.0;
     for (auto e = range.begin; e < range.end; ++e) sum += power(e);
     sum_before[begin / grain + 1] = sum;
@@ -49,11 +51,11 @@ RayPlan make_ray_plan(const SidePower& leaving, std::size_t bands, std::uint64_t
   const auto n = static_cast<double>(plan.rays);
   plan.quantum = total / n;
 
-  // 2. Each side's last ray. A side that begins a chunk is reached by two sums that may differ in their last
-  // bits; first_ray of a side is written by the side before it alone, so the plan has no gap.
+  // 2. The last ray of each side. A side at the beginning of a chunk is reached by two sums whose last bits
+  // may differ. Only the side before it writes its first_ray, so the plan has no gap.
   plan.first_ray[0] = 0;
-  workers.for_chunks(sides, grain, [&](std::size_t begin, std::size_t end, int) {
-    const auto range = entries_between(leaving.side, begin, end);
+  context.for_chunks(sides, grain, [&](std::size_t begin, std::size_t end, int) {
+    const auto range = entries_between(leaving.side, SideId::at(begin), SideId::at(end));
     double sum = sum_before[begin / grain];
     for (auto e = range.begin; e < range.end; ++e) {
       sum = e + 1 == range.end ? sum_before[begin / grain + 1] : sum + power(e);
@@ -61,8 +63,8 @@ RayPlan make_ray_plan(const SidePower& leaving, std::size_t bands, std::uint64_t
       plan.first_ray[e + 1] = static_cast<std::uint64_t>(last);
     }
   });
-  // 3. Rounding may have made the sum step back by a bit, which must not turn into a ray less; and the last
-  // ray, left without an owner, goes to the last side that shines.
+  // 3. Rounding may lower the sum by a bit, which must not reduce the number of rays. A ray left over at the
+  // end goes to the last side with power.
   for (std::size_t e = 0; e < entries; ++e)
     plan.first_ray[e + 1] = std::max(plan.first_ray[e], plan.first_ray[e + 1]);
   for (auto e = entries; e > 0 && plan.first_ray[e] < plan.rays; --e) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "luxel/classical/fixed_point.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/lamps/side_power.h"
 
 namespace luxel {
@@ -23,7 +23,7 @@ struct RayPlan {
   // The entry that shoots this ray. O(log entries).
   std::size_t entry_of_ray(std::uint64_t ray) const;
 
-  // What one ray of a side carries, [band], in units of scale. watts: the side's.
+  // Returns the power of one ray of a side, [band], in units of scale. watts: the side's.
   void write_quantum(std::span<const double> watts, std::span<std::int64_t> quantum_of_band) const;
 };
 
@@ -31,6 +31,6 @@ struct RayPlan {
 // stretch of the running sum holds (k + offset) / rays. So a side gets its fair number of rays rounded down
 // or up, and on average exactly that. offset in [0, 1). The same plan on any number of threads.
 RayPlan make_ray_plan(const SidePower& leaving, std::size_t bands, std::uint64_t rays, double offset,
-                      const Workers& workers);
+                      const Context& context);
 
 }  // namespace luxel

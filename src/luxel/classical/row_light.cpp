@@ -13,10 +13,10 @@ RowLight::RowLight(const RowOperator& transport) {
   for (std::size_t receiver = 0; receiver < transport.size(); ++receiver) {
     const auto side = transport.sides().side[receiver];
     const auto escaped = std::max(0.0, transport.losses().escaped[receiver]);
-    area.push_back(patches.area[side / 2]);
+    area.push_back(patches.area[side.patch()]);
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
-      reflectance.push_back(patches.reflectance(side / 2, b));
-      emittance.push_back(side % 2 == 0 ? patches.emittance(side / 2, b) : 0.0f);
+      reflectance.push_back(patches.reflectance(side.patch(), b));
+      emittance.push_back(!side.is_back() ? patches.emittance(side.patch(), b) : 0.0f);
       from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(b)));
     }
   }
@@ -30,19 +30,18 @@ void write_light(const RowOperator& transport, const RowLight& light,
   const auto& patches = transport.patches();
   const auto bands = patches.band_count();
   solution.bands = patches.bands;
-  for (auto* array : {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
-                      &solution.radiosity_back})
+  for (auto* array : {&solution.irradiance.front, &solution.irradiance.back, &solution.radiosity.front,
+                      &solution.radiosity.back})
     array->assign(patches.size() * bands, 0.0f);
-  for (auto* array : {&solution.standard_error_front, &solution.standard_error_back})
+  for (auto* array : {&solution.standard_error.front, &solution.standard_error.back})
     array->assign(standard_error.empty() ? 0 : patches.size() * bands, 0.0f);
   for (std::size_t i = 0; i < light.irradiance.size(); ++i) {
     const auto side = transport.sides().side[i / bands];
-    const bool back = side % 2 == 1;
-    const auto at = side / 2 * bands + i % bands;
-    (back ? solution.irradiance_back : solution.irradiance_front)[at] = light.irradiance[i];
-    (back ? solution.radiosity_back : solution.radiosity_front)[at] = light.radiosity[i];
-    if (!standard_error.empty())
-      (back ? solution.standard_error_back : solution.standard_error_front)[at] = standard_error[i];
+    const bool back = side.is_back();
+    const auto at = side.patch() * bands + i % bands;
+    solution.irradiance.of(back)[at] = light.irradiance[i];
+    solution.radiosity.of(back)[at] = light.radiosity[i];
+    if (!standard_error.empty()) solution.standard_error.of(back)[at] = standard_error[i];
   }
 }
 
@@ -60,7 +59,7 @@ EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
     const auto sent = area * double{light.before[i]};
     balance.absorbed[b] += area * (1.0 - double{light.reflectance[i]}) * double{light.irradiance[i]};
     balance.escaped[b] += sent * losses.escaped[receiver];
-    // The irradiance holds the sky's light from the first step on.
+    // The irradiance includes the sky's light from the first step on.
     const auto on_its_way = double{light.from_sky[i]} - std::min(light.from_sky[i], light.irradiance[i]);
     balance.from_sky[b] += area * double{light.from_sky[i]};
     balance.unshot[b] += area * (double{light.radiosity[i]} - double{light.before[i]} + on_its_way);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 namespace {
 
@@ -10,8 +12,8 @@ constexpr std::size_t rows_per_block = 4;
 
 }  // namespace
 
-RowOperator::RowOperator(const PatchSet& patches, const Workers& workers)
-    : patches_(patches), sides_(all_gather_sides(patches, make_patch_tree(patches, workers))) {
+RowOperator::RowOperator(const PatchSet& patches, const Context& context)
+    : patches_(patches), sides_(all_gather_sides(patches, make_patch_tree(patches, context))) {
   for (std::size_t row = 0; row < size(); row += rows_per_block)
     row_begins_.push_back(static_cast<std::uint32_t>(row));
   row_begins_.push_back(static_cast<std::uint32_t>(size()));
@@ -20,9 +22,9 @@ RowOperator::RowOperator(const PatchSet& patches, const Workers& workers)
 }
 
 void RowOperator::apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-                        std::size_t end, const Workers& workers) const {
+                        std::size_t end, const Context& context) const {
   const auto bands = patches_.band_count();
-  workers.for_chunks(end - begin, rows_per_block, [&](std::size_t first, std::size_t last, int) {
+  context.for_chunks(end - begin, rows_per_block, [&](std::size_t first, std::size_t last, int) {
     std::vector<double> sum(bands);
     for_rows(begin + first, begin + last, [&](std::size_t receiver, std::span<const Factor> row) {
       std::fill(sum.begin(), sum.end(), 0.0);
@@ -39,7 +41,7 @@ std::vector<RowOperator::Factor> RowOperator::factors_of(const FormFactorRow& ro
   std::vector<Factor> factors;
   factors.reserve(row.entries.size());
   for (const auto& entry : row.entries)
-    if (const auto receiver = sides_.receiver_of_side[entry.side]; receiver != GatherSides::none)
+    if (const auto receiver = sides_.receiver_of_side[entry.side.index()]; receiver != none)
       factors.push_back({receiver, entry.factor});
   return factors;
 }
@@ -47,9 +49,9 @@ std::vector<RowOperator::Factor> RowOperator::factors_of(const FormFactorRow& ro
 void RowOperator::book_losses(std::size_t receiver, const FormFactorRow& row) {
   losses_.escaped[receiver] = row.escaped;
   for (const auto& entry : row.entries)
-    if (sides_.receiver_of_side[entry.side] == GatherSides::none)
+    if (sides_.receiver_of_side[entry.side.index()] == none)
       losses_.at_backs[receiver * patches_.materials.size() +
-                       static_cast<std::size_t>(patches_.material[entry.side / 2])] +=
+                       static_cast<std::size_t>(patches_.material[entry.side.patch()])] +=
           static_cast<double>(entry.factor);
 }
 

@@ -8,6 +8,7 @@
 
 #include "luxel/classical/form_factor_row.h"
 #include "luxel/classical/operator.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/gather_sides.h"
 
@@ -35,7 +36,7 @@ class RowOperator : public TransportOperator {
   std::size_t bands() const final { return patches_.band_count(); }
   std::span<const std::uint32_t> row_begins() const final { return row_begins_; }
   void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-             std::size_t end, const Workers& workers) const final;
+             std::size_t end, const Context& context) const final;
 
   // Calls body for the rows [begin, end), in order; a row is alive during the call. Any number of threads may
   // call.
@@ -47,7 +48,7 @@ class RowOperator : public TransportOperator {
 
  protected:
   // Keeps a reference to patches.
-  RowOperator(const PatchSet& patches, const Workers& workers);
+  RowOperator(const PatchSet& patches, const Context& context);
 
   // The factors of such a row to receivers; the rest of it becomes the receiver's losses.
   std::vector<Factor> factors_of(const FormFactorRow& row) const;

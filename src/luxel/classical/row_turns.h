@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cstddef>
 
+#include "luxel/core/context.h"
 #include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
 
 namespace luxel {
 
-// How many things to do between two looks at the monitor: as many as take about a fifth of a second. What is
-// done does not depend on it.
+// The number of items between two polls of the monitor: as many as take about a fifth of a second. Results do
+// not depend on it.
 class TurnLength {
  public:
   explicit TurnLength(std::size_t first) : min_(first), length_(first) {}
@@ -30,21 +30,21 @@ class TurnLength {
   Clock::time_point begin_;
 };
 
-// Calls body(begin, end) for [0, count) cut at multiples of grain, in turns between which the monitor hears
-// how far the stage "factors" has come. False where it said stop; then some were not done.
+// Calls body(begin, end) for [0, count) cut at multiples of grain, in turns between which the monitor
+// receives the progress of the stage "factors". Returns false where it stopped the work; some items were then
+// not done.
 template <typename Body>
-bool for_chunks_in_turns(std::size_t count, std::size_t grain, const Workers& workers, const Monitor& monitor,
-                         Body body) {
-  TurnLength turn(grain * static_cast<std::size_t>(workers.threads()));
+bool for_chunks_in_turns(std::size_t count, std::size_t grain, const Context& context, Body body) {
+  TurnLength turn(grain * static_cast<std::size_t>(context.threads()));
   for (std::size_t from = 0; from < count;) {
     const auto to = std::min(count, from + turn.length());
     turn.begin();
-    workers.for_chunks(to - from, grain,
+    context.for_chunks(to - from, grain,
                        [&](std::size_t begin, std::size_t end, int) { body(from + begin, from + end); });
     turn.end();
     from = to;
     const auto fraction = static_cast<double>(to) / static_cast<double>(count);
-    if (tell(monitor, {"factors", fraction}) == Next::stop) return false;
+    if (context.report({"factors", fraction}) == Next::stop) return false;
   }
   return true;
 }

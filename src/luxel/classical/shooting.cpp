@@ -8,16 +8,19 @@
 #include "luxel/classical/deposits.h"
 #include "luxel/classical/ray_plan.h"
 #include "luxel/core/address.h"
+#include "luxel/core/work_partition.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t offset_element = 0xffffffffu;  // the address of the one random offset; no side has it
-constexpr std::size_t block = 64;                      // rays made, then traced, then delivered
-constexpr std::size_t grain = 4096;                    // rays per chunk
+constexpr std::uint32_t offset_element =
+    0xffffffffu;                     // the address of the random offset; no side has this index
+constexpr std::size_t block = 64;    // rays generated, then traced, then deposited
+constexpr std::size_t grain = 4096;  // rays per chunk
 
-// Where rays put their power.
+// Counters for the power of the rays.
 struct Ledger {
   Deposits& arrived;
   Deposits& absorbed;
@@ -25,7 +28,7 @@ struct Ledger {
 };
 enum Place : std::size_t { escaped, shot, from_sky, whole_places };  // of Ledger::whole
 
-// As an array of all places.
+// Expands sparse sums to an array over all places.
 std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t places, std::size_t bands) {
   std::vector<std::int64_t> all(places * bands, 0);
   for (std::size_t e = 0; e < sums.place.size(); ++e)
@@ -33,33 +36,43 @@ std::vector<std::int64_t> spread_out(const Deposits::Sums& sums, std::size_t pla
   return all;
 }
 
-// What was added in all ranks together. Counters are integers: their sums have no order.
-Deposits::Sums take(Deposits& deposits, std::size_t bands, const Ranks* ranks, const Workers& workers) {
-  auto own = deposits.take(workers);
-  if (!ranks) return own;
-  const auto places = all_gather_lists(*ranks, own.place);
-  const auto sums = all_gather_lists(*ranks, own.sum);
+// The sums over all processes. Counters are integers, so their sums do not depend on the order.
+Deposits::Sums take(Deposits& deposits, std::size_t bands, const Context& context) {
+  const SharedWork work(context);
+  auto own = deposits.take(context);
+  if (!work.is_shared()) return own;
+  const auto places = work.all_gather_lists(own.place);
+  const auto sums = work.all_gather_lists(own.sum);
   for (std::size_t e = 0; e < places.size(); ++e)
     deposits.add(0, places[e], std::span(sums).subspan(e * bands, bands));
-  return deposits.take(workers);
+  return deposits.take(context);
 }
 
-// Sends the rays of a chunk in blocks: first all of a block are made, then traced, then delivered. Every
-// counter of a block is asked for before the first is added to, so that their cache misses overlap.
+// What all chunks of a shot share.
+struct Shot {
+  const PatchSet& patches;
+  const Tracer& tracer;
+  const SkyBox* sky;  // null where there is none
+  const SidePower& leaving;
+  const RayPlan& plan;
+  const ShootingOptions& options;
+  const Ledger& ledger;
+};
+
+// Sends the rays of a chunk in blocks: all rays of a block are generated, then traced, then deposited. Every
+// counter of a block is prefetched before the first add, so that their cache misses overlap.
 class ChunkShooter {
  public:
-  // sky: null where there is none.
-  ChunkShooter(const PatchSet& patches, const Tracer& tracer, const SkyBox* sky, const SidePower& leaving,
-               const RayPlan& plan, const ShootingOptions& options, const Ledger& ledger, int worker)
-      : patches_(patches),
-        tracer_(tracer),
-        sky_(sky),
-        leaving_(leaving),
-        plan_(plan),
-        options_(options),
-        ledger_(ledger),
-        worker_(worker),
-        bands_(patches.band_count()),
+  ChunkShooter(const Shot& shot, int thread)
+      : patches_(shot.patches),
+        tracer_(shot.tracer),
+        sky_(shot.sky),
+        leaving_(shot.leaving),
+        plan_(shot.plan),
+        options_(shot.options),
+        ledger_(shot.ledger),
+        thread_(thread),
+        bands_(patches_.band_count()),
         quantum_(bands_ * (block + 1)) {}
 
   // Rays first + stride * i of the plan, for i in [begin, end).
@@ -88,21 +101,21 @@ class ChunkShooter {
     std::size_t face;
     std::uint64_t key;
   };
-  // Leaves what its rays carry at the end of quantum_.
+  // Writes the power of its rays at the end of quantum_.
   SideShooter shooter_of(std::size_t entry) {
     const auto side = leaving_.side[entry];
-    const auto sides = 2 * patches_.size();
+    const auto sides = side_count(patches_.size());
     plan_.write_quantum(std::span(leaving_.watts).subspan(entry * bands_, bands_),
                         std::span(quantum_).subspan(block * bands_));
-    const auto key = stream_key(options_.seed, options_.step, side);
-    if (side >= sides) return {{}, side - sides, key};
+    const auto key = stream_key(options_.seed, options_.step, side.index());
+    if (side.index() >= sides) return {{}, side.index() - sides, key};
     return {PatchEmitter(patches_, side), 0, key};
   }
 
   void flush() {
     tracer_.nearest(std::span(rays_.data(), waiting_), std::span(hits_.data(), waiting_));
     for (std::size_t i = 0; i < waiting_; ++i)
-      if (hits_[i]) ledger_.arrived.prefetch(worker_, side_of(hits_[i].patch, hits_[i].back));
+      if (hits_[i]) ledger_.arrived.prefetch(thread_, hits_[i].side().index());
     for (std::size_t i = 0; i < waiting_; ++i)
       deliver(hits_[i], is_of_sky_[i], std::span(quantum_).subspan(i * bands_, bands_));
     waiting_ = 0;
@@ -111,12 +124,12 @@ class ChunkShooter {
   void deliver(const Hit& hit, bool is_of_sky, std::span<const std::int64_t> quantum) {
     const bool arrives = takes_part(patches_, hit);
     if (is_of_sky && !arrives) return;
-    if (is_of_sky) ledger_.whole.add(worker_, Place::from_sky, quantum);
-    ledger_.whole.add(worker_, Place::shot, quantum);
-    if (!hit) return ledger_.whole.add(worker_, Place::escaped, quantum);
+    if (is_of_sky) ledger_.whole.add(thread_, Place::from_sky, quantum);
+    ledger_.whole.add(thread_, Place::shot, quantum);
+    if (!hit) return ledger_.whole.add(thread_, Place::escaped, quantum);
     if (!arrives)
-      return ledger_.absorbed.add(worker_, static_cast<std::size_t>(patches_.material[hit.patch]), quantum);
-    ledger_.arrived.add(worker_, side_of(hit.patch, hit.back), quantum);
+      return ledger_.absorbed.add(thread_, static_cast<std::size_t>(patches_.material[hit.patch]), quantum);
+    ledger_.arrived.add(thread_, hit.side().index(), quantum);
   }
 
   const PatchSet& patches_;
@@ -126,60 +139,59 @@ class ChunkShooter {
   const RayPlan& plan_;
   const ShootingOptions& options_;
   const Ledger& ledger_;
-  int worker_;
+  int thread_;
   std::size_t bands_;
   std::size_t waiting_ = 0;
   std::array<Ray, block> rays_;
   std::array<Hit, block> hits_;
   std::array<bool, block> is_of_sky_{};
-  std::vector<std::int64_t> quantum_;  // [ray of the block, and then the side's own][band]
+  std::vector<std::int64_t> quantum_;  // [ray of the block, then that of the current side][band]
 };
 
 }  // namespace
 
-Shooter::Shooter(const PatchSet& patches, const Tracer& tracer, const Workers& workers)
+Shooter::Shooter(const PatchSet& patches, const Tracer& tracer, const Context& context)
     : patches_(patches),
       tracer_(tracer),
-      workers_(workers),
-      arrived_(2 * patches.size(), patches.band_count(), workers),
-      absorbed_(patches.materials.size(), patches.band_count(), workers),
-      whole_(whole_places, patches.band_count(), workers) {
+      context_(context),
+      arrived_(side_count(patches.size()), patches.band_count(), context),
+      absorbed_(patches.materials.size(), patches.band_count(), context),
+      whole_(whole_places, patches.band_count(), context) {
   if (patches.has_sky()) sky_.emplace(patches);
 }
 
 Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options, const Monitor& monitor) {
   const auto bands = patches_.band_count();
   const double offset = uniform4({options.seed, options.step, offset_element, 0})[0];
-  const auto plan = make_ray_plan(leaving, bands, options.rays, offset, workers_);
+  const auto plan = make_ray_plan(leaving, bands, options.rays, offset, context_);
   for (auto* deposits : {&arrived_, &absorbed_, &whole_}) deposits->expect(plan.rays);
   const Ledger ledger{arrived_, absorbed_, whole_};
   const auto* sky = sky_ ? &*sky_ : nullptr;
 
   // Batch j shoots rays j, j + batches, j + 2 batches, ...: each is a stratified sample of the whole, and all
-  // of them together are exactly the plan. So a run that is stopped between two of them has an unbiased
-  // answer.
+  // together are exactly the plan. The result is therefore unbiased after any number of batches.
   const auto batches = std::max<std::uint64_t>(1, (plan.rays + options.batch - 1) / options.batch);
-  const auto* ranks = options.ranks;
+  const SharedWork work(context_);
   std::uint64_t done = 0;
   std::uint64_t traced = 0;
   for (std::uint64_t j = 0; j < batches && plan.rays > 0; ++j) {
     const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
-    workers_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
-      if (ranks && begin / grain % ranks->size() != ranks->rank()) return;
-      ChunkShooter(patches_, tracer_, sky, leaving, plan, options, ledger, worker)
+    context_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int thread) {
+      if (begin / grain % work.processes() != work.process()) return;
+      ChunkShooter({patches_, tracer_, sky, leaving, plan, options, ledger}, thread)
           .run(j, batches, begin, end);
     });
     traced += count;
     ++done;
     const auto fraction = static_cast<double>(done) / static_cast<double>(batches);
-    if (agreed(ranks, tell(monitor, {"light", fraction, traced})) == Next::stop) break;
+    if (work.broadcast(tell(monitor, {"light", fraction, traced})) == Next::stop) break;
   }
 
   Arrival arrival;
   arrival.scale = plan.scale;
-  const auto take_from = [&](Deposits& deposits) { return take(deposits, bands, ranks, workers_); };
+  const auto take_from = [&](Deposits& deposits) { return take(deposits, bands, context_); };
   auto arrived = take_from(arrived_);
-  arrival.side = std::move(arrived.place);
+  arrival.side = sides_at(arrived.place);
   arrival.arrived = std::move(arrived.sum);
   arrival.absorbed = spread_out(take_from(absorbed_), patches_.materials.size(), bands);
   const auto whole = spread_out(take_from(whole_), whole_places, bands);
@@ -196,8 +208,8 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
 }
 
 Arrival shoot(const PatchSet& patches, const Tracer& tracer, const SidePower& leaving,
-              const ShootingOptions& options, const Workers& workers, const Monitor& monitor) {
-  return Shooter(patches, tracer, workers).shoot(leaving, options, monitor);
+              const ShootingOptions& options, const Context& context) {
+  return Shooter(patches, tracer, context).shoot(leaving, options, context.monitor());
 }
 
 }  // namespace luxel

@@ -10,9 +10,11 @@
 
 #include "luxel/classical/shooting.h"
 #include "luxel/core/error.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/lamps/side_power.h"
 #include "luxel/lamps/sky_box.h"
 #include "luxel/patch/check_light.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 #include "luxel/trace/point_sight.h"
 
@@ -29,17 +31,18 @@ void check(const PatchSet& patches, const StochasticJacobiOptions& options) {
   check_light(patches);
 }
 
-// The state of the iteration: power that arrived so far, and power that is still to be shot.
+// State of the iteration: power that has arrived, and power still to be shot.
 class Iteration {
  public:
   Iteration(const PatchSet& patches, const Tracer& tracer, const StochasticJacobiOptions& options,
-            const Workers& workers)
+            const Context& context, const LightSink& on_light)
       : patches_(patches),
         options_(options),
-        workers_(workers),
+        context_(context),
+        on_light_(on_light),
         bands_(patches.band_count()),
-        shooter_(patches, tracer, workers),
-        arrived_(2 * patches.size() * bands_, 0.0),
+        shooter_(patches, tracer, context),
+        arrived_(side_count(patches.size()) * bands_, 0.0),
         unshot_(lamp_power(patches)) {
     auto& energy = report_.energy;
     energy.emitted = emitted_power(patches);
@@ -52,13 +55,13 @@ class Iteration {
     if (patches.has_sky()) add_sky(patches, tracer);
   }
 
-  void run(Solution& solution, const Monitor& monitor) {
+  void run(Solution& solution) {
     const auto first_step_rays =
         options_.rays > 0 ? options_.rays : automatic_rays(patches_, options_.rays_per_patch);
     while (report_.unshot_fraction > options_.tolerance) {
       const auto wanted = std::round(unshot_power_ / carried_once_ * static_cast<double>(first_step_rays));
-      const auto fraction = step(static_cast<std::uint64_t>(std::max(1.0, wanted)), monitor);
-      if (fraction < 1.0 || show(solution, monitor) == Next::stop) return finish(StopReason::stopped_by_user);
+      const auto fraction = step(static_cast<std::uint64_t>(std::max(1.0, wanted)));
+      if (fraction < 1.0 || show(solution) == Next::stop) return finish(StopReason::stopped_by_user);
     }
     finish(StopReason::converged);
   }
@@ -67,7 +70,7 @@ class Iteration {
   void fill(Solution& solution);
 
  private:
-  // The sky shoots with the first step. How much of it arrives is guessed, for the number of rays alone.
+  // The sky is shot in the first step. How much of it arrives is estimated only to choose the number of rays.
   void add_sky(const PatchSet& patches, const Tracer& tracer) {
     constexpr double min_fraction = 1.0 / 16.0;
     const SkyBox box(patches);
@@ -78,37 +81,37 @@ class Iteration {
     carried_once_ += (hits > 0.0 ? std::max(min_fraction, hits) : 1.0) * (unshot_power_ - lamps);
   }
 
-  // The light of all bounces so far.
-  Next show(Solution& solution, const Monitor& monitor) {
-    if (!options_.shows_bounces || !monitor) return agreed(options_.ranks, Next::go_on);
+  // Publishes the light of all bounces so far.
+  Next show(Solution& solution) {
+    if (!options_.shows_bounces || !(on_light_ || context_.monitor()))
+      return SharedWork(context_).broadcast(Next::go_on);
     fill(solution);
-    return agreed(options_.ranks, monitor({"light", 1.0 - report_.unshot_fraction, report_.rays,
-                                           report_.predicted_error, &solution}));
+    const Progress progress{"light", 1.0 - report_.unshot_fraction, report_.rays, report_.predicted_error};
+    if (on_light_) on_light_(solution, progress);
+    return SharedWork(context_).broadcast(context_.report(progress));
   }
 
-  // One bounce. Returns the share of it that was done before the monitor said stop.
-  double step(std::uint64_t rays, const Monitor& monitor) {
-    // The bar of the whole run: unshot power falls geometrically, and the rays follow it.
+  // One bounce. Returns the fraction of it that was done before the monitor stopped it.
+  double step(std::uint64_t rays) {
+    // Progress of the whole run: unshot power decreases geometrically, and the number of rays in proportion.
     const auto before = report_.unshot_fraction;
     const auto reflected = guessed_reflected_fraction();
     const auto tell_whole = [&](const Progress& p) {
       const auto here = before * (1.0 - p.done * (1.0 - reflected));
-      return tell(monitor, {p.stage, std::clamp(1.0 - here, 0.0, 1.0), report_.rays + p.rays});
+      return context_.report({p.stage, std::clamp(1.0 - here, 0.0, 1.0), report_.rays + p.rays});
     };
-    const auto arrival = shooter_.shoot(unshot_,
-                                        {.rays = rays,
-                                         .seed = options_.seed,
-                                         .step = static_cast<std::uint32_t>(report_.steps.size()),
-                                         .ranks = options_.ranks},
-                                        tell_whole);
+    const auto arrival = shooter_.shoot(
+        unshot_,
+        {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
+        tell_whole);
     report_.rays += arrival.rays;
     if (arrival.fraction > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
     report_.steps.push_back({arrival.rays, report_.unshot_fraction});
     return arrival.fraction;
   }
 
-  // Books what arrived, in quanta of that many watts (all bands together); what is reflected of it becomes
-  // the new unshot power. Arrivals are a Poisson count of quanta q: the irradiance H of a side of area A has
+  // Adds the arrived power, in quanta of that many watts (all bands together); the reflected part becomes the
+  // new unshot power. Arrivals are a Poisson count of quanta q: the irradiance H of a side of area A has the
   // variance q H / A.
   void receive(const Arrival& arrival, double quantum) {
     auto& energy = report_.energy;
@@ -120,20 +123,20 @@ class Iteration {
     std::vector<double> absorbed(chunks * bands_, 0.0);
     std::vector<double> irradiance(chunks, 0.0);
     std::vector<double> unshot(chunks, 0.0);
-    workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
       const auto chunk = begin / grain;
-      const auto range = entries_between(arrival.side, side_of(begin, false), side_of(end, false));
+      const auto range = entries_between(arrival.side, SideId(begin, false), SideId(end, false));
       for (auto e = range.begin; e < range.end; ++e) {
         const auto side = arrival.side[e];
         for (std::size_t b = 0; b < bands_; ++b) {
           const auto power = watts(arrival.arrived[e * bands_ + b]);
-          const double rho = patches_.reflectance(side / 2, b);
+          const double rho = patches_.reflectance(side.patch(), b);
           const auto reflected = rho * power;
-          arrived_[side * bands_ + b] += power;
+          arrived_[side.index() * bands_ + b] += power;
           unshot_.watts[e * bands_ + b] = reflected;
           unshot[chunk] += reflected;
           absorbed[chunk * bands_ + b] += (1.0 - rho) * power;
-          irradiance[chunk] += power / static_cast<double>(patches_.area[side / 2]);
+          irradiance[chunk] += power / static_cast<double>(patches_.area[side.patch()]);
         }
       }
     });
@@ -163,37 +166,38 @@ class Iteration {
   void finish(StopReason reason) {
     report_.stop = reason;
     report_.energy.unshot.assign(bands_, 0.0);
-    // What the sky did not send yet is known of nobody.
+    // The power that the sky has not sent yet is not part of the unshot power.
     for (std::size_t i = 0; i < unshot_.watts.size(); ++i)
-      if (unshot_.side[i / bands_] < 2 * patches_.size())
+      if (unshot_.side[i / bands_].index() < side_count(patches_.size()))
         report_.energy.unshot[i % bands_] += unshot_.watts[i];
   }
 
   const PatchSet& patches_;
   const StochasticJacobiOptions& options_;
-  const Workers& workers_;
+  const Context& context_;
+  const LightSink& on_light_;
   std::size_t bands_;
   Shooter shooter_;
   std::vector<double> arrived_;  // W, [side][band]
   SidePower unshot_;
   double unshot_power_ = 0.0;  // W, all bands: the sum of unshot_
   double emitted_ = 0.0;       // W, all bands: by lamps, and by the sky in the steps so far
-  double carried_once_ = 0.0;  // W, all bands: what the rays asked for carry once
+  double carried_once_ = 0.0;  // W, all bands: power that the requested rays carry once
   double variance_ = 0.0;      // sum over sides of area times the variance of the irradiance, W²/m²
   SolveReport report_;
 };
 
-// The light so far and what it says of itself; and the predicted error, area-weighted relative RMS: sqrt(sum
-// of A Var(H) / sum of A H²).
+// The light so far, its energy balance, and the predicted error, an area-weighted relative RMS: sqrt(sum of A
+// Var(H) / sum of A H²).
 void Iteration::fill(Solution& solution) {
   solution.bands = patches_.bands;
-  const std::array arrays = {&solution.irradiance_front, &solution.irradiance_back, &solution.radiosity_front,
-                             &solution.radiosity_back};
-  workers_.for_chunks(arrays.size(), 1, [&](std::size_t i, std::size_t, int) {
+  const std::array arrays = {&solution.irradiance.front, &solution.irradiance.back, &solution.radiosity.front,
+                             &solution.radiosity.back};
+  context_.for_chunks(arrays.size(), 1, [&](std::size_t i, std::size_t, int) {
     arrays[i]->assign(patches_.size() * bands_, 0.0f);
   });
   std::vector<double> squares((patches_.size() + grain - 1) / grain, 0.0);
-  workers_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+  context_.for_chunks(patches_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) {
       const double area = patches_.area[p];
       double front_power = 0.0;
@@ -201,14 +205,14 @@ void Iteration::fill(Solution& solution) {
       for (std::size_t b = 0; b < bands_; ++b) {
         const auto i = p * bands_ + b;
         const double rho = patches_.reflectance(p, b);
-        const auto front = arrived_[side_of(p, false) * bands_ + b];
-        const auto back = arrived_[side_of(p, true) * bands_ + b];
+        const auto front = arrived_[SideId(p, false).index() * bands_ + b];
+        const auto back = arrived_[SideId(p, true).index() * bands_ + b];
         front_power += front;
         back_power += back;
-        solution.irradiance_front[i] = static_cast<float>(front / area);
-        solution.irradiance_back[i] = static_cast<float>(back / area);
-        solution.radiosity_front[i] = static_cast<float>(patches_.emittance(p, b) + rho * (front / area));
-        solution.radiosity_back[i] = static_cast<float>(rho * (back / area));
+        solution.irradiance.front[i] = static_cast<float>(front / area);
+        solution.irradiance.back[i] = static_cast<float>(back / area);
+        solution.radiosity.front[i] = static_cast<float>(patches_.emittance(p, b) + rho * (front / area));
+        solution.radiosity.back[i] = static_cast<float>(rho * (back / area));
       }
       squares[begin / grain] += (front_power * front_power + back_power * back_power) / area;
     }
@@ -255,15 +259,16 @@ std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {
 StochasticJacobiOptions glance(const PatchSet& patches) {
   constexpr std::uint64_t min_rays = 50'000;
   constexpr std::uint64_t max_rays = 250'000;
-  return {.rays = std::clamp<std::uint64_t>(2 * patches.size(), min_rays, max_rays), .tolerance = 0.2};
+  return {.rays = std::clamp<std::uint64_t>(side_count(patches.size()), min_rays, max_rays),
+          .tolerance = 0.2};
 }
 
 SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                                    const StochasticJacobiOptions& options, const Workers& workers,
-                                    const Monitor& monitor) {
+                                    const StochasticJacobiOptions& options, const Context& context,
+                                    const LightSink& on_light) {
   check(patches, options);
-  Iteration iteration(patches, tracer, options, workers);
-  iteration.run(solution, monitor);
+  Iteration iteration(patches, tracer, options, context, on_light);
+  iteration.run(solution);
   iteration.fill(solution);
   return iteration.report();
 }

@@ -6,10 +6,12 @@
 #include "luxel/cli/light_run.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/run_report.h"
-#include "luxel/cli/version.h"
+#include "luxel/core/hint.h"
 #include "luxel/lamps/choose_portals.h"
 #include "luxel/patch/focus.h"
 #include "luxel/patch/uncut_faces.h"
+#include "luxel/solution/sample_state.h"
+#include "luxel/version.h"
 
 namespace luxel {
 namespace {
@@ -23,16 +25,14 @@ class Bake final : public Command {
   int run() override {
     settings_.check();
     settings_.mesh.check_outputs(settings_.run.outputs);
-    settings_.light.sampled.ranks = settings_.light.shooting.ranks = ranks();
     Console console(settings_.run);
-    const Workers workers(settings_.run.threads);
+    const Context context({.threads = settings_.run.threads, .ranks = ranks()});
     RunRecord record;
 
     // 1. The mesh, or the run that an earlier one kept.
     const auto& file = settings_.scene.file;
-    const auto scene = record.stage("load", [&](auto&) {
-      return load_scene(file, settings_.scene.load, console.log(), console.monitor());
-    });
+    const auto scene = record.stage(
+        "load", [&](auto&) { return load_scene(file, settings_.scene.load, console.reporting(context)); });
     if (interrupted()) return stopped_before_light(console);
     if (!scene.cameras.empty()) settings_.picture.of_scene = scene.cameras.front();
     auto kept = run_to_go_on(settings_.keep, fingerprint(scene), options());
@@ -48,11 +48,11 @@ class Bake final : public Command {
       baked.patches = record.stage("patches", [&](auto&) {
         auto patches = settings_.scene.patches;
         if (settings_.refine.is_asked()) patches.target_count = RefineOptions::coarse_patches;
-        return make_patches(scene, patches, workers, console.log(), console.monitor());
+        return make_patches(scene, patches, console.reporting(context));
       });
       if (interrupted()) return stopped_before_light(console);
-      if (settings_.refine.is_asked()) set_portals(scene, baked.patches, workers);
-      if (settings_.refine.is_asked()) refine(baked, refined, workers, record, console);
+      if (settings_.refine.is_asked()) set_portals(scene, baked.patches, context);
+      if (settings_.refine.is_asked()) refine(baked, refined, context, record, console);
       if (interrupted()) return stopped_before_light(console);
       focus(scene, baked.patches);
       if (settings_.keep.groups_lamps()) set_groups(scene, baked.patches);
@@ -64,14 +64,14 @@ class Bake final : public Command {
     // 3. The light, and what was asked for.
     const auto faces =
         settings_.light.joins_faces ? uncut_faces(scene, baked.patches) : std::vector<std::uint32_t>();
-    return LightRun(settings_, file, options(), workers, console, record)
+    return LightRun(settings_, file, options(), context, console, record)
         .run(baked, settings_.refine.is_asked() && !kept ? &refined : nullptr, faces,
              kept ? kept->samples : nullptr, &scene);
   }
 
  private:
   // Puts the patches where the light needs them.
-  void refine(Baked& baked, RefineReport& report, const Workers& workers, RunRecord& record,
+  void refine(Baked& baked, RefineReport& report, const Context& context, RunRecord& record,
               Console& console) const {
     RefineOptions options{.mesh_error = settings_.refine.mesh_error,
                           .max_patches = settings_.refine.max_patches,
@@ -80,9 +80,9 @@ class Bake final : public Command {
     record.stage("refine", [&](auto& stage) {
       try {
         baked.patches =
-            refine_to_light(std::move(baked.patches), options, report, workers, console.monitor());
+            refine_to_light(std::move(baked.patches), options, report, console.reporting(context));
       } catch (const InputError& error) {
-        throw InputError(settings_.scene.file, error.what());
+        throw with_file(settings_.scene.file, error);
       }
       for (const auto& level : report.levels) stage.rays += level.rays;
     });
@@ -97,7 +97,7 @@ class Bake final : public Command {
     try {
       set_focus(scene, settings_.light.focus, patches);
     } catch (const InputError& error) {
-      throw InputError(settings_.scene.file, error.what());
+      throw with_file(settings_.scene.file, error);
     }
   }
 
@@ -105,14 +105,14 @@ class Bake final : public Command {
     try {
       set_light_groups(scene, settings_.keep.groups, patches);
     } catch (const InputError& error) {
-      throw InputError(settings_.scene.file, error.what());
+      throw with_file(settings_.scene.file, error);
     }
   }
 
   // Before the light is solved: a checkpoint has it too.
   void sign(Solution& solution) const {
     auto& provenance = solution.provenance;
-    provenance.program_version = program_version;
+    provenance.program_version = LUXEL_VERSION;
     provenance.command_line = options().as_command(RunSettings::heading);
     provenance.options = options().used_values(RunSettings::heading);
   }

@@ -35,17 +35,16 @@ class Check final : public Command {
     scene_.check();
     if (!run_.outputs.empty()) check_before_work(run_, {}, kinds);
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
-    const auto scene = record.stage("load", [&](auto&) {
-      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
-    });
+    const auto scene = record.stage(
+        "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
     if (interrupted()) return stopped_before_light(console);
     const auto report = record.stage(
-        "check", [&](auto&) { return diagnose(scene, {.places = places_}, workers, console.monitor()); });
+        "check", [&](auto&) { return diagnose(scene, {.places = places_}, console.reporting(context)); });
     console.clear_bar();
     for (const auto& output : run_.outputs)
-      record.stage("write glb", [&](auto&) { write(output, scene, report, workers); });
+      record.stage("write glb", [&](auto&) { write(output, scene, report, context); });
 
     const CheckText text{&scene, &report, run_.outputs, &options(), &record};
     console.say(record.table());
@@ -58,7 +57,7 @@ class Check final : public Command {
 
  private:
   void write(const std::string& output, const Scene& scene, const CheckReport& report,
-             const Workers& workers) const {
+             const Context& context) const {
     std::vector<ColouredMesh> meshes;
     for (auto& part : fault_parts(scene, report)) {
       const auto name_of = [](DiagnosticKind kind) {
@@ -68,7 +67,7 @@ class Check final : public Command {
                         part.kind ? colour(*part.kind).linear : Vec3(0.4f), std::move(part.positions),
                         std::move(part.triangles)});
     }
-    const auto patches = make_patches(scene, {.max_edge = no_max_edge}, workers);
+    const auto patches = make_patches(scene, {.max_edge = no_max_edge}, context);
     export_coloured(output, fmt::format("diagnostics of {}", scene.source), meshes, up_of(look_, patches),
                     scene.origin);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "luxel/cli/flags.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
@@ -67,7 +68,8 @@ std::string describe(const Scene& scene, const Diagnostic& diagnostic, const Che
       fmt::format("\n{:<{}}{}\n", name(diagnostic.severity), indent,
                   wrapped(fmt::format("{}: {}", name(diagnostic.kind), diagnostic.fact), indent, indent));
   text += fmt::format("{}{}\n", margin, wrapped("Luxel " + diagnostic.consequence, indent, indent));
-  text += fmt::format("{}{}\n", margin, wrapped(diagnostic.remedy, indent, indent));
+  text +=
+      fmt::format("{}{}\n", margin, wrapped(with_flags(diagnostic.remedy, diagnostic.hints), indent, indent));
   for (const auto& place : diagnostic.places)
     text += fmt::format("{}  {}\n", margin, wrapped(line_of(scene, place, report), indent + 2, indent + 6));
   const auto more = diagnostic.all_places - diagnostic.places.size();
@@ -129,7 +131,7 @@ Json to_json(const Diagnostic& diagnostic) {
           {"count", diagnostic.count},
           {"fact", diagnostic.fact},
           {"consequence", diagnostic.consequence},
-          {"remedy", diagnostic.remedy},
+          {"remedy", with_flags(diagnostic.remedy, diagnostic.hints)},
           {"triangles", diagnostic.triangles.size()},
           {"colour", colour(diagnostic.kind).word},
           {"all_places", diagnostic.all_places},

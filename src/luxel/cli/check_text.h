@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// What `luxel check` says; docs/json.md lists the keys of its JSON.
+// The output of `luxel check`; docs/json.md lists the keys of its JSON.
 struct CheckText {
   const Scene* scene = nullptr;
   const CheckReport* report = nullptr;

@@ -9,12 +9,11 @@
 
 namespace luxel {
 
-SampleStorage Checkpoint::storage(const Baked& baked, std::shared_ptr<const SampleState> from,
-                                  Console& console) {
-  SampleStorage storage;
-  storage.from = std::move(from);
-  if (settings_.checkpoint.empty() && !settings_.transport) return storage;
-  storage.keep = [this, &baked, &console](std::shared_ptr<const SampleState> state) {
+SolveHooks Checkpoint::hooks(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console) {
+  SolveHooks hooks;
+  hooks.from = std::move(from);
+  if (settings_.checkpoint.empty() && !settings_.transport) return hooks;
+  hooks.keep = [this, &baked, &console](std::shared_ptr<const SampleState> state) {
     state_ = std::move(state);
     const auto now = std::chrono::steady_clock::now();
     const auto since = written_ ? std::chrono::duration<double>(now - *written_).count() : settings_.every;
@@ -27,7 +26,7 @@ SampleStorage Checkpoint::storage(const Baked& baked, std::shared_ptr<const Samp
     }
     written_ = std::chrono::steady_clock::now();
   };
-  return storage;
+  return hooks;
 }
 
 void Checkpoint::write(const Baked& baked) {

@@ -13,7 +13,7 @@
 
 namespace luxel {
 
-// What a run knows, written as it goes. A disk that fails does not end the run: it is said, and tried again
+// Writes the state of a run while it works. A failed write does not end the run: it is reported, and repeated
 // with the next answer.
 class Checkpoint {
  public:
@@ -22,7 +22,7 @@ class Checkpoint {
       : settings_(settings), writes_(writes) {}
 
   // For the solver. Keeps references to all three, and to this.
-  SampleStorage storage(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console);
+  SolveHooks hooks(const Baked& baked, std::shared_ptr<const SampleState> from, Console& console);
 
   // After the last answer, if it is not yet in the file. Throws DeviceError where it cannot be written.
   void finish(const Baked& baked);

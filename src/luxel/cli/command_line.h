@@ -20,8 +20,8 @@ class CommandLine {
   // The reference stays good.
   OptionSet& command(std::string name, std::string summary);
 
-  // The chosen command. Nothing when help, the version or --print-config was asked for: then `text` is what
-  // to print. Throws UsageError; InputError for a wrong file.
+  // Returns the chosen command. Returns nothing for help, the version or --print-config; `text` is then the
+  // text to print. Throws UsageError; InputError for a wrong file.
   struct Parsed {
     OptionSet* command = nullptr;
     std::string text;

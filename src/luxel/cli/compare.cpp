@@ -14,6 +14,7 @@
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
 #include "luxel/image/image_file.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/difference_picture.h"
 
 namespace luxel {
@@ -75,15 +76,15 @@ class Compare final : public Command {
     if (a.patches.scene_fingerprint != b.patches.scene_fingerprint)
       warn(console.log(), "the meshes are the same, but the scenes have different materials, or skies");
     if (!run_.outputs.empty()) {
-      const Workers workers(run_.threads);
-      const Tracer tracer(a.patches, workers);
-      const auto camera = camera_of(picture_, look_, a, tracer, workers);
+      const Context context(run_.threads);
+      const Tracer tracer(a.patches, context);
+      const auto camera = camera_of(picture_, look_, a, tracer, context);
       const auto width = picture_.render.width;
       const auto height = picture_.render.height;
       draw(seen_fractions(a.patches, fractions, tracer, camera, width, height), width, height);
     }
     say(result, "irradiance of patch sides, W/m²", "side",
-        [&](std::size_t side) { return place_of(a, side); });
+        [&](std::size_t i) { return place_of(a, SideId::at(i)); });
   }
 
   void compare_images() const {
@@ -101,11 +102,11 @@ class Compare final : public Command {
     });
   }
 
-  static Json place_of(const Baked& baked, std::size_t side) {
-    const auto middle = baked.patches.in_file(baked.patches.centroid(side / 2));
-    return {{"patch", side / 2},
-            {"side", side % 2 == 0 ? "front" : "back"},
-            {"material", baked.patches.material_of(side / 2).name},
+  static Json place_of(const Baked& baked, SideId side) {
+    const auto middle = baked.patches.in_file(baked.patches.centroid(side.patch()));
+    return {{"patch", side.patch()},
+            {"side", side.is_back() ? "back" : "front"},
+            {"material", baked.patches.material_of(side.patch()).name},
             {"position_m", {middle.x, middle.y, middle.z}}};
   }
 

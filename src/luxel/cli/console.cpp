@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "luxel/cli/commands.h"
@@ -15,6 +16,8 @@
 
 namespace luxel {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // A signal handler can reach nothing but a global: the one there is.
 volatile std::sig_atomic_t interrupt_requested = 0;
@@ -83,6 +86,10 @@ Monitor Console::monitor(bool heeds_interrupt) {
   };
 }
 
+Context Console::reporting(const Context& context, bool heeds_interrupt) {
+  return context.with_log(log()).with_monitor(monitor(heeds_interrupt));
+}
+
 void Console::announce(const std::string& stage) {
   if (quiet_ || as_json_ || !terminal_) return;
   note(fmt::format("\r\033[K{} ...", stage));
@@ -124,7 +131,16 @@ void Console::show(const Progress& progress) {
   bar_shown_ = true;
 }
 
-// Names of stages are words of our own, so nothing in them needs to be escaped; infinity is no word of JSON.
+namespace {
+
+double rounded(double value, int decimals) {
+  const auto unit = std::pow(10.0, decimals);
+  return std::round(value * unit) / unit;
+}
+
+}  // namespace
+
+// JSON knows no infinity: an error that is not known yet is 0.
 void Console::tell_program(const Progress& progress) {
   const auto now = Clock::now();
   const bool is_new = stage_ != progress.stage;
@@ -134,12 +150,13 @@ void Console::tell_program(const Progress& progress) {
   last_shown_ = now;
   const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
   const auto left = time_left(progress.done, seconds);
-  note(fmt::format(
-      "{{\"stage\": \"{}\", \"done\": {:.4f}, \"rays\": {}, \"error\": {:.4g}, \"seconds\": {:.2f}, "
-      "\"seconds_left\": {}}}\n",
-      stage_, std::clamp(progress.done, 0.0, 1.0), progress.rays,
-      std::isfinite(progress.error) ? progress.error : 0.0, seconds,
-      left ? fmt::format("{:.2f}", *left) : "null"));
+  const Json line = {{"stage", stage_},
+                     {"done", rounded(std::clamp(progress.done, 0.0, 1.0), 4)},
+                     {"rays", progress.rays},
+                     {"error", std::isfinite(progress.error) ? progress.error : 0.0},
+                     {"seconds", rounded(seconds, 2)},
+                     {"seconds_left", left ? Json(rounded(*left, 2)) : Json()}};
+  note(line.dump() + "\n");
 }
 
 int stopped_before_light(Console& console) {

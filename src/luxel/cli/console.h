@@ -4,16 +4,16 @@
 #include <chrono>
 #include <string>
 
-#include "luxel/core/log.h"
+#include "luxel/core/context.h"
 #include "luxel/core/progress.h"
 
 namespace luxel {
 
 struct RunSettings;
 
-// What the program says while it works, on the standard error stream: sentences, and a progress bar on a
-// terminal or a line now and then where there is none; with --progress json a line of JSON for another
-// program. Results go to the standard output and never through here.
+// Messages of the program while it works, on the standard error stream: sentences, and a progress bar on a
+// terminal or a line now and then elsewhere; with --progress json one line of JSON per message for other
+// programs. Results go to the standard output and never through here.
 class Console {
  public:
   Console();
@@ -27,7 +27,9 @@ class Console {
   // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
   // there is), give heeds_interrupt = false.
   Monitor monitor(bool heeds_interrupt = true);
-  // On a terminal: names a stage that cannot say how far it has come, until the next word or bar.
+  // The same threads and processes, with this console's log and monitor.
+  Context reporting(const Context& context, bool heeds_interrupt = true);
+  // On a terminal: shows a stage of unknown progress, until the next message or bar.
   void announce(const std::string& stage);
   // Takes the bar off the screen.
   void clear_bar();
@@ -46,11 +48,11 @@ class Console {
   Clock::time_point last_shown_;
 };
 
-// From now on consoles say nothing and signals are left to another one: of several processes, the first
-// speaks.
+// Silences consoles from now on and leaves signals to another process: of several processes, only the first
+// prints.
 void keep_silent();
 
-// What a command says that is stopped before it has anything to write; its exit code.
+// The message of a command that is stopped before it has results to write; its exit code.
 int stopped_before_light(Console& console);
 
 // Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() answers; a second one ends the program at

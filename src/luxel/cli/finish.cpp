@@ -15,11 +15,8 @@ void finish(const RunReport& report, const RunSettings& run, Console& console) {
 }
 
 int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
-                     const RunSettings& run, const LookSettings& look, const PictureSettings& picture,
-                     const Workers& workers, Console& console, RunRecord& record,
-                     const StoredSamples& samples, const MeshWish& mesh) {
-  const auto written =
-      write_outputs(baked, tracer, run, look, picture, workers, console, record, samples, mesh);
+                     const OutputSettings& settings, const Workplace& place, const StoredSamples& samples) {
+  const auto written = write_outputs(baked, tracer, settings, place, samples);
   finish({.command = options.name(),
           .baked = &baked,
           .pages = written.pages,
@@ -27,8 +24,8 @@ int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& 
           .origin = baked.patches.origin,
           .outputs = written.files,
           .options = &options,
-          .record = &record},
-         run, console);
+          .record = &place.record},
+         settings.run, place.console);
   return written.stopped ? exit_stopped_early : exit_fine;
 }
 

@@ -14,8 +14,7 @@ void finish(const RunReport& report, const RunSettings& run, Console& console);
 
 // All that is left to do for a command that has a solution and only writes it. Returns the exit code.
 int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
-                     const RunSettings& run, const LookSettings& look, const PictureSettings& picture,
-                     const Workers& workers, Console& console, RunRecord& record,
-                     const StoredSamples& samples = {}, const MeshWish& mesh = {});
+                     const OutputSettings& settings, const Workplace& place,
+                     const StoredSamples& samples = {});
 
 }  // namespace luxel

@@ -41,7 +41,7 @@ class FromSolution final : public Command {
     if (mesh_.keep_topology && scene_.empty())
       throw UsageError("--preserve-topology needs --scene FILE, the file with the triangles");
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
     const auto kept = record.stage("read", [&](auto&) { return read(); });
     restore_from(kept.baked.solution.provenance);
@@ -54,8 +54,8 @@ class FromSolution final : public Command {
     if (interrupted()) return stopped_before_light(console);
     MeshWish mesh{&mesh_};
     if (solved) mesh = {&mesh_, &solved->scene, solved->metres_per_unit};
-    return write_and_finish(kept.baked, nullptr, options(), run_, look_, picture_, workers, console, record,
-                            {nullptr, kept.samples}, mesh);
+    return write_and_finish(kept.baked, nullptr, options(), {run_, look_, picture_, mesh},
+                            {context, console, record}, {nullptr, kept.samples});
   }
 
  private:

@@ -17,7 +17,7 @@ constexpr double max_texels_per_surface_texel = 64.0;
 
 // What the scene's file says of where its surfaces lie, where that is wanted and can be used.
 std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSettings& settings,
-                                      const Workers& workers, Console& console) {
+                                      const Context& context, Console& console) {
   if (!input.scene || settings.layout == "new") return std::nullopt;
   const auto& scene = *input.scene;
   std::string why;
@@ -40,21 +40,21 @@ std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSet
   if (!given || !why.empty()) return std::nullopt;
   console.say(fmt::format("{} are used as the file has them, on {} page{}", lightmap_coordinates,
                           given->pages, given->pages == 1 ? "" : "s"));
-  return lay_out(scene, input.patches, *given, settings.lightmap.crease_angle, size, settings.lightmap.margin,
-                 workers);
+  return lay_out(scene, input.patches, *given,
+                 {settings.lightmap.crease_angle, size, settings.lightmap.margin}, context);
 }
 
 }  // namespace
 
 std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
-                                           const Tracer* tracer, const Workers& workers, Console& console) {
+                                           const Tracer* tracer, const Context& context, Console& console) {
   const auto& options = settings.lightmap;
   const bool interrupted_before = interrupted();
   console.announce("charts");
-  auto laid = layout_of_file(input, settings, workers, console);
+  auto laid = layout_of_file(input, settings, context, console);
   const bool as_file_has_it = laid.has_value();
   if (!laid)
-    laid = lay_out(input.patches, input.solution, options, workers, console.monitor(!interrupted_before));
+    laid = lay_out(input.patches, input.solution, options, console.reporting(context, !interrupted_before));
   if (!interrupted_before && interrupted()) return std::nullopt;
 
   LightPages made;
@@ -64,8 +64,8 @@ std::optional<LightPages> make_light_pages(const PagesInput& input, const Lightm
     const auto next = heeding(progress);
     return interrupted_before && progress.stage != "texels" ? Next::go_on : next;
   };
-  made.lightmap =
-      fill_lightmap(input.patches, input.solution, tracer, *laid, options, workers, &record.made, monitor);
+  made.lightmap = fill_lightmap({input.patches, input.solution, tracer}, *laid, options, &record.made,
+                                context.with_monitor(monitor));
   if (made.lightmap.pages.empty()) return std::nullopt;
   record.pages = made.lightmap.atlas.pages;
   record.page_size = made.lightmap.atlas.page_size;

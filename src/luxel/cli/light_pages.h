@@ -5,7 +5,7 @@
 
 #include "luxel/cli/console.h"
 #include "luxel/cli/lightmap_settings.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/make_lightmap.h"
 #include "luxel/scene/scene.h"
@@ -35,10 +35,10 @@ struct PagesInput {
   double metres_per_unit = 1.0;
 };
 
-// Lays surfaces out, as the scene's file has them where that is wanted and can be used, and gathers their
-// light; says what was done. After a Ctrl-C while texels are gathered the rest of them hold interpolated
-// light; after one in any other stage there is nothing. Throws what the stages throw.
+// Lays surfaces out, as in the scene's file where that is requested and possible, and gathers their light;
+// reports the result. After a Ctrl-C while texels are gathered the rest of them hold interpolated light;
+// after one in any other stage the result is empty. Throws the errors of the stages.
 std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
-                                           const Tracer* tracer, const Workers& workers, Console& console);
+                                           const Tracer* tracer, const Context& context, Console& console);
 
 }  // namespace luxel

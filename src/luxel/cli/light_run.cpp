@@ -9,78 +9,80 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/finish.h"
+#include "luxel/cli/flags.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/quantity.h"
 #include "luxel/cli/run_report.h"
 #include "luxel/cli/step_pictures.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/lamps/choose_portals.h"
 #include "luxel/patch/focus.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/solve_light.h"
 
 namespace luxel {
 
 LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionSet& options,
-                   const Workers& workers, Console& console, RunRecord& record)
+                   const Context& context, Console& console, RunRecord& record)
     : settings_(settings),
       name_(std::move(name)),
       options_(options),
-      workers_(workers),
+      context_(context),
       console_(console),
       record_(record) {}
 
 int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<std::uint32_t>& faces,
                   std::shared_ptr<const SampleState> from, const Scene* scene) {
   StepPictures steps(settings_.light.each_step);
-  const auto* ranks = settings_.light.sampled.ranks;
-  const bool is_first = !ranks || ranks->rank() == 0;  // of several ranks, the one that writes
+  const SharedWork work(context_);
+  const bool is_first = work.process() == 0;  // of several processes, the one that writes
   Checkpoint checkpoint(settings_.keep, is_first);
 
   // Who sees whom, and what the lamps see.
   console_.announce("hierarchy");
-  const auto tracer = record_.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers_); });
+  const auto tracer = record_.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, context_); });
   if (scene != nullptr && from == nullptr)  // else the samples belong to the portals of the file
     find_portals(*scene, tracer, baked.patches);
   console_.announce("lamps");
   const auto views =
-      record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, workers_); });
+      record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, context_); });
   report_lamps(baked.patches, views);
   if (interrupted()) return stopped_before_light(console_);
 
   // The light.
   focus_on_picture(baked, tracer);
   foresee(baked.patches, tracer);
-  const auto storage = checkpoint.storage(baked, std::move(from), console_);
+  auto hooks = checkpoint.hooks(baked, std::move(from), console_);
+  hooks.on_light = [&](const Solution& light, const Progress&) {
+    record_.note_light();
+    steps.add(light);
+  };
   const auto solved = record_.stage("light", [&](auto& stage) {
-    auto result =
-        solve(baked, tracer, faces, steps.watch(record_.watch_for_light(console_.monitor())), storage);
+    auto result = solve(baked, tracer, faces, hooks);
     stage.rays = result.rays;
-    if (ranks) {
-      result.ranks = ranks->size();
-      result.traffic = ranks->traffic();
-    }
     return result;
   });
   report_light(baked, solved);
   if (!is_first) return fell_short(solved) ? exit_stopped_early : exit_fine;
 
-  // What was asked for.
+  // What was asked for: the work of this process alone.
+  const Context alone(context_.threads());
   auto samples = settings_.keep.transport ? checkpoint.state() : nullptr;
   if (samples) {
     console_.announce("light groups");
     samples = record_.stage("light groups", [&](auto&) {
-      auto alone = settings_.light.sampled;
-      alone.ranks = nullptr;
-      return with_group_light(baked.patches, tracer, samples, alone, workers_);
+      return with_group_light(baked.patches, tracer, samples, settings_.light.sampled, alone);
     });
     console_.clear_bar();
   }
-  auto written =
-      write_outputs(baked, &tracer, settings_.run, settings_.look, settings_.picture, workers_, console_,
-                    record_, {samples.get(), samples}, {&settings_.mesh, scene, settings_.scene.load.scale});
-  for (const auto& file : steps.write(baked, tracer, written.camera, settings_.look, settings_.picture,
-                                      workers_, console_, record_))
+  const OutputSettings outputs{
+      settings_.run, settings_.look, settings_.picture, {&settings_.mesh, scene, settings_.scene.load.scale}};
+  const Workplace place{alone, console_, record_};
+  auto written = write_outputs(baked, &tracer, outputs, place, {samples.get(), samples});
+  for (const auto& file : steps.write(baked, tracer, written.camera, outputs, place))
     written.files.push_back(file);
   checkpoint.finish(baked);
   finish({.command = options_.name(),
@@ -102,7 +104,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
 void LightRun::find_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches) {
   console_.announce("portals");
   record_.stage("portals", [&](auto&) {
-    set_portals(scene, tracer, patches, workers_);
+    set_portals(scene, tracer, patches, context_);
     return 0;
   });
   if (!patches.portals.empty())
@@ -112,13 +114,13 @@ void LightRun::find_portals(const Scene& scene, const Tracer& tracer, PatchSet& 
 }
 
 SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
-                            const Monitor& monitor, const SampleStorage& storage) const {
+                            const SolveHooks& hooks) const {
   LightOptions options = settings_.light;
   options.dense.face = faces;
   try {
-    return solve_light(baked.patches, tracer, baked.solution, options, workers_, monitor, storage);
+    return solve_light(baked.patches, tracer, baked.solution, options, hooks, console_.reporting(context_));
   } catch (const InputError& error) {
-    throw InputError(name_, error.what());  // it has no light; the solver knows no file
+    throw with_file(name_, error);  // it has no light; the solver knows no file
   }
 }
 
@@ -127,17 +129,17 @@ void LightRun::focus_on_picture(Baked& baked, const Tracer& tracer) const {
   if (settings_.light.focus != focus_on_camera) return;
   const auto& picture = settings_.picture;
   if (picture.eye || picture.target || baked.patches.cameras.empty())
-    baked.patches.cameras = {camera_of(picture, settings_.look, baked, tracer, workers_)};
+    baked.patches.cameras = {camera_of(picture, settings_.look, baked, tracer, context_)};
   baked.patches.focuses_on_cameras = true;
 }
 
 // Says what a classical method is likely to take, and refuses what would take too much.
 void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
-  const auto forecast = forecast_light(patches, tracer, settings_.light, workers_);
+  const auto forecast = forecast_light(patches, tracer, settings_.light, context_);
   if (!forecast) return;
   const auto text =
-      fmt::format("{} for {} patch sides, about {} and {} of memory", settings_.light.method, forecast->sides,
-                  rough_duration(forecast->seconds), rough_bytes(forecast->bytes));
+      fmt::format("{} for {} patch sides, about {} and {} of memory", name(settings_.light.method),
+                  forecast->sides, rough_duration(forecast->seconds), rough_bytes(forecast->bytes));
   if (is_too_much(*forecast) && !settings_.light.force)
     throw InputError(
         name_,
@@ -148,8 +150,8 @@ void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
 }
 
 std::optional<double> LightRun::error_target() const {
-  return settings_.light.method == LightSettings::by_sampling ? std::optional(settings_.light.sampled.error)
-                                                              : std::nullopt;
+  return settings_.light.method == Method::sampled ? std::optional(settings_.light.sampled.error)
+                                                   : std::nullopt;
 }
 
 // Whether it ended before it was as good as asked. Without a target, a limit is what was asked for.
@@ -167,8 +169,8 @@ void LightRun::report_lamps(const PatchSet& patches, const std::vector<LampView>
   for (const auto& view : views) {
     console_.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
                              colours.lumens(view.power)));
-    const auto fault = lamp_fault(patches, view);
-    if (!fault.empty()) warn(console_.log(), fault);
+    const auto warning = lamp_warning(patches, view);
+    if (!warning.text.empty()) warn(console_.log(), with_flags(warning.text, warning.hints));
   }
 }
 

@@ -11,7 +11,7 @@
 #include "luxel/cli/checkpoint.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/run_record.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/lamps/lamp_check.h"
 #include "luxel/solve/refine_to_light.h"
 #include "luxel/trace/tracer.h"
@@ -22,7 +22,7 @@ namespace luxel {
 class LightRun {
  public:
   // name: of what has no light, for messages. options: of the command, for the report. Keeps references.
-  LightRun(const BakeSettings& settings, std::string name, const OptionSet& options, const Workers& workers,
+  LightRun(const BakeSettings& settings, std::string name, const OptionSet& options, const Context& context,
            Console& console, RunRecord& record);
 
   // baked: patches and provenance; the light is filled in. faces: see uncut_faces(), where they count. from:
@@ -33,7 +33,7 @@ class LightRun {
  private:
   void find_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches);
   SolveReport solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
-                    const Monitor& monitor, const SampleStorage& storage) const;
+                    const SolveHooks& hooks) const;
   void focus_on_picture(Baked& baked, const Tracer& tracer) const;
   void foresee(const PatchSet& patches, const Tracer& tracer) const;
   void report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const;
@@ -45,7 +45,7 @@ class LightRun {
   const BakeSettings& settings_;
   std::string name_;
   const OptionSet& options_;
-  const Workers& workers_;
+  const Context& context_;
   Console& console_;
   RunRecord& record_;
 };

@@ -7,17 +7,29 @@
 namespace luxel {
 namespace {
 
-// A quantity whose 0 in the library's own options has a name of its own: "none", "auto".
+// How a quantity is written.
+template <typename Parse, typename Print>
+struct Notation {
+  Parse parse;
+  Print print;
+  const char* name_of_zero;  // of 0 in the library's own options: "none", "auto"
+  const char* expected;
+};
+template <typename Parse, typename Print>
+Notation(Parse, Print, const char*, const char*) -> Notation<Parse, Print>;
+
 template <typename Value, typename Parse, typename Print>
-Declaration quantity(const char* name, const char* unit, Value& value, const char* name_of_zero, Parse parse,
-                     Print print, const char* expected, const char* help) {
+Declaration quantity(const char* name, const char* unit, Value& value, Notation<Parse, Print> in,
+                     const char* help) {
   const auto set = [=, &value](const std::string& text) {
-    const auto number = text == name_of_zero ? std::optional(Value{}) : parse(text);
+    const auto number = text == in.name_of_zero ? std::optional(Value{}) : in.parse(text);
     if (!number)
-      throw UsageError(fmt::format("--{}: expected {}, or {}, not '{}'", name, expected, name_of_zero, text));
+      throw UsageError(
+          fmt::format("--{}: expected {}, or {}, not '{}'", name, in.expected, in.name_of_zero, text));
     value = *number;
   };
-  return {name, unit, help, set, [=, &value] { return value == Value{} ? name_of_zero : print(value); }};
+  return {name, unit, help, set,
+          [=, &value] { return value == Value{} ? in.name_of_zero : in.print(value); }};
 }
 
 constexpr const char* by_rows = "dense|hemicube|lines";
@@ -44,23 +56,36 @@ DenseSolver solver_named(const std::string& text) {
 }  // namespace
 
 void LightSettings::check() const {
-  if (method == by_dense && dense.solver != DenseSolver::jacobi &&
+  if (method == Method::dense && dense.solver != DenseSolver::jacobi &&
       (dense.iteration.steps > 0 || !each_step.empty()))
     throw UsageError(fmt::format("--{} needs --solver jacobi: --solver {} has no bounces",
                                  each_step.empty() ? "steps" : "each-step", name(dense.solver)));
   const bool is_bounded = sampled.rays > 0 || sampled.seconds > 0.0;
-  if (method == by_sampling && sampled.error == 0.0 && !is_bounded)
+  if (method == Method::sampled && sampled.error == 0.0 && !is_bounded)
     throw UsageError("--error 0 sets no target: give --rays or --time as the limit");
+}
+
+void LightSettings::declare_method(OptionSet& set) {
+  std::vector<std::string> words;
+  for (const auto each : all_methods()) words.emplace_back(name(each));
+  set.add({"method", fmt::format("{}", fmt::join(words, "|")),
+           "the solver; sampled stops at --error, the others are classical methods, see docs/methods.md",
+           [this, words](const std::string& text) {
+             const auto named = method_named(text);
+             if (!named)
+               throw UsageError(
+                   fmt::format("--method: expected one of {}, not '{}'", fmt::join(words, "|"), text));
+             method = *named;
+           },
+           [this] { return std::string(name(method)); }});
 }
 
 void LightSettings::declare(OptionSet& set) {
   set.heading("Light");
-  set.add_choice(
-      "method", {by_sampling, by_shooting, by_dense, by_hemicube, by_lines}, method,
-      "the solver; sampled stops at --error, the others are classical methods, see docs/methods.md");
-  set.only_with("method", fmt::format("{}|{}", by_sampling, by_shooting));
+  declare_method(set);
+  set.only_with("method", "sampled|shooting");
   declare_rays(set);
-  set.only_with("method", fmt::format("{}|{}|{}", by_sampling, by_shooting, by_lines));
+  set.only_with("method", "sampled|shooting|lines");
   set.add({"seed", "count", "seed of the random numbers; other seeds give independent solutions",
            [this](const std::string& text) {
              sampled.seed = shooting.seed = lines.lines.seed = parse_count("seed", text);
@@ -74,7 +99,7 @@ void LightSettings::declare(OptionSet& set) {
 
 void LightSettings::declare_sampled(OptionSet& set) {
   set.heading("Light by --method sampled");
-  set.only_with("method", by_sampling);
+  set.only_with("method", "sampled");
   declare_error_and_time(set);
   set.add_text("focus", "all|camera|NAME", focus,
                "where the seen error counts: all: everywhere; camera: in the picture of --eye or of the "
@@ -117,13 +142,14 @@ void LightSettings::declare_error_and_time(OptionSet& set) {
          sampled.error_measure = text == "seen" ? ErrorMeasure::seen : ErrorMeasure::power;
        },
        [this] { return std::string(sampled.error_measure == ErrorMeasure::seen ? "seen" : "power"); }});
-  set.add(quantity("time", "duration", sampled.seconds, "none", parse_duration, as_duration,
-                   "a time such as 30s, 5min or 2h", "maximum time to solve, such as 30s, 5min or 2h"));
+  set.add(quantity("time", "duration", sampled.seconds,
+                   Notation{parse_duration, as_duration, "none", "a time such as 30s, 5min or 2h"},
+                   "maximum time to solve, such as 30s, 5min or 2h"));
 }
 
 void LightSettings::declare_memory(OptionSet& set) {
-  set.add(quantity("memory", "size", sampled.memory, "auto", parse_bytes, as_bytes,
-                   "a size such as 512MiB or 4GiB",
+  set.add(quantity("memory", "size", sampled.memory,
+                   Notation{parse_bytes, as_bytes, "auto", "a size such as 512MiB or 4GiB"},
                    "maximum memory of the sampled solver, such as 4GiB; less memory makes it slower and "
                    "changes no result; auto: half of the free memory"));
 }
@@ -154,7 +180,7 @@ void LightSettings::declare_variance_reduction(OptionSet& set) {
 
 void LightSettings::declare_shooting(OptionSet& set) {
   set.heading("Light by --method shooting");
-  set.only_with("method", by_shooting);
+  set.only_with("method", "shooting");
   set.add_number("rays-per-patch", "count", shooting.rays_per_patch, 1.0, 1e9,
                  "rays per patch of '--rays auto'");
   declare_tolerance(set);
@@ -178,7 +204,7 @@ void LightSettings::declare_tolerance(OptionSet& set) {
 
 void LightSettings::declare_classical(OptionSet& set) {
   set.heading("Light by --method dense");
-  set.only_with("method", by_dense);
+  set.only_with("method", "dense");
   set.add({"solver", "direct|jacobi|gauss-seidel", "solver of the linear system",
            [this](const std::string& text) { dense.solver = solver_named(text); },
            [this] { return std::string(name(dense.solver)); }});
@@ -193,13 +219,13 @@ void LightSettings::declare_classical(OptionSet& set) {
            },
            [this] { return std::string(joins_faces ? "faces" : "patches"); }});
   set.heading("Light by --method hemicube");
-  set.only_with("method", by_hemicube);
+  set.only_with("method", "hemicube");
   set.add_number("hemicube-resolution", "pixels", hemicube.hemicube.resolution, 2, 4096,
                  "pixels along an edge of the top face, an even number");
   set.add_number("hemicube-points", "count", hemicube.hemicube.points, 1, 256,
                  "sample points per patch: 1, 4, 16, 64 or 256");
   set.heading("Light by --method lines");
-  set.only_with("method", by_lines);
+  set.only_with("method", "lines");
   set.add_number("lines", "count", lines.lines.lines, 1u, 100'000'000u,
                  "cosine-distributed lines per patch side");
   set.heading("Light by --method dense, hemicube or lines");
@@ -216,7 +242,7 @@ void LightSettings::declare_classical(OptionSet& set) {
 
 void LightSettings::declare_run(OptionSet& set) {
   set.heading(RunSettings::heading);
-  set.only_with("method", by_sampling);
+  set.only_with("method", "sampled");
   declare_memory(set);
   set.only_with("method", by_rows);
   set.add_text(

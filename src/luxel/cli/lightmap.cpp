@@ -61,7 +61,7 @@ class LightmapCommand final : public Command {
     check();
     settings_.lightmap.texels.directional = !settings_.directional.empty();
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
     const auto baked = record.stage("read", [&](auto&) { return read_solution(file_); });
     std::optional<SolvedScene> solved;
@@ -71,7 +71,7 @@ class LightmapCommand final : public Command {
     }
     std::optional<Tracer> tracer;
     if (settings_.lightmap.texels.error > 0.0 || !settings_.preview.empty())
-      record.stage("hierarchy", [&](auto&) { tracer.emplace(baked.patches, workers); });
+      record.stage("hierarchy", [&](auto&) { tracer.emplace(baked.patches, context); });
 
     if (interrupted()) return stopped_before_light(console);
     PagesInput input{baked.patches, baked.solution};
@@ -81,23 +81,23 @@ class LightmapCommand final : public Command {
     }
     const bool gathers = settings_.lightmap.texels.error > 0.0;
     const auto made = record.stage("lightmap", [&](auto& stage) {
-      auto pages = make_light_pages(input, settings_, gathers ? &*tracer : nullptr, workers, console);
+      auto pages = make_light_pages(input, settings_, gathers ? &*tracer : nullptr, context, console);
       if (pages) stage.rays = pages->record.made.texels.rays;
       return pages;
     });
     if (!made) return stopped_before_light(console);
     const auto& lightmap = made->lightmap;
-    auto files =
-        record.stage("write", [&](auto&) { return write(lightmap, console.monitor(!interrupted())); });
+    auto files = record.stage(
+        "write", [&](auto&) { return write(lightmap, console.reporting(context, !interrupted())); });
     console.clear_bar();
     if (files.empty()) return stopped_before_light(console);
     std::optional<Camera> camera;
     if (!settings_.preview.empty()) {
       camera =
-          record.stage("camera", [&](auto&) { return camera_of(picture_, look_, baked, *tracer, workers); });
+          record.stage("camera", [&](auto&) { return camera_of(picture_, look_, baked, *tracer, context); });
       record.stage("picture", [&](auto&) {
         const auto picture =
-            lightmap_picture(baked.patches, lightmap, *tracer, *camera, picture_.render, workers);
+            lightmap_picture(baked.patches, lightmap, *tracer, *camera, picture_.render, context);
         write_picture(settings_.preview, picture, look_.tone);
       });
       files.push_back(settings_.preview);
@@ -136,7 +136,7 @@ class LightmapCommand final : public Command {
   }
 
   // All are made before the first is written, so that Ctrl-C leaves all of them or none. Gives their names.
-  std::vector<std::string> write(const Lightmap& lightmap, const Monitor& monitor) const {
+  std::vector<std::string> write(const Lightmap& lightmap, const Context& context) const {
     const auto white = settings_.white == LightmapSettings::automatic_white
                            ? white_of(irradiance_pages(lightmap))
                            : static_cast<float>(settings_.white);
@@ -150,26 +150,26 @@ class LightmapCommand final : public Command {
       const auto& page = lightmap.pages[p];
       for (const auto& output : run_.outputs)
         if (!add(name_of_page(output, p), ending_of(output) == ".exr"
-                                              ? exr_of(page.irradiance, monitor)
-                                              : png_of_page(page.irradiance, white, monitor)))
+                                              ? exr_of(page.irradiance, context)
+                                              : png_of_page(page.irradiance, white, context)))
           return {};
       for (std::size_t i = 0; i < page.light_vector.size(); ++i)
         if (!add(name_of_page(name_of_axis(settings_.directional, axes[i]), p),
-                 exr_of(page.light_vector[i], monitor)))
+                 exr_of(page.light_vector[i], context)))
           return {};
       if (!settings_.error_map.empty() &&
-          !add(name_of_page(settings_.error_map, p), exr_of(page.standard_error, monitor)))
+          !add(name_of_page(settings_.error_map, p), exr_of(page.standard_error, context)))
         return {};
     }
     for (std::size_t i = 0; i < files.size(); ++i) write_file(files[i], bytes[i]);
     return files;
   }
 
-  static std::string png_of_page(Image page, float white, const Monitor& monitor) {
+  static std::string png_of_page(Image page, float white, const Context& context) {
     for (auto& pixel : page.pixels) pixel /= white;
     return png_of(page,
                   {{"Encoding", "sRGB of irradiance / white"}, {"White W/m2", fmt::format("{}", white)}},
-                  monitor);
+                  context);
   }
 
   std::string file_, scene_;

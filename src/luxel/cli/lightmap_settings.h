@@ -16,7 +16,7 @@ struct LightmapSettings {
   double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
   std::string error_map, directional, preview;  // files; empty: none
   void declare(OptionSet& set);
-  // Where a file can say how surfaces lie on pages.
+  // For outputs whose scene file may define a layout of surfaces on pages.
   void declare_layout(OptionSet& set);
   // How pages are laid out and texels gathered, for commands that put them into meshes.
   void declare_pages(OptionSet& set);

@@ -8,9 +8,10 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
+#include "luxel/cli/flags.h"
 #include "luxel/cli/streams.h"
-#include "luxel/cli/version.h"
 #include "luxel/core/mpi_ranks.h"
+#include "luxel/version.h"
 
 namespace {
 
@@ -30,15 +31,16 @@ int run(luxel::Command& command) {
     if (!ranks) throw;
     // What is wrong with a file is wrong for all: the first one says it and ends the others.
     if (!is_first) std::this_thread::sleep_for(std::chrono::seconds(1));
-    luxel::print_note(is_first ? fmt::format("luxel: {}\n", error.what())
-                               : fmt::format("luxel: rank {}: {}\n", ranks->rank(), error.what()));
+    luxel::print_note(is_first
+                          ? fmt::format("luxel: {}\n", luxel::with_flags(error))
+                          : fmt::format("luxel: rank {}: {}\n", ranks->rank(), luxel::with_flags(error)));
     luxel::leave_ranks(luxel::exit_failed);
     throw;
   }
 }
 
 int run(int argc, char** argv) {
-  luxel::CommandLine line(luxel::program_version);
+  luxel::CommandLine line(LUXEL_VERSION);
   const std::unique_ptr<luxel::Command> commands[] = {
       luxel::make_bake(line),
       luxel::make_resume(line),
@@ -74,12 +76,12 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const luxel::UsageError& error) {
-    luxel::print_note(fmt::format("luxel: {}\n", error.what()));
+    luxel::print_note(fmt::format("luxel: {}\n", luxel::with_flags(error)));
     return luxel::exit_misused;
   } catch (const std::bad_alloc&) {
     luxel::print_note("luxel: out of memory; fewer patches (--max-edge) or a smaller picture need less\n");
   } catch (const std::exception& error) {
-    luxel::print_note(fmt::format("luxel: {}\n", error.what()));
+    luxel::print_note(fmt::format("luxel: {}\n", luxel::with_flags(error)));
   }
   return luxel::exit_failed;
 }

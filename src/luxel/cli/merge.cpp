@@ -5,10 +5,10 @@
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
 #include "luxel/cli/outputs.h"
-#include "luxel/cli/version.h"
 #include "luxel/solution/merge_solutions.h"
-#include "luxel/solve/seen_solution.h"
+#include "luxel/solve/seen_measure.h"
 #include "luxel/trace/tracer.h"
+#include "luxel/version.h"
 
 namespace luxel {
 namespace {
@@ -27,23 +27,23 @@ class Merge final : public Command {
   int run() override {
     check_before_work(run_, picture_, all_kinds);
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
     std::vector<NamedSolution> solutions;
     record.stage("read", [&](auto&) {
       for (const auto& file : files_) solutions.push_back({file, read_solution(file)});
     });
     auto merged = record.stage("merge", [&](auto&) { return merge_solutions(std::move(solutions)); });
-    merged.solution.provenance.program_version = program_version;
-    const Tracer tracer(merged.patches, workers);
+    merged.solution.provenance.program_version = LUXEL_VERSION;
+    const Tracer tracer(merged.patches, context);
     record.stage("views", [&](auto&) {
-      merged.solution.seen_error = seen_error_of(merged.patches, tracer, merged.solution, workers);
+      merged.solution.seen_error = seen_error_of(merged.patches, tracer, merged.solution, context);
       return 0;
     });
     console.say(fmt::format("{} runs, {} rays, seen error {:.2g} %, standard error {:.2g} %",
                             merged.solution.provenance.merged.size(), merged.solution.provenance.rays,
                             100.0 * merged.solution.seen_error, 100.0 * merged.solution.predicted_error));
-    return write_and_finish(merged, &tracer, options(), run_, look_, picture_, workers, console, record);
+    return write_and_finish(merged, &tracer, options(), {run_, look_, picture_}, {context, console, record});
   }
 
  private:

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/light_pages.h"
-#include "luxel/cli/outputs.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_round_trip.h"
 #include "luxel/import/is_gltf.h"
@@ -19,26 +18,24 @@ namespace {
 constexpr double worth_saying = 0.02;  // of the light that the file's own triangles cannot show
 
 GlbDone write_on_pages(const std::string& output, const RoundTripInput& input, const MeshSettings& settings,
-                       const RoundTripOptions& options, const LookSettings& look, const Tracer* tracer,
-                       const Workers& workers, Console& console) {
-  auto page_settings = settings.pages;
-  page_settings.lightmap.crease_angle = look.smooth.crease_angle;
+                       const RoundTripOptions& options, const Tracer* tracer, const Workplace& place) {
+  const auto& page_settings = settings.pages;
   const auto made =
       make_light_pages({input.patches, input.solution, &input.scene, options.metres_per_unit}, page_settings,
-                       needs_rays(settings) ? tracer : nullptr, workers, console);
+                       needs_rays(settings) ? tracer : nullptr, place.context, place.console);
   if (!made) return {.is_written = false};
   const auto& [lightmap, record] = *made;
-  const auto monitor = console.monitor(!interrupted());
+  const auto context = place.console.reporting(place.context, !interrupted());
   if (settings.as == "emissive") {
-    const auto pages = radiance_pages(input.patches, lightmap, workers, monitor);
+    const auto pages = radiance_pages(input.patches, lightmap, context);
     if (pages.empty() ||
         !export_round_trip_emissive(output, input, {lightmap.atlas, pages, 1.0f, record.as_file_has_it},
-                                    options, monitor))
+                                    options, context))
       return {.is_written = false};
   } else {
     const auto pages = irradiance_pages(lightmap);
     if (!export_round_trip_lightmap(
-            output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it}, options, monitor))
+            output, input, {lightmap.atlas, pages, white_of(pages), record.as_file_has_it}, options, context))
       return {.is_written = false};
   }
   return {.pages = record};
@@ -56,16 +53,6 @@ void write_at_vertices(const std::string& output, const RoundTripInput& input, c
   export_round_trip_uncut(output, input, fit, options);
 }
 
-GlbDone write_round_trip(const std::string& output, const RoundTripInput& input,
-                         const std::optional<SmoothLight>& light, const MeshSettings& settings,
-                         const RoundTripOptions& options, const LookSettings& look, const Tracer* tracer,
-                         const Workers& workers, Console& console) {
-  if (settings.on_pages())
-    return write_on_pages(output, input, settings, options, look, tracer, workers, console);
-  write_at_vertices(output, input, *light, settings, options, console);
-  return {};
-}
-
 }  // namespace
 
 bool needs_rays(const MeshSettings& settings) {
@@ -73,32 +60,35 @@ bool needs_rays(const MeshSettings& settings) {
 }
 
 GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
-                      const MeshWish& wish, const LookSettings& look, const Tracer* tracer,
-                      const Workers& workers, Console& console) {
-  const MeshSettings defaults;
-  const auto& settings = wish.settings ? *wish.settings : defaults;
-  if (settings.keep_topology && !wish.scene)
-    warn(console.log(),
+                      const OutputSettings& settings, const Tracer* tracer, const Workplace& place) {
+  const auto& wish = settings.mesh;
+  const auto& look = settings.look;
+  auto mesh = wish.settings ? *wish.settings : MeshSettings{};
+  mesh.pages.lightmap.crease_angle = look.smooth.crease_angle;
+  if (mesh.keep_topology && !wish.scene)
+    warn(place.console.log(),
          fmt::format("{}: its triangles are the patches; 'luxel export --preserve-topology --scene FILE' "
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
-  const bool keeps = wish.scene && (settings.keep_topology || is_gltf(wish.scene->source));
-  if (!keeps && !settings.on_pages()) {
+  const bool keeps = wish.scene && (mesh.keep_topology || is_gltf(wish.scene->source));
+  if (!keeps && !mesh.on_pages()) {
     export_glb(output, baked.patches, baked.solution, *light, up,
-               {.tone = look.tone, .program = settings.program});
+               {.tone = look.tone, .program = mesh.program});
     return {};
   }
   const RoundTripOptions options{
-      .tone = look.tone, .program = settings.program, .metres_per_unit = wish.metres_per_unit, .up = up};
-  if (wish.scene)
-    return write_round_trip(output, {*wish.scene, baked.patches, baked.solution}, light, settings, options,
-                            look, tracer, workers, console);
+      .tone = look.tone, .program = mesh.program, .metres_per_unit = wish.metres_per_unit, .up = up};
+  const auto write = [&](const RoundTripInput& input) -> GlbDone {
+    if (mesh.on_pages()) return write_on_pages(output, input, mesh, options, tracer, place);
+    write_at_vertices(output, input, *light, mesh, options, place.console);
+    return {};
+  };
+  if (wish.scene) return write({*wish.scene, baked.patches, baked.solution});
   auto patches = baked.patches;
   std::iota(patches.triangle.begin(), patches.triangle.end(), 0u);
   const auto scene = scene_of(patches);
-  return write_round_trip(output, {scene, patches, baked.solution}, light, settings, options, look, tracer,
-                          workers, console);
+  return write({scene, patches, baked.solution});
 }
 
 }  // namespace luxel

@@ -21,15 +21,15 @@ struct MeshSettings {
   bool on_pages() const { return as != "vertex"; }
   // Throws UsageError where options contradict each other.
   void check() const;
-  // Throws UsageError where an option is of no output that is asked for. Not to be asked of options that an
-  // earlier run had.
+  // Throws UsageError where an option belongs to no requested output. Not to be called for options of an
+  // earlier run.
   void check_outputs(const std::vector<std::string>& outputs) const;
 };
 
 // A mesh that is wished for, and what is known of the file behind it.
 struct MeshWish {
-  const MeshSettings* settings = nullptr;  // none: the defaults
-  const Scene* scene = nullptr;            // none: not at hand
+  const MeshSettings* settings = nullptr;  // null: the defaults
+  const Scene* scene = nullptr;            // null: not available
   double metres_per_unit = 1.0;            // as it was loaded
 };
 

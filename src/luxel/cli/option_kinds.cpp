@@ -22,15 +22,15 @@ std::optional<Number> whole_number(const std::string& text) {
 }
 
 template <typename Number>
-void add_bounded(OptionSet& set, const char* name, const char* unit, Number& value, Number min, Number max,
-                 const char* help) {
+Declaration bounded(const char* name, const char* unit, Number& value, Number min, Number max,
+                    const char* help) {
   const auto parse = [=, &value](const std::string& text) {
     const auto number = whole_number<Number>(text);
     if (!number || !(*number >= min && *number <= max))
       throw UsageError(fmt::format("--{}: expected a number from {} to {}, not '{}'", name, min, max, text));
     value = *number;
   };
-  set.add({name, unit, help, parse, [&value] { return fmt::format("{}", value); }});
+  return {name, unit, help, parse, [&value] { return fmt::format("{}", value); }};
 }
 
 // "1.5,0,-2", or nothing.
@@ -70,20 +70,20 @@ std::uint64_t parse_count(const std::string& name, const std::string& text) {
 
 void OptionSet::add_number(const char* name, const char* unit, float& value, float min, float max,
                            const char* help) {
-  add_bounded(*this, name, unit, value, min, max, help);
+  add(bounded(name, unit, value, min, max, help));
 }
 void OptionSet::add_number(const char* name, const char* unit, double& value, double min, double max,
                            const char* help) {
-  add_bounded(*this, name, unit, value, min, max, help);
+  add(bounded(name, unit, value, min, max, help));
 }
 void OptionSet::add_number(const char* name, const char* unit, int& value, int min, int max,
                            const char* help) {
-  add_bounded(*this, name, unit, value, min, max, help);
+  add(bounded(name, unit, value, min, max, help));
 }
 
 void OptionSet::add_number(const char* name, const char* unit, std::uint32_t& value, std::uint32_t min,
                            std::uint32_t max, const char* help) {
-  add_bounded(*this, name, unit, value, min, max, help);
+  add(bounded(name, unit, value, min, max, help));
 }
 
 void OptionSet::add_count(const char* name, std::uint64_t& value, const char* help) {

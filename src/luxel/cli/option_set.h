@@ -48,7 +48,7 @@ class OptionSet {
   void only_with(std::string choice = {}, std::string word = {});
   void add(Declaration declaration);
 
-  // The common kinds. min <= value <= max is checked and said in the error.
+  // The common kinds. min <= value <= max is checked; the error names the limits.
   void add_number(const char* name, const char* unit, float& value, float min, float max, const char* help);
   void add_number(const char* name, const char* unit, double& value, double min, double max,
                   const char* help);
@@ -83,8 +83,8 @@ class OptionSet {
   // Sets the options of these names to these values, as values() or given() of another set has them; names
   // that this set does not know are passed over. Throws UsageError.
   void restore(const std::vector<std::pair<std::string, std::string>>& values);
-  // What to type to get the same result: the positionals, and the options that are used and not at their
-  // defaults, but those under the heading `without`.
+  // Returns the arguments that reproduce the result: the positionals, and the options that are used and not
+  // at their defaults, but those under the heading `without`.
   std::string as_command(const std::string& without) const;
   // As a text file that --config reads, with where each value came from.
   std::string as_file() const;

@@ -31,12 +31,6 @@ bool is_among(const std::string& word, const std::string& words) {
   return false;
 }
 
-void write_mesh(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
-                const LookSettings& look, const SampleState* samples) {
-  if (is_solution(output)) return write_solution(output, baked.patches, baked.solution, samples);
-  export_ply(output, baked.patches, baked.solution, *light, {.tone = look.tone});
-}
-
 // The files a run will write, each at a place of its own.
 class Places {
  public:
@@ -79,11 +73,11 @@ namespace {
 
 // The light a camera is found by: the same whatever method the picture's own light comes from, and however
 // far it has got, so that pictures of one mesh can be laid beside each other.
-Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   if (patches.has_sky()) return {};  // views are judged by what is shut in
   Solution light;
   try {
-    solve_stochastic_jacobi(patches, tracer, light, glance(patches), workers);
+    solve_stochastic_jacobi(patches, tracer, light, glance(patches), context);
   } catch (const InputError&) {
     return {};  // no light: all surfaces count alike
   }
@@ -94,7 +88,7 @@ Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const 
 
 // What the flags leave open is found: the whole view, or the other end of it.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
-                 const Tracer& tracer, const Workers& workers) {
+                 const Tracer& tracer, const Context& context) {
   const auto up = up_of(look, baked.patches);
   // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
   const auto aspect =
@@ -105,8 +99,8 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
   if (picture.of_scene && !picture.eye && !picture.target)
     camera = *picture.of_scene;
   else if (!picture.eye || !picture.target)
-    camera = automatic_camera(baked.patches, light_at_a_glance(baked.patches, tracer, workers), tracer,
-                              workers, up, aspect);
+    camera = automatic_camera(baked.patches, light_at_a_glance(baked.patches, tracer, context), tracer, up,
+                              aspect, context);
   if (picture.eye) camera.eye = Vec3(*picture.eye - baked.patches.origin);
   if (picture.target) camera.target = Vec3(*picture.target - baked.patches.origin);
   if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
@@ -139,100 +133,171 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
   picture.check();
 }
 
-Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
-                      const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const StoredSamples& samples,
-                      const MeshWish& mesh) {
-  // The solution first, for hours went into it; pictures last, for they take a while.
-  auto outputs = run.outputs;
-  const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : is_solution(o) ? 0 : 1; };
-  std::stable_sort(outputs.begin(), outputs.end(), [&](auto& a, auto& b) { return turn(a) < turn(b); });
+namespace {
 
-  std::optional<SmoothLight> light;
-  std::optional<Tracer> own_tracer;
-  Written written;
-  const bool interrupted_before = interrupted();
-  std::optional<Image> radiance;
-  std::exception_ptr failure;  // one file that cannot be written does not cost the others
-  for (const auto& output : outputs) {
-    const bool on_pages = ending_of(output) == ".glb" && mesh.settings && mesh.settings->on_pages();
-    const bool is_smooth = !is_solution(output) && !on_pages && !(is_picture(output) && picture.gather > 0);
-    if (is_smooth && !light) {
-      console.announce("surface");
-      light = record.stage("surface", [&](auto&) {
-        return make_smooth_light(baked.patches, baked.solution, look.smooth, workers);
-      });
+class OutputWriter {
+ public:
+  OutputWriter(const Baked& baked, const Tracer* tracer, const OutputSettings& settings,
+               const Workplace& place, const StoredSamples& samples)
+      : baked_(baked), tracer_(tracer), settings_(settings), place_(place), samples_(samples) {}
+
+  Written write_all() {
+    std::exception_ptr failure;
+    for (const auto& output : in_order()) {
+      try {
+        write(output);
+      } catch (const DeviceError& error) {
+        if (failure)
+          warn(place_.console.log(), error.what());
+        else
+          failure = std::current_exception();
+      }
     }
-    const bool is_seen = is_picture(output) || is_page(output);
-    if (!tracer && (is_seen || (on_pages && needs_rays(*mesh.settings)))) {
-      console.announce("hierarchy");
-      own_tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
-      tracer = &*own_tracer;
-    }
-    if (is_seen && !written.camera) {
-      written.camera =
-          record.stage("camera", [&](auto&) { return camera_of(picture, look, baked, *tracer, workers); });
-    }
-    if (is_picture(output) && !radiance) {
-      radiance = record.stage("picture", [&](auto& stage) {
-        const auto pixels = static_cast<std::uint64_t>(picture.render.width) *
-                            static_cast<std::uint64_t>(picture.render.height);
-        const auto monitor = console.monitor(!interrupted_before);
-        if (picture.gather > 0) {
-          const auto grid = std::uint64_t{gather_grid(picture.gather)};
-          stage.rays = 3 * grid * grid * pixels;
-          return gather_picture(baked.patches, baked.solution, *tracer, *written.camera,
-                                {.width = picture.render.width,
-                                 .height = picture.render.height,
-                                 .rays = picture.gather,
-                                 .seed = picture.render.seed},
-                                workers, monitor);
-        }
-        const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
-        stage.rays = side * side * pixels;
-        return render(baked.patches, *light, *tracer, *written.camera, picture.render, workers, monitor);
-      });
-      written.stopped |= !interrupted_before && interrupted();
-    }
-    console.clear_bar();
-    if (is_picture(output) && written.stopped) {
-      warn(console.log(),
-           fmt::format("stopped: the picture was not finished, and {} is not written", output));
-      continue;
-    }
-    bool is_written = true;
-    try {
-      const auto stage = "write " + ending_of(output).substr(1);
-      console.announce(stage);
-      record.stage(stage, [&](auto&) {
-        if (is_picture(output)) return write_picture(output, *radiance, look.tone);
-        if (is_page(output))
-          return write_page(output, baked, *light, samples.for_pages, *tracer, *written.camera, look,
-                            workers);
-        if (ending_of(output) == ".glb") {
-          const auto done = write_lit_glb(output, baked, light, mesh, look, tracer, workers, console);
-          is_written = done.is_written;
-          if (done.pages) written.pages = done.pages;
-          written.stopped |= !is_written || (done.pages && done.pages->made.texels.stopped);
-          return;
-        }
-        write_mesh(output, baked, light, look, samples.for_solutions);
-      });
-      console.clear_bar();
-      if (is_written)
-        written.files.push_back(output);
-      else
-        warn(console.log(),
-             fmt::format("stopped: pages of light were not finished, and {} is not written", output));
-    } catch (const DeviceError& error) {
-      if (failure)
-        warn(console.log(), error.what());
-      else
-        failure = std::current_exception();
-    }
+    if (failure) std::rethrow_exception(failure);
+    return std::move(written_);
   }
-  if (failure) std::rethrow_exception(failure);
-  return written;
+
+ private:
+  // The solution first, for hours went into it; pictures last, for they take a while.
+  std::vector<std::string> in_order() const {
+    auto outputs = settings_.run.outputs;
+    const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : is_solution(o) ? 0 : 1; };
+    std::stable_sort(outputs.begin(), outputs.end(), [&](auto& a, auto& b) { return turn(a) < turn(b); });
+    return outputs;
+  }
+
+  void write(const std::string& output) {
+    prepare(output);
+    place_.console.clear_bar();
+    if (is_picture(output) && written_.stopped) return skip(output, "the picture was not finished");
+    const auto stage = "write " + ending_of(output).substr(1);
+    place_.console.announce(stage);
+    const bool is_written = place_.record.stage(stage, [&](auto&) { return write_by_kind(output); });
+    place_.console.clear_bar();
+    if (!is_written) return skip(output, "pages of light were not finished");
+    written_.files.push_back(output);
+  }
+
+  void skip(const std::string& output, const std::string& why) {
+    warn(place_.console.log(), fmt::format("stopped: {}, and {} is not written", why, output));
+  }
+
+  // Returns false where Ctrl-C came too early.
+  bool write_by_kind(const std::string& output) {
+    struct Kind {
+      bool (*is_of)(const std::string& output);
+      bool (OutputWriter::*write)(const std::string& output);
+    };
+    static constexpr Kind kinds[] = {
+        {is_picture, &OutputWriter::write_as_picture}, {is_page, &OutputWriter::write_as_page},
+        {is_glb, &OutputWriter::write_as_glb},         {is_solution_file, &OutputWriter::write_as_solution},
+        {is_any, &OutputWriter::write_as_ply},
+    };
+    const auto kind =
+        std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.is_of(output); });
+    return (this->*kind->write)(output);
+  }
+  static bool is_glb(const std::string& output) { return ending_of(output) == ".glb"; }
+  static bool is_solution_file(const std::string& output) { return is_solution(output); }
+  static bool is_any(const std::string&) { return true; }
+
+  bool write_as_picture(const std::string& output) {
+    write_picture(output, *radiance_, settings_.look.tone);
+    return true;
+  }
+  bool write_as_page(const std::string& output) {
+    write_page(output, {baked_, *light_, samples_.for_pages, *written_.camera}, settings_.look, *tracer_,
+               place_.context);
+    return true;
+  }
+  bool write_as_glb(const std::string& output) {
+    const auto done = write_lit_glb(output, baked_, light_, settings_, tracer_, place_);
+    if (done.pages) written_.pages = done.pages;
+    written_.stopped |= !done.is_written || (done.pages && done.pages->made.texels.stopped);
+    return done.is_written;
+  }
+  bool write_as_solution(const std::string& output) {
+    write_solution(output, baked_.patches, baked_.solution, samples_.for_solutions);
+    return true;
+  }
+  bool write_as_ply(const std::string& output) {
+    export_ply(output, baked_.patches, baked_.solution, *light_, {.tone = settings_.look.tone});
+    return true;
+  }
+
+  // Makes what this output needs and no earlier one did.
+  void prepare(const std::string& output) {
+    const auto& mesh = settings_.mesh.settings;
+    const bool on_pages = is_glb(output) && mesh && mesh->on_pages();
+    const bool is_gathered = is_picture(output) && settings_.picture.gather > 0;
+    const bool is_seen = is_picture(output) || is_page(output);
+    if (!is_solution(output) && !on_pages && !is_gathered) make_light();
+    if (is_seen || (on_pages && needs_rays(*mesh))) make_tracer();
+    if (is_seen) find_camera();
+    if (is_picture(output)) draw();
+  }
+  void make_light() {
+    if (light_) return;
+    place_.console.announce("surface");
+    light_ = place_.record.stage("surface", [&](auto&) {
+      return make_smooth_light(baked_.patches, baked_.solution, settings_.look.smooth, place_.context);
+    });
+  }
+  void make_tracer() {
+    if (tracer_) return;
+    place_.console.announce("hierarchy");
+    own_tracer_ =
+        place_.record.stage("hierarchy", [&](auto&) { return Tracer(baked_.patches, place_.context); });
+    tracer_ = &*own_tracer_;
+  }
+  void find_camera() {
+    if (written_.camera) return;
+    written_.camera = place_.record.stage("camera", [&](auto&) {
+      return camera_of(settings_.picture, settings_.look, baked_, *tracer_, place_.context);
+    });
+  }
+  void draw() {
+    if (radiance_) return;
+    radiance_ = place_.record.stage("picture", [&](auto& stage) { return picture(stage); });
+    written_.stopped |= !was_interrupted_ && interrupted();
+  }
+  Image picture(RunRecord::Stage& stage) {
+    const auto& picture = settings_.picture;
+    const auto pixels =
+        static_cast<std::uint64_t>(picture.render.width) * static_cast<std::uint64_t>(picture.render.height);
+    const auto context = place_.console.reporting(place_.context, !was_interrupted_);
+    if (picture.gather > 0) {
+      const auto grid = std::uint64_t{gather_grid(picture.gather)};
+      stage.rays = 3 * grid * grid * pixels;
+      return gather_picture(baked_.patches, baked_.solution, *tracer_, *written_.camera,
+                            {.width = picture.render.width,
+                             .height = picture.render.height,
+                             .rays = picture.gather,
+                             .seed = picture.render.seed},
+                            context);
+    }
+    const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
+    stage.rays = side * side * pixels;
+    return render(baked_.patches, *light_, *tracer_, *written_.camera, picture.render, context);
+  }
+
+  const Baked& baked_;
+  const Tracer* tracer_;
+  const OutputSettings& settings_;
+  const Workplace& place_;
+  const StoredSamples& samples_;
+  const bool was_interrupted_ = interrupted();
+  std::optional<SmoothLight> light_;
+  std::optional<Tracer> own_tracer_;
+  std::optional<Image> radiance_;
+  Written written_;
+};
+
+}  // namespace
+
+Written write_outputs(const Baked& baked, const Tracer* tracer, const OutputSettings& settings,
+                      const Workplace& place, const StoredSamples& samples) {
+  return OutputWriter(baked, tracer, settings, place, samples).write_all();
 }
 
 }  // namespace luxel

@@ -12,7 +12,7 @@
 #include "luxel/cli/mesh_settings.h"
 #include "luxel/cli/run_record.h"
 #include "luxel/cli/settings.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/trace/tracer.h"
 
@@ -23,13 +23,13 @@ inline constexpr const char* picture_kinds = ".png .exr .hdr";
 inline constexpr const char* mesh_kinds = ".glb .ply .html .vtkhdf";
 inline constexpr const char* all_kinds = ".glb .ply .html .png .exr .hdr .vtkhdf";
 
-// What can be refused before hours are spent. Throws UsageError where there is no output, one's ending is not
-// among `kinds`, one is named twice, or the camera cannot be; DeviceError where a file cannot be made. A
+// Checks outputs before the solve. Throws UsageError where there is no output, one's extension is not among
+// `kinds`, one is named twice, or the camera is invalid; DeviceError where a file cannot be made. A
 // checkpoint is an output as well.
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
                        const std::string& checkpoint = {});
 
-// The direction that is up, as the settings say or as the surfaces do.
+// Returns the up direction, from the settings or else from the surfaces.
 Vec3 up_of(const LookSettings& look, const PatchSet& patches);
 
 // Throws UsageError where the file that an option names ends in none of `kinds`.
@@ -40,12 +40,12 @@ bool is_page(const std::string& output);
 
 // The camera that the settings name, counted from the patches' origin; what they leave open is found.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
-                 const Tracer& tracer, const Workers& workers);
+                 const Tracer& tracer, const Context& context);
 
-// radiance: W/(m² sr), tone-mapped where the ending asks for it. Throws DeviceError.
+// radiance: W/(m² sr), tone-mapped where the extension requires it. Throws DeviceError.
 void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone);
 
-// What is known of the samples behind the light, where it is.
+// The state of the samples behind the light, where it is available.
 struct StoredSamples {
   const SampleState* for_solutions = nullptr;         // kept in solutions
   std::shared_ptr<const SampleState> for_pages = {};  // the light of each group of lamps comes from it
@@ -58,11 +58,26 @@ struct Written {
   bool stopped = false;  // Ctrl-C came while a picture or pages were made: they are not there or not whole
 };
 
-// Writes each output. Builds what it needs once: the smooth light, and a tracer when there is a picture and
-// none is given. After an interrupt that came before, what there is still gets written.
-Written write_outputs(const Baked& baked, const Tracer* tracer, const RunSettings& run,
-                      const LookSettings& look, const PictureSettings& picture, const Workers& workers,
-                      Console& console, RunRecord& record, const StoredSamples& samples = {},
-                      const MeshWish& mesh = {});
+// Which files a command writes, and how.
+struct OutputSettings {
+  const RunSettings& run;
+  const LookSettings& look;
+  const PictureSettings& picture;
+  MeshWish mesh = {};
+};
+
+// The data that a command works with.
+struct Workplace {
+  const Context& context;
+  Console& console;
+  RunRecord& record;
+};
+
+// Writes each output: the solution first, pictures last. Makes the smooth light, the tracer and the camera
+// once, when they are needed. tracer: null where there is none yet. After an interrupt that came before,
+// everything is written all the same. Where one file cannot be written the others are, then its DeviceError
+// is thrown.
+Written write_outputs(const Baked& baked, const Tracer* tracer, const OutputSettings& settings,
+                      const Workplace& place, const StoredSamples& samples = {});
 
 }  // namespace luxel

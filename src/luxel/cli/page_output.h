@@ -5,7 +5,7 @@
 #include <string>
 
 #include "luxel/cli/settings.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/trace/tracer.h"
 
@@ -14,10 +14,17 @@ namespace luxel {
 // How the run that made a solution sampled.
 SampledOptions sampled_options_of(const Provenance& provenance);
 
-// The page of a solution, see export_page(). samples: what its run kept, or null; with it lamps are dimmed by
-// their groups. camera: where the page begins. Throws DeviceError.
-void write_page(const std::string& output, const Baked& baked, const SmoothLight& light,
-                const std::shared_ptr<const SampleState>& samples, const Tracer& tracer, const Camera& camera,
-                const LookSettings& look, const Workers& workers);
+// The contents of a page.
+struct PageInput {
+  const Baked& baked;
+  const SmoothLight& light;
+  const std::shared_ptr<const SampleState>&
+      samples;           // stored by the run, or null; with them lamps are dimmed by groups
+  const Camera& camera;  // where the page begins
+};
+
+// The page of a solution, see export_page(). Throws DeviceError.
+void write_page(const std::string& output, const PageInput& input, const LookSettings& look,
+                const Tracer& tracer, const Context& context);
 
 }  // namespace luxel

@@ -10,10 +10,11 @@
 #include "luxel/cli/reference_settings.h"
 #include "luxel/cli/run_report.h"
 #include "luxel/cli/settings.h"
-#include "luxel/cli/version.h"
 #include "luxel/core/ending_of.h"
+#include "luxel/core/hint.h"
 #include "luxel/render/path_picture.h"
-#include "luxel/solve/seen_solution.h"
+#include "luxel/solve/seen_measure.h"
+#include "luxel/version.h"
 
 namespace luxel {
 namespace {
@@ -36,12 +37,12 @@ class Reference final : public Command {
   int run() override {
     check();
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
-    auto baked = read(workers, console, record);
+    auto baked = read(context, console, record);
     if (interrupted()) return stopped_before_light(console);
     console.announce("hierarchy");
-    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, workers); });
+    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, context); });
 
     RunReport report{.command = options().name(),
                      .origin = baked.patches.origin,
@@ -52,9 +53,10 @@ class Reference final : public Command {
     std::erase_if(meshes.outputs, is_picture);
     std::optional<SolveReport> solved;
     if (!meshes.outputs.empty()) {
-      solved = trace_patches(baked, tracer, workers, console, record);
+      solved = trace_patches(baked, tracer, context, console, record);
       if (!solved) return stopped_before_light(console);
-      report.outputs = write_outputs(baked, &tracer, meshes, look_, picture_, workers, console, record).files;
+      report.outputs =
+          write_outputs(baked, &tracer, {meshes, look_, picture_}, {context, console, record}).files;
       report.baked = &baked;
       report.solve = &*solved;
     }
@@ -65,8 +67,8 @@ class Reference final : public Command {
         warn(console.log(), "stopped: no picture is written");
       } else {
         report.camera =
-            record.stage("camera", [&](auto&) { return camera_of(picture_, look_, baked, tracer, workers); });
-        report.picture = trace_pictures(baked, tracer, *report.camera, workers, console, record, report);
+            record.stage("camera", [&](auto&) { return camera_of(picture_, look_, baked, tracer, context); });
+        report.picture = trace_pictures(baked, tracer, *report.camera, {context, console, record}, report);
         has_stopped = report.picture->stop == StopReason::stopped_by_user;
       }
     }
@@ -97,18 +99,16 @@ class Reference final : public Command {
   }
 
   // A solution's own light stays, to find a view by.
-  Baked read(const Workers& workers, Console& console, RunRecord& record) {
+  Baked read(const Context& context, Console& console, RunRecord& record) {
     if (is_solution(scene_.file))
       return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
-    const auto scene = record.stage("load", [&](auto&) {
-      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
-    });
+    const auto scene = record.stage(
+        "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
     if (interrupted()) return {};
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
-    baked.patches = record.stage("patches", [&](auto&) {
-      return make_patches(scene, scene_.patches, workers, console.log(), console.monitor());
-    });
+    baked.patches = record.stage(
+        "patches", [&](auto&) { return make_patches(scene, scene_.patches, console.reporting(context)); });
     if (interrupted()) return {};
     console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),
                             baked.patches.size(), scene.materials.size()));
@@ -121,25 +121,25 @@ class Reference final : public Command {
     try {
       return body();
     } catch (const InputError& error) {
-      throw InputError(scene_.file, error.what());
+      throw with_file(scene_.file, error);
     }
   }
 
   // Nothing where it was stopped before every side had light.
-  std::optional<SolveReport> trace_patches(Baked& baked, const Tracer& tracer, const Workers& workers,
+  std::optional<SolveReport> trace_patches(Baked& baked, const Tracer& tracer, const Context& context,
                                            Console& console, RunRecord& record) const {
     const auto traced = record.stage("light", [&](auto& stage) {
       baked.solution = {};
       const auto result = naming_file([&] {
-        return trace_light(baked.patches, tracer, baked.solution, light_.paths(), workers, console.monitor());
+        return trace_light(baked.patches, tracer, baked.solution, light_.paths(), console.reporting(context));
       });
       stage.rays = result.rays;
       return result;
     });
     if (!traced.complete) return std::nullopt;
-    baked.solution.seen_error = seen_error_of(baked.patches, tracer, baked.solution, workers);
+    baked.solution.seen_error = seen_error_of(baked.patches, tracer, baked.solution, context);
     auto& provenance = baked.solution.provenance;
-    provenance.program_version = program_version;
+    provenance.program_version = LUXEL_VERSION;
     provenance.command_line = options().as_command(RunSettings::heading);
     provenance.options = options().used_values(RunSettings::heading);
     console.say(
@@ -165,12 +165,13 @@ class Reference final : public Command {
   }
 
   PictureRecord trace_pictures(const Baked& baked, const Tracer& tracer, const Camera& camera,
-                               const Workers& workers, Console& console, RunRecord& record,
-                               RunReport& report) const {
+                               const Workplace& place, RunReport& report) const {
+    auto& console = place.console;
+    auto& record = place.record;
     const auto traced = record.stage("picture", [&](auto& stage) {
       auto result = naming_file([&] {
         return trace_picture(baked.patches, tracer, camera, {picture_.render.width, picture_.render.height},
-                             light_.paths(), workers, console.monitor());
+                             light_.paths(), console.reporting(place.context));
       });
       stage.rays = result.rays;
       return result;

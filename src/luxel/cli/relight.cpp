@@ -67,7 +67,7 @@ class Relight final : public Command {
   int run() override {
     check_before_work(run_, picture_, all_kinds);
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
     auto kept = record.stage("read", [&](auto&) { return read_stored_run(file_); });
     if (!kept.samples)
@@ -78,10 +78,10 @@ class Relight final : public Command {
     const auto reflectance = new_reflectances(patches);
 
     console.announce("hierarchy");
-    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, workers); });
+    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, context); });
     console.announce("transport");
     const auto options_then = sampled_options_of(kept.baked.solution.provenance);
-    Relighter relighter(patches, tracer, kept.samples, options_then, workers);
+    Relighter relighter(patches, tracer, kept.samples, options_then, context);
     console.announce("light");
     auto solution = record.stage("light", [&](auto&) {
       if (changes_lamps) relighter.set_lamps(weight);
@@ -97,8 +97,8 @@ class Relight final : public Command {
                             100.0 * relit.solution.predicted_error));
 
     if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
-      stand_still(camera_of(picture_, look_, kept.baked, tracer, workers), patches);
-    return write_and_finish(relit, &tracer, options(), run_, look_, picture_, workers, console, record);
+      stand_still(camera_of(picture_, look_, kept.baked, tracer, context), patches);
+    return write_and_finish(relit, &tracer, options(), {run_, look_, picture_}, {context, console, record});
   }
 
  private:

@@ -28,7 +28,7 @@ class Resume final : public Command {
   int run() override {
     check_before_work(told_.run, told_.picture, all_kinds, file_);
     Console console(told_.run);
-    const Workers workers(told_.run.threads);
+    const Context context({.threads = told_.run.threads, .ranks = ranks()});
     RunRecord record;
 
     auto kept = record.stage("read", [&](auto&) { return read_stored_run(file_); });
@@ -43,7 +43,6 @@ class Resume final : public Command {
     all.restore(options().given());
     settings.keep.checkpoint = file_;
     settings.check();
-    settings.light.sampled.ranks = ranks();
 
     // What was not changed stays as it was, to the letter.
     const auto used = all.used_values(RunSettings::heading);
@@ -53,7 +52,7 @@ class Resume final : public Command {
     }
     console.say(fmt::format("{}: {} patches, goes on after {} rays", file_, kept.baked.patches.size(),
                             provenance.rays));
-    return LightRun(settings, file_, options(), workers, console, record)
+    return LightRun(settings, file_, options(), context, console, record)
         .run(kept.baked, nullptr, {}, kept.samples, nullptr);
   }
 

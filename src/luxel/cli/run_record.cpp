@@ -35,11 +35,8 @@ double RunRecord::now() const {
   return age_when_made_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - made_).count();
 }
 
-Monitor RunRecord::watch_for_light(Monitor next) {
-  return [this, next = std::move(next)](const Progress& progress) {
-    if (progress.light && !first_light_) first_light_ = now();
-    return tell(next, progress);
-  };
+void RunRecord::note_light() {
+  if (!first_light_) first_light_ = now();
 }
 
 std::optional<double> RunRecord::first_light_after_load() const {

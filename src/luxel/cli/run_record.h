@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/progress.h"
-
 namespace luxel {
 
 // Where the time of a run went. Times count from the start of the process.
@@ -30,9 +28,8 @@ class RunRecord {
     return body(stages_[timer.index]);
   }
 
-  // Books when the first picture of the whole scene comes by, and passes on what it is told. The record must
-  // outlive it.
-  Monitor watch_for_light(Monitor next);
+  // Records the time of the first call: the first picture of the whole scene is there.
+  void note_light();
 
   const std::vector<Stage>& stages() const { return stages_; }
   // When the first picture of the whole scene was there, s; nothing where none came.

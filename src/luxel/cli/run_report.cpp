@@ -28,7 +28,7 @@ double total_area(const PatchSet& patches) {
   return std::accumulate(patches.area.begin(), patches.area.end(), 0.0);
 }
 
-bool has_standard_errors(const Solution& solution) { return !solution.standard_error_front.empty(); }
+bool has_standard_errors(const Solution& solution) { return !solution.standard_error.front.empty(); }
 
 Json to_json(const Baked& baked) {
   const auto& s = baked.solution;
@@ -91,27 +91,25 @@ Json surfaces_as_json(const SurfaceMeans& means) {
   return surfaces;
 }
 
-std::string_view name(RefineStop stop) {
+struct RefineStopText {
+  std::string_view name, description;
+};
+
+// Spelled as name() and description() of a StopReason are.
+RefineStopText text_of(RefineStop stop) {
   switch (stop) {
     case RefineStop::mesh_error_reached:
-      return "mesh_error_reached";
+      return {"mesh_error_reached", "mesh error reached"};
     case RefineStop::patch_limit:
-      return "patch_limit";
+      return {"patch_limit", "patch limit"};
     case RefineStop::level_limit:
-      return "level_limit";
+      return {"level_limit", "level limit"};
     case RefineStop::drowned_in_noise:
-      return "noise_limit";
+      return {"noise_limit", "noise limit"};
     case RefineStop::stopped_by_user:
-      return "stopped_by_user";
+      return {name(StopReason::stopped_by_user), description(StopReason::stopped_by_user)};
   }
-  return "";
-}
-
-// "patch limit", of "patch_limit".
-std::string as_phrase(std::string_view name) {
-  std::string phrase(name);
-  std::replace(phrase.begin(), phrase.end(), '_', ' ');
-  return phrase;
+  return {};
 }
 
 Json to_json(const RefineReport& report, double target) {
@@ -122,7 +120,7 @@ Json to_json(const RefineReport& report, double target) {
                       {"sampling_error", level.sampling_error},
                       {"rays", level.rays}});
   return {{"mesh_error", {{"target", target}, {"reached", report.mesh_error}}},
-          {"stop_reason", name(report.stop)},
+          {"stop_reason", text_of(report.stop).name},
           {"levels", std::move(levels)}};
 }
 
@@ -171,8 +169,8 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
     json["streamed"] = report.streamed;
     json["predicted_memory_bytes"] = report.memory;
   }
-  if (report.ranks > 1)
-    json["ranks"] = {{"count", report.ranks},
+  if (report.processes > 1)
+    json["ranks"] = {{"count", report.processes},
                      {"received_bytes", report.traffic.bytes},
                      {"waited_seconds", report.traffic.seconds}};
   if (!report.means.surfaces.empty()) {
@@ -311,7 +309,7 @@ std::string describe(const RefineReport& report) {
     patches.push_back(level.patches);
   }
   return fmt::format("patches put where the light needs them: {}; {} rays; {}: mesh error {:.2g} %",
-                     fmt::join(patches, " > "), rays, as_phrase(name(report.stop)),
+                     fmt::join(patches, " > "), rays, text_of(report.stop).description,
                      100.0 * report.mesh_error);
 }
 
@@ -334,10 +332,10 @@ std::string describe(const SolveReport& report) {
       "%\n",
       done, sum(e.emitted), from_sky > 0.0 ? fmt::format(" + from the sky {:.4g} W", from_sky) : "",
       percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
-  if (report.ranks > 1)
-    text +=
-        fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
-                    report.ranks, 1e-6 * static_cast<double>(report.traffic.bytes), report.traffic.seconds);
+  if (report.processes > 1)
+    text += fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
+                        report.processes, 1e-6 * static_cast<double>(report.traffic.bytes),
+                        report.traffic.seconds);
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", description(report.stop),
                             quality(report.error_kind, report.seen_error, report.predicted_error,

@@ -32,7 +32,7 @@ struct RunReport {
   const SolveReport* solve = nullptr;
   const RefineReport* refine = nullptr;
   double mesh_error_target = 0.0;           // of the refinement, a share
-  std::optional<double> error_target = {};  // of the solve, a share; 0: none was asked for
+  std::optional<double> error_target = {};  // of the solve, a share; 0: no target was set
   std::optional<PictureRecord> picture = {};
   std::optional<PagesRecord> pages = {};
   std::optional<Camera> camera = {};
@@ -48,7 +48,8 @@ struct RunReport {
 std::string describe(const Baked& baked);
 // How patches were put where the light needs them.
 std::string describe(const RefineReport& report);
-// What was done, where the power went, what ended it and how good the light is, as lines for a person.
+// Reports the work done, the balance of power, the reason for the end and the accuracy of the light, as lines
+// of text.
 std::string describe(const SolveReport& report);
 
 }  // namespace luxel

@@ -13,11 +13,11 @@ constexpr float far = 1e9f;  // m; more than any scene
 
 // "auto" or a number: `word` is what auto means in the library's own options.
 template <typename Value, typename Parse>
-void add_or_auto(OptionSet& set, const char* name, const char* unit, Value& value, Value word, Parse parse,
-                 const char* help) {
-  set.add({name, unit, help,
-           [=, &value](const std::string& text) { value = text == "auto" ? word : parse(name, text); },
-           [=, &value] { return value == word ? std::string("auto") : fmt::format("{}", value); }});
+Declaration number_or_auto(const char* name, const char* unit, Value& value, Value word, Parse parse,
+                           const char* help) {
+  return {name, unit, help,
+          [=, &value](const std::string& text) { value = text == "auto" ? word : parse(name, text); },
+          [=, &value] { return value == word ? std::string("auto") : fmt::format("{}", value); }};
 }
 
 float parse_edge(const std::string& name, const std::string& text) {
@@ -58,8 +58,8 @@ void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
 void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
   declare_scene(set, what_it_takes);
   set.heading("Patches");
-  add_or_auto(set, "max-edge", "m", patches.max_edge, automatic_edge, parse_edge,
-              "maximum edge length of patches; 0 leaves the triangles uncut");
+  set.add(number_or_auto("max-edge", "m", patches.max_edge, automatic_edge, parse_edge,
+                         "maximum edge length of patches; 0 leaves the triangles uncut"));
 }
 
 void SceneSettings::declare_contacts(OptionSet& set) {
@@ -113,7 +113,7 @@ void PictureSettings::declare_camera(OptionSet& set) {
   set.heading("Picture");
   set.add_point("eye", "x,y,z m", eye, "position of the camera");
   set.add_point("target", "x,y,z m", target, "point at the centre of the picture");
-  add_or_auto(set, "fov", "degrees", vertical_fov, automatic_fov, parse_fov, "vertical field of view");
+  set.add(number_or_auto("fov", "degrees", vertical_fov, automatic_fov, parse_fov, "vertical field of view"));
 }
 
 void PictureSettings::declare_view(OptionSet& set) {

@@ -24,11 +24,11 @@ struct SceneSettings {
   std::string file;
   LoadOptions load;
   PatchOptions patches;
-  // What is to be read, and how; then what it is cut into as well.
+  // Declares options of the input and of its reading; the second also those of the mesh.
   void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
   void declare(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
-  // Of the commands that find light; the first right after declare(), the others where the options of light
-  // begin.
+  // Declare options of the commands that solve; the first right after declare(), the others where the options
+  // of light begin.
   void declare_contacts(OptionSet& set);
   void declare_sky(OptionSet& set);
   void declare_spectra(OptionSet& set);
@@ -36,7 +36,7 @@ struct SceneSettings {
   void check() const;
 };
 
-// Where the light itself says how fine patches are to be.
+// For commands that refine patches by the light.
 struct RefineSettings {
   double mesh_error = 0.0;  // a share; 0: the patches stay as they are
   std::size_t max_patches = RefineOptions().max_patches;
@@ -59,6 +59,7 @@ struct LightSettings : LightOptions {
   void declare_memory(OptionSet& set);
 
  private:
+  void declare_method(OptionSet& set);
   void declare_rays(OptionSet& set);
   void declare_error_and_time(OptionSet& set);
   void declare_classical(OptionSet& set);
@@ -75,7 +76,7 @@ struct PictureSettings {
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays per pixel of a final gather; 0: none
-  // Throws UsageError where the camera cannot be: to be asked before hours are spent.
+  // Throws UsageError where the camera is invalid: call it before a long solve.
   void check() const;
   // Camera and size; then how a solution is drawn.
   void declare_view(OptionSet& set);

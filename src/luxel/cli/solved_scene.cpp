@@ -16,7 +16,7 @@ std::optional<SolvedScene> load_solved_scene(const std::string& file, const std:
   all.restore(baked.solution.provenance.options);
   SolvedScene solved;
   solved.metres_per_unit = of_bake.scene.load.scale;
-  solved.scene = load_scene(file, of_bake.scene.load, console.log(), console.monitor());
+  solved.scene = load_scene(file, of_bake.scene.load, console.reporting({}));
   if (interrupted()) return std::nullopt;
   if (fingerprint(solved.scene) != baked.patches.scene_fingerprint)
     throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", file, solution_file));

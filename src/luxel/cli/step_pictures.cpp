@@ -28,28 +28,26 @@ StepPictures::StepPictures(std::string folder) : folder_(std::move(folder)) {
     throw DeviceError(fmt::format("--each-step: cannot make the folder {}: {}", folder_, error.message()));
 }
 
-Monitor StepPictures::watch(Monitor next) {
-  if (folder_.empty()) return next;
-  return [this, next = std::move(next)](const Progress& progress) {
-    if (progress.light) steps_.push_back({progress.light->irradiance_front, progress.light->irradiance_back});
-    return tell(next, progress);
-  };
+void StepPictures::add(const Solution& light) {
+  if (!folder_.empty()) steps_.push_back({light.irradiance});
 }
 
 std::vector<std::string> StepPictures::write(const Baked& baked, const Tracer& tracer,
-                                             const std::optional<Camera>& camera, const LookSettings& look,
-                                             const PictureSettings& picture, const Workers& workers,
-                                             Console& console, RunRecord& record) const {
+                                             const std::optional<Camera>& camera,
+                                             const OutputSettings& settings, const Workplace& place) const {
   std::vector<std::string> files;
   if (steps_.empty()) return files;
-  return record.stage("steps", [&](auto&) {
-    const auto from = camera ? *camera : camera_of(picture, look, baked, tracer, workers);
+  const auto& context = place.context;
+  auto& console = place.console;
+  const auto& look = settings.look;
+  const auto& picture = settings.picture;
+  return place.record.stage("steps", [&](auto&) {
+    const auto from = camera ? *camera : camera_of(picture, look, baked, tracer, context);
     const auto draw = [&](const Step& step) {
       auto light = baked.solution;
-      light.irradiance_front = step.irradiance_front;
-      light.irradiance_back = step.irradiance_back;
-      return render(baked.patches, make_smooth_light(baked.patches, light, look.smooth, workers), tracer,
-                    from, picture.render, workers);
+      light.irradiance = step.irradiance;
+      return render(baked.patches, make_smooth_light(baked.patches, light, look.smooth, context), tracer,
+                    from, picture.render, context);
     };
     const auto curve = curve_of(draw(steps_.back()), look.tone);
     const auto monitor = console.monitor(false);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "luxel/cli/outputs.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 
@@ -16,19 +17,18 @@ class StepPictures {
   // Makes the folder. No folder: keeps nothing and draws nothing. Throws DeviceError.
   explicit StepPictures(std::string folder);
 
-  // Keeps every picture of the light that comes by, and passes on what it is told. This must outlive it.
-  Monitor watch(Monitor next);
+  // Stores a step's light.
+  void add(const Solution& light);
 
   // Writes step-001.png and so on; returns their names. camera: where a picture was already taken from. The
   // tone operator reinhard-local, which has no exposure of the whole, is taken as reinhard.
   std::vector<std::string> write(const Baked& baked, const Tracer& tracer,
-                                 const std::optional<Camera>& camera, const LookSettings& look,
-                                 const PictureSettings& picture, const Workers& workers, Console& console,
-                                 RunRecord& record) const;
+                                 const std::optional<Camera>& camera, const OutputSettings& settings,
+                                 const Workplace& place) const;
 
  private:
   struct Step {
-    std::vector<float> irradiance_front, irradiance_back;
+    SideValues irradiance;
   };
 
   std::string folder_;

@@ -10,7 +10,7 @@ namespace luxel {
 
 void StoreSettings::declare(OptionSet& set) {
   set.heading("Light by --method sampled");
-  set.only_with("method", LightSettings::by_sampling);
+  set.only_with("method", "sampled");
   set.add_flag("store-transport", transport,
                "store in the .vtkhdf file what 'luxel relight' and 'luxel resume' need");
   set.only_with();
@@ -18,7 +18,7 @@ void StoreSettings::declare(OptionSet& set) {
 }
 
 void StoreSettings::declare_groups(OptionSet& set) {
-  set.only_with("method", LightSettings::by_sampling);
+  set.only_with("method", "sampled");
   set.add({.name = "light-group",
            .unit = "NAME=PATTERN",
            .help = "light group of the lamps whose material or object matches (with * and ?); other lamps "
@@ -43,7 +43,7 @@ void StoreSettings::declare_groups(OptionSet& set) {
 
 void StoreSettings::declare_run(OptionSet& set) {
   set.heading(RunSettings::heading);
-  set.only_with("method", LightSettings::by_sampling);
+  set.only_with("method", "sampled");
   set.add_text("checkpoint", "FILE", checkpoint,
                "solution file (.vtkhdf) that stores the state of the run; the same command, or 'luxel "
                "resume', continues it");

@@ -9,7 +9,8 @@
 
 namespace luxel {
 
-// What outlives a run beside its light: enough to go on, and to light the scene anew.
+// Options of data stored beside the light: the state to resume a solve, and the transport to relight the
+// scene.
 struct StoreSettings {
   bool transport = false;  // the solution file keeps the samples
   std::vector<LightGroupRule> groups;

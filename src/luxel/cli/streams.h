@@ -5,15 +5,16 @@
 
 namespace luxel {
 
-// To be called first. A closed standard stream leaves its number to the next file that is opened, and words
-// would end up in a mesh: a closed one is held by a place that refuses them. A reader who leaves (luxel ... |
-// head) or a limit on file sizes becomes an error of the write, not the end of hours of work.
+// Call first. The number of a closed standard stream is reused by the next file that is opened, so that
+// messages would end up in a mesh; it is therefore occupied by a descriptor that refuses writes. A reader
+// that exits (luxel ... | head) or a limit on file sizes becomes an error of the write and does not end the
+// process.
 void secure_streams();
 
 // Results, on the standard output. Throws DeviceError where they do not arrive: a full disk, a closed stream.
 void print_result(std::string_view text);
 
-// Words for a person, on the standard error stream. Where nobody can hear them the work goes on.
+// Writes a message to the standard error stream. Errors of the stream are ignored.
 void print_note(std::string_view text);
 
 }  // namespace luxel

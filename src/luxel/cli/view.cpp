@@ -4,7 +4,7 @@
 #include "luxel/cli/bake_settings.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/version.h"
+#include "luxel/version.h"
 #include "luxel/viewer/run_window.h"
 
 namespace luxel {
@@ -47,15 +47,16 @@ class View final : public Command {
  private:
   WindowSettings window_settings() const {
     const auto& s = settings_;
-    WindowSettings window{.file = s.scene.file,
-                          .live = [this](const std::filesystem::path& file) { return live_settings(file); },
-                          .size = {s.picture.render.width, s.picture.render.height},
-                          .eye = s.picture.eye,
-                          .target = s.picture.target,
-                          .vertical_fov = s.picture.vertical_fov,
-                          .tone = s.look.tone,
-                          .off_screen = off_screen_ || !snapshot_.empty(),
-                          .is_interrupted = interrupted};
+    WindowSettings window{
+        .file = s.scene.file,
+        .live = [this](const std::filesystem::path& file) { return session_settings(file); },
+        .size = {s.picture.render.width, s.picture.render.height},
+        .eye = s.picture.eye,
+        .target = s.picture.target,
+        .vertical_fov = s.picture.vertical_fov,
+        .tone = s.look.tone,
+        .off_screen = off_screen_ || !snapshot_.empty(),
+        .is_interrupted = interrupted};
     if (s.look.up != "auto") window.up = s.look.up == "y" ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(0.0f, 0.0f, 1.0f);
     if (!compare_.empty()) window.compare = compare_;
     if (!save_.empty()) window.save = save_;
@@ -65,17 +66,17 @@ class View final : public Command {
   }
 
   // As a bake of the file with the same options.
-  LiveSettings live_settings(const std::filesystem::path& file) const {
+  SessionSettings session_settings(const std::filesystem::path& file) const {
     const auto& s = settings_;
-    LiveSettings live{.load = s.scene.load,
-                      .patches = s.scene.patches,
-                      .refine = {.mesh_error = s.refine.mesh_error, .max_patches = s.refine.max_patches},
-                      .light = s.light,
-                      .joins_faces = s.light.joins_faces,
-                      .focus = s.light.focus,
-                      .groups = s.keep.groups,
-                      .smooth = s.look.smooth,
-                      .threads = s.run.threads};
+    SessionSettings live{.load = s.scene.load,
+                         .patches = s.scene.patches,
+                         .refine = {.mesh_error = s.refine.mesh_error, .max_patches = s.refine.max_patches},
+                         .light = s.light,
+                         .joins_faces = s.light.joins_faces,
+                         .focus = s.light.focus,
+                         .groups = s.keep.groups,
+                         .smooth = s.look.smooth,
+                         .threads = s.run.threads};
     live.sign = [this, file](Provenance& provenance, const LightOptions& light) {
       sign(provenance, file, light);
     };
@@ -98,7 +99,7 @@ class View final : public Command {
     bake.scene.file = file.string();
     static_cast<LightOptions&>(bake.light) = light;
     bake.keep.transport = true;
-    provenance.program_version = program_version;
+    provenance.program_version = LUXEL_VERSION;
     provenance.command_line = all.as_command(RunSettings::heading);
     provenance.options = all.used_values(RunSettings::heading);
   }

@@ -16,7 +16,7 @@
 
 namespace luxel {
 
-// What `luxel viewfactors` did; docs/json.md lists the keys of its JSON.
+// The result of `luxel viewfactors`; docs/json.md lists the keys of its JSON.
 struct ViewFactorReport {
   const ViewFactors* factors = nullptr;
   std::string between, sides;

@@ -37,10 +37,10 @@ struct ViewFactorSettings {
   ElementSides element_sides() const;
   // Triangles as they come between patches, unless an edge is given.
   PatchOptions patch_options(PatchOptions given) const;
-  // What to count with, all said and done; memory in bytes. outputs: to be written.
+  // Returns the options with all defaults resolved; memory in bytes. outputs: to be written.
   SampleFactorsOptions sample_options(const ViewElements& elements,
                                       const std::vector<std::string>& outputs) const;
-  // The rows asked for by --from, [element]; empty: all. Throws UsageError where a name fits none.
+  // Returns the rows selected by --from, [element]; empty: all. Throws UsageError where a name matches none.
   std::vector<std::uint8_t> rows(const ViewElements& elements) const;
 };
 

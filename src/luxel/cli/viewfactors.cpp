@@ -6,13 +6,14 @@
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
-#include "luxel/cli/version.h"
 #include "luxel/cli/view_factor_report.h"
 #include "luxel/cli/view_factor_settings.h"
 #include "luxel/core/ending_of.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
 #include "luxel/core/output_file.h"
 #include "luxel/form_factors/view_factors_file.h"
+#include "luxel/version.h"
 
 namespace luxel {
 namespace {
@@ -33,17 +34,15 @@ class ViewFactorsCommand final : public Command {
     settings_.check();
     check_before_work(run_, {}, kinds);
     Console console(run_);
-    const Workers workers(run_.threads);
+    const Context context(run_.threads);
     RunRecord record;
 
     // 1. The surfaces, and what the factors are between.
-    const auto scene = record.stage("load", [&](auto&) {
-      return load_scene(scene_.file, scene_.load, console.log(), console.monitor());
-    });
+    const auto scene = record.stage(
+        "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
     if (interrupted()) return stopped_before_factors(console);
     const auto patches = record.stage("patches", [&](auto&) {
-      return make_patches(scene, settings_.patch_options(scene_.patches), workers, console.log(),
-                          console.monitor());
+      return make_patches(scene, settings_.patch_options(scene_.patches), console.reporting(context));
     });
     if (interrupted()) return stopped_before_factors(console);
     const auto elements = make_view_elements(scene, patches, settings_.kind(), settings_.element_sides());
@@ -51,27 +50,30 @@ class ViewFactorsCommand final : public Command {
                             scene.triangles.size(), patches.size(), elements.size(), settings_.between));
     const auto options_for_sampling = settings_.sample_options(elements, run_.outputs);
     console.announce("hierarchy");
-    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, workers); });
+    const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, context); });
 
     // 2. The factors.
     ViewFactorReport report;
     report.between = settings_.between;
     report.sides = settings_.sides;
     report.patches = patches.size();
+    const auto reporting = console.reporting(context);
     auto factors = record.stage("factors", [&](auto& stage) {
-      return settings_.is_exact
-                 ? exact(patches, tracer, elements, workers, console, report)
-                 : sampled(patches, tracer, elements, options_for_sampling, workers, console, report, stage);
+      auto found = settings_.is_exact
+                       ? exact(patches, tracer, elements, reporting, report)
+                       : sampled(patches, tracer, elements, options_for_sampling, reporting, report);
+      if (report.sampled) stage.rays = report.sampled->rays;
+      return found;
     });
     if (!factors) return stopped_before_factors(console);
 
     // 3. What they must obey. Stopped or not, what there is gets written.
     report.factors = &*factors;
-    const auto check = [&](auto&) { return check_view_factors(*factors, workers, console.monitor()); };
+    const auto check = [&](auto&) { return check_view_factors(*factors, console.reporting(context)); };
     report.check = record.stage("check", check);
     if (settings_.enforce && !interrupted()) {
       report.enforcement =
-          record.stage("enforce", [&](auto&) { return enforce_laws(*factors, workers, console.monitor()); });
+          record.stage("enforce", [&](auto&) { return enforce_laws(*factors, console.reporting(context)); });
       report.check_after = record.stage("check", check);
     }
     console.say(report.as_text());
@@ -97,34 +99,31 @@ class ViewFactorsCommand final : public Command {
  private:
   std::optional<ViewFactors> sampled(const PatchSet& patches, const Tracer& tracer,
                                      const ViewElements& elements, const SampleFactorsOptions& how,
-                                     const Workers& workers, Console& console, ViewFactorReport& report,
-                                     RunRecord::Stage& stage) const {
+                                     const Context& context, ViewFactorReport& report) const {
     report.sampled.emplace();
     report.error_target = how.error;
     report.row_error_target = how.row_error;
     const auto held = resident_memory();
     try {
-      auto factors =
-          sample_view_factors(patches, tracer, elements, how, workers, console.monitor(), *report.sampled);
-      stage.rays = report.sampled->rays;
+      auto factors = sample_view_factors(patches, tracer, elements, how, *report.sampled, context);
       report.predicted_memory = held + report.sampled->predicted_bytes;
       return factors;
     } catch (const InputError& error) {
-      throw InputError(scene_.file, error.what());
+      throw with_file(scene_.file, error);
     }
   }
 
   std::optional<ViewFactors> exact(const PatchSet& patches, const Tracer& tracer,
-                                   const ViewElements& elements, const Workers& workers, Console& console,
+                                   const ViewElements& elements, const Context& context,
                                    ViewFactorReport& report) const {
     report.exact.emplace();
     auto how = settings_.exact;
     how.min_factor = settings_.sampled.min_factor;
     if (settings_.force) how.seconds = 0.0;
     try {
-      return exact_view_factors(patches, tracer, elements, how, workers, console.monitor(), *report.exact);
+      return exact_view_factors(patches, tracer, elements, how, *report.exact, context);
     } catch (const InputError& error) {
-      throw InputError(scene_.file, error.what());
+      throw with_file(scene_.file, error);
     }
   }
 
@@ -172,7 +171,7 @@ class ViewFactorsCommand final : public Command {
     note.between = settings_.between;
     note.sides = settings_.sides;
     note.enforced = is_enforced(report);
-    note.provenance = {program_version,
+    note.provenance = {LUXEL_VERSION,
                        options().as_command(RunSettings::heading),
                        settings_.is_exact ? "exact" : "counted",
                        options().used_values(RunSettings::heading),

@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// An open file of the operating system, closed when it goes. The room's own tool: only its sources include
-// it. Where something fails, errno says why.
+// An open file of the operating system, closed by the destructor. Private to this module. Where a call fails,
+// errno holds the reason.
 class Descriptor {
  public:
   // flags as for open(2). New files are readable and writable as the user's umask allows.
@@ -17,7 +17,7 @@ class Descriptor {
 
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
-  // Network disks tell only here that they are full. False where it failed.
+  // Closes the file. Network disks report a full disk only here. Returns false on failure.
   bool close();
 
  private:

@@ -3,7 +3,7 @@
 
 namespace luxel {
 
-// No letters but these: the locale has no say in which file it is.
+// ASCII letters only: the result does not depend on the locale.
 std::string ending_of(const std::filesystem::path& path) {
   auto ending = path.extension().string();
   for (auto& c : ending)

@@ -3,10 +3,9 @@
 
 namespace luxel {
 
-// From now on the calling thread, and those that it starts, leave the processor to others that want it: a
-// tenth of a core is what remains to it beside one of the usual priority, all of it where nobody else works.
-// For work in the background of a window. Linux (nice values are those of a thread there); elsewhere nothing
-// changes.
+// Lowers the priority of the calling thread, and of those that it starts, for background work of a window.
+// Beside a thread of the usual priority it gets a tenth of a core; on an idle core it gets all of it. Linux
+// (nice values are per thread there); has no effect elsewhere.
 void give_way();
 
 }  // namespace luxel

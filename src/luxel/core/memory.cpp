@@ -66,7 +66,7 @@ constexpr ControlFiles first_version = {"sys/fs/cgroup/memory", "memory.limit_in
                                         "memory.usage_in_bytes", "total_inactive_file "};
 constexpr ControlFiles second_version = {"sys/fs/cgroup", "memory.max", "memory.current", "inactive_file "};
 
-// What the process's control groups leave: each of them, and those that they are in.
+// Returns the memory left by the limits of the process's control groups and their parents.
 std::uint64_t left_by_control_groups(const fs::path& root) {
   auto left = no_limit;
   std::ifstream lines(root / "proc/self/cgroup");

@@ -6,12 +6,12 @@
 
 namespace luxel {
 
-// Bytes of main memory that this process could still take, at least 1: what is free, and what the limits that
-// it runs under leave of it (those of its control groups, as containers and Slurm set them, and `ulimit -v`).
-// 0 where the system does not tell. root: where /proc and /sys are found.
+// Returns the bytes of main memory that this process can still take, at least 1: the free memory, bounded by
+// the limits of the process (its control groups, as containers and Slurm set them, and `ulimit -v`). 0 where
+// the system does not report it. root: where /proc and /sys are found.
 std::uint64_t free_memory(const std::filesystem::path& root = "/");
 
-// Bytes of main memory that this process holds now; 0 where the system does not tell.
+// Returns the bytes of main memory that this process holds now; 0 where the system does not report it.
 std::uint64_t resident_memory();
 
 // Gives what was freed back to the system at once, so that it does not count as held: C libraries keep freed

@@ -45,7 +45,7 @@ class MpiRanks final : public Ranks {
 
   std::size_t rank() const override { return rank_; }
   std::size_t size() const override { return size_; }
-  RankTraffic traffic() const override { return traffic_; }
+  Traffic traffic() const override { return traffic_; }
   std::size_t on_this_machine() const override { return on_this_machine_; }
 
   void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
@@ -139,7 +139,7 @@ class MpiRanks final : public Ranks {
     Wait& operator=(const Wait&) = delete;
 
    private:
-    RankTraffic& traffic_;
+    Traffic& traffic_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   };
 
@@ -169,7 +169,7 @@ class MpiRanks final : public Ranks {
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
   std::size_t on_this_machine_ = 1;
-  mutable RankTraffic traffic_;
+  mutable Traffic traffic_;
 };
 
 }  // namespace

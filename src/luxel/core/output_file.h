@@ -8,10 +8,10 @@
 
 namespace luxel {
 
-// A file that appears whole or not at all: written beside its place under a temporary name, flushed to the
-// disk, then renamed. Until commit() the old file, if any, stays as it was; a destructor without commit()
-// removes the temporary. A link stays a link: the file it points to is replaced, with its permissions kept.
-// What is no plain file (/dev/stdout, a pipe) cannot be replaced and is written where it stands.
+// A file that is replaced atomically: written next to its path under a temporary name, flushed to the disk,
+// then renamed. Until commit() the old file, if any, is unchanged; a destructor without commit() removes the
+// temporary. Symbolic links are preserved: the file that a link points to is replaced, with its permissions
+// kept. Special files (/dev/stdout, a pipe) cannot be replaced and are written in place.
 class OutputFile {
  public:
   // Throws DeviceError, naming the folder, where the folder does not exist or cannot be written, and where
@@ -26,7 +26,7 @@ class OutputFile {
   const std::filesystem::path& temporary() const { return temporary_; }
 
   // Flushes and renames; call it once, with the temporary closed. Throws DeviceError with the system's reason
-  // (a full disk, say).
+  // (for example a full disk).
   void commit();
 
  private:

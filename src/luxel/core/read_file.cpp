@@ -24,7 +24,7 @@ std::string read_file(const std::filesystem::path& path, std::uint64_t most) {
   if (::fstat(file.number(), &status) != 0) refuse(errno);
   if (S_ISDIR(status.st_mode)) throw InputError(path.string(), "it is a folder, expected a file");
 
-  // Pipes and /proc say size 0, so reading goes on until the end shows itself.
+  // Pipes and /proc report size 0, so reading continues up to the end of the file.
   constexpr std::size_t block = 1 << 16;
   std::string bytes;
   std::size_t size = 0;

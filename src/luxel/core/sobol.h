@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 #include "luxel/core/address.h"
@@ -82,7 +83,7 @@ class OwenSobol {
 
   explicit constexpr OwenSobol(std::uint64_t key) {
     for (std::size_t d = 0; d < dimensions; d += 2) {
-      const auto bits = mix64(key + (d + 1) * 0x9e3779b97f4a7c15u);
+      const auto bits = nth_key(key, d);
       seeds_[d] = static_cast<std::uint32_t>(bits);
       seeds_[d + 1] = static_cast<std::uint32_t>(bits >> 32);
     }
@@ -98,9 +99,10 @@ class OwenSobol {
     return {at(index, 0), at(index, 1), at(index, 2), at(index, 3)};
   }
 
-  // The two halves of at(), for whoever makes many numbers. `raw` is the same for every key, and
-  // raw(i + j) = raw(i) ^ raw(j) where i and j have no bit in common.
+  // The two halves of at(), for callers that need many numbers. `raw` is the same for every key, and raw(i +
+  // j) = raw(i) ^ raw(j) where i and j have no bit in common.
   static constexpr std::uint32_t raw(std::uint32_t index, int dimension) {
+    assert(dimension >= 0 && dimension < dimensions);
     std::uint32_t x = 0;
     for (std::size_t nibble = 0; nibble < 8; ++nibble)
       x ^= detail::sobol_table[static_cast<std::size_t>(dimension)][nibble][(index >> (4 * nibble)) & 15u];

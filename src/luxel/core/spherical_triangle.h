@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "luxel/core/trig.h"
@@ -19,6 +20,7 @@ class SphericalTriangle {
   explicit SphericalTriangle(const std::array<Vec3d, 3>& corner) {
     const std::array<double, 3> length = {glm::length(corner[0]), glm::length(corner[1]),
                                           glm::length(corner[2])};
+    assert(length[0] > 0.0 && length[1] > 0.0 && length[2] > 0.0);
     a_ = corner[0] / length[0];
     b_ = corner[1] / length[1];
     const auto c = corner[2] / length[2];
@@ -47,6 +49,7 @@ class SphericalTriangle {
   // A unit direction from two numbers in [0, 1). u1 cuts off the triangle a b c' of its share of the solid
   // angle, u2 runs from b (0) to c' (1). Where the solid angle is zero: b.
   Vec3d direction(double u1, double u2) const {
+    assert(u1 >= 0.0 && u1 <= 1.0 && u2 >= 0.0 && u2 <= 1.0);
     const auto [s, c] = sin_cos(u1 * half_solid_angle_);
     // tan(phi / 2) = m / d, phi the arc from a to c'.
     const auto m = s * one_plus_ab_;

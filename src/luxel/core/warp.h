@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "luxel/core/vector.h"
@@ -22,6 +23,7 @@ inline void sin_cos_octant(float angle, float& sine, float& cosine) {
 
 // The unit square onto the unit disk, areas kept in proportion (Shirley and Chiu 1997). Strata stay compact.
 inline Vec2 concentric_disk(float u1, float u2) {
+  assert(u1 >= 0.0f && u1 <= 1.0f && u2 >= 0.0f && u2 <= 1.0f);
   const float a = 2.0f * u1 - 1.0f;
   const float b = 2.0f * u2 - 1.0f;
   // No branches: which half it is, no processor can foresee.
@@ -57,16 +59,21 @@ inline Vec3 uniform_hemisphere(float u1, float u2) {
 // Uniform barycentric coordinates (weights of b and c; a gets the rest), by the square-root warp (Turk 1990).
 // Density: 1 / area everywhere.
 inline Vec2 uniform_triangle(float u1, float u2) {
+  assert(u1 >= 0.0f && u1 <= 1.0f && u2 >= 0.0f && u2 <= 1.0f);
   const float root = std::sqrt(u1);
   return {(1.0f - u2) * root, u2 * root};
 }
-inline float uniform_triangle_density(float area) { return 1.0f / area; }
+inline float uniform_triangle_density(float area) {
+  assert(area > 0.0f);
+  return 1.0f / area;
+}
 
 // A right-handed orthonormal frame whose third axis is the unit vector n (Duff et al. 2017).
 struct Frame {
   Vec3 s, t, n;
 
   explicit Frame(const Vec3& normal) : n(normal) {
+    assert(std::abs(glm::dot(normal, normal) - 1.0f) < 1e-4f);
     const float sign = std::copysign(1.0f, n.z);
     const float a = -1.0f / (sign + n.z);
     const float b = n.x * n.y * a;

@@ -3,8 +3,9 @@
 
 #include <utility>
 
+#include "luxel/core/output_file.h"
 #include "luxel/core/triangle.h"
-#include "luxel/export/glb_model.h"
+#include "luxel/export/unlit_mesh.h"
 #include "luxel/export/utf8.h"
 
 namespace luxel {
@@ -17,7 +18,7 @@ float shade(const Vec3& normal, const Vec3& up) {
   return 0.62f + 0.18f * level + 0.2f * aside;
 }
 
-tinygltf::Primitive add_primitive(tinygltf::Model& model, const ColouredMesh& mesh, const Vec3& up) {
+Json add_primitive(GltfWriter& file, const ColouredMesh& mesh, const Vec3& up) {
   std::vector<Vec3> positions;
   std::vector<Rgba16> shades;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -30,45 +31,32 @@ tinygltf::Primitive add_primitive(tinygltf::Model& model, const ColouredMesh& me
     }
     triangles.push_back({first, first + 1, first + 2});
   }
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  add_vertices(model, primitive, positions, shades);
-  primitive.indices = add_indices(model, triangles, positions.size());
-  return primitive;
+  auto attributes = add_coloured_vertices(file, positions, shades);
+  return {{"attributes", std::move(attributes)}, {"indices", file.add_indices(triangles, positions.size())}};
 }
 
-void add_mesh(tinygltf::Model& model, const ColouredMesh& mesh, const Vec3& up) {
-  auto material = unlit_material(mesh.name);
-  material.doubleSided = true;
-  material.pbrMetallicRoughness.baseColorFactor = {mesh.colour.r, mesh.colour.g, mesh.colour.b, 1.0};
-  tinygltf::Mesh entry;
-  entry.name = valid_utf8(mesh.name);
-  entry.primitives.push_back(add_primitive(model, mesh, up));
-  entry.primitives.back().material = static_cast<int>(model.materials.size());
-  tinygltf::Node node;
-  node.name = entry.name;
-  node.mesh = static_cast<int>(model.meshes.size());
-  model.materials.push_back(std::move(material));
-  model.meshes.push_back(std::move(entry));
-  model.nodes.push_back(std::move(node));
+// Returns the node.
+std::size_t add_mesh(GltfWriter& file, const ColouredMesh& mesh, const Vec3& up) {
+  auto primitive = add_primitive(file, mesh, up);
+  primitive["material"] = file.append("/materials", unlit_material(mesh.name, mesh.colour, true));
+  const auto name = valid_utf8(mesh.name);
+  const auto number =
+      file.append("/meshes", {{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
+  return file.append("/nodes", {{"name", name}, {"mesh", number}});
 }
 
 }  // namespace
 
 void export_coloured(const std::filesystem::path& path, const std::string& title,
                      std::span<const ColouredMesh> meshes, const Vec3& up, const Vec3d& origin) {
-  tinygltf::Model model;
-  model.asset.version = "2.0";
-  model.asset.generator = "Luxel";
-  model.extensionsUsed = {"KHR_materials_unlit"};
-  model.buffers.emplace_back();
+  GltfWriter file;
+  file.put("/asset/generator", "Luxel");
+  file.use_extension("KHR_materials_unlit");
+  Json root = {{"name", valid_utf8(title)}};
   for (const auto& mesh : meshes)
-    if (!mesh.triangles.empty()) add_mesh(model, mesh, glm::normalize(up));
-  tinygltf::Node root;
-  root.name = valid_utf8(title);
-  for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i) root.children.push_back(i);
-  add_root(model, std::move(root), up, origin);
-  write_glb(path, model);
+    if (!mesh.triangles.empty()) root["children"].push_back(add_mesh(file, mesh, glm::normalize(up)));
+  add_root(file, std::move(root), up, origin);
+  write_file(path, file.bytes(path.string()));
 }
 
 }  // namespace luxel

@@ -20,10 +20,10 @@ struct ColouredMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
 };
 
-// A GLB of meshes in plain colours, each a node and a material of its name below a root called `title`.
-// Unlit: the colours are shaded by where a triangle faces, so that shapes can be told, and seen from both
-// sides. up and origin (m) as of export_glb(). Meshes without triangles are left out. Whole or not at all;
-// throws DeviceError.
+// Writes a GLB of meshes in plain colours, each with a node and a material of its name below a root called
+// `title`. Unlit: the colours are shaded by the direction of a triangle, so that shapes are visible, and both
+// sides are drawn. up and origin (m) as in export_glb(). Meshes without triangles are left out. Replaces the
+// file atomically; throws DeviceError.
 void export_coloured(const std::filesystem::path& path, const std::string& title,
                      std::span<const ColouredMesh> meshes, const Vec3& up, const Vec3d& origin = Vec3d(0.0));
 

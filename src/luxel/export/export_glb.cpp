@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "luxel/core/output_file.h"
 #include "luxel/export/export_mesh.h"
-#include "luxel/export/glb_model.h"
+#include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
+#include "luxel/export/unlit_mesh.h"
 #include "luxel/export/utf8.h"
-#include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
 namespace {
@@ -36,79 +36,29 @@ Columns columns_of(const LitMesh& mesh, const LitPart& part, const ExportProfile
   return columns;
 }
 
-tinygltf::Primitive add_primitive(tinygltf::Model& model, const LitMesh& mesh, const LitPart& part,
-                                  const ExportProfile& profile) {
+Json add_primitive(GltfWriter& file, const LitMesh& mesh, const LitPart& part, const ExportProfile& profile) {
   const auto columns = columns_of(mesh, part, profile);
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  add_vertices(model, primitive, columns.position, columns.colour);
-  primitive.attributes["NORMAL"] = add_array(model, columns.normal, vector_of_floats);
-  if (profile.keeps_irradiance)
-    primitive.attributes["_IRRADIANCE"] = add_array(model, columns.irradiance, vector_of_floats);
-  primitive.indices = add_indices(model, part.triangles, part.smooth.size());
-  return primitive;
+  auto attributes = add_coloured_vertices(file, columns.position, columns.colour);
+  attributes["NORMAL"] = file.add_vectors(std::span(columns.normal));
+  if (profile.keeps_irradiance) attributes["_IRRADIANCE"] = file.add_vectors(std::span(columns.irradiance));
+  return {{"attributes", std::move(attributes)},
+          {"indices", file.add_indices(part.triangles, part.smooth.size())}};
 }
 
-void add_mesh(tinygltf::Model& model, const PatchSet& patches, const LitMesh& mesh,
-              const ExportProfile& profile) {
-  tinygltf::Mesh lit;
-  lit.name = "lit surfaces";
+void add_mesh(GltfWriter& file, const PatchSet& patches, const LitMesh& mesh, const ExportProfile& profile) {
+  Json primitives = Json::array();
   auto last_material = std::numeric_limits<std::size_t>::max();
+  std::size_t number = 0;  // of the file's material
   for (const auto& part : mesh.parts()) {
     if (part.material != last_material)
-      model.materials.push_back(unlit_material(
-          fmt::format("{}{}", patches.materials[part.material].name, profile.material_suffix)));
+      number =
+          file.append("/materials", unlit_material(fmt::format("{}{}", patches.materials[part.material].name,
+                                                               profile.material_suffix)));
     last_material = part.material;
-    lit.primitives.push_back(add_primitive(model, mesh, part, profile));
-    lit.primitives.back().material = static_cast<int>(model.materials.size() - 1);
+    primitives.push_back(add_primitive(file, mesh, part, profile));
+    primitives.back()["material"] = number;
   }
-  model.meshes.push_back(std::move(lit));
-}
-
-tinygltf::Node lit_root() {
-  tinygltf::Node root;
-  root.name = "scene";
-  root.mesh = 0;
-  return root;
-}
-
-tinygltf::Value words(std::string_view text) { return tinygltf::Value(std::string(text)); }
-
-// What the numbers at the vertices are.
-tinygltf::Value light_of(const ToneCurve& curve, const TargetApplication program) {
-  const auto profile = profile_of(program);
-  tinygltf::Value::Object attributes = {
-      {"COLOR_0", tinygltf::Value(tinygltf::Value::Object{
-                      {"quantity", words("radiance after the tone curve")},
-                      {"unit", words("1: the display's white")},
-                      {"encoding", words(profile.colours_are_srgb ? "sRGB codes" : "linear sRGB")},
-                      {"tone", words(name(curve.options.op))},
-                      {"scale", tinygltf::Value(static_cast<double>(curve.scale))},
-                  })}};
-  if (profile.keeps_irradiance)
-    attributes.emplace("_IRRADIANCE", tinygltf::Value(tinygltf::Value::Object{
-                                          {"quantity", words("irradiance")},
-                                          {"unit", words("W/m2 by linear sRGB")},
-                                          {"radiance", words("reflectance * irradiance / pi")},
-                                          {"lumens_per_watt", tinygltf::Value(luminous_efficacy)},
-                                      }));
-  return tinygltf::Value(tinygltf::Value::Object{{"made_for", words(name(program))},
-                                                 {"as", words("vertex")},
-                                                 {"attributes", tinygltf::Value(std::move(attributes))}});
-}
-
-tinygltf::Value provenance_of(const Solution& solution, tinygltf::Value light) {
-  const auto& from = solution.provenance;
-  return tinygltf::Value(tinygltf::Value::Object{
-      {"light", std::move(light)},
-      {"method", tinygltf::Value(valid_utf8(from.method))},
-      {"rays", tinygltf::Value(static_cast<double>(from.rays))},
-      {"seed", tinygltf::Value(fmt::format("{}", from.seed))},
-      {"unshot_fraction", tinygltf::Value(solution.unshot_fraction)},
-      {"seen_error", tinygltf::Value(solution.seen_error)},
-      {"predicted_error", tinygltf::Value(solution.predicted_error)},
-      {"scene_fingerprint", tinygltf::Value(fmt::format("{:016x}", from.scene_fingerprint))},
-  });
+  file.append("/meshes", {{"name", "lit surfaces"}, {"primitives", std::move(primitives)}});
 }
 
 }  // namespace
@@ -116,17 +66,17 @@ tinygltf::Value provenance_of(const Solution& solution, tinygltf::Value light) {
 void export_glb(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                 const SmoothLight& light, const Vec3& up, const ExportOptions& options) {
   const LitMesh mesh(patches, solution, light, options.tone);
-  tinygltf::Model model;
-  model.asset.version = "2.0";
-  model.asset.generator = valid_utf8("Luxel " + solution.provenance.program_version);
-  model.asset.extras = provenance_of(solution, light_of(mesh.curve(), options.program));
-  if (!mesh.parts().empty()) {  // glTF knows no empty mesh
-    model.extensionsUsed = {"KHR_materials_unlit"};
-    model.buffers.emplace_back();
-    add_mesh(model, patches, mesh, profile_of(options.program));
-    add_root(model, lit_root(), up, patches.origin);
+  const auto profile = profile_of(options.program);
+  GltfWriter file;
+  file.put("/asset/generator", valid_utf8("Luxel " + solution.provenance.program_version));
+  file.put("/asset/extras/luxel",
+           light_metadata("vertex", options.program, vertex_light(mesh.curve(), profile), solution));
+  if (!mesh.parts().empty()) {  // glTF allows no empty mesh
+    file.use_extension("KHR_materials_unlit");
+    add_mesh(file, patches, mesh, profile);
+    add_root(file, {{"name", "scene"}, {"mesh", 0}}, up, patches.origin);
   }
-  write_glb(path, model);
+  write_file(path, file.bytes(path.string()));
 }
 
 }  // namespace luxel

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "luxel/core/compact.h"
 #include "luxel/core/error.h"
@@ -16,61 +15,67 @@
 #include "luxel/export/page_mesh.h"
 #include "luxel/export/page_template.h"
 #include "luxel/export/utf8.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
 namespace {
 
-// What the page is told about itself; a change that an older page would misread counts it up.
+// The version of the page's data; increases with each change that an older page would misread.
 constexpr int data_version = 1;
 
-std::string three(const Vec3d& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
+Json three(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-// [{...},{...}] of things that each give a text.
-template <typename Things, typename Text>
-std::string list_of(const Things& things, Text text) {
-  std::vector<std::string> texts;
-  for (const auto& thing : things) texts.push_back(text(thing));
-  return fmt::format("[{}]", fmt::join(texts, ","));
+// The array of what is made of each thing.
+template <typename Things, typename Member>
+Json list_of(const Things& things, Member member) {
+  Json list = Json::array();
+  for (const auto& thing : things) list.push_back(member(thing));
+  return list;
 }
 
-std::string group_names(const PatchSet& patches, std::span<const GroupLight> groups) {
-  if (groups.empty()) return "[\"\"]";
-  return list_of(patches.light_groups, [](const std::string& name) { return page_string(name); });
+Json group_names(const PatchSet& patches, std::span<const GroupLight> groups) {
+  if (groups.empty()) return Json::array({""});
+  return list_of(patches.light_groups, [](const std::string& name) { return valid_utf8(name); });
 }
 
-std::string materials_of(const PatchSet& patches, const BandColours& colours, bool has_groups) {
-  return list_of(patches.materials, [&](const BandMaterial& m) {
+Json materials_of(const PatchSet& patches, const BandColours& colours, bool has_groups) {
+  return list_of(patches.materials, [&](const BandMaterial& m) -> Json {
     const auto reflectance = patches.wavebands.empty() ? colours.rgb(m.reflectance) : Vec3d(1.0);
-    return fmt::format(R"({{"name":{},"reflectance":{},"emittance":{},"group":{},"twoSided":{}}})",
-                       page_string(m.name), three(reflectance), three(colours.rgb(m.emittance)),
-                       has_groups ? m.light_group : 0u, m.two_sided);
+    return {{"name", valid_utf8(m.name)},
+            {"reflectance", three(reflectance)},
+            {"emittance", three(colours.rgb(m.emittance))},
+            {"group", has_groups ? m.light_group : 0u},
+            {"twoSided", m.two_sided}};
   });
 }
 
-std::string parts_of(const PageMesh& mesh) {
-  return list_of(mesh.parts, [](const PagePart& p) {
-    return fmt::format(R"({{"material":{},"backLit":{},"first":{},"count":{}}})", p.material, p.back_is_lit,
-                       p.first, p.count);
+Json parts_of(const PageMesh& mesh) {
+  return list_of(mesh.parts, [](const PagePart& p) -> Json {
+    return {{"material", p.material}, {"backLit", p.back_is_lit}, {"first", p.first}, {"count", p.count}};
   });
 }
 
-std::string made_by(const Solution& solution) {
+Json made_by(const Solution& solution) {
   const auto& from = solution.provenance;
-  return fmt::format(R"({{"luxel":{},"method":{},"rays":{},"error":{},"seenError":{},"meshError":{}}})",
-                     page_string(from.program_version), page_string(from.method), from.rays,
-                     solution.predicted_error, solution.seen_error, solution.mesh_error);
+  return {{"luxel", valid_utf8(from.program_version)},
+          {"method", valid_utf8(from.method)},
+          {"rays", from.rays},
+          {"error", solution.predicted_error},
+          {"seenError", solution.seen_error},
+          {"meshError", solution.mesh_error}};
 }
 
-std::string camera_of(const Camera& camera) {
-  return fmt::format(R"({{"eye":{},"target":{},"up":{},"fov":{}}})", three(camera.eye), three(camera.target),
-                     three(camera.up), camera.vertical_fov);
+Json camera_of(const Camera& camera) {
+  return {{"eye", three(camera.eye)},
+          {"target", three(camera.target)},
+          {"up", three(camera.up)},
+          {"fov", camera.vertical_fov}};
 }
 
-std::string tone_of(const ToneOptions& tone) {
+Json tone_of(const ToneOptions& tone) {
   const auto op = tone.op == ToneOperator::reinhard_local ? ToneOperator::reinhard : tone.op;
-  return fmt::format(R"({{"op":{},"exposure":{},"key":{},"white":{}}})", page_string(name(op)), tone.exposure,
-                     tone.key, tone.white);
+  return {{"op", name(op)}, {"exposure", tone.exposure}, {"key", tone.key}, {"white", tone.white}};
 }
 
 struct Page {
@@ -104,17 +109,24 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
     arrays.add("emitting", ratios.emittance);
   }
 
-  auto about = fmt::format(R"({{"version":{},"title":{},"made":{},"camera":{},"tone":{},"origin":{},)",
-                           data_version, page_string(options.title), made_by(solution),
-                           camera_of(options.camera), tone_of(options.tone), three(patches.origin));
-  about += fmt::format(R"("groups":{},"sky":{},"hasSky":{},"materials":{},"parts":{},"efficacy":{},)",
-                       group_names(patches, groups),
-                       three(patches.has_sky() ? colours.rgb(patches.sky) : Vec3d(0.0)), patches.has_sky(),
-                       materials_of(patches, colours, !groups.empty()), parts_of(mesh), luminous_efficacy);
-  about += fmt::format(R"("light":{{"unit":{},"components":{}}},"errors":{{"largest":{},"perOctave":12}},)"
-                       R"("arrays":[{}]}})",
-                       lit.unit, lit.components, errors.largest, arrays.list());
-  return {std::move(about), base64(deflated(arrays.bytes()))};
+  const Json about = {
+      {"version", data_version},
+      {"title", valid_utf8(options.title)},
+      {"made", made_by(solution)},
+      {"camera", camera_of(options.camera)},
+      {"tone", tone_of(options.tone)},
+      {"origin", three(patches.origin)},
+      {"groups", group_names(patches, groups)},
+      {"sky", three(patches.has_sky() ? colours.rgb(patches.sky) : Vec3d(0.0))},
+      {"hasSky", patches.has_sky()},
+      {"materials", materials_of(patches, colours, !groups.empty())},
+      {"parts", parts_of(mesh)},
+      {"efficacy", luminous_efficacy},
+      {"light", {{"unit", lit.unit}, {"components", lit.components}}},
+      {"errors", {{"largest", errors.largest}, {"perOctave", 12}}},
+      {"arrays", arrays.list()},
+  };
+  return {page_json(about), base64(deflated(arrays.bytes()))};
 }
 
 // The text for HTML.
@@ -147,7 +159,7 @@ void export_page(const std::filesystem::path& path, const PatchSet& patches, con
                  const SmoothLight& light, std::span<const GroupLight> groups, const PageOptions& options) {
   if (const auto why = page_is_missing(); !why.empty()) throw DeviceError(path.string() + ": " + why);
   if (light.corners.size() != patches.size() ||
-      solution.irradiance_back.size() != patches.size() * patches.band_count())
+      solution.irradiance.back.size() != patches.size() * patches.band_count())
     throw MismatchError("the light is not of these patches: smooth the light of this scene");
   if (!groups.empty() && groups.size() != patches.group_count())
     throw MismatchError(

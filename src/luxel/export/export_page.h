@@ -27,7 +27,7 @@ struct PageOptions {
 
 // One HTML file that shows the lit scene in any browser with WebGL 2, from disk, without a network: to orbit
 // and walk, with exposure, tone curves, a slider for each group of lamps, false colours and a probe.
-// docs/sharing.md shows it.
+// docs/html-pages.md shows it.
 //
 // groups: [light group of the patches], their light smoothed with the same options as `light`; or none, where
 // all light is one. Smoothing is not linear to the last per cent, so at each vertex the groups are scaled to

@@ -11,7 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/core/output_file.h"
+#include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/mapped_surfaces.h"
 #include "luxel/export/quantise.h"
@@ -20,10 +22,11 @@
 #include "luxel/export/scene_gltf.h"
 #include "luxel/image/image_file.h"
 #include "luxel/import/gltf_array.h"
-#include "luxel/import/gltf_copy.h"
+#include "luxel/import/gltf_writer.h"
 #include "luxel/import/is_gltf.h"
-#include "luxel/scene/luminous_efficacy.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/back_is_lit.h"
+#include "luxel/surface/vertex_fit.h"
 
 namespace luxel {
 namespace {
@@ -57,10 +60,10 @@ class RoundTripExport {
   // surfaces_of(part): what it becomes. light(part, surface, path): puts the light on a primitive.
   template <typename SurfacesOf, typename Light>
   void put(const SurfacesOf& surfaces_of, const Light& light);
-  void describe(const char* form, const std::string& light);
-  // False, and nothing is written, where the monitor says stop.
-  bool write(const std::filesystem::path& path, const Monitor& monitor) const {
-    if (tell(monitor, {"write", 0.0}) == Next::stop) return false;
+  void describe(const char* form, Json light);
+  // False, and nothing is written, where the monitor stops the work.
+  bool write(const std::filesystem::path& path, const Context& context) const {
+    if (context.report({"write", 0.0}) == Next::stop) return false;
     write_file(path, copy_.bytes(path.string()));
     return true;
   }
@@ -71,7 +74,7 @@ class RoundTripExport {
   // code(pixel): what is written of it. Gives the textures; none after the monitor's stop.
   template <typename Code>
   std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name, const Code& code,
-                                     const Monitor& monitor);
+                                     const Context& context);
   // What a part becomes, and the further texture coordinates of a surface: their number.
   std::vector<RoundTripSurface> surfaces_on(const RoundTripPages& pages, const RoundTripPart& part,
                                             const PageCuts& cuts) const;
@@ -106,7 +109,7 @@ class RoundTripExport {
   PatchesOfTriangles of_triangles_;
   std::vector<bool> back_is_lit_;
   ToneCurve curve_;
-  GltfCopy copy_;
+  GltfWriter copy_;
   RoundTripMaterials materials_;
 };
 
@@ -185,7 +188,7 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
   std::vector<Rgba16> shown;
   std::vector<Vec3> irradiance;
   for (std::size_t v = 0; v < surface.light.size(); ++v) {
-    if (surface.light[v] == RoundTripSurface::no_light) {
+    if (surface.light[v] == none) {
       shown.push_back(quantise(Vec3(0.0f)));
       irradiance.emplace_back(0.0f);
       continue;
@@ -197,27 +200,25 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
     irradiance.push_back(Vec3(colours.rgb(std::span(here, colours.bands()))));
   }
   const auto attributes = path + "/attributes/";
-  copy_.put(attributes + "COLOR_0", fmt::format("{}", copy_.add_colours(shown)));
+  copy_.put(attributes + "COLOR_0", copy_.add_colours(shown));
   if (profile.keeps_irradiance)
-    copy_.put(attributes + "_IRRADIANCE",
-              fmt::format("{}", copy_.add_vectors(std::span<const Vec3>(irradiance))));
+    copy_.put(attributes + "_IRRADIANCE", copy_.add_vectors(std::span<const Vec3>(irradiance)));
   materials_.shadeless(path, part.drawn.primitive["material"]);
 }
 
 template <typename Code>
 std::vector<std::size_t> RoundTripExport::add_pages(const std::vector<Image>& pages, const char* name,
-                                                    const Code& code, const Monitor& monitor) {
+                                                    const Code& code, const Context& context) {
   std::vector<std::size_t> textures;
-  const auto sampler =
-      copy_.append("/samplers", R"({"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071})");
+  const auto sampler = copy_.append(
+      "/samplers", {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}});
   for (std::size_t p = 0; p < pages.size(); ++p) {
     auto page = pages[p];
     for (auto& pixel : page.pixels) pixel = code(pixel);
-    const auto png = png_of(page, {}, monitor);
+    const auto png = png_of(page, {}, context);
     if (png.empty()) return {};
     const auto image = copy_.add_picture(png, "image/png", fmt::format("{} {}", name, p + 1));
-    textures.push_back(
-        copy_.append("/textures", fmt::format(R"({{"source":{},"sampler":{}}})", image, sampler)));
+    textures.push_back(copy_.append("/textures", {{"source", image}, {"sampler", sampler}}));
   }
   return textures;
 }
@@ -232,7 +233,7 @@ std::vector<RoundTripSurface> RoundTripExport::surfaces_on(const RoundTripPages&
   if (surfaces.empty()) return surfaces;
   for (const auto t : part.triangles)
     if (of_triangles_.begin(t) < of_triangles_.end(t)) {
-      surfaces[0].page = pages.atlas.page_of(2 * std::size_t{of_triangles_.begin(t)});
+      surfaces[0].page = pages.atlas.page_of(SideId(of_triangles_.begin(t), false));
       break;
     }
   return surfaces;
@@ -243,7 +244,7 @@ std::size_t RoundTripExport::add_coordinates(const RoundTripPages& pages, const 
                                              const std::string& path) {
   if (pages.as_file_has_it) return 1;
   const auto set = [&](std::size_t n) { return fmt::format("{}/attributes/TEXCOORD_{}", path, n); };
-  const auto accessor = fmt::format("{}", copy_.add_vectors(std::span<const Vec2>(surface.uv)));
+  const auto accessor = copy_.add_vectors(std::span<const Vec2>(surface.uv));
   std::size_t number = 0;
   while (copy_.has(set(number))) ++number;
   if (number == 0) copy_.put(set(number++), accessor);
@@ -257,25 +258,8 @@ void RoundTripExport::put_out_lamps() {
     copy_.erase(fmt::format("/nodes/{}/extensions/KHR_lights_punctual", n));
 }
 
-void RoundTripExport::describe(const char* form, const std::string& light) {
-  const auto& from = input_.solution.provenance;
-  copy_.put("/asset/extras/luxel",
-            fmt::format(R"({{"made_for":"{}","as":"{}","light":{},"method":"{}","rays":{},"seed":"{}",)"
-                        R"("seen_error":{},"predicted_error":{},"scene_fingerprint":"{:016x}"}})",
-                        name(options_.program), form, light, from.method, from.rays, from.seed,
-                        input_.solution.seen_error, input_.solution.predicted_error, from.scene_fingerprint));
-}
-
-std::string vertex_light(const ToneCurve& curve, const ExportProfile& profile) {
-  auto text = fmt::format(
-      R"({{"COLOR_0":{{"quantity":"radiance after the tone curve, over the texture","unit":"1: the display's white",)"
-      R"("encoding":"{}","tone":"{}","scale":{}}})",
-      profile.colours_are_srgb ? "sRGB codes" : "linear sRGB", name(curve.options.op), curve.scale);
-  if (profile.keeps_irradiance)
-    text += fmt::format(R"(,"_IRRADIANCE":{{"quantity":"irradiance","unit":"W/m2 by linear sRGB",)"
-                        R"("radiance":"reflectance * irradiance / pi","lumens_per_watt":{}}})",
-                        luminous_efficacy);
-  return text + "}";
+void RoundTripExport::describe(const char* form, Json light) {
+  copy_.put("/asset/extras/luxel", light_metadata(form, options_.program, std::move(light), input_.solution));
 }
 
 // material(part, surface, path, coordinates): changes the material of a primitive that looks its page up
@@ -340,20 +324,20 @@ void export_round_trip_cut(const std::filesystem::path& path, const RoundTripInp
       [&](const RoundTripScene& round_trip, const RoundTripPart& part) {
         return cut_surfaces(round_trip, part, light);
       },
-      light.irradiance_front, light.irradiance_back);
+      light.irradiance.front, light.irradiance.back);
 }
 
 void export_round_trip_uncut(const std::filesystem::path& path, const RoundTripInput& input,
                              const VertexFit& fit, const RoundTripOptions& options) {
-  export_vertices(path, input, options, uncut_surfaces, fit.irradiance_front, fit.irradiance_back);
+  export_vertices(path, input, options, uncut_surfaces, fit.irradiance.front, fit.irradiance.back);
 }
 
 bool export_round_trip_lightmap(const std::filesystem::path& path, const RoundTripInput& input,
                                 const RoundTripPages& pages, const RoundTripOptions& options,
-                                const Monitor& monitor) {
+                                const Context& context) {
   RoundTripExport output(input, options);
   const auto code = [&](const Vec3& irradiance) { return irradiance / pages.white; };
-  const auto textures = output.add_pages(pages.pages, "lightmap", code, monitor);
+  const auto textures = output.add_pages(pages.pages, "lightmap", code, context);
   if (textures.empty()) return false;
   const auto scale = output.curve().scale;
   const auto colours = input.patches.colours();
@@ -365,20 +349,15 @@ bool export_round_trip_lightmap(const std::filesystem::path& path, const RoundTr
                                              set, scale * pages.white, scale * own);
             });
   output.put_out_lamps();
-  output.describe(
-      "lightmap",
-      fmt::format(R"({{"quantity":"irradiance / white","encoding":"sRGB codes","white_W_per_m2":{},)"
-                  R"("radiance":"reflectance * irradiance / pi","intensity":"white * scale","scale":{},)"
-                  R"("lumens_per_watt":{}}})",
-                  pages.white, scale, luminous_efficacy));
-  return output.write(path, monitor);
+  output.describe("lightmap", lightmap_light(pages.white, scale));
+  return output.write(path, context);
 }
 
 bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTripInput& input,
                                 const RoundTripPages& pages, const RoundTripOptions& options,
-                                const Monitor& monitor) {
+                                const Context& context) {
   RoundTripExport output(input, options);
-  const auto textures = output.add_pages(pages.pages, "light", output.curve(), monitor);
+  const auto textures = output.add_pages(pages.pages, "light", output.curve(), context);
   if (textures.empty()) return false;
   put_pages(output, pages,
             [&](const RoundTripPart& part, const RoundTripSurface& surface, const std::string& place,
@@ -386,12 +365,8 @@ bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTr
               output.materials().shining(place, part.drawn.primitive["material"], textures[surface.page],
                                          set);
             });
-  output.describe(
-      "emissive",
-      fmt::format(R"({{"quantity":"radiance after the tone curve","unit":"1: the display's white",)"
-                  R"("encoding":"sRGB codes","tone":"{}","scale":{}}})",
-                  name(output.curve().options.op), output.curve().scale));
-  return output.write(path, monitor);
+  output.describe("emissive", emissive_light(output.curve()));
+  return output.write(path, context);
 }
 
 }  // namespace luxel

@@ -15,12 +15,12 @@ namespace {
 
 void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light) {
   const auto values = patches.size() * solution.bands.size();
-  if (solution.bands != patches.bands || solution.radiosity_front.size() != values ||
-      solution.radiosity_back.size() != values || solution.irradiance_back.size() != values)
+  if (solution.bands != patches.bands || solution.radiosity.front.size() != values ||
+      solution.radiosity.back.size() != values || solution.irradiance.back.size() != values)
     throw MismatchError(
         fmt::format("the solution has {} radiosities but the patches need {}: it was not "
                     "made from this scene; solve it again",
-                    solution.radiosity_front.size(), values));
+                    solution.radiosity.front.size(), values));
   if (light.corners.size() != patches.size())
     throw MismatchError(
         fmt::format("the smooth light has {} patches but the scene has {}: smooth the light "
@@ -79,8 +79,8 @@ ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const Ton
     areas.push_back(patches.area[patch]);
   };
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    add(solution.radiosity_front, p);
-    if (back_is_lit(solution, p)) add(solution.radiosity_back, p);
+    add(solution.radiosity.front, p);
+    if (back_is_lit(solution, p)) add(solution.radiosity.back, p);
   }
   return fit_curve(radiance, areas, tone);
 }
@@ -92,14 +92,15 @@ LitMesh::LitMesh(const PatchSet& patches, const Solution& solution, const Smooth
   curve_ = curve_for(patches, solution, tone);
   std::vector<std::uint32_t> number(light.size(), unnumbered);
   const auto sides = patches_by_side(patches, solution);
-  for (std::size_t side = 0; side < sides.size(); ++side)
-    if (!sides[side].empty())
-      parts_.push_back(part_of(patches, sides[side], light, side / 2, side % 2 == 1, number));
+  for (std::size_t m = 0; m < patches.materials.size(); ++m)
+    for (const bool back : {false, true})
+      if (const auto& members = sides[2 * m + (back ? 1 : 0)]; !members.empty())
+        parts_.push_back(part_of(patches, members, light, m, back, number));
 }
 
 LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
   const auto s = part.smooth[i];
-  const auto& irradiance = part.back ? light_.irradiance_back : light_.irradiance_front;
+  const auto& irradiance = light_.irradiance.of(part.back);
   LitVertex v{};
   v.position = patches_.vertices[light_.vertex[s]];
   v.normal = part.back ? -light_.normal[s] : light_.normal[s];

@@ -8,6 +8,7 @@
 
 #include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/surface/vertex_texture_ratios.h"
@@ -23,7 +24,7 @@ struct LitPart {
   VertexTextureRatios ratios;                           // of the vertices
 };
 
-// What a vertex of a part shows.
+// The attributes of a vertex of a part.
 struct LitVertex {
   Vec3 position;    // m, counted from the patches' origin
   Vec3 normal;      // unit
@@ -45,7 +46,7 @@ class LitMesh {
   // fell on it.
   const std::vector<LitPart>& parts() const { return parts_; }
   LitVertex vertex(const LitPart& part, std::size_t i) const;
-  // What made the colours of radiance.
+  // The tone mapping from radiance to the colours.
   const ToneCurve& curve() const { return curve_; }
 
  private:

@@ -6,22 +6,24 @@
 #include <utility>
 
 #include "luxel/core/barycentric.h"
+#include "luxel/core/none.h"
 #include "luxel/export/cut_along_edges.h"
 #include "luxel/export/surface_maker.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
 
 // Where the triangle's corners come to lie on a chart that has all of it: what its largest patch says, for
 // charts are flat.
-std::array<Vec2, 3> whole_uv(const RoundTripScene& round_trip, std::uint32_t triangle,
-                             std::size_t side_of_first, const Atlas& atlas) {
+std::array<Vec2, 3> whole_uv(const RoundTripScene& round_trip, std::uint32_t triangle, bool back,
+                             const Atlas& atlas) {
   const auto& area = round_trip.patches.area;
   const auto begin = round_trip.of_triangles.begin(triangle), end = round_trip.of_triangles.end(triangle);
   auto largest = begin;
   for (auto p = begin; p < end; ++p)
     if (area[p] > area[largest]) largest = p;
-  const auto side = 2 * std::size_t{largest} + side_of_first;
+  const SideId side(largest, back);
   const auto points = round_trip.patches.points(largest);
   std::array<Vec2, 3> uv{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -39,13 +41,13 @@ class PagedSurfaces {
                 const PageCuts& cuts)
       : round_trip_(round_trip), part_(part), atlas_(atlas), cuts_(cuts) {}
 
-  void add(std::size_t i, std::size_t back) {
+  void add(std::size_t i, bool back) {
     const auto t = part_.triangles[i];
     const auto begin = round_trip_.of_triangles.begin(t), end = round_trip_.of_triangles.end(t);
     if (begin == end) return;
     if (cuts_.is_cut(t))
       for (auto p = begin; p < end; ++p) add_patch(i, p, back);
-    else if (const auto chart = atlas_.chart_of[2 * std::size_t{begin} + back]; chart != Charts::none)
+    else if (const auto chart = atlas_.chart_of[SideId(begin, back).index()]; chart != none)
       add_whole(i, chart, back);
   }
 
@@ -93,11 +95,11 @@ class PagedSurfaces {
           chart, back);
   }
 
-  void add_patch(std::size_t i, std::uint32_t patch, std::size_t back) {
-    const auto side = 2 * std::size_t{patch} + back;
+  void add_patch(std::size_t i, std::uint32_t patch, bool back) {
+    const SideId side(patch, back);
     if (!atlas_.has(side)) return;
     add(corners_of_patch(round_trip_, part_, i, patch),
-        {atlas_.uv(side, 0), atlas_.uv(side, 1), atlas_.uv(side, 2)}, atlas_.chart_of[side], back);
+        {atlas_.uv(side, 0), atlas_.uv(side, 1), atlas_.uv(side, 2)}, atlas_.chart_of[side.index()], back);
   }
 
   void add(std::array<DrawnCorner, 3> corners, const std::array<Vec2, 3>& uv, std::uint32_t chart,
@@ -128,8 +130,8 @@ PageCuts::PageCuts(const RoundTripScene& round_trip, const Atlas& atlas)
   for (std::uint32_t t = 0; t < is_cut_.size(); ++t) {
     const auto begin = round_trip.of_triangles.begin(t), end = round_trip.of_triangles.end(t);
     for (auto p = begin; p < end; ++p)
-      for (const std::size_t back : {0, 1})
-        if (atlas.chart_of[2 * std::size_t{p} + back] != atlas.chart_of[2 * std::size_t{begin} + back])
+      for (const bool back : {false, true})
+        if (atlas.chart_of[SideId(p, back).index()] != atlas.chart_of[SideId(begin, back).index()])
           is_cut_[t] = true;
     if (!is_cut_[t]) continue;
     for (auto p = begin; p < end; ++p)

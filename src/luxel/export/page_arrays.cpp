@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "luxel/export/utf8.h"
-
 namespace luxel {
 
 static_assert(std::endian::native == std::endian::little, "a page's numbers are little-endian, as ours are");
@@ -32,20 +30,17 @@ void PageArrays::append(std::string_view name, std::string_view type, const void
   const auto* bytes = static_cast<const char*>(from);
   for (std::size_t b = 0; b < size; ++b)
     for (std::size_t i = 0; i < count; ++i) bytes_ += bytes[i * size + b];
-  list_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}\",\"count\":{}}}", list_.empty() ? "" : ",", name,
-                       type, count);
+  list_.push_back({{"name", name}, {"type", type}, {"count", count}});
 }
 
-std::string page_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : valid_utf8(text)) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\' || c == '<' || c == '>' || c == '&' || code < 0x20)
-      out += fmt::format("\\u{:04x}", code);
+std::string page_json(const Json& value) {
+  std::string text;
+  for (const char c : json_text(value))  // outside of strings, JSON has none of these
+    if (c == '<' || c == '>' || c == '&')
+      text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
     else
-      out += c;
-  }
-  return out + '"';
+      text += c;
+  return text;
 }
 
 }  // namespace luxel

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "luxel/core/half.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/scene/luminous_efficacy.h"
 #include "luxel/surface/vertex_texture_ratios.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr float largest_half = 32768.0f;  // what the brightest light is preserved as: far from a half's end
 
 const std::vector<float>& irradiance_of(const SmoothLight& light, bool back) {
-  return back ? light.irradiance_back : light.irradiance_front;
+  return light.irradiance.of(back);
 }
 
 // The shares of the page's vertices; of its triangles, for nothing else knows where a vertex lies.
@@ -136,7 +137,7 @@ PageErrors make_page_errors(const PatchSet& patches, const PageMesh& mesh, const
   for (const auto& g : groups) layers.push_back(&g.solution);
   std::vector<double> errors;
   for (const auto* layer : layers)
-    for (const auto* side : {&layer->standard_error_front, &layer->standard_error_back})
+    for (const auto* side : {&layer->standard_error.front, &layer->standard_error.back})
       for (const auto patch : mesh.patch)
         errors.push_back(side->empty() ? 0.0 : lux_error(colours, *side, patch));
   PageErrors page;

@@ -24,9 +24,9 @@ struct PageLight {
 PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const SmoothLight& light,
                           std::span<const GroupLight> groups);
 
-// What textures, or the colours of corners, make of a material at the page's vertices, times the material's
-// own, in halves: [vertex][red, green, blue]. Empty where nothing of the scene has any. Of light by
-// wavelength the reflectance is in the light already, and here 1.
+// Reflectance at the page's vertices by textures, or the colours of corners, relative to the material's own,
+// in halves: [vertex][red, green, blue]. Empty where the scene has neither. For light by wavelength the light
+// includes the reflectance already, and this is 1.
 struct PageTextureRatios {
   std::vector<std::uint16_t> reflectance, emittance;
 };

@@ -19,8 +19,8 @@ struct PagePart {
   std::size_t first = 0, count = 0;  // triangles
 };
 
-// What a page draws. A triangle is a patch and has both sides; vertices are not shared by materials, so that
-// each may hold what only its material makes of the light.
+// The mesh that a page draws. A triangle is a patch and has both sides; vertices are not shared by materials,
+// so that each may hold the light of its own material.
 struct PageMesh {
   struct Vertex {
     std::uint32_t smooth;  // index into SmoothLight

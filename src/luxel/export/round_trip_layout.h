@@ -13,10 +13,10 @@ namespace luxel {
 // The set of texture coordinates that lightmaps are looked up by, as programs have it.
 inline constexpr const char* lightmap_coordinates = "TEXCOORD_1";
 
-// What the scene's glTF file says of its lightmap: second texture coordinates of all that is opaque. On one
-// page where nothing overlaps, else on a page for each node. Nothing where it cannot be used; `why` says so
-// in half a sentence, and nothing where the file has none. metres_per_unit: as it was loaded. Throws
-// InputError where the file is damaged.
+// Returns the lightmap layout of the scene's glTF file: second texture coordinates of all opaque surfaces. On
+// one page where nothing overlaps, else on a page for each node. Returns nothing where it cannot be used;
+// `why` then has the reason as half a sentence, and is empty where the file has no layout. metres_per_unit:
+// as it was loaded. Throws InputError where the file is damaged.
 std::optional<GivenLayout> round_trip_layout(const Scene& scene, const PatchSet& patches,
                                              double metres_per_unit, std::string& why);
 

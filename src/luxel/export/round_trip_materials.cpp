@@ -17,8 +17,8 @@ constexpr auto no_texture = std::numeric_limits<std::size_t>::max();
 constexpr const char* older = "/extensions/KHR_materials_pbrSpecularGlossiness";
 constexpr const char* base = "/pbrMetallicRoughness";
 
-std::string texture_info(std::size_t texture, std::size_t coordinates) {
-  return fmt::format(R"({{"index":{},"texCoord":{}}})", texture, coordinates);
+Json texture_info(std::size_t texture, std::size_t coordinates) {
+  return {{"index", texture}, {"texCoord", coordinates}};
 }
 
 }  // namespace
@@ -38,10 +38,9 @@ std::optional<std::string> RoundTripMaterials::changed_for(const std::string& pa
       // The colour that the light was solved with; what says nothing of itself would be a mirror.
       const auto grey = Material().reflectance;
       found->second = copy_.append(
-          "/materials",
-          fmt::format(
-              R"({{"name":"none","pbrMetallicRoughness":{{"baseColorFactor":[{},{},{},1],"metallicFactor":0}}}})",
-              grey.r, grey.g, grey.b));
+          "/materials", {{"name", "none"},
+                         {"pbrMetallicRoughness",
+                          {{"baseColorFactor", {grey.r, grey.g, grey.b, 1}}, {"metallicFactor", 0}}}});
       take_gloss_off(fmt::format("/materials/{}", found->second));
     } else {
       taken_.resize(std::max(taken_.size(), of_file + 1));
@@ -50,7 +49,7 @@ std::optional<std::string> RoundTripMaterials::changed_for(const std::string& pa
       taken_[of_file] = true;
     }
   }
-  copy_.put(path + "/material", fmt::format("{}", found->second));
+  copy_.put(path + "/material", found->second);
   if (!is_new) return std::nullopt;
   return fmt::format("/materials/{}", found->second);
 }
@@ -61,13 +60,13 @@ void RoundTripMaterials::plain_base(const std::string& material) {
   for (const auto& [from, to] :
        {std::pair("/diffuseTexture", "/baseColorTexture"), std::pair("/diffuseFactor", "/baseColorFactor")})
     if (copy_.has(material + older + from)) copy_.put_copy(material + base + to, material + older + from);
-  copy_.put(material + base + "/metallicFactor", "0");
+  copy_.put(material + base + "/metallicFactor", 0);
   copy_.erase(material + older);
 }
 
 // Of a dielectric; a metal is gloss and nothing else.
 void RoundTripMaterials::take_gloss_off(const std::string& material) {
-  copy_.put(material + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
+  copy_.put(material + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
   copy_.use_extension("KHR_materials_specular");
 }
 
@@ -82,9 +81,9 @@ void RoundTripMaterials::colour_base(const std::string& material, int grey, doub
   plain_base(material);
   const auto factor = material + base + "/baseColorFactor";
   const auto alpha = copy_.number_at(factor + "/3", 1.0);
-  copy_.put(factor, fmt::format("[{0},{0},{0},{1}]", grey, alpha));
-  copy_.put(material + base + "/metallicFactor", "0");
-  copy_.put(material + base + "/roughnessFactor", fmt::format("{}", roughness));
+  copy_.put(factor, {grey, grey, grey, alpha});
+  copy_.put(material + base + "/metallicFactor", 0);
+  copy_.put(material + base + "/roughnessFactor", roughness);
 }
 
 void RoundTripMaterials::shadeless(const std::string& path, const JsonValue& index) {
@@ -92,14 +91,14 @@ void RoundTripMaterials::shadeless(const std::string& path, const JsonValue& ind
   if (!material) return;
   colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
   take_extensions_off(*material);  // next to this one the others mean nothing
-  copy_.put(*material + "/extensions/KHR_materials_unlit", "{}");
+  copy_.put(*material + "/extensions/KHR_materials_unlit", Json::object());
   copy_.use_extension("KHR_materials_unlit");
   if (const auto suffix = profile_of(program_).material_suffix; !suffix.empty())
-    copy_.put_text(*material + "/name", fmt::format("{}{}", copy_.text_at(*material + "/name", ""), suffix));
+    copy_.put(*material + "/name", fmt::format("{}{}", copy_.text_at(*material + "/name", ""), suffix));
 }
 
 void RoundTripMaterials::one_sided(const std::string& path) {
-  copy_.put(fmt::format("/materials/{}/doubleSided", copy_.index_at(path + "/material")), "false");
+  copy_.put(fmt::format("/materials/{}/doubleSided", copy_.index_at(path + "/material")), false);
 }
 
 void RoundTripMaterials::lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
@@ -108,7 +107,7 @@ void RoundTripMaterials::lightmapped(const std::string& path, const JsonValue& i
   if (!material) return;
   plain_base(*material);
   copy_.put(*material + "/extensions/MOZ_lightmap",
-            fmt::format(R"({{"index":{},"texCoord":{},"intensity":{}}})", texture, coordinates, intensity));
+            {{"index", texture}, {"texCoord", coordinates}, {"intensity", intensity}});
   copy_.use_extension("MOZ_lightmap");
   if (profile_of(program_).gloss_dims_lightmaps) take_gloss_off(*material);
   const auto most = std::max({emission.r, emission.g, emission.b});
@@ -116,9 +115,8 @@ void RoundTripMaterials::lightmapped(const std::string& path, const JsonValue& i
   // Factors are at most 1, the strength has the rest. With a texture the factor stays, which has the colour.
   const bool textured = copy_.has(*material + "/emissiveTexture");
   const auto colour = textured ? Vec3(1.0f) : emission / most;
-  copy_.put(*material + "/emissiveFactor", fmt::format("[{},{},{}]", colour.r, colour.g, colour.b));
-  copy_.put(*material + "/extensions/KHR_materials_emissive_strength",
-            fmt::format(R"({{"emissiveStrength":{}}})", most));
+  copy_.put(*material + "/emissiveFactor", {colour.r, colour.g, colour.b});
+  copy_.put(*material + "/extensions/KHR_materials_emissive_strength", {{"emissiveStrength", most}});
   copy_.use_extension("KHR_materials_emissive_strength");
 }
 
@@ -134,7 +132,7 @@ void RoundTripMaterials::shining(const std::string& path, const JsonValue& index
   copy_.erase(*material + base + "/metallicRoughnessTexture");
   take_extensions_off(*material);
   take_gloss_off(*material);
-  copy_.put(*material + "/emissiveFactor", "[1,1,1]");
+  copy_.put(*material + "/emissiveFactor", {1, 1, 1});
   copy_.put(*material + "/emissiveTexture", texture_info(texture, coordinates));
 }
 

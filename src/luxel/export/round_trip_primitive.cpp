@@ -48,7 +48,7 @@ Numbers between(const GltfArray& array, const RoundTripVertex& vertex, Kind kind
   return sum;
 }
 
-std::size_t add(GltfCopy& copy, const std::vector<float>& values, int components, Kind kind) {
+std::size_t add(GltfWriter& copy, const std::vector<float>& values, int components, Kind kind) {
   if (kind == Kind::joints) {
     std::vector<std::array<std::uint16_t, 4>> joints(values.size() / 4);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -62,7 +62,7 @@ std::size_t add(GltfCopy& copy, const std::vector<float>& values, int components
 }
 
 // The attributes at `path`, of old and new vertices. vertices: that the part has.
-void extend(GltfCopy& copy, GltfFile& file, const JsonValue& attributes, const RoundTripSurface& surface,
+void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const RoundTripSurface& surface,
             std::size_t vertices, const std::string& path) {
   for (const auto& name : attributes.keys()) {
     const GltfArray array(file, attributes[name], 1, 4);
@@ -82,7 +82,7 @@ void extend(GltfCopy& copy, GltfFile& file, const JsonValue& attributes, const R
     };
     for (const auto v : surface.own) put(numbers_at(array, v));
     for (const auto& vertex : surface.added) put(between(array, vertex, kind));
-    copy.put(path + "/" + name, fmt::format("{}", add(copy, values, array.components(), kind)));
+    copy.put(path + "/" + name, add(copy, values, array.components(), kind));
   }
 }
 
@@ -92,7 +92,7 @@ std::string primitive_path(std::size_t mesh, std::size_t primitive) {
   return fmt::format("/meshes/{}/primitives/{}", mesh, primitive);
 }
 
-std::size_t mesh_of_node(GltfCopy& copy, std::size_t node, std::vector<bool>& taken) {
+std::size_t mesh_of_node(GltfWriter& copy, std::size_t node, std::vector<bool>& taken) {
   const auto place = fmt::format("/nodes/{}/mesh", node);
   const auto mesh = copy.index_at(place);
   if (!taken[mesh]) {
@@ -100,11 +100,11 @@ std::size_t mesh_of_node(GltfCopy& copy, std::size_t node, std::vector<bool>& ta
     return mesh;
   }
   const auto own = copy.append_copy("/meshes", fmt::format("/meshes/{}", mesh));
-  copy.put(place, fmt::format("{}", own));
+  copy.put(place, own);
   return own;
 }
 
-void put_surface(GltfCopy& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
+void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
                  const std::string& path) {
   const auto& primitive = part.drawn.primitive;
   if (surface.back) copy.erase(path + "/attributes/TANGENT");
@@ -114,8 +114,7 @@ void put_surface(GltfCopy& copy, GltfFile& file, const RoundTripPart& part, cons
     extend(copy, file, targets[i], surface, part.vertices, fmt::format("{}/targets/{}", path, i));
   if (surface.as_it_was) return;
   copy.erase(path + "/mode");
-  copy.put(path + "/indices",
-           fmt::format("{}", copy.add_indices(surface.triangles, surface.own.size() + surface.added.size())));
+  copy.put(path + "/indices", copy.add_indices(surface.triangles, surface.own.size() + surface.added.size()));
 }
 
 }  // namespace luxel

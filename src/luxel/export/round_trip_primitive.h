@@ -5,8 +5,8 @@
 #include <string>
 
 #include "luxel/export/round_trip_surfaces.h"
-#include "luxel/import/gltf_copy.h"
 #include "luxel/import/gltf_file.h"
+#include "luxel/import/gltf_writer.h"
 
 namespace luxel {
 
@@ -15,12 +15,12 @@ std::string primitive_path(std::size_t mesh, std::size_t primitive);
 
 // Gives a node a mesh of its own where another one shows it too; returns the mesh. `taken`: [mesh] whether a
 // node has it already.
-std::size_t mesh_of_node(GltfCopy& copy, std::size_t node, std::vector<bool>& taken);
+std::size_t mesh_of_node(GltfWriter& copy, std::size_t node, std::vector<bool>& taken);
 
 // Writes a surface's vertices and triangles to the primitive at `path`, a copy of the part's own: as they
 // were where they are, else with all its attributes, those of new vertices between the old ones'. A back
 // faces the other way.
-void put_surface(GltfCopy& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
+void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
                  const std::string& path);
 
 }  // namespace luxel

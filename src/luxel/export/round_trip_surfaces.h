@@ -19,13 +19,12 @@ struct RoundTripVertex {
 
 // One side of a part as it is to be written. Vertices of the primitive's own come first, then those added.
 struct RoundTripSurface {
-  static constexpr std::uint32_t no_light = 0xffffffffu;
   bool back = false;
   std::uint32_t page = 0;          // of a lightmap
   std::vector<std::uint32_t> own;  // of the primitive's vertices; ascending
   std::vector<RoundTripVertex> added;
   std::vector<std::array<std::uint32_t, 3>> triangles;  // as the file winds them
-  std::vector<std::uint32_t> light;  // [vertex]: a vertex of SmoothLight, or of the scene, or no_light
+  std::vector<std::uint32_t> light;  // [vertex]: a vertex of SmoothLight, or of the scene, or none
   std::vector<Vec2> uv;              // [vertex]: on the lightmap
   bool has_all_own = true;           // whether triangles use them or not: their arrays may stay as they are
   bool as_it_was = false;            // the primitive's own vertices and triangles, in their order
@@ -43,7 +42,7 @@ class PatchesOfTriangles {
   std::vector<std::uint32_t> begin_;
 };
 
-// What stands still while parts are cut.
+// Data that does not change while parts are cut.
 struct RoundTripScene {
   const Scene& scene;
   const PatchSet& patches;

@@ -9,67 +9,54 @@
 
 #include <fmt/format.h>
 
+#include "luxel/export/unlit_mesh.h"
 #include "luxel/export/utf8.h"
-#include "luxel/export/y_up.h"
 #include "luxel/image/image_file.h"
-#include "luxel/import/gltf_copy.h"
+#include "luxel/import/gltf_writer.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
 namespace {
 
-constexpr const char* empty_file = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}]})";
-
-std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
+Json numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 class SceneWriter {
  public:
-  explicit SceneWriter(const Scene& scene)
-      : scene_(scene), file_(empty_file, "scene.gltf", {}), copy_(file_) {}
+  explicit SceneWriter(const Scene& scene) : scene_(scene) {}
 
   SceneGltf write(const Vec3& up) {
-    add_root(up);
+    add_root(file_, {{"name", "scene"}}, up, scene_.origin);
     for (const auto& material : scene_.materials) add_material(material);
     add_objects();
-    return {copy_.bytes(scene_.source), std::move(order_)};
+    return {file_.bytes(scene_.source), std::move(order_)};
   }
 
  private:
   // By object and material.
   using Groups = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<std::uint32_t>>;
 
-  void add_root(const Vec3& up) {
-    copy_.append("/nodes", R"({"name":"scene"})");
-    const auto rotation = turn_to_y_up(up);
-    if (!rotation.empty())
-      copy_.put("/nodes/0/rotation",
-                fmt::format("[{},{},{},{}]", rotation[0], rotation[1], rotation[2], rotation[3]));
-    if (scene_.origin == Vec3d(0.0)) return;
-    const auto at = turned(rotation, scene_.origin);
-    copy_.put("/nodes/0/translation", fmt::format("[{},{},{}]", at.x, at.y, at.z));
-  }
-
   void add_material(const Material& material) {
     const auto& textures = material.textures;
-    const auto number = copy_.append("/materials", "{}");
+    const auto number = file_.append("/materials", Json::object());
     const auto path = fmt::format("/materials/{}", number);
-    copy_.put_text(path + "/name", valid_utf8(material.name));
-    copy_.put(path + "/doubleSided", material.two_sided ? "true" : "false");
+    file_.put(path + "/name", valid_utf8(material.name));
+    file_.put(path + "/doubleSided", material.two_sided);
     const auto base = textures.reflectance ? textures.reflectance_factor : material.reflectance;
     // Where light passes as if it were not there, it is not to be seen either.
-    copy_.put(path + "/pbrMetallicRoughness",
-              fmt::format(R"({{"baseColorFactor":[{},{},{},{}],"metallicFactor":0,"roughnessFactor":1}})",
-                          base.r, base.g, base.b, material.opaque ? 1 : 0));
+    file_.put(path + "/pbrMetallicRoughness",
+              {{"baseColorFactor", {base.r, base.g, base.b, material.opaque ? 1 : 0}},
+               {"metallicFactor", 0},
+               {"roughnessFactor", 1}});
     if (const auto picture = textures.reflectance ? textures.reflectance : textures.cutout)
-      copy_.put(path + "/pbrMetallicRoughness/baseColorTexture", texture_of(*picture));
+      file_.put(path + "/pbrMetallicRoughness/baseColorTexture", texture_of(*picture));
     if (textures.cutout) {
-      copy_.put_text(path + "/alphaMode", "MASK");
-      copy_.put(path + "/alphaCutoff", fmt::format("{}", textures.cutout_threshold));
+      file_.put(path + "/alphaMode", "MASK");
+      file_.put(path + "/alphaCutoff", textures.cutout_threshold);
     }
-    if (!material.opaque) copy_.put_text(path + "/alphaMode", "BLEND");
+    if (!material.opaque) file_.put(path + "/alphaMode", "BLEND");
     // Luxel's surfaces are diffuse; glTF's have a gloss that takes its share of the light.
-    copy_.put(path + "/extensions/KHR_materials_specular", R"({"specularFactor":0})");
-    copy_.use_extension("KHR_materials_specular");
+    file_.put(path + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
+    file_.use_extension("KHR_materials_specular");
     add_emission(material, path);
   }
 
@@ -79,29 +66,26 @@ class SceneWriter {
                       (textures.emittance ? textures.emittance_factor : material.emittance);
     const auto most = std::max({nits.r, nits.g, nits.b});
     if (!(most > 0.0f)) return;
-    copy_.put(path + "/emissiveFactor", numbers(nits / most));
-    copy_.put(path + "/extensions/KHR_materials_emissive_strength",
-              fmt::format(R"({{"emissiveStrength":{}}})", most));
-    copy_.use_extension("KHR_materials_emissive_strength");
-    if (textures.emittance) copy_.put(path + "/emissiveTexture", texture_of(*textures.emittance));
+    file_.put(path + "/emissiveFactor", numbers(nits / most));
+    file_.put(path + "/extensions/KHR_materials_emissive_strength", {{"emissiveStrength", most}});
+    file_.use_extension("KHR_materials_emissive_strength");
+    if (textures.emittance) file_.put(path + "/emissiveTexture", texture_of(*textures.emittance));
   }
 
   // A texture with its wrapping; its place on the surface is in the coordinates already.
-  std::string texture_of(const TextureUse& use) {
+  Json texture_of(const TextureUse& use) {
     const auto key = std::tuple(use.texture, use.wrap[0], use.wrap[1]);
     const auto [found, is_new] = textures_.try_emplace(key, 0);
     if (is_new) {
       const auto [image, is_first] = images_.try_emplace(use.texture, 0);
       const auto& texture = scene_.textures[use.texture];
       if (is_first)
-        image->second = copy_.add_picture(png_of(*texture.raster), "image/png", valid_utf8(texture.name));
-      const auto sampler = copy_.append(
-          "/samplers",
-          fmt::format(R"({{"wrapS":{},"wrapT":{}}})", wrap_code(use.wrap[0]), wrap_code(use.wrap[1])));
-      found->second =
-          copy_.append("/textures", fmt::format(R"({{"source":{},"sampler":{}}})", image->second, sampler));
+        image->second = file_.add_picture(png_of(*texture.raster), "image/png", valid_utf8(texture.name));
+      const auto sampler =
+          file_.append("/samplers", {{"wrapS", wrap_code(use.wrap[0])}, {"wrapT", wrap_code(use.wrap[1])}});
+      found->second = file_.append("/textures", {{"source", image->second}, {"sampler", sampler}});
     }
-    return fmt::format(R"({{"index":{}}})", found->second);
+    return {{"index", found->second}};
   }
 
   static int wrap_code(Wrap wrap) {
@@ -120,18 +104,18 @@ class SceneWriter {
     for (const auto& [key, triangles] : groups) {
       if (object != key.first) {
         object = key.first;
-        mesh = copy_.append("/meshes", R"({"primitives":[]})");
-        const auto node = copy_.append("/nodes", fmt::format(R"({{"mesh":{}}})", mesh));
-        copy_.put_text(fmt::format("/nodes/{}/name", node), valid_utf8(names[*object]));
-        copy_.append("/nodes/0/children", fmt::format("{}", node));
+        mesh = file_.append("/meshes", {{"primitives", Json::array()}});
+        const auto node = file_.append("/nodes", {{"mesh", mesh}});
+        file_.put(fmt::format("/nodes/{}/name", node), valid_utf8(names[*object]));
+        file_.append("/nodes/0/children", node);
       }
-      copy_.append(fmt::format("/meshes/{}/primitives", mesh), primitive_of(triangles, key.second));
+      file_.append(fmt::format("/meshes/{}/primitives", mesh), primitive_of(triangles, key.second));
       order_.insert(order_.end(), triangles.begin(), triangles.end());
     }
   }
 
   // Vertices of the scene are split where a texture is.
-  std::string primitive_of(const std::vector<std::uint32_t>& triangles, std::size_t material) {
+  Json primitive_of(const std::vector<std::uint32_t>& triangles, std::size_t material) {
     const auto& textures = scene_.materials[material].textures;
     const auto use = textures.reflectance ? textures.reflectance
                      : textures.cutout    ? textures.cutout
@@ -154,18 +138,16 @@ class SceneWriter {
         if (!scene_.corner_colours.empty()) tints.push_back(scene_.corner_colours[t][c]);
       }
     }
-    auto attributes = fmt::format(R"("POSITION":{})", copy_.add_positions(positions));
-    if (use)
-      attributes += fmt::format(R"(,"TEXCOORD_0":{})", copy_.add_vectors(std::span<const Vec2>(places)));
-    if (!tints.empty())
-      attributes += fmt::format(R"(,"COLOR_0":{})", copy_.add_vectors(std::span<const Vec3>(tints)));
-    return fmt::format(R"({{"attributes":{{{}}},"indices":{},"material":{}}})", attributes,
-                       copy_.add_indices(corners, positions.size()), material);
+    Json attributes = {{"POSITION", file_.add_positions(positions)}};
+    if (use) attributes["TEXCOORD_0"] = file_.add_vectors(std::span<const Vec2>(places));
+    if (!tints.empty()) attributes["COLOR_0"] = file_.add_vectors(std::span<const Vec3>(tints));
+    return {{"attributes", std::move(attributes)},
+            {"indices", file_.add_indices(corners, positions.size())},
+            {"material", material}};
   }
 
   const Scene& scene_;
-  GltfFile file_;
-  GltfCopy copy_;
+  GltfWriter file_;
   std::map<std::tuple<std::uint32_t, Wrap, Wrap>, std::size_t> textures_;
   std::map<std::uint32_t, std::size_t> images_;
   std::vector<std::uint32_t> order_;

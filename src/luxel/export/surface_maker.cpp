@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "luxel/core/barycentric.h"
+#include "luxel/core/none.h"
 
 namespace luxel {
 namespace {
 
 constexpr double on_edge = 1e-5;  // weights below are those of points on an edge
-constexpr auto no_light = RoundTripSurface::no_light;
 
 DrawnCorner own_corner(std::uint32_t vertex) {
   return {.place = {{vertex, vertex, vertex}, {1.0, 0.0, 0.0}}};
@@ -91,7 +91,7 @@ SurfaceMaker::SurfaceMaker(const RoundTripPart& part, bool back, std::uint32_t p
   surface_.page = page;
   surface_.own.resize(part.vertices);
   std::iota(surface_.own.begin(), surface_.own.end(), 0u);
-  surface_.light.resize(part.vertices, no_light);
+  surface_.light.resize(part.vertices, none);
   surface_.uv.resize(part.vertices, Vec2(0.0f));
 }
 
@@ -147,10 +147,10 @@ void SurfaceMaker::keep_only(const std::vector<std::uint32_t>& used) {
 // A vertex of the file keeps the first light that it is given; for another there is another vertex.
 std::uint32_t SurfaceMaker::vertex(const DrawnCorner& corner) {
   const auto& place = corner.place;
-  const bool is_own = corner.point == DrawnCorner::none;
+  const bool is_own = corner.point == none;
   if (is_own) {
     auto& light = surface_.light[place.of[0]];
-    if (light == no_light) {
+    if (light == none) {
       light = corner.light;
       surface_.uv[place.of[0]] = corner.uv;
     }

@@ -8,16 +8,16 @@
 #include <tuple>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/export/round_trip_surfaces.h"
 
 namespace luxel {
 
 // A corner of what is drawn: where it lies in its triangle of the file, and what light it has.
 struct DrawnCorner {
-  static constexpr std::uint32_t none = 0xffffffffu;
   RoundTripVertex place;
   std::uint32_t point = none;  // a vertex of the patches; none: a corner of the triangle
-  std::uint32_t light = RoundTripSurface::no_light;
+  std::uint32_t light = none;
   Vec2 uv{0.0f};
 };
 

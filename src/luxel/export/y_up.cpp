@@ -23,6 +23,14 @@ std::vector<double> turn_to_y_up(const Vec3& up) {
   return {axis.x / norm, axis.y / norm, axis.z / norm, w / norm};
 }
 
+void turn_node_y_up(Json& node, const Vec3& up, const Vec3d& origin) {
+  const auto rotation = turn_to_y_up(up);
+  if (!rotation.empty()) node["rotation"] = rotation;
+  if (origin == Vec3d(0.0)) return;
+  const auto at = turned(rotation, origin);
+  node["translation"] = {at.x, at.y, at.z};
+}
+
 Vec3d turned(const std::vector<double>& rotation, const Vec3d& p) {
   if (rotation.empty()) return p;
   const Vec3d axis(rotation[0], rotation[1], rotation[2]);

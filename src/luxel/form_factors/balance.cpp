@@ -4,22 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "luxel/core/conjugate_gradients.h"
+
 namespace luxel {
 namespace {
 
 constexpr std::size_t rows_per_chunk = 256;
 constexpr int max_steps = 60;
-constexpr int max_iterations = 400;  // of conjugate gradients a step
+constexpr int max_iterations = 400;  // of conjugate gradients per Newton step
 constexpr int max_halvings = 20;
-constexpr double enough = 2e-13;  // of a row's area
+constexpr double enough = 2e-13;  // largest residual of a row, relative to its area
 constexpr double inner_tolerance = 1e-3;
 
 using Vector = std::vector<double>;
 
 class Newton {
  public:
-  Newton(ExchangeAreas& areas, std::span<const double> area, const Workers& workers, const Monitor& monitor)
-      : areas_(areas), area_(area), workers_(workers), monitor_(monitor), diagonal_(areas.size()) {}
+  Newton(ExchangeAreas& areas, std::span<const double> area, const Context& context)
+      : areas_(areas), area_(area), context_(context), diagonal_(areas.size()) {}
 
   Balance solve() {
     const auto n = areas_.size();
@@ -28,7 +30,7 @@ class Newton {
     first_ = best.worst;
     for (int step = 1; step <= max_steps && best.worst > enough && !is_stopped_; ++step) {
       const auto direction = towards(r);
-      // Whole steps but where pieces change: then halves.
+      // Full steps, except where the set of active constraints changes: then the step is halved.
       bool is_better = false;
       double fraction = 1.0;
       for (int h = 0; h < max_halvings && !is_better && !is_stopped_; ++h, fraction *= 0.5) {
@@ -51,12 +53,12 @@ class Newton {
  private:
   template <typename Body>
   void for_rows(Body body) const {
-    workers_.for_chunks(areas_.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(areas_.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) body(i);
     });
   }
   double dot(const Vector& a, const Vector& b) const {
-    return ordered_sum(workers_, a.size(), [&](std::size_t i) { return a[i] * b[i]; });
+    return ordered_sum(context_, a.size(), [&](std::size_t i) { return a[i] * b[i]; });
   }
   double worst(const Vector& r) const {
     double most = 0.0;
@@ -64,15 +66,16 @@ class Newton {
     return most;
   }
 
-  // One more pass: some tenths of a second for a hundred million areas.
+  // One more pass over the areas: some tenths of a second per hundred million.
   void count_pass(double worst_left) {
     ++passes_;
-    // Digits won of those wanted.
+    // Fraction of the required digits that is reached.
     const auto done = worst_left < first_ ? std::log(worst_left / first_) / std::log(enough / first_) : 0.0;
-    if (tell(monitor_, {"enforce", std::min(done, 1.0)}) == Next::stop) is_stopped_ = true;
+    if (context_.report({"enforce", std::min(done, 1.0)}) == Next::stop) is_stopped_ = true;
   }
 
-  // What each row lacks, m². Notes which areas are held at 0, and the diagonal of the derivative.
+  // The residual of each row, m². Also marks the areas that are held at 0, and computes the diagonal of the
+  // derivative.
   Vector residual(const Vector& m) {
     Vector r(m.size());
     for_rows([&](std::size_t i) {
@@ -115,48 +118,34 @@ class Newton {
 
   Vector towards(const Vector& r) {
     const auto n = r.size();
-    Vector x(n, 0.0), left = r, z(n), p(n), applied(n);
-    const auto precondition = [&] {
-      for (std::size_t i = 0; i < n; ++i) z[i] = diagonal_[i] > 0.0 ? left[i] / diagonal_[i] : 0.0;
+    Vector x(n, 0.0);
+    const auto precondition = [&](const Vector& v, Vector& result) {
+      for (std::size_t i = 0; i < n; ++i) result[i] = diagonal_[i] > 0.0 ? v[i] / diagonal_[i] : 0.0;
     };
-    precondition();
-    p = z;
-    auto rz = dot(left, z);
-    const auto goal = inner_tolerance * inner_tolerance * rz;
-    for (int k = 0; k < max_iterations && rz > goal && !is_stopped_; ++k) {
-      apply(p, applied);
-      const auto curvature = dot(p, applied);
-      if (!(curvature > 0.0)) break;
-      const auto length = rz / curvature;
-      for (std::size_t i = 0; i < n; ++i) {
-        x[i] += length * p[i];
-        left[i] -= length * applied[i];
-      }
-      precondition();
-      const auto next = dot(left, z);
-      for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + (next / rz) * p[i];
-      rz = next;
-      count_pass(worst(left));
-    }
+    conjugate_gradients(x, r, {max_iterations, inner_tolerance * inner_tolerance},
+                        LinearSystem{[&](const Vector& v, Vector& result) { apply(v, result); }, precondition,
+                                     [&](const Vector& a, const Vector& b) { return dot(a, b); }},
+                        [&](int, const Vector& left) {
+                          count_pass(worst(left));
+                          return !is_stopped_;
+                        });
     return x;
   }
 
   ExchangeAreas& areas_;
   std::span<const double> area_;
-  const Workers& workers_;
-  const Monitor& monitor_;
+  const Context& context_;
   // At the point of the last residual.
   Vector diagonal_, sinks_at_;
-  double first_ = 0.0;  // what rows lacked at first
+  double first_ = 0.0;  // the residual at the start
   int passes_ = 0;
   bool is_stopped_ = false;
 };
 
 }  // namespace
 
-Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Workers& workers,
-                     const Monitor& monitor) {
-  return Newton(areas, area, workers, monitor).solve();
+Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Context& context) {
+  return Newton(areas, area, context).solve();
 }
 
 }  // namespace luxel

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/form_factors/exchange_areas.h"
 
 namespace luxel {
@@ -24,8 +24,7 @@ struct Balance {
 // functions that are smooth in pieces (Qi and Sun 1993); its equations, sparse and positive, by conjugate
 // gradients with the diagonal as preconditioner. Which x are at 0 is noted in the variances' signs meanwhile,
 // so that a pass reads 8 bytes an exchange area; some tens of passes. The same bits on any number of threads.
-Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Workers& workers,
-                     const Monitor& monitor = {});
+Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Context& context = {});
 
 // x of a listed exchange area in row i, and of a sink.
 inline double balanced(const ExchangeAreas& areas, std::span<const double> multiplier, std::size_t i,

@@ -10,14 +10,14 @@
 namespace luxel {
 namespace {
 
-// Of some rows: sums and extremes, to be joined in their order.
+// Partial result of some rows: sums and extremes, joined in the order of rows.
 struct Part {
   FactorCheck check;
   double squares = 0.0, expected = 0.0, area = 0.0;
   std::uint64_t pairs = 0;
 };
 
-// Each pair once: by its lower element where that one is known.
+// Counts each pair once: at its lower element, where that row is known.
 void add_pair(const ViewFactors& f, std::uint32_t i, std::uint32_t j, std::uint64_t at,
               const ReverseRows::Entry* back, Part& part) {
   if (j <= i || !f.is_known[j]) return;
@@ -84,20 +84,20 @@ void join(const Part& part, Part& all) {
 
 }  // namespace
 
-FactorCheck check_view_factors(const ViewFactors& factors, const Workers& workers, const Monitor& monitor) {
+FactorCheck check_view_factors(const ViewFactors& factors, const Context& context) {
   const auto grain = ReverseRows::rows_per_run(factors);
   const auto runs = (factors.size() + grain - 1) / grain;
   Part start;
   start.check.smallest = 1.0;
   std::vector<Part> parts(runs, start);
-  std::vector<ReverseRows> reverse(static_cast<std::size_t>(workers.threads()));
-  // In turns, between which the monitor is asked.
-  const auto turn = static_cast<std::size_t>(workers.threads());
+  std::vector<ReverseRows> reverse(static_cast<std::size_t>(context.threads()));
+  // Processed in turns; the monitor is polled between them.
+  const auto turn = static_cast<std::size_t>(context.threads());
   std::size_t done = 0;
   for (; done < runs; done += turn) {
-    if (tell(monitor, {"check", static_cast<double>(done) / static_cast<double>(runs)}) == Next::stop) break;
-    workers.for_chunks(std::min(turn, runs - done), 1, [&](std::size_t begin, std::size_t end, int worker) {
-      auto& own = reverse[static_cast<std::size_t>(worker)];
+    if (context.report({"check", static_cast<double>(done) / static_cast<double>(runs)}) == Next::stop) break;
+    context.for_chunks(std::min(turn, runs - done), 1, [&](std::size_t begin, std::size_t end, int thread) {
+      auto& own = reverse[static_cast<std::size_t>(thread)];
       for (auto run = done + begin; run < done + end; ++run) {
         const auto first = run * grain, last = std::min(factors.size(), first + grain);
         own.fill(factors, first, last);

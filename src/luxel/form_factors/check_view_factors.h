@@ -4,14 +4,13 @@
 #include <array>
 #include <cstdint>
 
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/form_factors/view_factors.h"
 
 namespace luxel {
 
-// Three laws that view factors keep: rows sum to 1 (with environment, backs and dropped), A_i F_ij = A_j
-// F_ji, 0 <= F_ij <= 1. Of the rows that are known.
+// Checks three laws of view factors on the known rows: rows sum to 1 (with environment, backs and dropped),
+// A_i F_ij = A_j F_ji, 0 <= F_ij <= 1.
 struct FactorCheck {
   std::uint64_t rows = 0;      // that were looked at
   bool is_whole = true;        // not stopped before all known ones were
@@ -28,9 +27,9 @@ struct FactorCheck {
   double environment = 0.0, backs = 0.0, dropped = 0.0;
 };
 
-// The same bits on any number of threads. Cost: some looks at each listed factor. Memory: 16 bytes per factor
-// of one in 128 rows, for each thread. Where the monitor says stop, of the rows so far.
-FactorCheck check_view_factors(const ViewFactors& factors, const Workers& workers,
-                               const Monitor& monitor = {});
+// The same bits on any number of threads. Cost: each listed factor is read a few times. Memory: 16 bytes per
+// factor of one in 128 rows, for each thread. Where the monitor stops the work, the result covers the rows so
+// far.
+FactorCheck check_view_factors(const ViewFactors& factors, const Context& context = {});
 
 }  // namespace luxel

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-// Without the care of std::complex for infinities, which costs more than the product.
+// Complex numbers without std::complex's handling of infinities, which costs more than the product itself.
 struct Complex {
   double re = 0.0, im = 0.0;
 };

@@ -14,16 +14,17 @@ namespace luxel {
 namespace {
 
 constexpr double pi_d = std::numbers::pi;
-constexpr double parallel_sine = 1e-14;  // lines that double cannot tell from parallel ones
-constexpr double skew_sine = 0.3;        // below, the closed form loses digits as 1 / sine²
-constexpr double max_cancelled = 20.0;   // size of its terms, of edges of about one
+constexpr double parallel_sine = 1e-14;  // lines that double precision cannot distinguish from parallel ones
+constexpr double skew_sine = 0.3;        // below it, the closed form loses digits in proportion to 1 / sine²
+constexpr double max_cancelled =
+    20.0;  // largest size of its cancelling terms, for edges of about unit length
 constexpr double log_floor = 1e-290;
 
 double safe_log(double x) { return natural_logarithm(std::max(x, log_floor)); }
 
-// sinh u = x as what the dilogarithms need of u: e^-|u|, |u| and the sign.
+// The parts of u, given sinh u = x, that the dilogarithms need: e^-|u|, |u| and the sign.
 struct Hyperbolic {
-  double decay = 1.0;  // e^-|u|
+  double decay = 1.0;
   double u = 0.0;
 };
 Hyperbolic area_sinh(double x) {
@@ -41,7 +42,7 @@ double bent(double u, double decay, const Angle& a) {
   return dilogarithm_imaginary(decay, a.angle, a.cosine, a.sine) + 0.5 * (pi_d - a.angle) * std::fabs(u);
 }
 
-// Two skew lines, in lengths along them from the feet of their common perpendicular.
+// Two skew lines, parameterised by length from the foot points of their common perpendicular.
 struct Skew {
   Angle between;  // the lines
   double distance = 0.0;
@@ -58,7 +59,7 @@ double Skew::corner(double s, double t) const {
   const auto L = safe_log(along_s * along_s + off_s * off_s);
   auto G = (s * t - 0.5 * c * (s * s + t * t)) * L - 3.0 * s * t + s * off_t * arc_tangent(along_t, off_t) +
            t * off_s * arc_tangent(along_s, off_s);
-  // As the lines meet, this last part vanishes as d² ln d.
+  // As d goes to 0, the last term vanishes as d² ln d.
   const auto x = s * S / d, y = t * S / d;
   if (!(std::fabs(x) < 1e12 && std::fabs(y) < 1e12)) return G;
   const auto phi = area_sinh(x), theta = area_sinh(y);

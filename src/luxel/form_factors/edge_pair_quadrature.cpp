@@ -11,10 +11,10 @@
 namespace luxel {
 namespace {
 
-constexpr double smallest_interval = 1e-8;  // of an edge: what is left there goes as its square
+constexpr double smallest_interval = 1e-8;  // of an edge: the remaining error is proportional to its square
 constexpr double log_floor = 1e-290;
 
-// A place in the complex plane of the outer variable where the integrand is not analytic.
+// A point in the complex plane of the outer variable where the integrand is not analytic.
 struct Bend {
   double at = 0.0, off = 0.0;
 };
@@ -34,7 +34,8 @@ double graded(const Function& f, double from, double to, const std::array<Bend, 
   };
   if (length <= smallest || std::none_of(bends.begin(), bends.end(), is_near))
     return gauss_integral(gauss_12, from, to, f);
-  // Cut at a bend within, so that the pieces grow from there; else in the middle.
+  // Split at a singular point within the interval, so that the intervals grow away from it; else in the
+  // middle.
   auto cut = 0.5 * (from + to);
   for (const auto& bend : bends)
     if (bend.at > from + 1e-3 * length && bend.at < to - 1e-3 * length) cut = bend.at;
@@ -51,12 +52,12 @@ double edge_pair_quadrature(const Edge& p, const Edge& q) {
   const auto apart = q.from - p.from;
 
   const auto inner = [&](double s) {
-    const auto x = s * u - apart;  // seen from the beginning of q
+    const auto x = s * u - apart;  // relative to the beginning of q
     const auto m = glm::dot(x, v);
     const auto off = glm::length(glm::cross(x, v));
     return along(length_q - m, off) - along(-m, off);
   };
-  // Bends: beside the ends of q, and where the lines are nearest.
+  // Singular points: opposite the ends of q, and where the lines are nearest.
   const auto beside = [&](const Vec3d& end) {
     const auto at = glm::dot(end - p.from, u);
     return Bend{at, glm::length(end - p.from - at * u)};

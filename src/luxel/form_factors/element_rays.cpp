@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "luxel/core/none.h"
 #include "luxel/form_factors/view_factors.h"
 #include "luxel/patch/patch_tree.h"
 
@@ -12,12 +13,12 @@ namespace luxel {
 namespace {
 
 GatherSides sides_with_rays(const PatchSet& patches, const ViewElements& elements,
-                            const std::vector<std::uint8_t>& rows, const Workers& workers) {
-  const auto all = all_gather_sides(patches, make_patch_tree(patches, workers));
+                            const std::vector<std::uint8_t>& rows, const Context& context) {
+  const auto all = all_gather_sides(patches, make_patch_tree(patches, context));
   std::vector<std::uint8_t> keep(all.size());
   for (std::size_t s = 0; s < all.size(); ++s) {
-    const auto element = elements.of_side[all.side[s]];
-    keep[s] = element != ViewElements::none && (rows.empty() || rows[element]);
+    const auto element = elements.of_side[all.side[s].index()];
+    keep[s] = element != none && (rows.empty() || rows[element]);
   }
   return restored_gather_sides(all, keep);
 }
@@ -25,14 +26,13 @@ GatherSides sides_with_rays(const PatchSet& patches, const ViewElements& element
 }  // namespace
 
 ElementRays::ElementRays(const PatchSet& patches, const Tracer& tracer, const ViewElements& elements,
-                         const std::vector<std::uint8_t>& rows, std::uint64_t seed, std::uint32_t replicates,
-                         const Workers& workers)
+                         const ElementRayOptions& options, const Context& context)
     : patches_(patches),
       tracer_(tracer),
       elements_(elements),
-      sides_(sides_with_rays(patches, elements, rows, workers)),
-      seed_(seed),
-      replicates_(replicates) {}
+      sides_(sides_with_rays(patches, elements, options.rows, context)),
+      seed_(options.seed),
+      replicates_(options.replicates) {}
 
 std::vector<std::size_t> ElementRays::runs(std::span<const std::uint32_t> receivers,
                                            std::uint32_t positions) const {
@@ -49,8 +49,8 @@ std::vector<std::size_t> ElementRays::runs(std::span<const std::uint32_t> receiv
 std::uint32_t ElementRays::number_of(const Hit& hit) const {
   const auto sinks = static_cast<std::uint32_t>(elements_.size());
   if (!hit) return sinks + ViewFactors::environment;
-  const auto element = elements_.of_side[side_of(hit.patch, hit.back)];
-  return element != ViewElements::none ? element : sinks + ViewFactors::backs;
+  const auto element = elements_.of_side[hit.side().index()];
+  return element != none ? element : sinks + ViewFactors::backs;
 }
 
 void ElementRays::trace(std::span<const std::uint32_t> receivers, std::uint32_t replicate,

@@ -11,14 +11,15 @@
 namespace luxel {
 namespace {
 
-// Beyond what rounding leaves, m² a m²: then no choice of the listed exchange areas fills all rows.
+// Largest residual of a row that rounding explains, m² per m²; above it no choice of the listed exchange
+// areas fills all rows.
 constexpr double balanced_enough = 1e-10;
 
 constexpr std::size_t rows_per_chunk = 256;
 
-double worst_row_sum(const ExchangeAreas& areas, const std::vector<double>& area, const Workers& workers) {
+double worst_row_sum(const ExchangeAreas& areas, const std::vector<double>& area, const Context& context) {
   std::vector<double> off(areas.size());
-  workers.for_chunks(areas.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(areas.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       double sum = 0.0;
       for (auto at = areas.row_begin[i]; at < areas.row_begin[i + 1]; ++at) sum += areas.value[at];
@@ -29,14 +30,14 @@ double worst_row_sum(const ExchangeAreas& areas, const std::vector<double>& area
   return off.empty() ? 0.0 : *std::max_element(off.begin(), off.end());
 }
 
-// Lets every row give to the environment, even those from which nothing was seen to escape.
+// Allows every row to exchange with the environment, including rows from which no ray escaped.
 void open_environment(ExchangeAreas& areas, const std::vector<double>& area) {
   auto& environment = areas.sink[ViewFactors::environment];
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (environment.variance[i] == 0.0) environment.variance[i] = 1e-6 * area[i] * area[i];
 }
 
-// The old factor from i to j, 0 where it is not listed; asked for with j rising.
+// The old factor from i to j, 0 where it is not listed; queried with ascending j.
 class OldRow {
  public:
   OldRow(const ViewFactors& factors, std::size_t i)
@@ -51,16 +52,16 @@ class OldRow {
   std::uint64_t at_, end_;
 };
 
-// Changes over some rows, to be joined in their order.
+// Changes of some rows, joined in the order of rows.
 struct Changes {
   double squares = 0.0, largest = 0.0, standard_errors2 = 0.0;
 };
 
-// Exchange areas become factors, where they stand; those held at 0 too.
+// Converts exchange areas to factors in place, including those held at 0.
 Changes make_factors(ExchangeAreas& areas, const ViewFactors& old, std::span<const double> multiplier,
-                     const Workers& workers) {
+                     const Context& context) {
   std::vector<Changes> parts((areas.size() + rows_per_chunk - 1) / rows_per_chunk);
-  workers.for_chunks(areas.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(areas.size(), rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     auto& part = parts[begin / rows_per_chunk];
     for (auto i = begin; i < end; ++i) {
       OldRow old_row(old, i);
@@ -86,7 +87,7 @@ Changes make_factors(ExchangeAreas& areas, const ViewFactors& old, std::span<con
   return all;
 }
 
-// Takes out the factors that are 0.
+// Removes the factors that are 0.
 void close_ranks(ExchangeAreas& areas) {
   std::uint64_t to = 0, at = 0;
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -105,31 +106,31 @@ void close_ranks(ExchangeAreas& areas) {
 
 }  // namespace
 
-Enforcement enforce_laws(ViewFactors& factors, const Workers& workers, const Monitor& monitor) {
+Enforcement enforce_laws(ViewFactors& factors, const Context& context) {
   for (std::size_t i = 0; i < factors.size(); ++i)
     if (!factors.is_known[i])
       throw InputError("laws can be enforced only where the rows of all elements are known");
   Enforcement done;
   done.count = factors.count();
-  auto joined = join_directions(factors, workers, monitor);
+  auto joined = join_directions(factors, context);
   if (!joined) {
     done.is_stopped = true;
     return done;
   }
   auto& areas = *joined;
-  done.worst_row_sum_before = worst_row_sum(areas, factors.area, workers);
-  smooth_variances(areas, factors, workers);
-  auto balance = balance_rows(areas, factors.area, workers, monitor);
+  done.worst_row_sum_before = worst_row_sum(areas, factors.area, context);
+  smooth_variances(areas, factors, context);
+  auto balance = balance_rows(areas, factors.area, context);
   if (balance.worst > balanced_enough && !balance.is_stopped) {
     open_environment(areas, factors.area);
-    balance = balance_rows(areas, factors.area, workers, monitor);
+    balance = balance_rows(areas, factors.area, context);
   }
   done.worst_row_sum = balance.worst;
   done.steps = balance.steps;
   done.passes = balance.passes;
   done.is_stopped = balance.is_stopped;
 
-  const auto changes = make_factors(areas, factors, balance.multiplier, workers);
+  const auto changes = make_factors(areas, factors, balance.multiplier, context);
   if (const auto count = static_cast<double>(areas.column.size()); count > 0.0) {
     done.rms_change = std::sqrt(changes.squares / count);
     done.max_change = changes.largest;

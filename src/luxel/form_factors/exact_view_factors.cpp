@@ -8,24 +8,26 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
+#include "luxel/core/none.h"
 #include "luxel/form_factors/form_factor.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::size_t trial_pairs = 400;
-constexpr double nothing = 1e-13;  // a factor that rounding can make of none
+constexpr double nothing = 1e-13;  // largest factor that rounding can produce where the exact factor is 0
 
-std::vector<std::uint32_t> sides_of(const ViewElements& elements) {
-  std::vector<std::uint32_t> sides;
+std::vector<SideId> sides_of(const ViewElements& elements) {
+  std::vector<SideId> sides;
   for (std::uint32_t s = 0; s < elements.of_side.size(); ++s)
-    if (elements.of_side[s] != ViewElements::none) sides.push_back(s);
+    if (elements.of_side[s] != none) sides.push_back(SideId::at(s));
   return sides;
 }
 
-// Seconds a pair on one thread, from pairs spread over all of them.
-double seconds_per_pair(const FormFactors& form_factors, const std::vector<std::uint32_t>& sides,
-                        double tolerance) {
+// Seconds per pair on one thread, measured on pairs spread over the scene.
+double seconds_per_pair(const FormFactors& form_factors, const std::vector<SideId>& sides, double tolerance) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   std::size_t pairs = 0;
@@ -47,43 +49,45 @@ struct Row {
 
 std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tracer& tracer,
                                               const ViewElements& elements,
-                                              const ExactFactorsOptions& options, const Workers& workers,
-                                              const Monitor& monitor, ExactFactorsReport& report) {
+                                              const ExactFactorsOptions& options, ExactFactorsReport& report,
+                                              const Context& context) {
   const auto sides = sides_of(elements);
   const auto n = sides.size();
   report.pairs = std::uint64_t{n} * (n - 1) / 2;
-  const FormFactors form_factors(patches, tracer, workers);
+  const FormFactors form_factors(patches, tracer, context);
   report.predicted_seconds = seconds_per_pair(form_factors, sides, options.tolerance) *
-                             static_cast<double>(report.pairs) / workers.threads();
+                             static_cast<double>(report.pairs) / context.threads();
   if (options.seconds > 0.0 && report.predicted_seconds > options.seconds)
-    throw InputError(fmt::format(
-        "--exact integrates {:.3g} million pairs of patches: about {:.0f} min on {} threads and {:.0f} MiB "
-        "where {:.0f} min are allowed; larger patches (--max-edge) have fewer pairs, counting rays "
-        "takes seconds, and --force begins all the same",
-        1e-6 * static_cast<double>(report.pairs), report.predicted_seconds / 60.0, workers.threads(),
-        28e-6 * static_cast<double>(elements.size() * elements.size()), options.seconds / 60.0));
+    throw with_hints(
+        InputError(fmt::format(
+            "integrating {:.3g} million pairs of patches takes about {:.0f} min on {} threads and {:.0f} "
+            "MiB, where "
+            "{:.0f} min are allowed: larger patches have fewer pairs, and counting rays takes seconds",
+            1e-6 * static_cast<double>(report.pairs), report.predicted_seconds / 60.0, context.threads(),
+            28e-6 * static_cast<double>(elements.size() * elements.size()), options.seconds / 60.0)),
+        {{Setting::max_edge}, {Setting::force}});
 
-  // Pairs, side by side with all later ones; summed in order.
+  // Each pair with all later sides, in parallel; summed in order.
   const auto e = elements.size();
   std::vector<std::vector<FormFactor>> rows(n);
-  const auto turn = 16 * static_cast<std::size_t>(workers.threads());
+  const auto turn = 16 * static_cast<std::size_t>(context.threads());
   std::vector<double> exchange(e * e, 0.0), squared_error(e * e, 0.0);
   std::uint64_t done = 0;
   for (std::size_t from = 0; from < n; from += turn) {
     const auto to = std::min(n, from + turn);
-    workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = from + begin; i < from + end; ++i)
         for (auto j = i + 1; j < n; ++j)
           rows[i].push_back(form_factors.between(sides[i], sides[j], options.tolerance));
     });
     for (auto i = from; i < to; ++i) {
-      const auto a = elements.of_side[sides[i]];
-      const auto area = static_cast<double>(patches.area[sides[i] / 2]);
+      const auto a = elements.of_side[sides[i].index()];
+      const auto area = static_cast<double>(patches.area[sides[i].patch()]);
       for (auto j = i + 1; j < n; ++j) {
-        const auto b = elements.of_side[sides[j]];
+        const auto b = elements.of_side[sides[j].index()];
         const auto& factor = rows[i][j - i - 1];
         const auto error = area * factor.error;
-        // Within one element both directions count.
+        // Within one element both directions contribute.
         const auto times = a == b ? 2.0 : 1.0;
         exchange[std::min(a, b) * e + std::max(a, b)] += times * area * factor.value;
         squared_error[std::min(a, b) * e + std::max(a, b)] += times * times * error * error;
@@ -93,7 +97,7 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
     }
     const auto fraction =
         static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(report.pairs, 1));
-    if (tell(monitor, {"view factors", fraction}) == Next::stop) return {};
+    if (context.report({"view factors", fraction}) == Next::stop) return {};
   }
 
   auto factors = ViewFactors::between(elements.name, elements.area);

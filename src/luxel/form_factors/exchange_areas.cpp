@@ -20,33 +20,33 @@ Estimate exchange(double area, double factor, float standard_error) {
   return {area * factor, error * error};
 }
 
-// Alike whichever is first: sums and products of two know no order.
+// Independent of the order of a and b: a sum or product of two terms commutes exactly.
 Estimate joined(const Estimate& a, double weight_a, const Estimate& b, double weight_b) {
   const auto sum = weight_a + weight_b;
   return {(weight_a * a.value + weight_b * b.value) / sum,
           (weight_a * weight_a * a.variance + weight_b * weight_b * b.variance) / (sum * sum)};
 }
 
-// The variance of an exchange area that lines of this density would count: binomial, with half a count more,
-// so that neither none nor all is certain. full: the most it can be.
+// The binomial variance of an exchange area estimated from this density of lines, with half a count added, so
+// that a count of 0 or of all lines is not certain. full: the largest possible value.
 double counted_variance(double value, double density, double full) {
   const auto half = 0.5 / density;
   return (value + half) / density * std::max(1.0 - value / full, 0.5 / (density * full + 1.0));
 }
 
-// Calls body(run's reverse rows, its first row, its last) for all runs; false where the monitor said stop.
+// Calls body(reverse rows of the run, its first row, its end) for all runs; returns false where the monitor
+// stops the work.
 template <typename Body>
-bool for_runs(const ViewFactors& f, const Workers& workers, const Monitor& monitor, double done_before,
-              Body body) {
+bool for_runs(const ViewFactors& f, const Context& context, double done_before, Body body) {
   const auto grain = ReverseRows::rows_per_run(f);
-  const auto turn = grain * static_cast<std::size_t>(workers.threads());
-  std::vector<ReverseRows> reverse(static_cast<std::size_t>(workers.threads()));
+  const auto turn = grain * static_cast<std::size_t>(context.threads());
+  std::vector<ReverseRows> reverse(static_cast<std::size_t>(context.threads()));
   for (std::size_t from = 0; from < f.size(); from += turn) {
     const auto done = done_before + 0.5 * static_cast<double>(from) / static_cast<double>(f.size());
-    if (tell(monitor, {"join", done}) == Next::stop) return false;
-    workers.for_chunks(std::min(turn, f.size() - from), grain,
-                       [&](std::size_t begin, std::size_t end, int worker) {
-                         auto& own = reverse[static_cast<std::size_t>(worker)];
+    if (context.report({"join", done}) == Next::stop) return false;
+    context.for_chunks(std::min(turn, f.size() - from), grain,
+                       [&](std::size_t begin, std::size_t end, int thread) {
+                         auto& own = reverse[static_cast<std::size_t>(thread)];
                          own.fill(f, from + begin, from + end);
                          for (auto i = from + begin; i < from + end; ++i) body(own, i);
                        });
@@ -56,8 +56,7 @@ bool for_runs(const ViewFactors& f, const Workers& workers, const Monitor& monit
 
 }  // namespace
 
-std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const Workers& workers,
-                                             const Monitor& monitor) {
+std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const Context& context) {
   const auto n = factors.size();
   ExchangeAreas areas;
   areas.weight.resize(n);
@@ -73,7 +72,7 @@ std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const W
     }
   }
   areas.row_begin.assign(n + 1, 0);
-  if (!for_runs(factors, workers, monitor, 0.0, [&](const ReverseRows& reverse, std::size_t i) {
+  if (!for_runs(factors, context, 0.0, [&](const ReverseRows& reverse, std::size_t i) {
         reverse.for_row(factors, i, [&](std::uint32_t, std::uint64_t, const ReverseRows::Entry*) {
           ++areas.row_begin[i + 1];
         });
@@ -84,7 +83,7 @@ std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const W
   areas.value.resize(areas.row_begin[n]);
   areas.standard_error.resize(areas.row_begin[n]);
   areas.variance.resize(areas.row_begin[n]);
-  if (!for_runs(factors, workers, monitor, 0.5, [&](const ReverseRows& reverse, std::size_t i) {
+  if (!for_runs(factors, context, 0.5, [&](const ReverseRows& reverse, std::size_t i) {
         auto to = areas.row_begin[i];
         reverse.for_row(factors, i, [&](std::uint32_t j, std::uint64_t own, const ReverseRows::Entry* other) {
           Estimate a, b;
@@ -105,7 +104,7 @@ std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const W
   return areas;
 }
 
-void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Workers& workers) {
+void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Context& context) {
   const auto n = areas.size();
   const auto is_counted = [&](std::size_t i) { return areas.weight[i] > 0.0; };
   const auto of_counts = [&](std::size_t i, std::uint64_t at) {
@@ -115,7 +114,7 @@ void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Wo
     return counted_variance(areas.value[at], density, std::min(factors.area[i], factors.area[j]));
   };
   const auto row_sum = [&](auto term) {
-    return ordered_sum(workers, n, [&](std::size_t i) {
+    return ordered_sum(context, n, [&](std::size_t i) {
       double sum = 0.0;
       for (auto at = areas.row_begin[i]; at < areas.row_begin[i + 1]; ++at) sum += term(i, at);
       return sum;
@@ -125,12 +124,12 @@ void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Wo
       row_sum([&](std::size_t, std::uint64_t at) { return static_cast<double>(areas.variance[at]); });
   const auto counted = row_sum(of_counts);
   const auto scale = counted > 0.0 ? measured / counted : 0.0;
-  // Where factors are integrated, not counted, no error is smaller than rounding.
+  // Integrated factors have no counting error: their variance is bounded below by rounding alone.
   const auto mixed = [&](double own, double of_count, double area) {
     const auto least = 1e-12 * area;
     return of_count > 0.0 ? 0.5 * (own + scale * of_count) + least * least : own + least * least;
   };
-  workers.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       for (auto at = areas.row_begin[i]; at < areas.row_begin[i + 1]; ++at)
         areas.variance[at] =

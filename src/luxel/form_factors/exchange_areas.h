@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/form_factors/view_factors.h"
 
 namespace luxel {
@@ -32,13 +31,12 @@ struct ExchangeAreas {
   std::size_t size() const { return weight.size(); }
 };
 
-// Joins the two estimates of each exchange area. Nothing where the monitor said stop. Memory: 20 bytes for
-// each that is listed.
-std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const Workers& workers,
-                                             const Monitor& monitor);
+// Combines the two estimates of each exchange area. Returns nothing where the monitor stops the work. Memory:
+// 20 bytes per listed exchange area.
+std::optional<ExchangeAreas> join_directions(const ViewFactors& factors, const Context& context);
 
 // Sets the weights' variances: the measured ones mixed with those of counts, half and half, so that none is 0
 // by chance.
-void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Workers& workers);
+void smooth_variances(ExchangeAreas& areas, const ViewFactors& factors, const Context& context);
 
 }  // namespace luxel

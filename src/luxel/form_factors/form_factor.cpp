@@ -11,23 +11,24 @@
 #include "luxel/form_factors/obstructed_exchange.h"
 #include "luxel/form_factors/polygon_form_factor.h"
 #include "luxel/form_factors/ray_exchange.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
 
 constexpr double closed_form_error = 1e-12;
 constexpr std::size_t max_screens = 200;
-constexpr std::uint64_t seed = 0x666f726d;  // of the shadow rays: any, but always the same
+constexpr std::uint64_t seed = 0x666f726d;  // of the shadow rays; arbitrary but fixed
 
 std::array<Vec3d, 3> corners_of(const PatchSet& patches, std::size_t patch) {
   const auto p = patches.points(patch);
   return {Vec3d(p[0]), Vec3d(p[1]), Vec3d(p[2])};
 }
 
-// Counter-clockwise seen from that side.
-std::array<Vec3d, 3> polygon_of(const PatchSet& patches, std::size_t side) {
-  auto corners = corners_of(patches, side / 2);
-  if (side % 2 != 0) std::swap(corners[1], corners[2]);
+// The corners, counter-clockwise seen from that side.
+std::array<Vec3d, 3> polygon_of(const PatchSet& patches, SideId side) {
+  auto corners = corners_of(patches, side.patch());
+  if (side.is_back()) std::swap(corners[1], corners[2]);
   return corners;
 }
 
@@ -40,10 +41,10 @@ double rounding_of(const PatchSet& patches) {
 
 }  // namespace
 
-FormFactors::FormFactors(const PatchSet& patches, const Tracer& tracer, const Workers& workers)
-    : patches_(patches), tracer_(tracer), search_(patches, workers), slack_(rounding_of(patches)) {}
+FormFactors::FormFactors(const PatchSet& patches, const Tracer& tracer, const Context& context)
+    : patches_(patches), tracer_(tracer), search_(patches, context), slack_(rounding_of(patches)) {}
 
-FormFactor FormFactors::between(std::size_t from, std::size_t to, double tolerance) const {
+FormFactor FormFactors::between(SideId from, SideId to, double tolerance) const {
   const auto a = polygon_of(patches_, from), b = polygon_of(patches_, to);
   const auto parts = facing_parts(a, b);
   if (parts.a.empty()) return {};
@@ -53,7 +54,7 @@ FormFactor FormFactors::between(std::size_t from, std::size_t to, double toleran
   std::vector<std::uint32_t> found;
   const bool all_found = search_.find(Shaft(parts.a, parts.b, slack_), max_screens, found);
   if (found.empty()) return {open / area, closed_form_error, true};
-  // Too little to look at: between nothing and all of it.
+  // The open part is below the tolerance: return the middle of [0, open].
   if (open <= 0.1 * tolerance * area) return {0.5 * open / area, 0.5 * open / area, false};
 
   Estimate exchange;
@@ -63,7 +64,7 @@ FormFactor FormFactors::between(std::size_t from, std::size_t to, double toleran
     exchange = obstructed_exchange(parts.a, parts.b, screens, open,
                                    {.tolerance = tolerance * area, .slack = slack_});
   } else {
-    const auto key = stream_key(seed, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
+    const auto key = stream_key(seed, from.index(), to.index());
     exchange = ray_exchange(tracer_, PatchEmitter(patches_, from), area, parts.b, open,
                             {.tolerance = tolerance * area, .key = key});
   }

@@ -3,9 +3,10 @@
 
 #include <cstddef>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/form_factors/shaft_search.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -16,26 +17,27 @@ struct FormFactor {
   bool exact = true;   // closed form: nothing reaches between the two, or they do not face each other
 };
 
-// Form factors between two patch sides, with what stands between them. Side 2p is the front of patch p,
-// 2p + 1 its back; every patch hides what is behind it from both of its sides.
+// Form factors between two patch sides, with occlusion. Side 2p is the front of patch p, 2p + 1 its back;
+// every patch occludes from both of its sides.
 //
-// Nothing is left to rays alone to decide. All patches that reach into the shaft between the two
-// (ShaftSearch) are found, by more than a slack of 5e-7 of the scene's largest coordinate, the rounding of
-// its floats. There are none: the closed form (polygon_form_factor), exact to 1e-12. Up to 200: the integral
-// with exact visibility at each point, cut until it is as good as asked for (obstructed_exchange). More:
-// shadow rays (ray_exchange), and error is three standard errors. Patches may touch and share edges. Of a
-// patch without area the factor is 0.
+// Finds all patches that reach into the shaft between the two (ShaftSearch) by more than a slack of 5e-7 of
+// the scene's largest coordinate, the rounding of its floats; the choice of method does not depend on rays
+// alone. Without occluders: the closed form (polygon_form_factor), exact to 1e-12. Up to 200 occluders: the
+// integral with exact visibility at each point, refined to the tolerance (obstructed_exchange). More: shadow
+// rays (ray_exchange), and error is three standard errors. Patches may touch and share edges. The factor of a
+// patch without area is 0.
 //
-// Read-only after it was made; any number of threads may ask, and the answer depends on the question alone.
+// Read-only after construction; any number of threads may call, and the result depends on the arguments
+// alone.
 class FormFactors {
  public:
   // Keeps references to patches and tracer. 0.3 s and 75 MB per million patches.
-  FormFactors(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
+  FormFactors(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
-  // The share of the power leaving `from` that arrives at `to`. tolerance: absolute, above 0; what cannot be
-  // reached in 20,000 cells or a million rays is left, and `error` says so. 10 us where nothing is between;
-  // else 1 ms, 10 ms at a tolerance of 1e-6, and 1 s at worst.
-  FormFactor between(std::size_t from, std::size_t to, double tolerance) const;
+  // Returns the share of the power leaving `from` that arrives at `to`. tolerance: absolute, above 0; where
+  // it is not reached within 20,000 cells or a million rays, `error` holds the error that remains. Costs 10
+  // us without occluders; else 1 ms, 10 ms at a tolerance of 1e-6, and 1 s at worst.
+  FormFactor between(SideId from, SideId to, double tolerance) const;
 
  private:
   const PatchSet& patches_;

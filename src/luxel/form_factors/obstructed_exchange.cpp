@@ -16,13 +16,16 @@ namespace {
 
 using Triangle = std::array<Vec3d, 3>;
 
-constexpr int first_cuts = 2;               // levels before any estimate is trusted
-constexpr double safety = 2.0;              // of the error: a bend can hide between points
-constexpr double near_boundary = 0.02;      // not in it: there a screen may stand
-constexpr double boundary_fraction = 0.25;  // of what a point of the boundary sees, what the cell may
-constexpr double unseen_fraction = 0.25;  // of a cell, times its relative width: what a screen there may hide
+constexpr int first_cuts = 2;   // subdivision levels before any estimate is accepted
+constexpr double safety = 2.0;  // factor on the error: a shadow edge can lie between the sample points
+constexpr double near_boundary = 0.02;  // relative distance from the boundary, where an occluder may stand
+// fraction of a boundary point's visible part that is attributed to the cell
+constexpr double boundary_fraction = 0.25;
+// fraction of a cell, times its relative width, that an undetected occluder may hide
+constexpr double unseen_fraction = 0.25;
 
-constexpr double best_progress = 1.0 / 16.0;  // of a quarter's error over the whole's: luck is no proof
+// smallest ratio of a quarter's error to that of the whole that is accepted: a smaller one is chance
+constexpr double best_progress = 1.0 / 16.0;
 
 // Weights of Radon's seven points (1948): exact to the fifth degree.
 struct Orbit {
@@ -37,7 +40,7 @@ struct Cell {
   double area = 0.0;
   double open = 0.0, seen = 0.0;  // integrals over the cell
   double error = 0.0;
-  double unnoticed = 0.0;              // what the points may have missed
+  double unnoticed = 0.0;              // estimate of the contribution that the sample points miss
   std::vector<std::uint32_t> screens;  // that reach into its shaft
 };
 
@@ -60,7 +63,7 @@ class Integral {
     return cell;
   }
 
-  // Which of the two is summed: what is hidden, or what is seen.
+  // Selects the integrand: the hidden or the visible part.
   void sum_hidden(bool hidden) { hidden_ = hidden; }
   double term(const Cell& cell) const {
     if (hidden_) return cell.open - cell.seen;
@@ -112,7 +115,7 @@ class Integral {
     for (const auto& [at, weight] : orbits)
       for (std::size_t k = 0; k < 3; ++k) add(point(k, at), weight);
 
-    // All in the light, or all in the dark: then the boundary is asked whether it is so everywhere.
+    // All sample points are lit or all are dark: points on the boundary test whether the whole cell is.
     if (cell.screens.empty() || (cell.seen > 0.0 && cell.seen < cell.open)) return;
     const auto ask = [&](const Vec3d& x) {
       const auto [open, seen] = look(x);
@@ -133,7 +136,7 @@ class Integral {
   Look look(const Vec3d& x) {
     const auto open = std::max(0.0, unit_irradiance(inner_, x, normal_));
     const auto seen = near_.empty() ? open : visible_.at(x, normal_, inner_, near_);
-    // Pieces add up to the whole but for rounding: that is no shadow, and no light.
+    // Fragments add up to the whole except for rounding: such a difference is neither shadow nor light.
     if (open - seen <= 1e-13) return {open, open};
     return {open, seen <= 1e-13 ? 0.0 : seen};
   }
@@ -158,7 +161,7 @@ Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
   const auto outer = swap ? b : a;
   Integral integral(outer, swap ? a : b, screens, options.slack);
 
-  std::vector<Cell> cells;  // a heap, the most wrong on top
+  std::vector<Cell> cells;  // a heap, the cell of the largest error on top
   for (std::size_t k = 1; k + 1 < outer.size(); ++k)
     cells.push_back(integral.make_cell({outer[0], outer[k], outer[k + 1]}, nullptr));
   for (int level = 0; level < first_cuts; ++level) {

@@ -21,14 +21,14 @@ struct ObstructedOptions {
   std::size_t most = 20'000;  // cells; past them `error` stays above the tolerance
 };
 
-// Area times form factor, m², between two polygons that face each other (facing_parts) with opaque triangles
-// between. open: the same without them. The inner integral is exact (VisibleIrradiance), the outer runs over
-// the smaller polygon, whose triangles are cut in four where the estimated error is largest. Each cell knows
-// the screens in its own shaft, so that shadow edges alone are refined. Where most is seen, only what is
-// hidden is integrated, and the rest is the closed form: then edges that touch cost nothing.
+// Computes area times form factor, m², between two polygons that face each other (facing_parts) with opaque
+// triangles between. open: the same without them. The inner integral is exact (VisibleIrradiance), the outer
+// runs over the smaller polygon, whose triangles are cut in four where the estimated error is largest. Each
+// cell lists the occluders in its own shaft, so that shadow edges alone are refined. Where most is visible,
+// only the hidden part is integrated, and the rest is the closed form: edges that touch then cost nothing.
 //
-// error: twice the sum over cells of what the last cut changed, and where all points of a cell are in the
-// light (or dark) though a screen reaches in, a guess of what they miss. 10 us per cell and screen.
+// error: twice the sum over cells of the change by the last cut, and, where all points of a cell are in the
+// light (or dark) though an occluder reaches in, an estimate of what they miss. 10 us per cell and occluder.
 Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
                              std::span<const std::array<Vec3d, 3>> screens, double open,
                              const ObstructedOptions& options);

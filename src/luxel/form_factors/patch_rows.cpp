@@ -32,7 +32,7 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> r
     rays.trace(receivers, r, 0, per_receiver, std::span(scratch.met).subspan(r * run, run));
 
   for (std::size_t s = 0; s < receivers.size(); ++s) {
-    // 1. How often each number was met in each replicate.
+    // 1. Count how often each number was met in each replicate.
     auto& numbers = scratch.numbers;
     auto& counts = scratch.counts;
     numbers.clear();
@@ -46,7 +46,7 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> r
         }
         ++counts[(scratch.place[number] - 1) * replicates + r];
       }
-    // 2. As shares, columns rising; sinks have the highest numbers.
+    // 2. Convert the counts to fractions, columns ascending; sinks have the highest numbers.
     std::sort(numbers.begin(), numbers.end());
     rows.element.push_back(rays.element_of_receiver(receivers[s]));
     const auto before = rows.column.size();

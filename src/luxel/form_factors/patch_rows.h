@@ -23,7 +23,7 @@ struct PatchRows {
   double factor_squared_error = 0.0, sink_squared_error = 0.0;
 };
 
-// What a worker needs beside, used again and again.
+// Scratch memory of a thread, reused.
 struct PatchRowScratch {
   std::vector<std::uint32_t> met;    // [replicate][receiver][ray]
   std::vector<std::uint32_t> place;  // [number met]: 1 + its place in `numbers`; else 0

@@ -16,7 +16,8 @@ namespace {
 
 using Polygon = std::vector<Vec3d>;
 
-// Polygons this much unlike in size are cut: the digits of the greater one's edges would swamp the smaller.
+// Ratio of sizes above which the larger polygon is cut: the rounding of its edge integrals would exceed the
+// smaller polygon's.
 constexpr double max_unlike = 4.0;
 constexpr int max_cuts = 60;
 
@@ -31,7 +32,7 @@ Sphere sphere_round(std::span<const Vec3d> polygon) {
   return sphere;
 }
 
-// From a point to the nearest of a convex polygon.
+// Distance from a point to the nearest point of a convex polygon.
 double distance_to(std::span<const Vec3d> polygon, const Vec3d& x) {
   const auto n = glm::normalize(polygon_area_vector(polygon));
   auto nearest = 1e300;
@@ -47,7 +48,7 @@ double distance_to(std::span<const Vec3d> polygon, const Vec3d& x) {
   return inside ? std::fabs(glm::dot(n, x - polygon[0])) : nearest;
 }
 
-// Integral over the smaller polygon of what each point gets from the other.
+// Integral over the smaller polygon of the irradiance from the other, point by point.
 double by_points(std::span<const Vec3d> small, std::span<const Vec3d> other,
                  std::span<const GaussNode> rule) {
   const auto n = glm::normalize(polygon_area_vector(small));
@@ -64,7 +65,8 @@ double by_points(std::span<const Vec3d> small, std::span<const Vec3d> other,
   return sum / std::numbers::pi;
 }
 
-// In units of the greater radius, from the middle, so that no digits go to the place of the scene.
+// In units of the larger radius, relative to the middle, so that the position in the scene costs no
+// precision.
 double by_edges(std::span<const Vec3d> a, std::span<const Vec3d> b, const Vec3d& middle, double unit) {
   double sum = 0.0;
   const auto edge = [&](std::span<const Vec3d> p, std::size_t k) {
@@ -75,7 +77,7 @@ double by_edges(std::span<const Vec3d> a, std::span<const Vec3d> b, const Vec3d&
   return sum / (4.0 * std::numbers::pi) * unit * unit;
 }
 
-// Two halves across the longest edge.
+// The plane that halves the polygon across its longest edge.
 Plane middle_across(std::span<const Vec3d> polygon) {
   Plane plane{};
   double longest = -1.0;
@@ -89,7 +91,7 @@ Plane middle_across(std::span<const Vec3d> polygon) {
   return plane;
 }
 
-// Of polygons that face each other.
+// The exchange area of polygons that face each other.
 double facing(const Polygon& a, const Polygon& b, int cuts_left) {
   if (a.size() < 3 || b.size() < 3) return 0.0;
   const auto round_a = sphere_round(a), round_b = sphere_round(b);
@@ -115,8 +117,8 @@ double facing(const Polygon& a, const Polygon& b, int cuts_left) {
   return by_edges(a, b, 0.5 * (inner.centre + outer.centre), outer.radius);
 }
 
-// The part of `polygon` before the plane of `other`. Corners that lie in that plane but for the rounding of
-// its normal, worse for a needle, stay as they are: polygons that share an edge keep it.
+// The part of `polygon` in front of the plane of `other`. Corners that lie in the plane within the rounding
+// of its normal, which is larger for a needle, are not moved: polygons that share an edge still share it.
 void clip_to_front(std::span<const Vec3d> polygon, std::span<const Vec3d> other, const Vec3d& normal,
                    double area, Polygon& front) {
   const auto own = sphere_round(polygon), its = sphere_round(other);

@@ -8,10 +8,10 @@
 
 namespace luxel {
 
-// The form factor from polygon a to polygon b: the share of the diffuse power that leaves the front of a and
-// arrives at the front of b, in [0, 1], with nothing between them. Corners in metres, counter-clockwise seen
-// from the front; flat, convex, at least three, else 0. What of either lies behind the plane of the other
-// neither gives nor gets. They may touch, share edges, and be as near as they like.
+// Returns the form factor from polygon a to polygon b: the share of the diffuse power leaving the front of a
+// that arrives at the front of b, in [0, 1], without occlusion. Corners in metres, counter-clockwise seen
+// from the front; flat, convex, at least three, else 0. Parts of either behind the plane of the other do not
+// contribute. The polygons may touch, share edges, and be arbitrarily near.
 //
 // Near each other: the closed form (Schröder and Hanrahan 1993), pair by pair of edges. Where a polygon is
 // further off than its own size: the closed form of a point (Lambert 1760), integrated over the smaller of

@@ -15,8 +15,9 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t batch = 1024;  // rays between two looks at the error
-constexpr float short_of_end = 1e-5f;  // of a ray, so that it does not meet what it goes to
+constexpr std::uint32_t batch = 1024;  // rays between two tests of the error
+constexpr float short_of_end =
+    1e-5f;  // fraction by which a ray is shortened, so that it does not hit its target
 
 struct Moments {
   double sum = 0.0, squares = 0.0;
@@ -31,7 +32,7 @@ struct Moments {
   }
 };
 
-// Triangles of a polygon as seen from a point, one of them chosen by solid angle.
+// The triangles of a polygon as seen from a point; one is chosen in proportion to solid angle.
 class Target {
  public:
   Target(std::span<const Vec3d> polygon, const Vec3d& eye) {
@@ -90,7 +91,7 @@ Estimate ray_exchange(const Tracer& tracer, const PatchEmitter& from, double are
     const auto count = static_cast<double>(rays);
     const bool by_seen = seen.error_of_mean(count) < hidden.error_of_mean(count);
     result.value = by_seen ? area * seen.mean(count) : open - area * hidden.mean(count);
-    // A mean of nothing, or of everything, is not known better than to a few rays in all.
+    // Lower bound of the error: where all rays agree, the mean is uncertain by a few rays.
     const auto least = open * 3.0 / count;
     result.error =
         std::max(least, 3.0 * area * (by_seen ? seen.error_of_mean(count) : hidden.error_of_mean(count)));

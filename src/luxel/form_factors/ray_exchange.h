@@ -17,10 +17,10 @@ struct RayExchangeOptions {
   std::uint32_t most = 1u << 20;  // rays; past them `error` stays above the tolerance
 };
 
-// Area times form factor, m², from a patch side of that area to a polygon it faces, by shadow rays: origins
-// uniform on the side, directions uniform in the polygon's solid angle (Arvo 1995). For where so many patches
-// stand between that nothing is known but to look. open: the same without them; only what is hidden, or only
-// what is seen, is left to chance, whichever varies less. error: three standard errors. 1 us per ray.
+// Estimates area times form factor, m², from a patch side of that area to a polygon it faces, by shadow rays:
+// origins uniform on the side, directions uniform in the polygon's solid angle (Arvo 1995). Fallback where
+// too many occluders lie between the two for exact clipping. open: the same without them; only the hidden or
+// only the visible part is estimated, whichever varies less. error: three standard errors. 1 us per ray.
 Estimate ray_exchange(const Tracer& tracer, const PatchEmitter& from, double area,
                       std::span<const Vec3d> polygon, double open, const RayExchangeOptions& options);
 

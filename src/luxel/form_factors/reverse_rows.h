@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/form_factors/view_factors.h"
 
 namespace luxel {
@@ -14,13 +15,14 @@ namespace luxel {
 class ReverseRows {
  public:
   // Rows of one run; the last run has fewer. At most some hundred runs whatever the size, since each run
-  // looks into every row.
+  // reads every row.
   static std::size_t rows_per_run(const ViewFactors& factors) {
     constexpr std::size_t least = 256, max_runs = 128;
     return std::max(least, (factors.size() + max_runs - 1) / max_runs);
   }
 
-  // Replaces what was there. Cost: two looks at each factor of these columns, a binary search a row.
+  // Replaces the previous content. Cost: each factor of these columns is read twice, plus a binary search per
+  // row.
   void fill(const ViewFactors& factors, std::size_t begin, std::size_t end);
 
   // F_ji and its standard error.
@@ -34,7 +36,6 @@ class ReverseRows {
   // factors.count(), the entry null where there is none.
   template <typename Body>
   void for_row(const ViewFactors& factors, std::size_t i, Body body) const {
-    constexpr std::uint32_t none = 0xffffffffu;
     auto at = factors.row_begin[i];
     const auto end = factors.row_begin[i + 1];
     auto entry = entries_.data() + begin_[i - first_];

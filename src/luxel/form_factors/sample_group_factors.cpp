@@ -11,20 +11,19 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t rays_per_job = 1u << 18;
-constexpr std::uint64_t min_rays = 1u << 20;      // of a first round, whatever the error
-constexpr std::uint64_t gentle_first = 1u << 24;  // a first round takes less where there are many sides
-constexpr std::uint32_t few_per_replicate = 16;   // rays of a side that tell a spread
-constexpr std::uint32_t max_halvings = 4;         // of the rays of an element's smaller patches
+constexpr std::uint64_t min_rays = 1u << 20;      // in a first round, regardless of the error
+constexpr std::uint64_t gentle_first = 1u << 24;  // limit of a first round where there are many sides
+constexpr std::uint32_t few_per_replicate =
+    16;                                    // rays per side and replicate that suffice to estimate a spread
+constexpr std::uint32_t max_halvings = 4;  // of the ray count for the smaller patches of an element
 
-// Rays are counted in those of the element's largest patches; one with less than half that area has half as
-// many, and so on. Each counts for as much area as it stands for.
+// Ray counts are those of the element's largest patches. A patch with less than half that area gets half as
+// many rays, and so on; each ray is weighted by the area it represents.
 class GroupSampling {
  public:
-  GroupSampling(const ElementRays& rays, const SampleFactorsOptions& options, const Workers& workers,
-                const Monitor& monitor)
+  GroupSampling(const ElementRays& rays, const SampleFactorsOptions& options, const Context& context)
       : rays_(rays),
-        workers_(workers),
-        monitor_(monitor),
+        context_(context),
         sums_(rays.replicates()),
         max_(max_per_replicate(options)),
         first_(first_rays()),
@@ -32,7 +31,8 @@ class GroupSampling {
     plan_receivers();
   }
 
-  // Doubles the rays of these elements. False where the monitor said stop; then the sums are of no use.
+  // Doubles the rays of these elements. Returns false where the monitor stops the work; the sums are then
+  // unusable.
   bool double_rays(const std::vector<std::uint8_t>& wanted) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> alike;
     for (std::uint32_t s = 0; s < rays_.receivers(); ++s)
@@ -69,12 +69,12 @@ class GroupSampling {
   }
 
  private:
-  // How far a doubling has come, in rays of one replicate.
+  // Progress of a doubling, in rays per replicate.
   struct Turn {
     std::uint64_t whole = 0, done = 0;
   };
 
-  // Rays of a largest patch and replicate: in a round, and after all so far.
+  // Rays per largest patch and replicate: of one round, and of all rounds so far.
   std::uint32_t added(std::uint32_t round) const { return round == 0 ? first_ : first_ << (round - 1); }
   std::uint32_t so_far(std::size_t e) const { return rounds_[e] == 0 ? 0 : first_ << (rounds_[e] - 1); }
 
@@ -115,11 +115,11 @@ class GroupSampling {
     const auto begins = rays_.runs(receivers, static_cast<std::uint32_t>(positions));
     const auto replicates = rays_.replicates();
     const auto jobs = (begins.size() - 1) * replicates;
-    const auto together = 16 * static_cast<std::size_t>(workers_.threads());
+    const auto together = 16 * static_cast<std::size_t>(context_.threads());
     for (std::size_t from = 0; from < jobs; from += together) {
       const auto to = std::min(jobs, from + together);
       std::vector<GroupSums> parts(to - from, GroupSums(replicates));
-      workers_.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
+      context_.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
         for (auto i = begin; i < end; ++i) {
           const auto run = (from + i) / replicates;
           add_run(std::span(receivers).subspan(begins[run], begins[run + 1] - begins[run]),
@@ -128,8 +128,8 @@ class GroupSampling {
       });
       for (const auto& part : parts) sums_.add(part);
       const auto done = turn.done + begins[to / replicates] * std::uint64_t{per_receiver};
-      if (tell(monitor_, {"view factors", static_cast<double>(done) / static_cast<double>(turn.whole),
-                          traced_ + done * replicates}) == Next::stop)
+      if (context_.report({"view factors", static_cast<double>(done) / static_cast<double>(turn.whole),
+                           traced_ + done * replicates}) == Next::stop)
         return false;
     }
     turn.done += receivers.size() * std::uint64_t{per_receiver};
@@ -149,18 +149,17 @@ class GroupSampling {
   }
 
   const ElementRays& rays_;
-  const Workers& workers_;
-  const Monitor& monitor_;
+  const Context& context_;
   GroupSums sums_;
   std::uint32_t max_, first_;
-  std::vector<std::uint32_t> rounds_;    // [element]: begun with
+  std::vector<std::uint32_t> rounds_;    // [element]: rounds begun
   std::vector<std::uint32_t> halvings_;  // [receiver]
-  std::vector<double> whole_;            // [element], m² that rays leave; 0: no row
-  std::vector<double> worth_;            // [element]: rays of one area each, for every ray of a largest patch
+  std::vector<double> whole_;            // [element], m²: total area weight of the rays; 0: no row
+  std::vector<double> worth_;            // [element]: equal-area rays per ray of a largest patch
   std::uint64_t traced_ = 0;
 };
 
-// Rows whose listed factors' mean squared standard error is too large.
+// Rows for which the mean squared standard error of the listed factors exceeds the target.
 std::vector<std::uint8_t> poor_rows(const ViewFactors& factors, double error, const GroupSampling& sampling) {
   std::vector<std::uint8_t> poor(factors.size(), 0);
   for (std::size_t e = 0; e < factors.size(); ++e) {
@@ -177,9 +176,8 @@ std::vector<std::uint8_t> poor_rows(const ViewFactors& factors, double error, co
 }  // namespace
 
 std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const SampleFactorsOptions& options,
-                                                const Workers& workers, const Monitor& monitor,
-                                                SampleFactorsReport& report) {
-  GroupSampling sampling(rays, options, workers, monitor);
+                                                SampleFactorsReport& report, const Context& context) {
+  GroupSampling sampling(rays, options, context);
   std::optional<ViewFactors> factors;
   std::vector<std::uint8_t> wanted(rays.elements().size(), 0);
   for (std::size_t e = 0; e < wanted.size(); ++e) wanted[e] = sampling.may_double(e) ? 1 : 0;

@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/form_factors/sampling.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t max_rays = 1u << 22;  // a side and replicate
+constexpr std::uint32_t max_rays = 1u << 22;  // per side and replicate
 
 }  // namespace
 
@@ -31,7 +32,8 @@ std::vector<std::uint32_t> receiver_list(std::size_t begin, std::size_t end) {
 
 double bytes_of_factors(double counted, double with_reverse, const SampleFactorsOptions& options) {
   constexpr double made = 20.0, held = 16.0, exchange_area = 20.0;
-  constexpr double kept = 1.1;  // measured: what the C library keeps of freed memory
+  // measured: ratio of resident to allocated memory, since the C library does not return all freed memory
+  constexpr double kept = 1.1;
   const auto last = (options.is_enforced ? with_reverse : counted) * (held + options.bytes_beside);
   return kept * std::max({made * counted, last,
                           options.is_enforced ? held * counted + exchange_area * with_reverse : 0.0});
@@ -43,22 +45,25 @@ void predict(double counted, double with_reverse, const SampleFactorsOptions& op
   const auto factors = options.is_enforced ? with_reverse : counted;
   constexpr double mib = 1024.0 * 1024.0;
   if (options.memory > 0 && bytes > static_cast<double>(options.memory))
-    throw InputError(fmt::format(
-        "about {:.3g} million factors would be listed and take {:.0f} MiB, where {:.0f} MiB are allowed; "
-        "--min-factor drops small factors, --rays counts fewer, groups or larger patches have fewer, and "
-        "--memory allows more",
-        1e-6 * factors, bytes / mib, static_cast<double>(options.memory) / mib));
+    throw with_hints(
+        InputError(fmt::format(
+            "about {:.3g} million factors would be listed and take {:.0f} MiB, where {:.0f} MiB are allowed: "
+            "drop "
+            "small factors, count fewer rays, take groups or larger patches, or allow more memory",
+            1e-6 * factors, bytes / mib, static_cast<double>(options.memory) / mib)),
+        {{Setting::min_factor}, {Setting::rays}, {Setting::max_edge}, {Setting::memory}});
   report.predicted_bytes = static_cast<std::uint64_t>(bytes);
   report.predicted_factors = static_cast<std::uint64_t>(factors);
 }
 
 std::optional<ViewFactors> sample_view_factors(const PatchSet& patches, const Tracer& tracer,
                                                const ViewElements& elements,
-                                               const SampleFactorsOptions& options, const Workers& workers,
-                                               const Monitor& monitor, SampleFactorsReport& report) {
-  const ElementRays rays(patches, tracer, elements, options.rows, options.seed, options.replicates, workers);
-  return elements.kind == Between::patches ? sample_patch_factors(rays, options, workers, monitor, report)
-                                           : sample_group_factors(rays, options, workers, monitor, report);
+                                               const SampleFactorsOptions& options,
+                                               SampleFactorsReport& report, const Context& context) {
+  const ElementRays rays(patches, tracer, elements, {options.rows, options.seed, options.replicates},
+                         context);
+  return elements.kind == Between::patches ? sample_patch_factors(rays, options, report, context)
+                                           : sample_group_factors(rays, options, report, context);
 }
 
 }  // namespace luxel

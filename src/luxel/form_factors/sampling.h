@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "luxel/core/context.h"
 #include "luxel/form_factors/element_rays.h"
 #include "luxel/form_factors/sample_view_factors.h"
 
@@ -11,14 +12,13 @@ namespace luxel {
 
 // The two ways of sample_view_factors(), which has the promises.
 
-// Between patches: rows are made once, with as many rays as some of them, tried before, say is enough.
+// For factors between patches: rows are computed once, with a number of rays that a trial on some of them
+// estimates.
 std::optional<ViewFactors> sample_patch_factors(const ElementRays& rays, const SampleFactorsOptions& options,
-                                                const Workers& workers, const Monitor& monitor,
-                                                SampleFactorsReport& report);
+                                                SampleFactorsReport& report, const Context& context);
 // Between elements of many patches: sums over rays, which are doubled.
 std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const SampleFactorsOptions& options,
-                                                const Workers& workers, const Monitor& monitor,
-                                                SampleFactorsReport& report);
+                                                SampleFactorsReport& report, const Context& context);
 
 // Rays a side and replicate that a limit allows, a power of two; where there is none, the most there can be.
 std::uint32_t max_per_replicate(const SampleFactorsOptions& options);
@@ -26,11 +26,11 @@ std::uint32_t max_per_replicate(const SampleFactorsOptions& options);
 // Receivers [begin, end) as a list.
 std::vector<std::uint32_t> receiver_list(std::size_t begin, std::size_t end);
 
-// Bytes that so many factors take at most at one time, counted or afterwards. with_reverse: how many there
-// are once those are listed both ways that were found one way.
+// Returns the peak memory of this many factors, in bytes, while they are computed or afterwards.
+// with_reverse: the number of factors once those found in one direction are listed in both.
 double bytes_of_factors(double counted, double with_reverse, const SampleFactorsOptions& options);
 
-// Throws InputError where so many factors take more than the memory allowed; else notes what they take.
+// Throws InputError where this many factors exceed the memory allowed; else records their memory.
 void predict(double counted, double with_reverse, const SampleFactorsOptions& options,
              SampleFactorsReport& report);
 

@@ -7,7 +7,7 @@
 namespace luxel {
 namespace {
 
-constexpr double same_direction = 1e-9;  // sine under which two axes are one
+constexpr double same_direction = 1e-9;  // sine below which two axes count as one
 
 void add_face(std::vector<Plane>& faces, const Plane& face) {
   for (const auto& other : faces)
@@ -25,7 +25,8 @@ Shaft::Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack) :
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
-  // A plane through three corners is a face if all others lie on one side. Few corners: all are tried.
+  // A plane through three corners is a face if all other corners lie on one side. There are few corners, so
+  // all triples are tested.
   for (std::size_t i = 0; i < corners_.size(); ++i)
     for (std::size_t j = i + 1; j < corners_.size(); ++j)
       for (std::size_t k = j + 1; k < corners_.size(); ++k) {
@@ -48,7 +49,7 @@ bool Shaft::misses(const Bounds& box) const {
   const Vec3d low(box.low), high(box.high);
   for (glm::length_t d = 0; d < 3; ++d)
     if (low[d] > high_[d] - slack_ || high[d] < low_[d] + slack_) {
-      // A flat shaft along an axis is thinner than the slack.
+      // A flat shaft that is perpendicular to an axis is thinner than the slack.
       if (high_[d] - low_[d] > 4.0 * slack_) return true;
     }
   return std::any_of(faces_.begin(), faces_.end(), [&](const Plane& face) {

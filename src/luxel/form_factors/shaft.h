@@ -17,7 +17,7 @@ class Shaft {
   // slack, m: what reaches less than that into the shaft is outside.
   Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack);
 
-  // Whether a box is outside. May say no of one that is.
+  // Returns whether a box is outside. Conservative: may return false for a box that is.
   bool misses(const Bounds& box) const;
   // Whether a triangle is outside, or hides nothing of either polygon from the other since it is seen edge
   // on. By separating axes: no answer is wrong by more than the slack.

@@ -3,9 +3,9 @@
 
 namespace luxel {
 
-ShaftSearch::ShaftSearch(const PatchSet& patches, const Workers& workers)
-    : patches_(patches), tree_(make_patch_tree(patches, workers)), boxes_(tree_.nodes.size()) {
-  for (auto k = tree_.nodes.size(); k-- > 0;) {  // children stand after their parents
+ShaftSearch::ShaftSearch(const PatchSet& patches, const Context& context)
+    : patches_(patches), tree_(make_patch_tree(patches, context)), boxes_(tree_.nodes.size()) {
+  for (auto k = tree_.nodes.size(); k-- > 0;) {  // children follow their parents
     const auto& node = tree_.nodes[k];
     if (node.child != 0) {
       for (const auto child : {node.child, node.child + 1}) {

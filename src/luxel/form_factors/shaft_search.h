@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "luxel/core/bounds.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/form_factors/shaft.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
@@ -17,9 +17,9 @@ namespace luxel {
 class ShaftSearch {
  public:
   // Keeps a reference to patches. 0.3 s and 75 MB per million patches.
-  ShaftSearch(const PatchSet& patches, const Workers& workers);
+  ShaftSearch(const PatchSet& patches, const Context& context);
 
-  // Replaces `found` by those patches, but not more than `most`: then it stops, and says false.
+  // Replaces `found` by those patches, but not more than `most`: beyond that it stops and returns false.
   bool find(const Shaft& shaft, std::size_t most, std::vector<std::uint32_t>& found) const;
 
  private:

@@ -15,7 +15,8 @@ void VisibleIrradiance::keep(const Polygon& fragment) {
 }
 
 void VisibleIrradiance::hide(const Vec3d& x, const std::array<Vec3d, 3>& screen) {
-  // The far side of the screen is above; the pyramid's sides have their insides above.
+  // Above the far plane lies the part behind the screen; above the side planes lies the inside of the
+  // pyramid.
   auto normal = glm::cross(screen[1] - screen[0], screen[2] - screen[0]);
   const auto height = glm::dot(normal, x - screen[0]);
   if (std::fabs(height) <= slack_ * glm::length(normal)) return;
@@ -37,7 +38,7 @@ void VisibleIrradiance::hide(const Vec3d& x, const std::array<Vec3d, 3>& screen)
       if (behind_.size() < 3) break;
     }
     if (behind_.size() < 3) {
-      keep(fragments_[i]);  // untouched, whole
+      keep(fragments_[i]);  // not clipped
     } else {
       for (const auto& fragment : cut_off_) keep(fragment);
     }

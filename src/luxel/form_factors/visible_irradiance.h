@@ -9,8 +9,8 @@
 
 namespace luxel {
 
-// What a point gets of a polygon behind opaque triangles, in closed form: of the polygon is cut away what
-// lies in the pyramid that the point and a triangle span, beyond the triangle. Scratch memory for one thread.
+// Irradiance at a point from a polygon behind opaque triangles, in closed form: the polygon is clipped by the
+// pyramid that the point and a triangle span, beyond the triangle. Scratch memory for one thread.
 class VisibleIrradiance {
  public:
   // slack, m: a triangle in whose plane the point lies so nearly hides nothing.

@@ -16,7 +16,7 @@
 namespace luxel {
 namespace {
 
-// Text on its way to a file, a piece at a time: a hundred million lines need not fit into memory.
+// Buffered text output: a hundred million lines need not fit into memory.
 class TextFile {
  public:
   explicit TextFile(const std::filesystem::path& path)
@@ -57,7 +57,7 @@ class TextFile {
   fmt::memory_buffer buffer_;
 };
 
-// As a field of CSV.
+// The name as a CSV field.
 std::string field(const std::string& name) {
   if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
   std::string quoted = "\"";
@@ -68,7 +68,7 @@ std::string field(const std::string& name) {
   return quoted + '"';
 }
 
-// On one line.
+// The name on one line.
 std::string line_of(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

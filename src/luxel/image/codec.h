@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "luxel/core/context.h"
 #include "luxel/image/image.h"
 #include "luxel/image/image_file.h"
 #include "luxel/image/raster.h"
@@ -20,7 +21,7 @@ struct ScreenImage;
 
 inline constexpr int max_side = 16384;  // pixels; more is refused before anything is decoded
 
-// What is wrong with the bytes, still without the file's name.
+// An error in the bytes; its text does not yet name the file.
 struct CodecError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -31,11 +32,11 @@ void check_size(std::int64_t width, std::int64_t height);
 // The pixels of a file of linear values.
 inline Raster of_numbers(Image image) { return {image.width, image.height, {}, std::move(image.pixels)}; }
 
-// Empty where the monitor says stop; here and below.
-std::string encode_png(const Image& display, const PictureNotes& notes = {}, const Monitor& monitor = {});
+// Empty where the monitor stops the work; here and below.
+std::string encode_png(const Image& display, const PictureNotes& notes = {}, const Context& context = {});
 std::string encode_png(const ScreenImage& image);
 std::string encode_png(const Raster& raster);  // of codes
-std::string encode_exr(const Image& linear, const Monitor& monitor = {});
+std::string encode_exr(const Image& linear, const Context& context = {});
 std::string encode_hdr(const Image& linear);
 
 Raster decode_png(std::string_view bytes);

@@ -5,7 +5,7 @@
 
 namespace luxel {
 
-// What tone.cpp and tone_map.cpp share; the room's own.
+// Code common to tone.cpp and tone_map.cpp; private to this module.
 
 // NaN and negative channels become 0, the rest is at most 1e30: no sum or product of colours is infinite.
 Vec3 clean_color(const Vec3& radiance);

@@ -86,7 +86,7 @@ Image read_channels(Imf::InputFile& file) {
 
 }  // namespace
 
-std::string encode_exr(const Image& linear, const Monitor& monitor) {
+std::string encode_exr(const Image& linear, const Context& context) {
   std::vector<Imath::half> values;
   values.reserve(3 * linear.pixels.size());
   for (const auto& pixel : linear.pixels)
@@ -109,7 +109,7 @@ std::string encode_exr(const Image& linear, const Monitor& monitor) {
     constexpr int pixels_between_calls = 1 << 19;
     const auto rows = std::max(1, pixels_between_calls / linear.width);
     for (int y = 0; y < linear.height; y += rows) {
-      if (tell(monitor, {"pictures", static_cast<double>(y) / linear.height}) == Next::stop) return {};
+      if (context.report({"pictures", static_cast<double>(y) / linear.height}) == Next::stop) return {};
       file.writePixels(std::min(rows, linear.height - y));
     }
   } catch (const std::exception& e) {

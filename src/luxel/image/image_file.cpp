@@ -40,7 +40,7 @@ void write_encoded(const fs::path& path, const Picture& image, const Encode& enc
   write_file(path, encoded(path.string(), image, encode));
 }
 
-// Only formats asked for reach a decoder: stb knows more of them, less well tested.
+// Only expected formats reach the decoder: stb supports more of them, less well tested.
 Raster decode(const fs::path& path, std::string_view bytes) {
   const auto begins = [&](std::string_view magic) { return bytes.substr(0, magic.size()) == magic; };
   if (begins("\x89PNG\r\n\x1a\n")) return decode_png(bytes);
@@ -65,9 +65,9 @@ void write_png(const fs::path& path, const Image& display, const PictureNotes& n
 void write_png(const fs::path& path, const ScreenImage& image) {
   write_encoded(path, image, [](const ScreenImage& codes) { return encode_png(codes); });
 }
-std::string png_of(const Image& display, const PictureNotes& notes, const Monitor& monitor) {
+std::string png_of(const Image& display, const PictureNotes& notes, const Context& context) {
   return encoded("a PNG picture", display,
-                 [&](const Image& image) { return encode_png(image, notes, monitor); });
+                 [&](const Image& image) { return encode_png(image, notes, context); });
 }
 std::string png_of(const Raster& raster) {
   return encoded("a PNG picture", raster, [](const Raster& picture) {
@@ -77,8 +77,8 @@ std::string png_of(const Raster& raster) {
 void write_exr(const fs::path& path, const Image& linear) {
   write_encoded(path, linear, [](const Image& image) { return encode_exr(image); });
 }
-std::string exr_of(const Image& linear, const Monitor& monitor) {
-  return encoded("an EXR picture", linear, [&](const Image& image) { return encode_exr(image, monitor); });
+std::string exr_of(const Image& linear, const Context& context) {
+  return encoded("an EXR picture", linear, [&](const Image& image) { return encode_exr(image, context); });
 }
 void write_hdr(const fs::path& path, const Image& linear) { write_encoded(path, linear, encode_hdr); }
 

@@ -3,9 +3,9 @@
 
 namespace luxel {
 
-// Reinhard et al. 2002, section 3.2: the constants of their search for the light around a pixel, for whoever
-// does it, here or on a graphics card. Scale i has s = ratio^i pixels; its centre is blurred by smallest *
-// ratio^i, its surround is the centre of the scale after it.
+// Constants of the search for the local adaptation luminance of a pixel (Reinhard et al. 2002, section 3.2),
+// for the implementations on the processor and on a graphics card. Scale i has s = ratio^i pixels; its centre
+// is blurred by smallest * ratio^i, its surround is the centre of the scale after it.
 struct LocalScales {
   static constexpr int count = 8;          // s = 1 to 27; the surround of the last is 43
   static constexpr int blurs = count + 1;  // that serve them

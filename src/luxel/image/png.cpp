@@ -157,9 +157,9 @@ bool write_end(Encoder& encoder) {
   return true;
 }
 
-// row(y): the codes of a row. Empty where the monitor says stop.
+// row(y): the codes of a row; empty where the monitor stops the work.
 template <typename Row>
-std::string encode_codes(int width, int height, int channels, const Row& row, const Monitor& monitor) {
+std::string encode_codes(int width, int height, int channels, const Row& row, const Context& context) {
   constexpr int codes_between_calls = 1 << 20;
   Encoder encoder;
   const auto refuse = [&] { throw CodecError(encoder.problem); };
@@ -167,7 +167,7 @@ std::string encode_codes(int width, int height, int channels, const Row& row, co
   const auto rows_between_calls = std::max(1, codes_between_calls / (channels * width));
   for (int y = 0; y < height; ++y) {
     if (y % rows_between_calls == 0 &&
-        tell(monitor, {"pictures", static_cast<double>(y) / height}) == Next::stop)
+        context.report({"pictures", static_cast<double>(y) / height}) == Next::stop)
       return {};
     if (!write_row(encoder, row(y))) refuse();
   }
@@ -177,14 +177,14 @@ std::string encode_codes(int width, int height, int channels, const Row& row, co
 
 }  // namespace
 
-std::string encode_png(const Image& display, const PictureNotes& notes, const Monitor& monitor) {
+std::string encode_png(const Image& display, const PictureNotes& notes, const Context& context) {
   std::vector<std::uint8_t> codes(3 * static_cast<std::size_t>(display.width));
   const auto row = [&](int y) {
     for (int x = 0; x < display.width; ++x)
       for (int c = 0; c < 3; ++c) codes[static_cast<std::size_t>(3 * x + c)] = srgb_code(display.at(x, y)[c]);
     return codes.data();
   };
-  auto bytes = encode_codes(display.width, display.height, 3, row, monitor);
+  auto bytes = encode_codes(display.width, display.height, 3, row, context);
   if (bytes.empty()) return bytes;
   constexpr std::size_t end_of_header = 33;  // signature and IHDR
   for (auto note = notes.rbegin(); note != notes.rend(); ++note)

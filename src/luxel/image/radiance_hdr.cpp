@@ -28,7 +28,8 @@ class Reader {
     rest_.remove_prefix(end + 1);
     return found;
   }
-  // Whether a row of so many pixels is packed: it begins with 2, 2 and its length. Takes them if so.
+  // Returns whether a row of this many pixels is packed: it begins with 2, 2 and its length. Consumes these
+  // if so.
   bool take_packed_mark(int width) {
     const std::array<char, 4> mark = {2, 2, static_cast<char>(width >> 8), static_cast<char>(width)};
     const std::string_view expected(mark.data(), mark.size());

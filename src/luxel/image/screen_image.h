@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// What a screen shows: three sRGB codes a pixel (red, green, blue), row by row from the top left.
+// An image for a screen: three sRGB codes per pixel (red, green, blue), row by row from the top left.
 struct ScreenImage {
   int width = 0;
   int height = 0;

@@ -42,9 +42,9 @@ double max_channel(std::span<const Vec3> radiance, std::span<const float> weight
   return largest;
 }
 
-// Reinhard et al. 2002, equation 1 with areas for pixel counts. Their small delta, which keeps black pixels
-// from a logarithm of zero, also drags the mean down as far as its own choice says; leaving black out needs
-// no choice.
+// Reinhard et al. 2002, equation 1 with areas for pixel counts. Their small delta, which avoids the logarithm
+// of zero at black pixels, also lowers the mean by an amount that depends on its value; leaving black pixels
+// out needs no such constant.
 double log_average(std::span<const Vec3> radiance, std::span<const float> weights) {
   double sum = 0.0;
   double area = 0.0;

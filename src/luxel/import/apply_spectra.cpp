@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/import/name_list.h"
 #include "luxel/import/read_spectra.h"
 #include "luxel/scene/colour_spectra.h"
@@ -17,7 +18,7 @@ namespace {
 
 using Quantity = MeasuredSpectrum::Quantity;
 
-// Of all spectra, those that an eye sees, ascending.
+// The visible wavelengths of all spectra, ascending.
 std::vector<double> seen_wavelengths(const std::vector<MeasuredSpectrum>& spectra) {
   std::vector<double> all;
   for (const auto& measured : spectra)
@@ -66,10 +67,11 @@ void choose_wavelengths(const LoadOptions& options, const std::vector<MeasuredSp
   }
   scene.wavelengths = with_gaps_filled(seen);
   if (scene.wavelengths.size() > static_cast<std::size_t>(max_bands))
-    throw InputError(source,
-                     fmt::format("the spectra have {} different wavelengths, more than {}: choose fewer "
-                                 "bands at even steps, such as --bands 41",
-                                 scene.wavelengths.size(), max_bands));
+    throw with_hints(
+        InputError(source, fmt::format("the spectra have {} different wavelengths, more than {}: choose "
+                                       "fewer bands at even steps",
+                                       scene.wavelengths.size(), max_bands)),
+        {{Setting::bands, "41"}});
 }
 
 Material& material_of(const MeasuredSpectrum& measured, const std::string& source, Scene& scene) {
@@ -90,7 +92,7 @@ Spectrum times(double factor, const Spectrum& spectrum) {
 
 }  // namespace
 
-void apply_spectra(const LoadOptions& options, Scene& scene, const LogSink& log) {
+void apply_spectra(const LoadOptions& options, Scene& scene, const Context& context) {
   const auto source = options.spectra.string();
   const auto spectra = read_spectra(options.spectra);
   choose_wavelengths(options, spectra, scene);
@@ -98,8 +100,9 @@ void apply_spectra(const LoadOptions& options, Scene& scene, const LogSink& log)
   for (const auto& measured : spectra) {
     if (measured.quantity == Quantity::sky) {
       if (scene.sky != Vec3(0.0f))
-        throw InputError(source, measured.line,
-                         "the sky is given by --sky as well: leave one of the two away");
+        throw with_hints(
+            InputError(source, measured.line, "the sky is given twice: leave one of the two away"),
+            {{Setting::sky, "0"}});
       scene.sky_spectrum = measured.spectrum;
       continue;
     }
@@ -120,8 +123,8 @@ void apply_spectra(const LoadOptions& options, Scene& scene, const LogSink& log)
     material.reflectance_spectrum = Spectrum(std::move(samples));
   }
   if (!too_bright.empty())
-    warn(log, fmt::format("{}: the reflectance of {} is lowered to {}", source, name_list(too_bright),
-                          options.max_reflectance));
+    context.warn(fmt::format("{}: the reflectance of {} is lowered to {}", source, name_list(too_bright),
+                             options.max_reflectance));
 }
 
 }  // namespace luxel

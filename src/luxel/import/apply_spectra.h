@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "luxel/core/context.h"
 #include "luxel/import/load_scene.h"
 
 namespace luxel {
@@ -9,7 +10,7 @@ namespace luxel {
 // to be solved at: those of all spectra in the file that an eye sees, with even steps of max_band_step or
 // less put between any that lie farther apart; or LoadOptions::bands at even steps from the first to the
 // last. Throws InputError, with file and line, where the file is damaged or does not fit the scene.
-void apply_spectra(const LoadOptions& options, Scene& scene, const LogSink& log);
+void apply_spectra(const LoadOptions& options, Scene& scene, const Context& context);
 
 inline constexpr double max_band_step = 10.0;  // nm
 

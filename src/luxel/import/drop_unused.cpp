@@ -6,12 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace luxel {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t alignment = 4;
 
@@ -23,50 +19,50 @@ bool is_harmless(const std::string& extension) {
 }
 
 // Goes to every place that names an accessor, every one that names a view, and so on.
-using Visit = std::function<void(Json&)>;
-using Names = std::function<void(Json&, const Visit&)>;
+using Visit = std::function<void(SortedJson&)>;
+using Names = std::function<void(SortedJson&, const Visit&)>;
 
-void each_of(Json& owner, const char* member, const Visit& visit) {
+void each_of(SortedJson& owner, const char* member, const Visit& visit) {
   if (const auto found = owner.find(member); found != owner.end())
     for (auto& each : *found) visit(each);
 }
 
-void at_member(Json& owner, const char* member, const Visit& visit) {
+void at_member(SortedJson& owner, const char* member, const Visit& visit) {
   if (const auto found = owner.find(member); found != owner.end()) visit(*found);
 }
 
-void visit_accessor_names(Json& root, const Visit& visit) {
-  each_of(root, "meshes", [&](Json& mesh) {
-    each_of(mesh, "primitives", [&](Json& primitive) {
+void visit_accessor_names(SortedJson& root, const Visit& visit) {
+  each_of(root, "meshes", [&](SortedJson& mesh) {
+    each_of(mesh, "primitives", [&](SortedJson& primitive) {
       at_member(primitive, "indices", visit);
       each_of(primitive, "attributes", visit);
-      each_of(primitive, "targets", [&](Json& target) {
+      each_of(primitive, "targets", [&](SortedJson& target) {
         for (auto& attribute : target) visit(attribute);
       });
     });
   });
-  each_of(root, "skins", [&](Json& skin) { at_member(skin, "inverseBindMatrices", visit); });
-  each_of(root, "animations", [&](Json& animation) {
-    each_of(animation, "samplers", [&](Json& sampler) {
+  each_of(root, "skins", [&](SortedJson& skin) { at_member(skin, "inverseBindMatrices", visit); });
+  each_of(root, "animations", [&](SortedJson& animation) {
+    each_of(animation, "samplers", [&](SortedJson& sampler) {
       at_member(sampler, "input", visit);
       at_member(sampler, "output", visit);
     });
   });
 }
 
-void visit_view_names(Json& root, const Visit& visit) {
-  each_of(root, "accessors", [&](Json& accessor) {
+void visit_view_names(SortedJson& root, const Visit& visit) {
+  each_of(root, "accessors", [&](SortedJson& accessor) {
     at_member(accessor, "bufferView", visit);
-    at_member(accessor, "sparse", [&](Json& sparse) {
+    at_member(accessor, "sparse", [&](SortedJson& sparse) {
       for (const auto* part : {"indices", "values"})
-        at_member(sparse, part, [&](Json& names) { at_member(names, "bufferView", visit); });
+        at_member(sparse, part, [&](SortedJson& names) { at_member(names, "bufferView", visit); });
     });
   });
-  each_of(root, "images", [&](Json& image) { at_member(image, "bufferView", visit); });
+  each_of(root, "images", [&](SortedJson& image) { at_member(image, "bufferView", visit); });
 }
 
 // The members of a material, at any depth, that name textures: all of glTF's are called so.
-void visit_texture_names_of(Json& owner, const Visit& visit) {
+void visit_texture_names_of(SortedJson& owner, const Visit& visit) {
   if (!owner.is_object()) return;
   for (const auto& [key, member] : owner.items()) {
     if (key == "extras" || !member.is_object()) continue;
@@ -75,50 +71,50 @@ void visit_texture_names_of(Json& owner, const Visit& visit) {
   }
 }
 
-void visit_texture_names(Json& root, const Visit& visit) {
-  each_of(root, "materials", [&](Json& material) { visit_texture_names_of(material, visit); });
+void visit_texture_names(SortedJson& root, const Visit& visit) {
+  each_of(root, "materials", [&](SortedJson& material) { visit_texture_names_of(material, visit); });
 }
 
-void visit_picture_names(Json& root, const Visit& visit) {
-  each_of(root, "textures", [&](Json& texture) { at_member(texture, "source", visit); });
+void visit_picture_names(SortedJson& root, const Visit& visit) {
+  each_of(root, "textures", [&](SortedJson& texture) { at_member(texture, "source", visit); });
 }
 
-void visit_sampler_names(Json& root, const Visit& visit) {
-  each_of(root, "textures", [&](Json& texture) { at_member(texture, "sampler", visit); });
+void visit_sampler_names(SortedJson& root, const Visit& visit) {
+  each_of(root, "textures", [&](SortedJson& texture) { at_member(texture, "sampler", visit); });
 }
 
-// What is wrong in parts of a file that nobody reads stays as it is.
-bool names_one_of(const Json& name, std::size_t count) {
+// Errors in parts of a file that are not read are left as they are.
+bool names_one_of(const SortedJson& name, std::size_t count) {
   return name.is_number_unsigned() && name.get<std::size_t>() < count;
 }
 
-std::size_t size_of(const Json& root, const char* array) {
+std::size_t size_of(const SortedJson& root, const char* array) {
   const auto found = root.find(array);
   return found != root.end() && found->is_array() ? found->size() : 0;
 }
 
 // [element]
-std::vector<bool> named(Json& root, const char* array, const Names& names) {
+std::vector<bool> named(SortedJson& root, const char* array, const Names& names) {
   std::vector<bool> is_named(size_of(root, array), false);
-  names(root, [&](Json& name) {
+  names(root, [&](SortedJson& name) {
     if (names_one_of(name, is_named.size())) is_named[name.get<std::size_t>()] = true;
   });
   return is_named;
 }
 
-// Takes off those elements of an array that are not named and may go, and counts the others anew. may_go:
+// Removes those elements of an array that have no reference and may go, and renumbers the others. may_go:
 // [element]; those beyond its end stay.
-void drop_unnamed(Json& root, const char* array, const Names& names, const std::vector<bool>& may_go) {
+void drop_unnamed(SortedJson& root, const char* array, const Names& names, const std::vector<bool>& may_go) {
   const auto all = root.find(array);
   if (all == root.end() || !all->is_array()) return;
   const auto is_named = named(root, array, names);
   std::vector<std::size_t> number(is_named.size());
-  auto kept = Json::array();
+  auto kept = SortedJson::array();
   for (std::size_t i = 0; i < is_named.size(); ++i) {
     number[i] = kept.size();
     if (is_named[i] || i >= may_go.size() || !may_go[i]) kept.push_back(std::move((*all)[i]));
   }
-  names(root, [&](Json& name) {
+  names(root, [&](SortedJson& name) {
     if (names_one_of(name, number.size())) name = number[name.get<std::size_t>()];
   });
   if (kept.empty())
@@ -127,9 +123,9 @@ void drop_unnamed(Json& root, const char* array, const Names& names, const std::
     root[array] = std::move(kept);
 }
 
-void pack_bytes(Json& root, std::string& bytes) {
+void pack_bytes(SortedJson& root, std::string& bytes) {
   std::string packed;
-  each_of(root, "bufferViews", [&](Json& view) {
+  each_of(root, "bufferViews", [&](SortedJson& view) {
     const auto offset = view.value("byteOffset", std::size_t{0});
     view["byteOffset"] = packed.size();
     packed.append(bytes, offset, view["byteLength"].get<std::size_t>());
@@ -140,11 +136,12 @@ void pack_bytes(Json& root, std::string& bytes) {
 
 }  // namespace
 
-std::vector<bool> used_textures(Json& root) { return named(root, "textures", visit_texture_names); }
+std::vector<bool> used_textures(SortedJson& root) { return named(root, "textures", visit_texture_names); }
 
-void drop_unused(Json& root, std::string& bytes, const std::vector<bool>& once_used) {
+void drop_unused(SortedJson& root, std::string& bytes, const std::vector<bool>& once_used) {
   if (const auto used = root.find("extensionsUsed"); used != root.end())
-    if (!std::all_of(used->begin(), used->end(), [](const Json& name) { return is_harmless(name); })) return;
+    if (!std::all_of(used->begin(), used->end(), [](const SortedJson& name) { return is_harmless(name); }))
+      return;
   const auto pictures = named(root, "images", visit_picture_names);
   const auto samplers = named(root, "samplers", visit_sampler_names);
   drop_unnamed(root, "textures", visit_texture_names, once_used);

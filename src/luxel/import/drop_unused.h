@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include "luxel/core/json.h"
 
 namespace luxel {
 
 // [texture]: whether a material names it.
-std::vector<bool> used_textures(nlohmann::json& root);
+std::vector<bool> used_textures(SortedJson& root);
 
-// Takes accessors, and bytes, that nothing names any more out of a glTF file of one buffer, and counts the
-// others anew; so too textures that were used once, [texture] as used_textures(), with their pictures and
-// samplers: what nothing ever used is its author's. Nothing is done where the file uses an extension that may
-// name them in ways not known here.
-void drop_unused(nlohmann::json& root, std::string& bytes, const std::vector<bool>& once_used);
+// Removes accessors, and bytes, without references from a glTF file of one buffer, and renumbers the others.
+// Removes textures that were used before, [texture] as used_textures(), with their pictures and samplers;
+// textures that were never used belong to the author and stay. Does nothing where the file uses an extension
+// that may refer to them in unknown ways.
+void drop_unused(SortedJson& root, std::string& bytes, const std::vector<bool>& once_used);
 
 }  // namespace luxel

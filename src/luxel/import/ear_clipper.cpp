@@ -65,10 +65,10 @@ void EarClipper::clip(Triangles& triangles) {
   while (left_ >= 3) cut(next_[here_], triangles);
 }
 
-// Looks at each corner once and returns the number of cuts. Where ears are many it leaves every second one
-// for the next round: fewer slivers. Where they are few (along a winding corridor only its two ends are ears)
-// it looks at both neighbours of a cut at once. Cuts that break the shape are made one a round, for there may
-// be true ears again behind them.
+// Visits each corner once and returns the number of cuts. Where ears are many it leaves every second one for
+// the next round: fewer slivers. Where they are few (along a winding corridor only its two ends are ears) it
+// visits both neighbours of a cut at once. Cuts that break the shape are made one per round, for there may be
+// true ears again behind them.
 std::size_t EarClipper::go_round(Demand demand, Triangles& triangles) {
   std::size_t cuts = 0;
   auto visits = left_;

@@ -16,8 +16,9 @@ inline double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Ear clipping (Meisters, "Polygons have ears", 1975) with a grid over the corners, so that an ear asks only
-// those near it. Made for one polygon of at least three corners, counter-clockwise; `points` must outlive it.
+// Ear clipping (Meisters, "Polygons have ears", 1975) with a grid over the corners, so that an ear is tested
+// only against corners near it. For one polygon of at least three corners, counter-clockwise; `points` must
+// outlive it.
 class EarClipper {
  public:
   explicit EarClipper(std::span<const glm::dvec2> points);
@@ -27,8 +28,8 @@ class EarClipper {
 
  private:
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-  // What may be cut off. Ears come first; where none is left, corners without area; then, in a polygon that
-  // crosses itself, a convex corner; at last any corner at all.
+  // The corners that may be cut off, by priority: ears; then corners without area; then, in a polygon that
+  // crosses itself, a convex corner; finally any corner.
   enum class Demand { ear, flat, convex, none };
 
   void build_grid();

@@ -72,7 +72,7 @@ std::size_t GltfArray::size_of(Type type) {
   return type == Type::i16 || type == Type::u16 ? 2 : 4;
 }
 
-// The bytes of `count` elements of so many bytes each, from the owner's bufferView and byteOffset.
+// Returns the bytes of `count` elements of this many bytes each, from the owner's bufferView and byteOffset.
 GltfArray::Bytes GltfArray::bytes_of(GltfFile& file, const JsonValue& owner, std::size_t count,
                                      std::size_t element) {
   const auto view_index = owner["bufferView"];

@@ -15,17 +15,17 @@ namespace luxel {
 // Nothing is copied; valid as long as the file.
 class GltfArray {
  public:
-  // An accessor without a bufferView is all zeros, and could say that it has any number of them.
+  // Limit for an accessor without a bufferView, which is all zeros and may declare any count.
   static constexpr std::size_t max_zeros = std::size_t{1} << 20;
 
-  // index is the place that names the accessor, as primitive["indices"]. fewest, most: how many numbers an
-  // element may have (of vectors and scalars; matrices are refused). Throws InputError where the file's bytes
-  // do not hold what it says.
+  // index is the JSON value that names the accessor, as primitive["indices"]. fewest, most: bounds of the
+  // components per element (of vectors and scalars; matrices are refused). Throws InputError where the file's
+  // bytes do not match the accessor.
   GltfArray(GltfFile& file, const JsonValue& index, int fewest, int most);
 
   std::size_t size() const { return count_; }
   int components() const { return components_; }
-  // Of whole numbers without sign, as indices are.
+  // Reads unsigned integers, such as indices.
   bool is_unsigned() const { return type_ == Type::u8 || type_ == Type::u16 || type_ == Type::u32; }
   const JsonValue& accessor() const { return accessor_; }
 

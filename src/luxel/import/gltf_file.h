@@ -18,10 +18,11 @@ namespace luxel {
 // scenes in the wild have it; whole paths and addresses of the net are refused.
 class GltfFile {
  public:
-  // Reads a GLB (told by its first bytes) or the JSON of a .gltf. Throws InputError where it is neither, is
-  // damaged or shorter than it says, is not glTF 2, or requires an extension that is not in `extensions`.
+  // Reads a GLB (recognised by its first bytes) or the JSON of a .gltf. Throws InputError where it is
+  // neither, is damaged or shorter than declared, is not glTF 2, or requires an extension that is not in
+  // `extensions`.
   GltfFile(const std::filesystem::path& path, const std::vector<std::string_view>& extensions);
-  // The same of a file in memory; path says what it is called and where its other files lie.
+  // The same for a file in memory; path gives its name and where its other files lie.
   GltfFile(std::string bytes, const std::filesystem::path& path,
            const std::vector<std::string_view>& extensions);
   GltfFile(const GltfFile&) = delete;
@@ -34,8 +35,8 @@ class GltfFile {
   // where the array has none such; the index must be there.
   JsonValue object(const JsonValue& index, std::string_view array) const;
 
-  // The bytes of a bufferView that an index means, until the file goes. Buffers are read when first asked
-  // for. Not thread-safe.
+  // Returns the bytes of the bufferView with this index; valid until the file is destroyed. Buffers are read
+  // on first use. Not thread-safe.
   std::string_view view(const JsonValue& index);
 
   // The same by its number, below how many there are.

@@ -117,7 +117,7 @@ void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double s
 }
 
 void add_cameras(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene,
-                 const LogSink& log) {
+                 const Context& context) {
   std::size_t without_perspective = 0;
   for (const auto& placed : nodes) {
     if (!placed.node["camera"]) continue;
@@ -128,8 +128,8 @@ void add_cameras(const GltfFile& file, std::span<const PlacedNode> nodes, double
       ++without_perspective;
   }
   if (without_perspective > 0)
-    warn(log, fmt::format("{}: {} without perspective passed over", scene.source,
-                          counted(without_perspective, "camera")));
+    context.warn(fmt::format("{}: {} without perspective passed over", scene.source,
+                             counted(without_perspective, "camera")));
 }
 
 }  // namespace luxel

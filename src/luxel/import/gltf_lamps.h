@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "luxel/core/log.h"
+#include "luxel/core/context.h"
 #include "luxel/import/placed_nodes.h"
 #include "luxel/scene/scene.h"
 
@@ -14,8 +14,8 @@ namespace luxel {
 // place.
 void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene);
 
-// Likewise the cameras, in the order of nodes. Those without perspective are passed over, with a warning.
+// The same for cameras, in the order of nodes. Cameras without perspective are skipped, with a warning.
 void add_cameras(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene,
-                 const LogSink& log);
+                 const Context& context);
 
 }  // namespace luxel

@@ -16,7 +16,7 @@
 namespace luxel {
 namespace {
 
-// Where alpha says how much of the light a surface holds back: the half from which on it counts as solid.
+// Where alpha is the share of the light that a surface blocks: the half from which on it counts as solid.
 constexpr double half_solid = 0.5;
 
 // The places where a material may name a picture that matters to diffuse light.
@@ -180,7 +180,7 @@ void GltfMaterials::emit(const Surface& surface, Material& material) const {
   material.textures.emittance_factor = surface.emittance;
 }
 
-// What alpha says becomes a hole or none: where the picture's times the factor's is below the cutoff.
+// Alpha becomes a hole or none: a hole where the picture's times the factor's is below the cutoff.
 void GltfMaterials::let_through(const Surface& surface, Material& material) {
   const auto& picture = surface.base_picture;
   bool has_hole = surface.alpha < surface.cutoff;
@@ -247,15 +247,15 @@ void GltfMaterials::give(Scene& scene) {
   keep_used_textures(scene);
 }
 
-void GltfMaterials::say_warnings(const LogSink& log) const {
+void GltfMaterials::say_warnings(const Context& context) const {
   const auto say = [&](const std::string& before, const std::vector<std::string>& names,
                        const std::string& behind) {
     if (!names.empty())
-      warn(log, fmt::format("{}: {} {}{}", file_.source(), before, name_list(names), behind));
+      context.warn(fmt::format("{}: {} {}{}", file_.source(), before, name_list(names), behind));
   };
   if (default_)
-    warn(log, fmt::format("{}: a grey of {} is taken for what has no material", file_.source(),
-                          default_reflectance));
+    context.warn(fmt::format("{}: a grey of {} is taken for what has no material", file_.source(),
+                             default_reflectance));
   say("the reflectance of", too_bright_,
       fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
   say("light passes freely through what is more transparent than not, which is left out:", transparent_, "");
@@ -266,7 +266,7 @@ void GltfMaterials::say_warnings(const LogSink& log) const {
       unlit_, "");
   say("there are no texture coordinates for some surfaces of", without_coordinates_,
       "; the mean of the picture is taken");
-  textures_.say_warnings(log);
+  textures_.say_warnings(context);
 }
 
 }  // namespace luxel

@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "luxel/core/context.h"
 #include "luxel/import/gltf_textures.h"
 #include "luxel/import/load_scene.h"
 
 namespace luxel {
 
-// The materials that primitives of a glTF file use, made when the first of them does. What cannot be taken as
-// it is becomes a warning, one a kind.
+// The materials that primitives of a glTF file use, created at their first use. Properties that are not
+// supported become a warning, one per kind.
 class GltfMaterials {
  public:
   GltfMaterials(GltfFile& file, const LoadOptions& options);
@@ -27,7 +28,7 @@ class GltfMaterials {
 
   // Gives the scene the materials and their textures.
   void give(Scene& scene);
-  void say_warnings(const LogSink& log) const;
+  void say_warnings(const Context& context) const;
 
  private:
   // A picture where a glTF material may name one.
@@ -36,7 +37,7 @@ class GltfMaterials {
     std::optional<std::uint32_t> texture = {};  // nothing where it cannot be had
     std::optional<TextureUse> use = {};         // nothing where the primitive has no coordinates for it
   };
-  struct Surface;  // what a glTF material says, on its way to ours
+  struct Surface;  // a glTF material before its conversion
 
   Surface read(const JsonValue& json, const JsonValue& attributes);
   TextureInput texture_input(const JsonValue& info, const JsonValue& attributes);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/import/gltf_parts.h"
 
 namespace luxel {
@@ -37,7 +38,6 @@ void GltfMesh::add(const JsonValue& primitive, const glm::dmat4& world, const st
     for (auto& [a, b, c] : corners) std::swap(b, c);
 
   // Files may share one array among many primitives: only the vertices of this one are taken.
-  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> taken(positions.size(), none);
   const auto number = number_of(object);
   for (const auto& triangle : corners) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/progress.h"
 #include "luxel/import/gltf_array.h"
 #include "luxel/import/placed_nodes.h"
 #include "luxel/scene/scene.h"
@@ -24,10 +23,10 @@ class GltfMesh {
   void add(const JsonValue& primitive, const glm::dmat4& world, const std::string& object,
            MaterialId material);
 
-  // Of all corners, in the file's units: the scene's own positions are made when all are known.
+  // Per corner, in the file's units: the scene's own positions are computed when all are known.
   const std::vector<Vec3d>& positions() const { return positions_; }
 
-  // Drops what says nothing: colours that are all white.
+  // Drops colours that are all white, which have no effect.
   void finish();
 
  private:

@@ -24,8 +24,8 @@ struct GltfPart {
   std::string object;      // what a person calls it
 };
 
-// What a scene draws, in the order in which its triangles are counted: node after node, primitive after
-// primitive.
+// The primitives that a scene draws, in the order in which its triangles are counted: node after node,
+// primitive after primitive.
 struct GltfParts {
   std::vector<GltfPart> parts;
   std::size_t without_triangles = 0, skinned = 0, morphed = 0;  // left out; taken as if they were not
@@ -34,9 +34,9 @@ struct GltfParts {
 // Throws InputError with the JSON path.
 GltfParts drawn_parts(const GltfFile& file, const std::vector<PlacedNode>& nodes);
 
-// Of each triangle the vertices, as the primitive's arrays count them, counter-clockwise where the node does
-// not mirror: of lists, strips and fans, with and without indices. Throws InputError with the JSON path where
-// one is not below `vertices`.
+// Returns the vertices of each triangle as indices into the primitive's arrays, counter-clockwise where the
+// node does not mirror: from lists, strips and fans, with and without indices. Throws InputError with the
+// JSON path where an index is not below `vertices`.
 std::vector<std::array<std::uint32_t, 3>> triangle_corners(GltfFile& file, const JsonValue& primitive,
                                                            std::size_t vertices);
 

@@ -92,12 +92,12 @@ std::uint32_t GltfTextures::without_metal(std::optional<std::uint32_t> base, std
   return place->second;
 }
 
-void GltfTextures::say_warnings(const LogSink& log) const {
+void GltfTextures::say_warnings(const Context& context) const {
   if (unreadable_ > 0)
-    warn(log, fmt::format(
-                  "{}: {} cannot be read (first: {}); 0.5 is taken for the reflectance there, and 0 for the "
-                  "light that is emitted",
-                  file_.source(), counted(unreadable_, "picture"), first_reason_));
+    context.warn(fmt::format(
+        "{}: {} cannot be read (first: {}); 0.5 is taken for the reflectance there, and 0 for the "
+        "light that is emitted",
+        file_.source(), counted(unreadable_, "picture"), first_reason_));
 }
 
 }  // namespace luxel

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "luxel/core/log.h"
+#include "luxel/core/context.h"
 #include "luxel/import/gltf_file.h"
 #include "luxel/scene/texture.h"
 
@@ -25,8 +25,8 @@ class GltfTextures {
 
   explicit GltfTextures(GltfFile& file) : file_(file) {}
 
-  // info: a textureInfo, with KHR_texture_transform or without. What cannot be read is remembered for one
-  // warning. Throws InputError where an index leads nowhere.
+  // info: a textureInfo, with KHR_texture_transform or without. Unsupported textures are collected for one
+  // warning. Throws InputError where an index is out of range.
   Picture picture(const JsonValue& info);
 
   const Raster& raster(std::uint32_t texture) const { return *textures_[texture].raster; }
@@ -37,14 +37,14 @@ class GltfTextures {
 
   const std::vector<Texture>& textures() const { return textures_; }
 
-  void say_warnings(const LogSink& log) const;
+  void say_warnings(const Context& context) const;
 
  private:
   std::optional<std::uint32_t> decoded(const JsonValue& texture);
 
   GltfFile& file_;
   std::vector<Texture> textures_;
-  std::map<std::size_t, std::optional<std::uint32_t>> images_;  // those asked for
+  std::map<std::size_t, std::optional<std::uint32_t>> images_;  // those that were requested
   std::map<std::tuple<std::int64_t, std::uint32_t, float>, std::uint32_t> without_metal_;
   std::size_t unreadable_ = 0;
   std::string first_reason_;

@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// Whether a file is glTF, by its ending: .glb or .gltf, in small letters or large. The one place where that
-// is told: what is read as glTF is kept as glTF.
+// Returns whether a file is glTF, by its extension: .glb or .gltf, in lower or upper case. The reader and the
+// round trip of glTF both use it, so that they agree.
 bool is_gltf(const std::filesystem::path& path);
 
 }  // namespace luxel

@@ -6,23 +6,21 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "luxel/core/error.h"
+#include "luxel/core/json.h"
 
 namespace luxel {
 namespace {
 
-using Json = nlohmann::json;
-
-const Json& json(const void* node) { return *static_cast<const Json*>(node); }
+const SortedJson& json(const void* node) { return *static_cast<const SortedJson*>(node); }
 
 // As much of a value as a person needs to recognise it by.
-std::string excerpt(const Json& value) {
+std::string excerpt(const SortedJson& value) {
   constexpr std::size_t most = 40;
   if (value.is_object()) return "an object";
   if (value.is_array()) return fmt::format("an array of {}", value.size());
-  auto text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  auto text = value.dump(-1, ' ', true, SortedJson::error_handler_t::replace);
   if (text.size() > most) text = text.substr(0, most) + "...";
   return text;
 }
@@ -30,7 +28,7 @@ std::string excerpt(const Json& value) {
 }  // namespace
 
 struct JsonValue::Document {
-  Json root;
+  SortedJson root;
   std::string source;
 };
 
@@ -40,9 +38,9 @@ JsonValue::JsonValue(std::shared_ptr<const Document> document, const void* node,
 JsonValue JsonValue::parse(std::string_view text, std::string source) {
   try {
     const auto document =
-        std::make_shared<const Document>(Document{Json::parse(text.begin(), text.end()), source});
+        std::make_shared<const Document>(Document{SortedJson::parse(text.begin(), text.end()), source});
     return {document, &document->root, ""};
-  } catch (const Json::parse_error& error) {
+  } catch (const SortedJson::parse_error& error) {
     const auto before = text.substr(0, std::min(text.size(), error.byte));
     const auto line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
     const auto column = before.size() - std::min(before.rfind('\n') + 1, before.size());
@@ -51,7 +49,7 @@ JsonValue JsonValue::parse(std::string_view text, std::string source) {
         fmt::format("expected JSON, found something else at column {}; the file is damaged or of "
                     "another format",
                     column));
-  } catch (const Json::exception&) {  // a number such as 1e999
+  } catch (const SortedJson::exception&) {  // a number such as 1e999
     throw InputError(source, "expected JSON with numbers below 1e308; the file is damaged");
   }
 }

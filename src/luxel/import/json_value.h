@@ -9,10 +9,9 @@
 
 namespace luxel {
 
-// A place in a JSON text: what stands there, or nothing, and the path to it, which every error names:
-// "room.gltf: /nodes/3/mesh: expected ...". Copies share the text. What is asked of a value that is not there
-// is answered by what the caller says is to be taken then; what is there must be of the kind asked for.
-// Cheap: a path and a pointer.
+// A value in a JSON text, which may be missing, and its path, which every error names: "room.gltf:
+// /nodes/3/mesh: expected ...". Copies refer to the same text. Accessors return the caller's default where
+// the value is missing; a value that is present must be of the requested kind. Cheap: a path and a pointer.
 class JsonValue {
  public:
   // Parses a text; source is for errors. Throws InputError naming the line where it is no JSON.
@@ -37,7 +36,8 @@ class JsonValue {
   bool truth(bool otherwise) const;
   std::string text(const std::string& otherwise) const;
   std::string text() const;
-  std::vector<double> numbers(const std::vector<double>& otherwise) const;  // so many, each finite
+  // as many as `otherwise` has, each finite
+  std::vector<double> numbers(const std::vector<double>& otherwise) const;
 
   // Throws InputError: "source: path: message".
   [[noreturn]] void refuse(const std::string& message) const;

@@ -20,11 +20,10 @@ namespace {
 
 class GltfLoader {
  public:
-  GltfLoader(GltfFile& file, const LoadOptions& options, const LogSink& log, const Monitor& monitor)
+  GltfLoader(GltfFile& file, const LoadOptions& options, const Context& context)
       : file_(file),
         options_(options),
-        log_(log),
-        monitor_(monitor),
+        context_(context),
         nodes_(placed_nodes(file)),
         drawn_(drawn_parts(file, nodes_)) {}
 
@@ -37,13 +36,12 @@ class GltfLoader {
 
   GltfFile& file_;
   const LoadOptions& options_;
-  const LogSink& log_;
-  const Monitor& monitor_;
+  const Context& context_;
   std::vector<PlacedNode> nodes_;
   GltfParts drawn_;
 };
 
-// Few bytes can say that there is much of something: by instances, and by arrays of zeros without any bytes.
+// Few bytes can declare very large scenes: by instances, and by arrays of zeros without any bytes.
 void GltfLoader::check_counts() const {
   constexpr std::size_t max_corners = 300'000'000;  // some 30 bytes each
   std::size_t corners = 0, zeros = 0;
@@ -69,7 +67,7 @@ void GltfLoader::check_counts() const {
   }
 }
 
-// False where the monitor says stop.
+// Returns false where the monitor stops the work.
 bool GltfLoader::add_triangles(Scene& scene, GltfMaterials& materials) {
   check_counts();
   const auto& parts = drawn_.parts;
@@ -78,12 +76,12 @@ bool GltfLoader::add_triangles(Scene& scene, GltfMaterials& materials) {
   for (const auto& part : parts) {
     material_of.push_back(materials.of(part.primitive));
     const auto done = 0.5 * static_cast<double>(material_of.size()) / static_cast<double>(parts.size());
-    if (tell(monitor_, {.stage = "load", .done = done}) == Next::stop) return false;
+    if (context_.report({.stage = "load", .done = done}) == Next::stop) return false;
   }
   GltfMesh mesh(file_, scene, options_.scale, materials.texture_coordinates());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto done = 0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(parts.size());
-    if (tell(monitor_, {.stage = "load", .done = done}) == Next::stop) return false;
+    if (context_.report({.stage = "load", .done = done}) == Next::stop) return false;
     mesh.add(parts[i].primitive, parts[i].placed.world, parts[i].object, material_of[i]);
   }
   mesh.finish();
@@ -98,7 +96,7 @@ bool GltfLoader::add_triangles(Scene& scene, GltfMaterials& materials) {
 
 void GltfLoader::say_warnings() const {
   const auto say = [&](std::size_t count, const char* noun, const char* what) {
-    if (count > 0) warn(log_, fmt::format("{}: {} {}", file_.source(), counted(count, noun), what));
+    if (count > 0) context_.warn(fmt::format("{}: {} {}", file_.source(), counted(count, noun), what));
   };
   say(drawn_.without_triangles, "primitive", "of points or lines, or without positions, passed over");
   say(drawn_.skinned, "node", "with a skin taken as modelled, not as its joints bend it");
@@ -112,24 +110,23 @@ Scene GltfLoader::load() {
   if (!add_triangles(scene, materials)) return {};
   materials.give(scene);
   add_lamps(file_, nodes_, options_.scale, scene);
-  add_cameras(file_, nodes_, options_.scale, scene, log_);
-  materials.say_warnings(log_);
+  add_cameras(file_, nodes_, options_.scale, scene, context_);
+  materials.say_warnings(context_);
   say_warnings();
   return scene;
 }
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
-                const Monitor& monitor) {
-  return load_gltf(read_file(path), path, options, log, monitor);
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, const Context& context) {
+  return load_gltf(read_file(path), path, options, context);
 }
 
 Scene load_gltf(std::string bytes, const std::filesystem::path& path, const LoadOptions& options,
-                const LogSink& log, const Monitor& monitor) {
-  if (tell(monitor, {.stage = "load", .done = 0.0}) == Next::stop) return {};
+                const Context& context) {
+  if (context.report({.stage = "load", .done = 0.0}) == Next::stop) return {};
   GltfFile file(std::move(bytes), path, known_extensions());
-  return GltfLoader(file, options, log, monitor).load();
+  return GltfLoader(file, options, context).load();
 }
 
 }  // namespace luxel

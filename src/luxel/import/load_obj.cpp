@@ -25,24 +25,23 @@ void expect_faces(const ObjMesh& mesh, std::string_view text, const std::string&
 }
 
 void say(const Tally& tally, const char* noun, const char* what, const char* consequence,
-         const std::string& source, const LogSink& log) {
+         const std::string& source, const Context& context) {
   if (tally.count == 0) return;
-  warn(log, fmt::format("{}: {} {} (first: line {}); {}", source, counted(tally.count, noun), what,
-                        tally.first_line, consequence));
+  context.warn(fmt::format("{}: {} {} (first: line {}); {}", source, counted(tally.count, noun), what,
+                           tally.first_line, consequence));
 }
 
 }  // namespace
 
-Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
-               const Monitor& monitor) {
+Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const Context& context) {
   const auto text = read_text(path, path.string());
-  return load_obj(text, path, options, log, monitor);
+  return load_obj(text, path, options, context);
 }
 
 Scene load_obj(std::string_view text, const std::filesystem::path& path, const LoadOptions& options,
-               const LogSink& log, const Monitor& monitor) {
+               const Context& context) {
   const auto source = path.string();
-  const auto mesh = read_obj(text, source, options.scale, monitor);
+  const auto mesh = read_obj(text, source, options.scale, context);
   if (!mesh) return {};
   expect_faces(*mesh, text, source);
 
@@ -53,20 +52,21 @@ Scene load_obj(std::string_view text, const std::filesystem::path& path, const L
   place_positions(mesh->positions, reach, options.scale, scene);
   scene.groups = mesh->groups;
   scene.objects = mesh->objects;
-  const auto library = read_libraries(mesh->libraries, path, log);
-  make_materials(mesh->materials, library, options, scene, log);
-  const auto tallies = make_triangles(*mesh, scene, monitor);
+  const auto library = read_libraries(mesh->libraries, path, context);
+  make_materials(mesh->materials, library, options, scene, context);
+  const auto tallies = make_triangles(*mesh, scene, context);
   if (!tallies) return {};
 
-  say(mesh->short_faces, "face", "of fewer than three corners", "dropped", source, log);
+  say(mesh->short_faces, "face", "of fewer than three corners", "dropped", source, context);
   say(mesh->faces_without_material, "face", "before any usemtl", "the material 'default' is taken", source,
-      log);
-  say(mesh->unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source, log);
+      context);
+  say(mesh->unreadable_normals, "vertex normal", "not of three finite numbers", "passed over", source,
+      context);
   if (!scene.uv_sets.empty())
-    say(mesh->unreadable_uvs, "texture coordinate", "not of finite numbers", "0 is taken", source, log);
+    say(mesh->unreadable_uvs, "texture coordinate", "not of finite numbers", "0 is taken", source, context);
   say(tallies->without_uv, "face", "of textured materials without texture coordinates",
-      "the mean colours are taken", source, log);
-  say(tallies->turned, "triangle", "wound against the vertex normals", "turned round", source, log);
+      "the mean colours are taken", source, context);
+  say(tallies->turned, "triangle", "wound against the vertex normals", "turned round", source, context);
   return scene;
 }
 

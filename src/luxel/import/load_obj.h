@@ -3,16 +3,16 @@
 
 #include <string_view>
 
+#include "luxel/core/context.h"
 #include "luxel/import/load_scene.h"
 
 namespace luxel {
 
 // load_scene() for OBJ, without the options that need no file format.
-Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
-               const Monitor& monitor);
+Scene load_obj(const std::filesystem::path& path, const LoadOptions& options, const Context& context);
 
-// The same of a text in memory; path says what it is called and where its MTL files lie.
+// The same for a text in memory; path gives its name and where its MTL files lie.
 Scene load_obj(std::string_view text, const std::filesystem::path& path, const LoadOptions& options,
-               const LogSink& log, const Monitor& monitor);
+               const Context& context);
 
 }  // namespace luxel

@@ -24,7 +24,7 @@ bool is_obj(const std::filesystem::path& path) { return ending_of(path) == ".obj
 
 struct Reader {
   bool (*reads)(const std::filesystem::path&);
-  Scene (*load)(const std::filesystem::path&, const LoadOptions&, const LogSink&, const Monitor&);
+  Scene (*load)(const std::filesystem::path&, const LoadOptions&, const Context&);
 };
 constexpr auto readers = std::to_array<Reader>({{is_obj, load_obj}, {is_gltf, load_gltf}});
 
@@ -94,27 +94,23 @@ void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
     if (selected[static_cast<std::size_t>(scene.triangle_material[i])]) turn_triangle(scene, i);
 }
 
-void repair(const LoadOptions& options, Scene& scene, const LogSink& log) {
-  const auto say = [&](std::string text) {
-    if (log) log({Severity::note, std::move(text)});
-  };
-  if (options.weld != 0.0f) say(weld_vertices(scene, options.weld).as_text(options.weld));
-  if (options.orient) say(orient_windings(scene).as_text());
+void repair(const LoadOptions& options, Scene& scene, const Context& context) {
+  if (options.weld != 0.0f) context.note(weld_vertices(scene, options.weld).as_text(options.weld));
+  if (options.orient) context.note(orient_windings(scene).as_text());
 }
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const LogSink& log,
-                 const Monitor& monitor) {
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const Context& context) {
   check_options(options);
   check_is_file(path);
-  auto scene = reader_of(path).load(path, options, log, monitor);
+  auto scene = reader_of(path).load(path, options, context);
   if (scene.triangles.empty()) return scene;  // stopped
-  repair(options, scene, log);
+  repair(options, scene, context);
   apply_one_sided(options.one_sided, scene);
   apply_flip(options.flip, scene);
   scene.sky = options.sky;
-  if (!options.spectra.empty()) apply_spectra(options, scene, log);
+  if (!options.spectra.empty()) apply_spectra(options, scene, context);
   return scene;
 }
 

@@ -32,7 +32,7 @@ class MaterialMaker {
 
   Material make(const NamedLine& use);
   const std::vector<Texture>& textures() const { return files_.textures(); }
-  void say_warnings(const std::string& source, const LogSink& log) const;
+  void say_warnings(const std::string& source, const Context& context) const;
 
  private:
   void cut_holes(const MaterialLibrary::Entry& entry, Material& material);
@@ -129,16 +129,16 @@ void MaterialMaker::emit(const MaterialLibrary::Entry& entry, Material& material
   material.emittance = pi * mean_colour(files_.raster(*picture));
 }
 
-void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) const {
+void MaterialMaker::say_warnings(const std::string& source, const Context& context) const {
   const auto say = [&](const std::string& before, const std::vector<std::string>& names,
                        const std::string& behind) {
-    if (!names.empty()) warn(log, fmt::format("{}: {} {}{}", source, before, name_list(names), behind));
+    if (!names.empty()) context.warn(fmt::format("{}: {} {}{}", source, before, name_list(names), behind));
   };
   if (!unknown_.empty())
-    warn(log, fmt::format("{}:{}: {} {}; a grey of {} is taken", source, first_unknown_line_,
-                          library_.files.empty() ? "no MTL file describes"
-                                                 : name_list(library_.files) + " does not describe",
-                          name_list(unknown_), default_reflectance));
+    context.warn(fmt::format(
+        "{}:{}: {} {}; a grey of {} is taken", source, first_unknown_line_,
+        library_.files.empty() ? "no MTL file describes" : name_list(library_.files) + " does not describe",
+        name_list(unknown_), default_reflectance));
   say("neither Kd nor map_Kd is given for", colorless_,
       fmt::format("; a grey of {} is taken", default_reflectance));
   say("the reflectance of", too_bright_,
@@ -147,16 +147,16 @@ void MaterialMaker::say_warnings(const std::string& source, const LogSink& log) 
       transparent_, "");
   say("mirrors are not modelled: the specular colour Ks is taken as diffuse for", mirrors_, "");
   say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
-  files_.say_warnings(source, log);
+  files_.say_warnings(source, context);
 }
 
 }  // namespace
 
 void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
-                    const LoadOptions& options, Scene& scene, const LogSink& log) {
+                    const LoadOptions& options, Scene& scene, const Context& context) {
   MaterialMaker maker(library, options);
   for (const auto& use : used) scene.materials.push_back(maker.make(use));
-  maker.say_warnings(scene.source, log);
+  maker.say_warnings(scene.source, context);
   scene.textures = maker.textures();
   keep_used_textures(scene);
 }

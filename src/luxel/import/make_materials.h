@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "luxel/core/context.h"
 #include "luxel/import/load_scene.h"
 #include "luxel/import/material_library.h"
 
@@ -11,9 +12,9 @@ namespace luxel {
 // The reflectance of what no file describes: a middle grey.
 inline constexpr float default_reflectance = 0.5f;
 
-// Gives the scene one Material for each name that faces use, in their order, from the library, and the
-// textures that these use. What is missing or cannot be taken as it is becomes a warning, one a kind.
+// Creates one Material of the scene for each name that faces use, in their order, from the library, and the
+// textures that these use. Missing materials and unsupported properties become a warning, one per kind.
 void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
-                    const LoadOptions& options, Scene& scene, const LogSink& log);
+                    const LoadOptions& options, Scene& scene, const Context& context);
 
 }  // namespace luxel

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/import/polygon.h"
 
@@ -18,7 +19,7 @@ bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 
                          const Scene& scene) {
   Vec3d normals(0.0);
   for (const auto& corner : corners) {
-    if (corner.normal == ObjMesh::no_normal) return false;
+    if (corner.normal == none) return false;
     normals += Vec3d(mesh.normals[corner.normal]);
   }
   const auto front = area_vector2(scene.positions[corners[0].position], scene.positions[corners[1].position],
@@ -31,7 +32,7 @@ class FaceMaterials {
  public:
   explicit FaceMaterials(Scene& scene) : scene_(scene), plain_(scene.materials.size()) {}
 
-  // Its number in the scene, or that of its twin without pictures, made when first asked for.
+  // Returns its number in the scene, or that of its copy without pictures, created on first use.
   std::uint32_t plain(std::uint32_t material) {
     auto& twin = plain_[material];
     if (!twin) {
@@ -50,7 +51,7 @@ class FaceMaterials {
 
 bool lacks_uv(std::span<const ObjMesh::Corner> corners) {
   return std::any_of(corners.begin(), corners.end(),
-                     [](const ObjMesh::Corner& corner) { return corner.uv == ObjMesh::no_uv; });
+                     [](const ObjMesh::Corner& corner) { return corner.uv == none; });
 }
 
 void reserve(Scene& scene, std::size_t count, bool has_objects) {
@@ -63,12 +64,12 @@ void reserve(Scene& scene, std::size_t count, bool has_objects) {
 }
 
 Vec2 uv_of(const ObjMesh& mesh, const ObjMesh::Corner& corner) {
-  return corner.uv == ObjMesh::no_uv ? Vec2(0.0f) : mesh.uvs[corner.uv];
+  return corner.uv == none ? Vec2(0.0f) : mesh.uvs[corner.uv];
 }
 
 }  // namespace
 
-std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Monitor& monitor) {
+std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Context& context) {
   TriangleTallies tallies;
   std::vector<bool> is_textured;
   for (const auto& material : scene.materials) is_textured.push_back(material.textures.any());
@@ -79,7 +80,7 @@ std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene,
   reserve(scene, mesh.corners.size() - 2 * mesh.faces.size(), !mesh.objects.empty());
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(mesh.faces.size());
-    if (i % faces_per_report == 0 && tell(monitor, {.stage = "triangles", .done = done}) == Next::stop)
+    if (i % faces_per_report == 0 && context.report({.stage = "triangles", .done = done}) == Next::stop)
       return std::nullopt;
     const auto& face = mesh.faces[i];
     const auto end = i + 1 < mesh.faces.size() ? mesh.faces[i + 1].first_corner : mesh.corners.size();

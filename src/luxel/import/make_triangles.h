@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "luxel/core/progress.h"
+#include "luxel/core/context.h"
 #include "luxel/import/obj_mesh.h"
 #include "luxel/scene/scene.h"
 
@@ -16,8 +16,9 @@ struct TriangleTallies {
 
 // Fills the scene's triangle arrays from the mesh's polygons, each triangle wound so that its front is where
 // the vertex normals point, if all its corners have one; and its set of texture coordinates, where materials
-// have pictures. Faces that lack them get their material without its pictures, which is added to the scene's.
-// Nothing where the monitor says stop. The scene's positions and materials must be in place.
-std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Monitor& monitor);
+// have pictures. Faces without texture coordinates get a copy of their material without its pictures, which
+// is added to the scene's. Fills nothing where the monitor stops the work. The scene's positions and
+// materials must be in place.
+std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Context& context);
 
 }  // namespace luxel

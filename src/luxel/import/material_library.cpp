@@ -29,11 +29,11 @@ void add_file(const std::filesystem::path& path, MaterialLibrary& library) {
 }  // namespace
 
 MaterialLibrary read_libraries(std::span<const NamedLine> statements, const std::filesystem::path& obj_path,
-                               const LogSink& log) {
+                               const Context& context) {
   MaterialLibrary library;
   const auto folder = obj_path.parent_path();
   for (const auto& [operands, line] : statements) {
-    // The operands may be one name with blanks or several names; the disk knows.
+    // The operands may be one name with blanks or several names; existing files decide.
     if (const auto whole = find_file(folder, operands)) {
       add_file(*whole, library);
       continue;
@@ -43,8 +43,8 @@ MaterialLibrary read_libraries(std::span<const NamedLine> statements, const std:
       if (const auto path = find_file(folder, std::string(word)))
         add_file(*path, library);
       else
-        warn(log, fmt::format("{}:{}: the material file '{}' was not found beside the OBJ file",
-                              obj_path.string(), line, word));
+        context.warn(fmt::format("{}:{}: the material file '{}' was not found beside the OBJ file",
+                                 obj_path.string(), line, word));
     }
   }
   return library;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/log.h"
+#include "luxel/core/context.h"
 #include "luxel/import/obj_mesh.h"
 #include "luxel/import/read_mtl.h"
 
@@ -26,7 +26,7 @@ struct MaterialLibrary {
 
 // Reads the files that the mtllib statements name, in their order. A missing file is a warning.
 MaterialLibrary read_libraries(std::span<const NamedLine> statements, const std::filesystem::path& obj_path,
-                               const LogSink& log);
+                               const Context& context);
 
 // The plain file that a name inside an OBJ or MTL file means: below folder as written, with backslashes for
 // slashes, or, for the whole paths of another machine, the last part alone beside the file.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/core/vector.h"
 
 namespace luxel {
@@ -26,15 +27,13 @@ struct NamedLine {
   std::size_t line = 0;
 };
 
-// What an OBJ file says, polygons and all, before it becomes a Scene. Every face has three corners or more.
+// The content of an OBJ file, including polygons, before it becomes a Scene. Every face has three corners or
+// more.
 struct ObjMesh {
-  static constexpr std::uint32_t no_normal = 0xffffffff;
-  static constexpr std::uint32_t no_uv = 0xffffffff;
-
   struct Corner {
     std::uint32_t position = 0;
-    std::uint32_t normal = no_normal;
-    std::uint32_t uv = no_uv;
+    std::uint32_t normal = none;
+    std::uint32_t uv = none;
   };
   struct Face {
     std::size_t first_corner = 0;  // its corners end where those of the next face begin

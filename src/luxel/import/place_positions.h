@@ -8,9 +8,9 @@
 
 namespace luxel {
 
-// How many times its own size (the longest side of its box) a scene may reach from the file's zero before its
-// positions count from an origin of their own. Up to there floats tell places apart that are a millionth of
-// the scene's size from each other.
+// Largest distance of a scene from the file's zero, in units of its own size (the longest side of its box),
+// before its positions are relative to an origin of their own. Up to this distance floats resolve a millionth
+// of the scene's size.
 inline constexpr double far_in_sizes = 8.0;
 
 // The box of what faces use, in the file's coordinates.

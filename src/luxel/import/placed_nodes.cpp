@@ -40,7 +40,7 @@ glm::dmat4 placement_of(const JsonValue& node) {
   return placement;
 }
 
-// Those that are nobody's children, the last one first.
+// The nodes without a parent, the last one first.
 std::vector<PlacedNode> roots_of(const GltfFile& file) {
   const auto nodes = file.root()["nodes"];
   std::vector<bool> is_child(nodes.size(), false);

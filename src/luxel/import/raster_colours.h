@@ -16,14 +16,14 @@ float min_alpha(const Raster& raster);
 // have it (no light, a plain number).
 Raster with_grey_as_alpha(const Raster& raster);
 
-// How metallic a picture says that surfaces are: its blue, a plain number and no colour, in [0, 1].
+// Metalness of surfaces from a picture: its blue channel, a linear number and no colour, in [0, 1].
 struct MetalRange {
   float least = 0.0f, mean = 0.0f, most = 0.0f;
 };
 MetalRange metal_range(const Raster& raster);
 
-// What is left of the colours of `base` (white where there is none) for diffuse light: times
-// 1 - factor * metal, which covers the same surface and may be of another size.
+// Returns the diffuse part of the colours of `base` (white where there is none): times 1 - factor * metal,
+// which covers the same surface and may be of another size.
 Raster without_metal(const Raster* base, const Raster& metal, float factor);
 
 }  // namespace luxel

@@ -14,7 +14,7 @@
 namespace luxel {
 namespace {
 
-// A statement being read: what an error says of it.
+// The statement being read, as errors name it.
 struct Statement {
   const std::string& source;
   std::size_t line;
@@ -74,7 +74,7 @@ constexpr auto texture_options = std::to_array<TextureOption>({{"-blendu", 1, 1}
                                                                {"-texres", 1, 1},
                                                                {"-type", 1, 1}});
 
-// What one option says, if it matters. "-s 2" scales u alone, as the format has it.
+// Reads one option, if it matters. "-s 2" scales u alone, as the format defines.
 void take_option(std::string_view option, std::span<const std::string_view> arguments, MtlTexture& texture) {
   if (option == "-clamp") texture.clamps = arguments[0] == "on";
   auto* pair = option == "-s" ? &texture.scale : option == "-o" ? &texture.offset : nullptr;

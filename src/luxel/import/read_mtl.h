@@ -19,7 +19,7 @@ struct MtlTexture {
   bool clamps = false;       // -clamp on: its border goes on for ever; else it repeats
 };
 
-// What an MTL file says of one material, as far as diffuse light cares.
+// The properties of one material of an MTL file that matter to diffuse light.
 struct MtlMaterial {
   std::string name;
   std::optional<Vec3> kd;  // reflectance, 0 or more

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
 #include "luxel/import/numbers.h"
 #include "luxel/import/text.h"
 #include "luxel/scene/scene.h"
@@ -42,8 +43,8 @@ std::optional<CornerIndices> read_corner(std::string_view word) {
   return std::nullopt;
 }
 
-// Names that faces use, numbered in the order in which they first do. The one in force is asked for once a
-// face, so its number is kept.
+// Names that faces use, numbered in the order of first use. The current one is looked up once per face, so
+// its number is cached.
 class NamesInUse {
  public:
   explicit NamesInUse(std::vector<std::string>& names) : names_(names) {}
@@ -51,10 +52,10 @@ class NamesInUse {
   const std::string& now() const { return now_; }
   void set(std::string name) {
     now_ = std::move(name);
-    number_ = unknown;
+    number_ = none;
   }
   std::uint32_t number() {
-    if (number_ == unknown) {
+    if (number_ == none) {
       number_ = numbers_.try_emplace(now_, static_cast<std::uint32_t>(names_.size())).first->second;
       if (number_ == names_.size()) names_.push_back(now_);
     }
@@ -62,11 +63,10 @@ class NamesInUse {
   }
 
  private:
-  static constexpr std::uint32_t unknown = 0xffffffff;
   std::vector<std::string>& names_;
   std::map<std::string, std::uint32_t> numbers_;
   std::string now_ = default_name;
-  std::uint32_t number_ = unknown;
+  std::uint32_t number_ = none;
 };
 
 class ObjReader {
@@ -74,7 +74,7 @@ class ObjReader {
   ObjReader(std::string_view text, const std::string& source, double scale)
       : text_(text), statements_(text), source_(source), scale_(scale) {}
 
-  std::optional<ObjMesh> read(const Monitor& monitor);
+  std::optional<ObjMesh> read(const Context& context);
 
  private:
   [[noreturn]] void refuse(const std::string& message) const {
@@ -157,8 +157,7 @@ void ObjReader::add_face() {
     if (!corner)
       refuse(fmt::format("expected corners such as 3, 3/1 or 3/1/2 after f, found '{}'", excerpt(word)));
     const auto position = resolve(corner->position, mesh_.positions.size(), "vertex");
-    const auto normal =
-        corner->normal == 0 ? ObjMesh::no_normal : resolve(corner->normal, mesh_.normals.size(), "normal");
+    const auto normal = corner->normal == 0 ? none : resolve(corner->normal, mesh_.normals.size(), "normal");
     mesh_.corners.push_back({position, normal, resolve_uv(corner->uv)});
   }
   if (mesh_.corners.size() < first_corner + 3) {
@@ -185,7 +184,7 @@ std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what)
 std::uint32_t ObjReader::resolve_uv(int index) const {
   const auto from_start =
       index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(mesh_.uvs.size()) + index;
-  return index != 0 && from_start >= 0 ? static_cast<std::uint32_t>(from_start) : ObjMesh::no_uv;
+  return index != 0 && from_start >= 0 ? static_cast<std::uint32_t>(from_start) : none;
 }
 
 void ObjReader::use_material() {
@@ -218,16 +217,16 @@ void ObjReader::check_ranges() {
                                      std::size_t{index} + 1, count));
     };
     check(corner.position, mesh_.positions.size(), "vertex");
-    if (corner.normal != ObjMesh::no_normal) check(corner.normal, mesh_.normals.size(), "normal");
-    if (corner.uv >= mesh_.uvs.size()) corner.uv = ObjMesh::no_uv;
+    if (corner.normal != none) check(corner.normal, mesh_.normals.size(), "normal");
+    if (corner.uv >= mesh_.uvs.size()) corner.uv = none;
   }
 }
 
-std::optional<ObjMesh> ObjReader::read(const Monitor& monitor) {
+std::optional<ObjMesh> ObjReader::read(const Context& context) {
   for (std::size_t i = 0; statements_.next(); ++i) {
     if (i % statements_per_report == 0) {
       const auto left = static_cast<double>(statements_.left()) / static_cast<double>(text_.size());
-      if (tell(monitor, {.stage = "load", .done = 1.0 - left}) == Next::stop) return std::nullopt;
+      if (context.report({.stage = "load", .done = 1.0 - left}) == Next::stop) return std::nullopt;
     }
     take_statement();
   }
@@ -239,8 +238,8 @@ std::optional<ObjMesh> ObjReader::read(const Monitor& monitor) {
 }  // namespace
 
 std::optional<ObjMesh> read_obj(std::string_view text, const std::string& source, double scale,
-                                const Monitor& monitor) {
-  return ObjReader(text, source, scale).read(monitor);
+                                const Context& context) {
+  return ObjReader(text, source, scale).read(context);
 }
 
 }  // namespace luxel

@@ -26,7 +26,7 @@ struct Row {
   double wavelength = 0.0, value = 0.0;
 };
 
-// The lines of a text that say something, one after the other.
+// The non-empty lines of a text, one after the other.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}

@@ -13,7 +13,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 bool is_not_blank(char c) { return !is_blank(c); }
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-// Windows programs write UTF-16 when asked for "Unicode"; the pair FF FE opens UTF-32 little-endian as well.
+// Windows programs write UTF-16 for "Unicode"; the pair FF FE opens UTF-32 little-endian as well.
 bool has_wide_mark(std::string_view bytes) {
   using namespace std::string_view_literals;
   return bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv) ||
@@ -35,7 +35,7 @@ std::string read_text(const std::filesystem::path& path, const std::string& sour
   return bytes;
 }
 
-// A third of the time of loading went into string_view::find_first_of, which searches its set anew for each
+// A third of the time of loading went into string_view::find_first_of, which searches its set again for each
 // character; hence std::find_if here and below.
 std::string_view Statements::take_line() {
   const auto end = std::find_if(rest_.begin(), rest_.end(), ends_line);

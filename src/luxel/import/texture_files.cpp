@@ -65,17 +65,17 @@ std::uint32_t TextureFiles::mask_of(std::uint32_t texture) {
   return place->second;
 }
 
-void TextureFiles::say_warnings(const std::string& source, const LogSink& log) const {
+void TextureFiles::say_warnings(const std::string& source, const Context& context) const {
   for (std::size_t purpose = 0; purpose < troubles_.size(); ++purpose) {
     const auto& [missing, unreadable, first_missing, first_unreadable] = troubles_[purpose];
     if (first_missing)
-      warn(log, fmt::format("{}: {} not found (first: {}, needed by material '{}'); {}", source,
-                            counted(missing.size(), "texture"), first_missing->texture,
-                            first_missing->material, consequence(purpose)));
+      context.warn(fmt::format("{}: {} not found (first: {}, needed by material '{}'); {}", source,
+                               counted(missing.size(), "texture"), first_missing->texture,
+                               first_missing->material, consequence(purpose)));
     if (first_unreadable)
-      warn(log, fmt::format("{}: {} cannot be read (first: needed by material '{}', {}); {}", source,
-                            counted(unreadable.size(), "texture"), first_unreadable->material,
-                            first_unreadable->reason, consequence(purpose)));
+      context.warn(fmt::format("{}: {} cannot be read (first: needed by material '{}', {}); {}", source,
+                               counted(unreadable.size(), "texture"), first_unreadable->material,
+                               first_unreadable->reason, consequence(purpose)));
   }
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/log.h"
+#include "luxel/core/context.h"
 #include "luxel/scene/texture.h"
 
 namespace luxel {
@@ -28,13 +28,13 @@ class TextureFiles {
 
   const Raster& raster(std::uint32_t texture) const { return *textures_[texture].raster; }
 
-  // A picture whose alpha says where the surface is: this one, or where all of it is opaque, one with its
-  // greys for alpha.
+  // Returns a picture whose alpha is the coverage of the surface: this one, or, where all of it is opaque,
+  // one with its greys for alpha.
   std::uint32_t mask_of(std::uint32_t texture);
 
   const std::vector<Texture>& textures() const { return textures_; }
 
-  void say_warnings(const std::string& source, const LogSink& log) const;
+  void say_warnings(const std::string& source, const Context& context) const;
 
  private:
   struct File {

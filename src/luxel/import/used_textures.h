@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// Drops the scene's textures that no material uses, and numbers the uses of the others anew, in the order in
-// which materials first have them.
+// Removes the scene's textures that no material uses, and renumbers the others in the order in which
+// materials first use them.
 void keep_used_textures(Scene& scene);
 
 }  // namespace luxel

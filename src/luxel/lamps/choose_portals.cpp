@@ -9,16 +9,16 @@
 #include "luxel/core/triangle.h"
 #include "luxel/core/warp.h"
 #include "luxel/lamps/sky_box.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t stream = 0x706f7274u;  // apart from other users of random numbers
 constexpr std::uint32_t first_lines = 16, all_lines = 64;
-constexpr std::size_t compared_lines = 16;  // with other polygons
+constexpr std::size_t compared_lines = 16;  // other polygons' lines that are compared with this polygon
 constexpr double fraction_classes = 4.0;
-constexpr std::uint32_t looks = 2;  // cosine rays from each point that is lit
-constexpr float min_lift = 4.0f;    // of origins, in bounds on rounding
+constexpr std::uint32_t looks = 2;  // cosine rays from each lit point
+constexpr float min_lift = 4.0f;    // of ray origins, in multiples of the rounding bound
 
 // A line along which the sky lights a surface.
 struct LitLine {
@@ -29,18 +29,19 @@ struct Trial {
   Vec3d normal{0.0};
   double area = 0.0;  // m²
   Vec3d centre{0.0};
-  double radius = 0.0;                               // m
-  std::array<std::uint32_t, 2> lit{};                // lines that light something before it, and behind it
-  std::array<std::uint32_t, 2> looked{}, escaped{};  // from there
+  double radius = 0.0;                 // m
+  std::array<std::uint32_t, 2> lit{};  // lines that light something, in front of the polygon and behind it
+  std::array<std::uint32_t, 2> looked{},
+      escaped{};  // cosine rays traced from the lit points, and those that escape
   std::vector<LitLine> lines;
   std::array<bool, 2> pays{};
 
-  // Of its lines, that light something of which a cosine ray would seldom find the sky.
+  // Fraction of the lines that light a surface from which a cosine ray seldom finds the sky.
   double fraction() const {
     return ((pays[0] ? lit[0] : 0) + (pays[1] ? lit[1] : 0)) / static_cast<double>(all_lines);
   }
-  // Those first that few lines miss: a window before a plane that cuts through many rooms; of alike ones the
-  // brighter. A plain product would do the opposite.
+  // Sort key: polygons that few sampled lines find come first, such as a window in front of a plane that cuts
+  // through many rooms; ties are broken by brightness. A plain product would reverse that order.
   std::pair<int, double> rank() const {
     return {-static_cast<int>(fraction_classes * fraction()), -area * fraction()};
   }
@@ -65,7 +66,7 @@ class Trials {
     for (const auto& corner : polygon) trial.centre += Vec3d(corner) / static_cast<double>(polygon.size());
     for (const auto& corner : polygon)
       trial.radius = std::max(trial.radius, glm::length(Vec3d(corner) - trial.centre));
-    const auto key = stream_key(0, stream, number);
+    const auto key = stream_key(0, RandomPurpose::portals, number);
     for (std::uint32_t i = 0; i < all_lines; ++i) {
       if (i == first_lines && trial.lit[0] + trial.lit[1] == 0) break;
       const auto u = uniform4(key, 2 * i);
@@ -88,7 +89,7 @@ class Trials {
   void add_line(Trial& trial, const Vec3& point, float lift, float u, float v, std::uint64_t key) const {
     const Vec3 normal(trial.normal);
     const Ray through{point + lift * normal, -normal};
-    if (tracer_.occluded(through, 2.0f * lift)) return;  // a surface lies in it
+    if (tracer_.occluded(through, 2.0f * lift)) return;  // a surface lies in the polygon
     const auto way = Frame(normal).to_world(cosine_hemisphere(u, v));
     const Ray before{point + lift * normal, way}, behind{point - lift * normal, -way};
     const auto front = tracer_.nearest(before), back = tracer_.nearest(behind);
@@ -100,7 +101,7 @@ class Trials {
     ++trial.lit[side];
     const auto place = ray.origin + hit.distance * ray.direction;
     trial.lines.push_back({Vec3d(place), -Vec3d(ray.direction)});
-    const auto out = hit.back ? -patches_.normal[hit.patch] : patches_.normal[hit.patch];
+    const auto out = patches_.normal_of({hit.patch, hit.back});
     const auto from = place + min_lift * origin_lift(patches_.points(hit.patch)) * out;
     for (std::uint32_t i = 0; i < looks; ++i) {
       const auto w = uniform4(key, i);
@@ -134,10 +135,10 @@ bool crosses(const OpenPolygon& polygon, const Trial& trial, const LitLine& line
 
 std::vector<Portal> choose_portals(const PatchSet& patches, const Tracer& tracer,
                                    std::span<const OpenPolygon> polygons, const PortalOptions& options,
-                                   const Workers& workers) {
+                                   const Context& context) {
   std::vector<Trial> trials(polygons.size());
   const Trials rays(patches, tracer, options);
-  workers.for_chunks(polygons.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(polygons.size(), 1, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) trials[i] = rays.of(polygons[i], static_cast<std::uint32_t>(i));
   });
   std::vector<std::size_t> order(polygons.size());
@@ -166,14 +167,14 @@ std::vector<Portal> choose_portals(const PatchSet& patches, const Tracer& tracer
   return portals;
 }
 
-void set_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches, const Workers& workers) {
+void set_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches, const Context& context) {
   patches.portals.clear();
   if (patches.has_sky())
-    patches.portals = choose_portals(patches, tracer, find_open_polygons(scene), {}, workers);
+    patches.portals = choose_portals(patches, tracer, find_open_polygons(scene), {}, context);
 }
 
-void set_portals(const Scene& scene, PatchSet& patches, const Workers& workers) {
-  if (patches.has_sky()) set_portals(scene, Tracer(patches, workers), patches, workers);
+void set_portals(const Scene& scene, PatchSet& patches, const Context& context) {
+  if (patches.has_sky()) set_portals(scene, Tracer(patches, context), patches, context);
 }
 
 }  // namespace luxel

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/open_polygons.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/tracer.h"
@@ -27,11 +27,11 @@ struct PortalOptions {
 // polygon.
 std::vector<Portal> choose_portals(const PatchSet& patches, const Tracer& tracer,
                                    std::span<const OpenPolygon> polygons, const PortalOptions& options,
-                                   const Workers& workers);
+                                   const Context& context);
 
 // Finds the portals of a scene and writes them into the patches made of it; none without a sky.
-void set_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches, const Workers& workers);
+void set_portals(const Scene& scene, const Tracer& tracer, PatchSet& patches, const Context& context);
 // The same with a tracer of its own.
-void set_portals(const Scene& scene, PatchSet& patches, const Workers& workers);
+void set_portals(const Scene& scene, PatchSet& patches, const Context& context);
 
 }  // namespace luxel

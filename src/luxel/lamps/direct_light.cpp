@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,10 +11,13 @@
 #include <vector>
 
 #include "luxel/core/address.h"
+#include "luxel/core/discrete_distribution.h"
+#include "luxel/core/none.h"
 #include "luxel/core/sobol.h"
 #include "luxel/core/trig.h"
 #include "luxel/lamps/lamp_choices.h"
 #include "luxel/lamps/lamp_sample.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/gather_sides.h"
 #include "luxel/trace/patch_emitter.h"
 #include "luxel/trace/point_sight.h"
@@ -22,36 +26,35 @@ namespace luxel {
 
 // Where the rays of a side begin.
 struct DirectLight::Side {
-  std::size_t index;
+  SideId id;
   PatchEmitter emitter;
   float lift;  // m
 };
 
 namespace {
 
-constexpr std::uint64_t stream = 0x6c616d70;  // apart from the other users of the seed
-// With how many samples the visibility of all lamps enters that of one. With 1 errors are 1 to 4 % smaller,
-// but replicates borrow so much from each other that their spread tells 10 % too little; with very many,
-// errors are a quarter larger where there are a dozen lamps.
+// Weight of the visibility over all lamps in that of one lamp, in samples. With 1, errors are 1 to 4 %
+// smaller, but the replicates depend on each other so much that their spread is 10 % too small. With very
+// large values, errors are a quarter larger where there are a dozen lamps.
 constexpr double prior_samples = 3.0;
 
 // The random numbers of one replicate of one side.
 class Numbers {
  public:
-  Numbers(const DirectOptions& options, std::size_t side, std::uint32_t position, std::uint32_t round,
+  Numbers(const DirectOptions& options, SideId side, std::uint32_t position, std::uint32_t round,
           std::uint32_t samples, std::uint32_t replicate)
-      : key_(stream_key(mix64(options.seed + stream), round,
-                        2 * replicate + static_cast<std::uint32_t>(side % 2))),
+      : key_(stream_key(mix64(options.seed + seed_of(RandomSeed::lamps)), round,
+                        2 * replicate + (side.is_back() ? 1u : 0u))),
         low_discrepancy_(options.low_discrepancy) {
     const bool is_shared = options.stratified && low_discrepancy_;
     if (is_shared) first_ = position % sequence_positions * samples;
-    key_ = stream_key(key_, 0, is_shared ? position / sequence_positions : static_cast<std::uint32_t>(side));
+    key_ = stream_key(key_, 0, is_shared ? position / sequence_positions : side.index());
     sobol_ = OwenSobol(key_);
   }
   std::array<float, 4> at(std::uint32_t sample) const {
     return low_discrepancy_ ? sobol_.first4(first_ + sample) : uniform4(key_, sample);
   }
-  // Two more, for the cosine ray.
+  // Two more numbers, for the cosine ray.
   std::array<float, 2> more(std::uint32_t sample) const {
     if (low_discrepancy_) return {sobol_.at(first_ + sample, 4), sobol_.at(first_ + sample, 5)};
     const auto u = uniform4(mix64(key_ + 1), sample);
@@ -65,7 +68,7 @@ class Numbers {
   OwenSobol sobol_{0};
 };
 
-// Unshadowed samples and seen ones, summed.
+// Sums of unshadowed and of visible samples.
 struct Tally {
   double all = 0.0;
   double seen = 0.0;
@@ -78,8 +81,9 @@ struct Tally {
   Tally operator-(const Tally& other) const { return {all - other.all, seen - other.seen}; }
 };
 
-// The estimate of one replicate for each lamp with a closed form, at unit radiance: what it saw, corrected by
-// what the others say of visibility. own, whole: [lamp], sums of this replicate and of those that may speak.
+// The estimate of one replicate for each lamp with a closed form, at unit radiance: its own visible samples,
+// corrected by the visibility that other replicates found (a control variate). own, whole: [lamp], sums of
+// this replicate and of all replicates that may contribute.
 void correct(const LampChoices& choices, const Lamps& lamps, std::span<const Tally> own,
              std::span<const Tally> others, double per_sample, std::span<double> value) {
   Tally together;
@@ -99,13 +103,13 @@ void correct(const LampChoices& choices, const Lamps& lamps, std::span<const Tal
 
 struct Workspace {
   LampChoices choices;
-  std::vector<Tally> tally;          // [replicate][lamp that stands alone]
+  std::vector<Tally> tally;          // [replicate][lamp chosen individually]
   std::vector<double> sum;           // [replicate][group][band]
-  std::vector<Tally> whole, others;  // [lamp that stands alone]
+  std::vector<Tally> whole, others;  // [lamp chosen individually]
   std::vector<double> value;
 };
 
-// Branches pay where samples are many enough to tell them apart.
+// Branches pay off only where there are enough samples to resolve them.
 std::size_t branches_for(std::uint32_t samples) {
   return std::min<std::size_t>(LampChoices::few_lamps, 16 + samples);
 }
@@ -127,8 +131,8 @@ DirectLight::DirectLight(const PatchSet& patches, const Tracer& tracer, const La
     point_weight_.push_back(std::accumulate(light.intensity.begin(), light.intensity.end(), 0.0));
 }
 
-// Both ends are lifted off their planes by the bound on rounding, which so keeps the lamp's own triangle
-// behind the end however flat the ray comes in, and however near the lamp is.
+// Both ends are lifted off their planes by the bound on rounding. The lamp's own triangle therefore stays
+// behind the end of the ray, at grazing angles and at short distances too.
 bool DirectLight::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float min_lift) const {
   if (const auto& triangle = lamps_.triangles()[lamp]; triangle.is_portal())
     return sky_is_visible(from, to, triangle.portal);
@@ -138,7 +142,7 @@ bool DirectLight::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp,
   return !(distance > 0.0) || !tracer_.occluded({from, Vec3(way / distance)}, static_cast<float>(distance));
 }
 
-// Of a line through several portals only the first one counts: each line counts once.
+// Of several portals on a line only the first counts, so that each line counts once.
 bool DirectLight::sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const {
   const auto way = to - Vec3d(from);
   const auto distance = glm::length(way);
@@ -148,8 +152,8 @@ bool DirectLight::sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_
          portals_.first_crossed(ray) == portal_side;
 }
 
-DirectLight::Side DirectLight::side_of_index(std::size_t side) const {
-  return {side, PatchEmitter(patches_, side), origin_lift(patches_.points(side / 2))};
+DirectLight::Side DirectLight::start_on(SideId id) const {
+  return {id, PatchEmitter(patches_, id), origin_lift(patches_.points(id.patch()))};
 }
 
 void DirectLight::choose_lamps(LampChoices& choices, const Side& side, std::uint32_t samples) const {
@@ -161,11 +165,11 @@ void DirectLight::choose_lamps(LampChoices& choices, const Side& side, std::uint
 }
 
 template <typename Body>
-void DirectLight::for_each_term(const Side& side, const LampChoices& choices, std::uint32_t position,
-                                std::uint32_t round, std::uint32_t per_replicate, Ends* ends,
-                                Body body) const {
+void DirectLight::for_each_term(const Side& side, const LampChoices& choices, const Samples& samples,
+                                Ends* ends, Body body) const {
+  const auto [position, round, per_replicate] = samples;
   for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-    const Numbers numbers(options_, side.index, position, round, per_replicate, r);
+    const Numbers numbers(options_, side.id, position, round, per_replicate, r);
     for (std::uint32_t k = 0; k < per_replicate; ++k) {
       const auto u = numbers.at(k);
       const auto from = side.emitter.point(u[2], u[3]);
@@ -178,31 +182,35 @@ void DirectLight::for_each_term(const Side& side, const LampChoices& choices, st
   }
 }
 
-std::vector<ShadowRay> DirectLight::rays_of(std::size_t side_index, std::uint32_t position,
-                                            std::uint32_t round, std::uint32_t per_replicate) const {
-  const auto side = side_of_index(side_index);
+std::vector<ShadowRay> DirectLight::rays_of(SideId side_id, std::uint32_t position, std::uint32_t round,
+                                            std::uint32_t per_replicate) const {
+  const auto side = start_on(side_id);
   LampChoices choices;
   choose_lamps(choices, side, options_.replicates * per_replicate);
   std::vector<ShadowRay> rays;
   if (choices.empty()) return rays;
   Ends ends;
-  for_each_term(side, choices, position, round, per_replicate, &ends, [&](std::uint32_t r, const Term& term) {
-    if (term.given > 0.0) rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen});
-  });
+  for_each_term(side, choices, {position, round, per_replicate}, &ends,
+                [&](std::uint32_t r, const Term& term) {
+                  if (term.given > 0.0)
+                    rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen});
+                });
   return rays;
 }
 
-std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t position, std::uint32_t round,
+std::uint64_t DirectLight::estimate(SideId side_id, std::uint32_t position, std::uint32_t round,
                                     std::uint32_t per_replicate, std::span<float> out) const {
-  thread_local Workspace work;  // so that nothing is allocated once it is large enough
+  assert(per_replicate > 0);
+  assert(out.size() == options_.replicates * lamps_.groups() * lamps_.bands());
+  thread_local Workspace work;  // reused, so that it stops allocating once it is large enough
   std::fill(out.begin(), out.end(), 0.0f);
-  const auto side = side_of_index(side_index);
+  const auto side = start_on(side_id);
   const bool control_variate = options_.control_variate && !options_.multiple_importance;
   auto& choices = work.choices;
   choose_lamps(choices, side, options_.replicates * per_replicate);
   if (choices.empty() && point_weight_.empty()) return 0;
 
-  // 1. Rays. Lamps that stand alone are tallied, the others added as they come.
+  // 1. Rays. Lamps chosen individually are tallied; the others are added directly.
   const auto known = choices.lamps().size();
   const auto width = lamps_.groups() * lamps_.bands();
   const auto replicates = options_.replicates;
@@ -211,7 +219,7 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
   work.sum.assign(replicates * width, 0.0);
   auto rays = add_point_lights(side, position, round, per_replicate, work.sum);
   if (!choices.empty())
-    for_each_term(side, choices, position, round, per_replicate, nullptr,
+    for_each_term(side, choices, {position, round, per_replicate}, nullptr,
                   [&](std::uint32_t r, const Term& term) {
                     if (term.choice < known)
                       work.tally[r * known + term.choice] += {term.given, term.seen ? term.given : 0.0};
@@ -220,7 +228,7 @@ std::uint64_t DirectLight::estimate(std::size_t side_index, std::uint32_t positi
                     rays += term.rays;
                   });
 
-  // 2. Each replicate corrected by what the others saw.
+  // 2. Each replicate is corrected by the visibility in the other replicates.
   work.whole.assign(known, {});
   for (std::size_t i = 0; i < work.tally.size(); ++i) work.whole[i % known] += work.tally[i];
   work.others = work.whole;
@@ -248,24 +256,22 @@ std::uint64_t DirectLight::add_point_lights(const Side& side, std::uint32_t posi
   const auto bands = lamps_.bands(), width = lamps_.groups() * bands;
   const Vec3d normal(side.emitter.normal());
   thread_local std::vector<PointSight> sights;
-  thread_local std::vector<double> up_to;  // [light]: what it and those before would give
+  thread_local DiscreteDistribution by_irradiance;  // lights in proportion to their unshadowed irradiance
   sights.resize(lights.size());
-  up_to.resize(lights.size());
   std::uint64_t rays = 0;
   for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-    const Numbers numbers(options_, side.index, position, round, per_replicate, r);
+    const Numbers numbers(options_, side.id, position, round, per_replicate, r);
     for (std::uint32_t k = 0; k < per_replicate; ++k) {
       const auto u = numbers.at(k);
       const auto from = side.emitter.point(u[2], u[3]);
-      double whole = 0.0;
+      by_irradiance.clear();
       for (std::size_t i = 0; i < lights.size(); ++i) {
         sights[i] = sight_of(lights[i].light, Vec3d(from), normal);
-        up_to[i] = whole += point_weight_[i] * sights[i].irradiance;
+        by_irradiance.add(point_weight_[i] * sights[i].irradiance);
       }
+      const auto whole = by_irradiance.total();
       if (!(whole > 0.0)) continue;
-      const auto chosen = static_cast<std::size_t>(
-          std::upper_bound(up_to.begin(), up_to.end() - 1, static_cast<double>(u[0]) * whole) -
-          up_to.begin());
+      const auto chosen = by_irradiance.choose(static_cast<double>(u[0]));
       const auto& sight = sights[chosen];
       ++rays;
       if (tracer_.occluded({from, Vec3(sight.direction)}, sight.distance)) continue;
@@ -278,14 +284,14 @@ std::uint64_t DirectLight::add_point_lights(const Side& side, std::uint32_t posi
   return rays;
 }
 
-// Towards a lamp that is chosen.
+// Sample towards a chosen lamp.
 DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from,
                                         const std::array<float, 4>& u, Ends* ends) const {
   const auto& normal = side.emitter.normal();
   const auto [choice, chosen] = choices.choose(tree_, from, normal, static_cast<double>(u[0]));
   if (!(chosen.probability > 0.0)) return {};
-  if (chosen.lamp == Lamps::no_lamp)
-    return ask_ball(side, choices, choice, from, chosen.rest, static_cast<double>(u[1]), ends);
+  if (chosen.lamp == none)
+    return ask_ball(side, choices, choice, from, {chosen.rest, static_cast<double>(u[1])}, ends);
   const auto sample =
       sample_lamp(lamps_.triangles()[chosen.lamp], Vec3d(from), chosen.rest, static_cast<double>(u[1]));
   const auto cosine = glm::dot(Vec3d(normal), sample.direction);
@@ -296,17 +302,17 @@ DirectLight::Term DirectLight::ask_lamp(const Side& side, const LampChoices& cho
   return {choice, chosen.lamp, given(cosine, sample.density * chosen.probability), seen, 1};
 }
 
-// Towards the bounding sphere of a bulb, uniform in solid angle: what is met tells the facet.
+// Sample towards the bounding sphere of a bulb, uniform in solid angle; the hit determines the facet.
 DirectLight::Term DirectLight::ask_ball(const Side& side, const LampChoices& choices, std::size_t choice,
-                                        const Vec3& from, double u1, double u2, Ends* ends) const {
+                                        const Vec3& from, const std::array<double, 2>& u, Ends* ends) const {
   const auto& branch = choices.branch(choice);
   const auto ball = tree_.sphere(branch);
   const auto to = Vec3d(ball.centre) - Vec3d(from);
   const auto sine2 = static_cast<double>(ball.radius) * ball.radius / glm::dot(to, to);
   const auto width = sine2 / (1.0 + std::sqrt(1.0 - sine2));  // 1 - cosine of the cone's half angle
-  const auto away = u1 * width;
+  const auto away = u[0] * width;
   const auto sine = std::sqrt(away * (2.0 - away));
-  const auto turn = sin_cos(2.0 * std::numbers::pi * u2);
+  const auto turn = sin_cos(2.0 * std::numbers::pi * u[1]);
   const Frame frame(Vec3(glm::normalize(to)));
   const auto direction = glm::normalize(
       frame.to_world(Vec3(static_cast<float>(sine * turn.cosine), static_cast<float>(sine * turn.sine),
@@ -314,24 +320,22 @@ DirectLight::Term DirectLight::ask_ball(const Side& side, const LampChoices& cho
   const auto cosine = static_cast<double>(glm::dot(side.emitter.normal(), direction));
   if (!(cosine > 0.0)) return {};
   const auto hit = tracer_.nearest({from, direction});
-  const auto lamp =
-      hit && !hit.back ? lamps_.lamp_at(hit.patch, from + hit.distance * direction) : Lamps::no_lamp;
-  if (lamp == Lamps::no_lamp || !tree_.holds(branch, lamp)) return {.rays = 1};
+  const auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, from + hit.distance * direction) : none;
+  if (lamp == none || !tree_.holds(branch, lamp)) return {.rays = 1};
   if (ends != nullptr) *ends = {from, from + hit.distance * direction};
   const auto density = choices.probability(choice) / (2.0 * std::numbers::pi * width);
   return {choice, lamp, given(cosine, density), true, 1};
 }
 
-// Along a cosine ray, which may meet a lamp.
+// Cosine ray, which may hit a lamp.
 DirectLight::Term DirectLight::look_round(const Side& side, const LampChoices& choices, const Ray& ray,
                                           Ends* ends) const {
   const auto hit = tracer_.nearest(ray);
-  auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, ray.origin + hit.distance * ray.direction)
-                               : Lamps::no_lamp;
+  auto lamp = hit && !hit.back ? lamps_.lamp_at(hit.patch, ray.origin + hit.distance * ray.direction) : none;
   if (!hit && !portals_.empty()) lamp = lamps_.lamp_of_portal(portals_.first_crossed(ray));
   const auto& normal = side.emitter.normal();
   const auto cosine = static_cast<double>(glm::dot(normal, ray.direction));
-  if (lamp == Lamps::no_lamp || !(cosine > 0.0)) return {.rays = 1};
+  if (lamp == none || !(cosine > 0.0)) return {.rays = 1};
   const auto found = choices.find(tree_, lamp, ray.origin, normal);
   const auto density = lamp_density(lamps_.triangles()[lamp], Vec3d(ray.origin), Vec3d(ray.direction));
   const auto length = hit ? hit.distance : portals_.distance(ray);

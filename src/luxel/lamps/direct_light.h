@@ -10,6 +10,7 @@
 #include "luxel/lamps/light_tree.h"
 #include "luxel/lamps/portals.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -37,47 +38,46 @@ struct DirectOptions {
   bool multiple_importance = false;
 };
 
-// Irradiance of one side of a patch straight from the lamps, by shadow rays. The sky seen through a portal is
-// a lamp whose rays go on behind the portal until they meet a surface, which hides the sky, or none. Lamps
-// without a surface are sampled apart, one for each ray, in proportion to what they would give the very
-// point. Of all others: The radiance of lamps is constant, so only what is hidden needs samples: the estimate
-// is
+// Estimates the irradiance of one side of a patch straight from the lamps, by shadow rays. The sky seen
+// through a portal is a lamp whose rays continue behind the portal until they meet a surface, which hides the
+// sky, or none. Punctual lights are sampled apart, one for each ray, in proportion to their unshadowed
+// irradiance at that very point. Area lamps have constant radiance, so only their visibility is sampled. The
+// estimator is
 //   sum over lamps of mean(c V) + beta (U - mean(c)),
-// c the unshadowed sample, V its visibility, U the closed form of its mean, beta the visibility met by the
-// other replicates (of that lamp, drawn to that of all lamps while samples are few). So beta is independent
-// of what it multiplies and the estimate is unbiased but for the error of U, about 1e-3; a side that sees
-// all of its lamps has U without noise, and one that sees none has 0. A single replicate borrows beta from
+// with c the unshadowed sample, V its visibility, U the closed form of its mean, and beta the visibility met
+// by the other replicates (of that lamp, drawn to that of all lamps while samples are few). beta is thus
+// independent of its factor, and the estimate is unbiased but for the error of U, about 1e-3; a side that
+// sees all of its lamps has U without noise, and one that sees none has 0. A single replicate takes beta from
 // itself, which biases it by the order of 1 / samples. A replicate may come out slightly below zero where
-// little is seen; the mean over replicates is an unbiased estimate all the same. Of many lamps those that
-// fill a sphere, the facets of a bulb, are sampled as one: a ray goes towards the sphere, uniform in solid
-// angle, and counts for the facet that it meets.
+// little is seen; the mean over replicates is still an unbiased estimate. Where there are many lamps, those
+// that fill a sphere, the facets of a bulb, are sampled as one: a ray goes towards the sphere, uniform in
+// solid angle, and counts for the facet that it meets.
 class DirectLight {
  public:
   // Keeps references to patches, tracer and lamps.
   DirectLight(const PatchSet& patches, const Tracer& tracer, const Lamps& lamps,
               const DirectOptions& options);
 
-  // W/m² from the lamps of each light group, each replicate apart: out[(replicate * groups + group) * bands +
-  // band]. Round `round` takes
-  // per_replicate new samples per replicate; rounds are independent. position: the patch's place in an order
-  // in which neighbours are near. side: 2p front, 2p + 1 back. Returns the number of shadow rays, at most
-  // replicates * per_replicate
-  // (twice that with multiple importance): none where no lamp is above the horizon. Any number of threads may
-  // call; the result depends on the arguments alone. Costs 0.1 to 0.4 us per sample beside its shadow ray,
-  // and 0.2 us (one lamp) to 8 us (thousands) a side.
-  std::uint64_t estimate(std::size_t side, std::uint32_t position, std::uint32_t round,
+  // Estimates W/m² from the lamps of each light group, each replicate apart:
+  // out[(replicate * groups + group) * bands + band]. Round `round` takes per_replicate new samples per
+  // replicate; rounds are independent. position: the patch's place in an order in which neighbours are near.
+  // Returns the number of shadow rays, at most replicates * per_replicate (twice that with multiple
+  // importance): none where no lamp is above the horizon. Any number of threads may call; the result depends
+  // on the arguments alone. Costs 0.1 to 0.4 us per sample beside its shadow ray, and 0.2 us (one lamp) to
+  // 8 us (thousands) per side.
+  std::uint64_t estimate(SideId side_id, std::uint32_t position, std::uint32_t round,
                          std::uint32_t per_replicate, std::span<float> out) const;
 
   // The rays behind such an estimate, replicate by replicate: those alone that go to a point of a lamp above
   // the horizon, and cosine rays where they meet a lamp.
-  std::vector<ShadowRay> rays_of(std::size_t side, std::uint32_t position, std::uint32_t round,
+  std::vector<ShadowRay> rays_of(SideId side_id, std::uint32_t position, std::uint32_t round,
                                  std::uint32_t per_replicate) const;
 
  private:
   struct Side;
   std::uint64_t add_point_lights(const Side& side, std::uint32_t position, std::uint32_t round,
                                  std::uint32_t per_replicate, std::span<double> sum) const;
-  // What one ray says.
+  // The result of one ray.
   struct Term {
     std::size_t choice = 0;
     std::uint32_t lamp = 0;
@@ -88,16 +88,20 @@ class DirectLight {
   struct Ends {
     Vec3 from{0.0f}, to{0.0f};
   };
-  Side side_of_index(std::size_t side) const;
+  // Which samples of a side, as in estimate().
+  struct Samples {
+    std::uint32_t position, round, per_replicate;
+  };
+  Side start_on(SideId id) const;
   void choose_lamps(LampChoices& choices, const Side& side, std::uint32_t samples) const;
   // Calls body(replicate, term) for every sample; ends: its ends are written there, if anywhere.
   template <typename Body>
-  void for_each_term(const Side& side, const LampChoices& choices, std::uint32_t position,
-                     std::uint32_t round, std::uint32_t per_replicate, Ends* ends, Body body) const;
+  void for_each_term(const Side& side, const LampChoices& choices, const Samples& samples, Ends* ends,
+                     Body body) const;
   Term ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from, const std::array<float, 4>& u,
                 Ends* ends) const;
-  Term ask_ball(const Side& side, const LampChoices& choices, std::size_t choice, const Vec3& from, double u1,
-                double u2, Ends* ends) const;
+  Term ask_ball(const Side& side, const LampChoices& choices, std::size_t choice, const Vec3& from,
+                const std::array<double, 2>& u, Ends* ends) const;
   Term look_round(const Side& side, const LampChoices& choices, const Ray& ray, Ends* ends) const;
   double given(double cosine, double lamp_density) const;
   bool sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const;

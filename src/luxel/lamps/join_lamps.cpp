@@ -6,21 +6,22 @@
 #include <limits>
 #include <map>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 
 namespace luxel {
 namespace {
 
-// How far from their common plane the corners of facets may lie, over the largest coordinate of each triangle
-// that takes their place: what is left between the bound of origin_lift, 26 roundings, and the 32 by which
-// ends of shadow rays are lifted, to either side. So none ends behind the facet that it should reach.
+// Maximum distance of the facets' corners from their common plane, relative to the largest coordinate of each
+// replacement triangle. Shadow rays are lifted by 32 roundings at either end, and origin_lift is bounded by
+// 26; the difference of 6, divided by two sides, is 3. No ray therefore ends behind the facet it should
+// reach.
 constexpr double flatness = 3 * 0x1p-24;
-constexpr double straightness = 0x1p-20;  // of edges, likewise
-constexpr double parallel = 1.0 - 5e-7;   // cosine between normals of facets that are worth a try
+constexpr double straightness = 0x1p-20;  // of edges, relative as above
+constexpr double parallel = 1.0 - 5e-7;   // cosine between normals above which facets are tried
 constexpr double area_tolerance = 1e-4;   // relative
-constexpr std::uint32_t none = 0xffffffffu;
 
-using Point = std::array<float, 3>;  // can be ordered
+using Point = std::array<float, 3>;  // ordered, so that it can be a key
 using Edge = std::array<Point, 2>;   // from, to
 Point key(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -33,7 +34,7 @@ Vec3d area2_of(const LampFacet& facet) {
   return area_vector2(facet.corner[0], facet.corner[1], facet.corner[2]);
 }
 
-// The only closed line made of these edges, or nothing where there are several or it meets itself.
+// The closed line made of these edges; empty where there are several, or where it meets itself.
 std::vector<Vec3> outline(const std::map<Point, Point>& next, std::size_t edges) {
   std::vector<Vec3> line;
   if (next.size() != edges || next.empty()) return line;
@@ -50,12 +51,12 @@ double distance_to_line(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
   return glm::length(glm::cross(p - a, b - a)) / glm::length(b - a);
 }
 
-// Without the points on straight edges; nothing if it is not convex.
+// The line without the points on straight edges; empty if it is not convex.
 std::vector<Vec3> convex_corners(const std::vector<Vec3>& line, const Vec3d& normal) {
   std::vector<Vec3> corners;
   const auto n = line.size();
   for (std::size_t i = 0; i < n; ++i) {
-    // From the last corner, not the last point: a curve of many short edges is not straight.
+    // Measured from the last corner, not from the last point: a curve of many short edges is not straight.
     const auto before = corners.empty() ? line[(i + n - 1) % n] : corners.back();
     const auto after = line[(i + 1) % n];
     const auto tolerance = straightness * max_coordinate(before, line[i], after);
@@ -72,7 +73,7 @@ class Joining {
     for (std::uint32_t i = 0; i < facets.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto [at, is_new] = facet_of_.emplace(edge(i, k), i);
-        if (!is_new) at->second = none;  // facets on top of each other
+        if (!is_new) at->second = none;  // facets that coincide
       }
   }
 
@@ -95,13 +96,14 @@ class Joining {
     const auto& corner = facets_[facet].corner;
     return {key(corner[k]), key(corner[(k + 1) % 3])};
   }
-  // Across an edge.
+  // The facet across an edge.
   std::uint32_t neighbour(const Edge& edge) const {
     const auto other = facet_of_.find({edge[1], edge[0]});
     return other == facet_of_.end() ? none : other->second;
   }
 
-  // The facets of one orientation that edges connect with the first, ascending; marks them as its lamp.
+  // The facets of one orientation that are connected with the first by edges, ascending; marks them as its
+  // lamp.
   std::vector<std::uint32_t> flat_group(std::uint32_t first) {
     const auto normal = glm::normalize(area2_of(facets_[first]));
     std::vector<std::uint32_t> group = {first};
@@ -119,7 +121,7 @@ class Joining {
     return group;
   }
 
-  // The convex polygon that the group fills, if that saves half of its triangles.
+  // The convex polygon that the group fills, if it needs at most half as many triangles.
   std::vector<Vec3> polygon(const std::vector<std::uint32_t>& group) const {
     std::map<Point, Point> next;
     std::size_t edges = 0;
@@ -148,7 +150,7 @@ class Joining {
     return is_flat(group, normal, flatness * coordinate) ? corners : std::vector<Vec3>();
   }
 
-  // Whether the corners lie between two planes so far apart at most.
+  // Whether the corners lie between two planes at most `apart` apart.
   bool is_flat(const std::vector<std::uint32_t>& group, const Vec3d& normal, double apart) const {
     const Vec3d from(facets_[group[0]].corner[0]);
     double low = 0.0;
@@ -164,7 +166,7 @@ class Joining {
 
   std::span<const LampFacet> facets_;
   std::map<Edge, std::uint32_t> facet_of_;
-  std::vector<std::uint32_t> lamp_of_;  // [facet], named by its first facet
+  std::vector<std::uint32_t> lamp_of_;  // [facet]; a lamp is identified by its first facet
 };
 
 }  // namespace

@@ -22,10 +22,10 @@ struct JoinedLamp {
   std::vector<std::uint32_t> facets;  // that fill it
 };
 
-// Joins facets that share edges, lie in one plane but for the rounding of floats, are of one surface and
-// fill a convex polygon with at most half as many triangles (a panel that was meshed is a panel again). All
-// others stay as they are, one triangle each. Every facet, none of them without area, is in one lamp. Cost: n
-// log n.
+// Joins facets that share edges, lie in one plane but for the rounding of floats, belong to one surface and
+// fill a convex polygon with at most half as many triangles (the facets of a meshed panel become a panel
+// again). All others stay as they are, one triangle each. Every facet, none of them without area, is in one
+// lamp. Cost: n log n.
 std::vector<JoinedLamp> join_lamps(std::span<const LampFacet> facets);
 
 }  // namespace luxel

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "luxel/core/address.h"
+#include "luxel/core/discrete_distribution.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 namespace luxel {
@@ -14,14 +16,14 @@ namespace {
 constexpr std::size_t rays_per_side = 1000;
 constexpr double nearly_all = 0.98;
 constexpr double much_nearer =
-    0.03;  // front distance over back distance of a lamp that hugs a wall the wrong way
+    0.03;  // ratio of front to back distance below which a lamp faces the wall it is mounted on
 
 struct Lamp {
   std::vector<std::size_t> patches;
-  std::vector<double> area_before{0.0};  // m², of the patches before this one; one more, the whole
+  DiscreteDistribution by_area;
 };
 
-// Of each material that emits and has patches, in the order of materials.
+// The patches of each material that emits and has patches, in the order of materials.
 std::vector<Lamp> lamp_patches(const PatchSet& patches) {
   std::vector<Lamp> lamps(patches.materials.size());
   std::vector<bool> is_lamp;
@@ -30,7 +32,7 @@ std::vector<Lamp> lamp_patches(const PatchSet& patches) {
     const auto m = static_cast<std::size_t>(patches.material[p]);
     if (!is_lamp[m]) continue;
     lamps[m].patches.push_back(p);
-    lamps[m].area_before.push_back(lamps[m].area_before.back() + static_cast<double>(patches.area[p]));
+    lamps[m].by_area.add(static_cast<double>(patches.area[p]));
   }
   std::erase_if(lamps, [](const Lamp& lamp) { return lamp.patches.empty(); });
   return lamps;
@@ -38,13 +40,11 @@ std::vector<Lamp> lamp_patches(const PatchSet& patches) {
 
 // Rays spread over the lamp's patches by area.
 LampView::Side look(const PatchSet& patches, const Tracer& tracer, const Lamp& lamp, bool back) {
-  const auto& area_before = lamp.area_before;
   std::vector<float> distances;
   for (std::size_t i = 0; i < rays_per_side; ++i) {
-    const auto at = area_before.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(rays_per_side);
-    const auto k =
-        std::upper_bound(area_before.begin() + 1, area_before.end() - 1, at) - area_before.begin() - 1;
-    const auto side = side_of(lamp.patches[static_cast<std::size_t>(k)], back);
+    const auto at =
+        lamp.by_area.total() * (static_cast<double>(i) + 0.5) / static_cast<double>(rays_per_side);
+    const auto side = SideId(lamp.patches[lamp.by_area.at(at)], back);
     const auto hit = tracer.nearest(PatchEmitter(patches, side).ray(uniform4(stream_key(0, 0, 0), i)));
     if (hit) distances.push_back(hit.distance);
   }
@@ -59,7 +59,7 @@ LampView::Side look(const PatchSet& patches, const Tracer& tracer, const Lamp& l
 
 }  // namespace
 
-std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   std::vector<LampView> views;
   const auto lamps = lamp_patches(patches);
   for (const auto& lamp : lamps) {
@@ -67,10 +67,10 @@ std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tra
     view.material = static_cast<std::size_t>(patches.material[lamp.patches[0]]);
     view.patches = lamp.patches.size();
     for (const auto emittance : patches.materials[view.material].emittance)
-      view.power.push_back(lamp.area_before.back() * static_cast<double>(emittance));
+      view.power.push_back(lamp.by_area.total() * static_cast<double>(emittance));
     views.push_back(std::move(view));
   }
-  workers.for_chunks(2 * lamps.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(2 * lamps.size(), 1, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       const bool back = i % 2 == 1;
       (back ? views[i / 2].back : views[i / 2].front) = look(patches, tracer, lamps[i / 2], back);
@@ -84,13 +84,13 @@ bool turning_helps(const LampView& view) { return view.back.escaped < 0.5; }
 LampFault judge(const LampView& view) {
   if (view.front.escaped > nearly_all) return LampFault::lights_nothing;
   const bool hugs_a_wall = view.front.median_distance < much_nearer * view.back.median_distance;
-  return hugs_a_wall && turning_helps(view) ? LampFault::faces_wall : LampFault::none;
+  return hugs_a_wall && turning_helps(view) ? LampFault::faces_wall : LampFault::no_fault;
 }
 
 std::string lamp_fact(const PatchSet& patches, const LampView& view) {
   const auto& name = patches.materials[view.material].name;
   switch (judge(view)) {
-    case LampFault::none:
+    case LampFault::no_fault:
       break;
     case LampFault::lights_nothing:
       return fmt::format("lamp '{}' lights nothing: {:.0f} % of its light leaves the scene", name,
@@ -103,12 +103,12 @@ std::string lamp_fact(const PatchSet& patches, const LampView& view) {
   return {};
 }
 
-std::string lamp_fault(const PatchSet& patches, const LampView& view) {
+LampWarning lamp_warning(const PatchSet& patches, const LampView& view) {
   const auto fact = lamp_fact(patches, view);
-  if (fact.empty() || !turning_helps(view)) return fact;
-  return fmt::format("{}{} it seems to face the wrong way: turn its faces round with --flip {}", fact,
-                     judge(view) == LampFault::faces_wall ? ";" : ", and",
-                     patches.materials[view.material].name);
+  if (fact.empty() || !turning_helps(view)) return {fact, {}};
+  return {fmt::format("{}{} it seems to face the wrong way: turn its faces round", fact,
+                      judge(view) == LampFault::faces_wall ? ";" : ", and"),
+          {{Setting::flip, patches.materials[view.material].name}}};
 }
 
 }  // namespace luxel

@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
+#include "luxel/core/hint.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
 
-// What the rays of one lamp material meet, from its shining front and, for comparison, from its back.
+// The share of rays of one lamp material that leave the scene and the distance of the others, from its
+// emitting front and, for comparison, from its back.
 struct LampView {
   struct Side {
     double escaped = 0.0;          // share of rays that leave the scene
@@ -24,19 +26,23 @@ struct LampView {
 
 // One entry for each material that emits and has patches, in the order of materials. A thousand rays per side
 // of a lamp, some milliseconds; the same answer each time.
-std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
+std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
 enum class LampFault {
-  none,
+  no_fault,
   lights_nothing,  // it shines out of the scene
   faces_wall,      // it shines against a surface right before it, while its back has room
 };
 LampFault judge(const LampView& view);
-// Whether its back looks into the scene, so that to turn it round may be what was meant.
+// Whether its back faces the scene, so that it may have to be flipped.
 bool turning_helps(const LampView& view);
 
-// What is the matter with a lamp, as a sentence, or nothing; the same with what to do about it.
+// Describes the problem of a lamp as a sentence, empty if there is none; the same with a remedy.
 std::string lamp_fact(const PatchSet& patches, const LampView& view);
-std::string lamp_fault(const PatchSet& patches, const LampView& view);
+struct LampWarning {
+  std::string text;  // empty: nothing is wrong
+  std::vector<Hint> hints;
+};
+LampWarning lamp_warning(const PatchSet& patches, const LampView& view);
 
 }  // namespace luxel

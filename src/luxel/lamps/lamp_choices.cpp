@@ -2,19 +2,24 @@
 #include "luxel/lamps/lamp_choices.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
+
+#include "luxel/core/none.h"
+#include "luxel/core/unit_vector.h"
 
 namespace luxel {
 namespace {
 
-// Of the choices, spread evenly over all lamps, for those that closed form or bound underrate: it bounds the
-// weights.
+// Fraction of the choices that is spread evenly over all lamps, for those whose closed form or bound is too
+// low; it limits the weights.
 constexpr double min_fraction = 0.02;
 
 }  // namespace
 
 void LampChoices::make(const Lamps& lamps, const LightTree& tree, const std::array<Vec3, 3>& corners,
                        const Vec3& n, const LampChoiceOptions& options) {
+  assert(is_unit(n) && options.most <= few_lamps);
   by_area_ = !options.importance;
   branches_.clear();
   single_.clear();
@@ -33,33 +38,26 @@ void LampChoices::make(const Lamps& lamps, const LightTree& tree, const std::arr
   }
   find_side_lamps(lamps, single_, corners, n, options.closed_form, lamps_);
 
-  before_.assign(1, 0.0);
-  const auto add = [&](double fraction) { before_.push_back(before_.back() + fraction); };
+  choices_.clear();
   for (const auto& lamp : lamps_) {
     const auto& triangle = lamps.triangles()[lamp.lamp];
-    add(options.importance ? triangle.weight * lamp.irradiance : triangle.area);
+    choices_.add(options.importance ? triangle.weight * lamp.irradiance : triangle.area);
   }
-  for (const auto& branch : branches_) add(options.importance ? branch.irradiance : branch.area);
-  const auto count = static_cast<double>(before_.size() - 1);
-  const auto total = before_.back();
-  for (std::size_t i = 0; i < before_.size(); ++i) {
-    const auto even = static_cast<double>(i) / count;
-    before_[i] = total > 0.0 ? (1.0 - min_fraction) * before_[i] / total + min_fraction * even : even;
-  }
-  if (!empty()) before_.back() = 1.0;
+  for (const auto& branch : branches_) choices_.add(options.importance ? branch.irradiance : branch.area);
+  choices_.normalise(min_fraction);
 }
 
 std::size_t LampChoices::choose(double& u) const {
-  const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, u);
-  const auto i = static_cast<std::size_t>(above - before_.begin() - 1);
-  u = std::clamp((u - before_[i]) / probability(i), 0.0, 0x1.fffffffffffffp-1);
+  const auto i = choices_.at(u);
+  u = std::clamp((u - choices_.before(i)) / probability(i), 0.0, 0x1.fffffffffffffp-1);
   return i;
 }
 
 LampChoices::Lamp LampChoices::choose(const LightTree& tree, const Vec3& x, const Vec3& n, double u) const {
+  assert(u >= 0.0 && u < 1.0);
   const auto i = choose(u);
   if (i < lamps_.size()) return {i, {lamps_[i].lamp, probability(i), u}};
-  if (branch(i).ball) return {i, {Lamps::no_lamp, probability(i), u}};
+  if (branch(i).ball) return {i, {none, probability(i), u}};
   auto lamp = tree.choose(branches_[i - lamps_.size()], x, n, u, by_area_);
   lamp.probability *= probability(i);
   return {i, lamp};

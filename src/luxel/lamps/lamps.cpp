@@ -6,17 +6,19 @@
 #include <numbers>
 #include <numeric>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/lamps/join_lamps.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
 
-constexpr double area_tolerance = 1e-4;    // relative; what the rounding of split corners may do
-constexpr double colour_tolerance = 1e-6;  // relative; what the rounding of floats may do
+constexpr double area_tolerance = 1e-4;    // relative; covers the rounding of split corners
+constexpr double colour_tolerance = 1e-6;  // relative; covers the rounding of floats
 
-// The triangle that patches [begin, end) of one input triangle fill: the point of a triangle farthest from
-// any place is one of its corners, and the corner farthest from a line through two others is the third.
+// The triangle that patches [begin, end) of one input triangle fill: the point farthest from any point of a
+// triangle is a corner, and the point farthest from a line through two corners is the third corner.
 std::array<Vec3, 3> joined(const PatchSet& patches, std::size_t begin, std::size_t end) {
   Vec3d centre(0.0);
   for (auto p = begin; p < end; ++p)
@@ -41,7 +43,7 @@ std::array<Vec3, 3> joined(const PatchSet& patches, std::size_t begin, std::size
   return {a, b, c};
 }
 
-// Whether patches of the material shine alike.
+// Whether all patches of the material emit equally.
 bool shines_evenly(const BandMaterial& material) {
   return !material.textures.emittance && !material.textures.cutout;
 }
@@ -52,10 +54,10 @@ bool shines(const PatchSet& patches, std::size_t patch) {
   return false;
 }
 
-// What the mesh has of lamps: input triangles where patches of even light fill them, else patches.
+// The lamps of the mesh: input triangles where patches of uniform emission fill them, else single patches.
 struct Facets {
   std::vector<LampFacet> facets;
-  std::vector<std::uint32_t> patches;    // all that shine
+  std::vector<std::uint32_t> patches;    // all that emit
   std::vector<std::uint32_t> facet;      // [i], of patches[i]
   std::vector<std::size_t> first_patch;  // [facet]
 
@@ -80,7 +82,7 @@ struct Facets {
   void add(const PatchSet& all, const std::array<Vec3, 3>& corner, std::size_t begin, std::size_t end) {
     if (!(triangle_area(corner[0], corner[1], corner[2]) > 0.0)) return;
     const auto material = static_cast<std::size_t>(all.material[begin]);
-    // What a texture colours is of one surface with nothing else.
+    // Textured emitters are surfaces of their own.
     const bool is_even = shines_evenly(all.materials[material]);
     if (!is_even && !shines(all, begin)) return;
     for (auto p = begin; p < end; ++p) {
@@ -92,7 +94,8 @@ struct Facets {
   }
 };
 
-// W/m² by band, of a facet's area: what holes leave of the patch shines for all of it.
+// W/m² per band, averaged over a facet with holes: the emission of the remaining surface counts for the whole
+// area.
 std::vector<float> emittance_of(const PatchSet& patches, std::size_t patch) {
   std::vector<float> emittance;
   const auto [a, b, c] = patches.points(patch);
@@ -107,7 +110,7 @@ std::vector<float> emittance_of(const PatchSet& patches, std::size_t patch) {
 }  // namespace
 
 Lamps::Lamps(const PatchSet& patches)
-    : lamp_of_patch_(patches.size(), no_lamp), bands_(patches.band_count()), groups_(patches.group_count()) {
+    : lamp_of_patch_(patches.size(), none), bands_(patches.band_count()), groups_(patches.group_count()) {
   const Facets found(patches);
   std::vector<std::uint32_t> lamp_of_facet(found.facets.size());
   for (const auto& lamp : join_lamps(found.facets)) {
@@ -129,22 +132,23 @@ Lamps::Lamps(const PatchSet& patches)
 void Lamps::add_portals(const PatchSet& patches) {
   std::vector<float> emittance;
   for (std::size_t b = 0; b < bands_; ++b) emittance.push_back(static_cast<float>(patches.sky_radiosity(b)));
-  lamp_of_portal_.assign(2 * patches.portals.size(), no_lamp);
-  for (std::size_t side = 0; side < lamp_of_portal_.size(); ++side) {
-    const auto& portal = patches.portals[side / 2];
+  lamp_of_portal_.assign(2 * patches.portals.size(), none);
+  for (std::size_t i = 0; i < lamp_of_portal_.size(); ++i) {
+    const auto side = SideId::at(i);  // of a portal
+    const auto& portal = patches.portals[side.patch()];
     const auto [a, b, c] = portal.corner;
-    const bool is_back = side % 2 == 1;
+    const bool is_back = side.is_back();
     if ((is_back && !portal.both_ways) || !(triangle_area(a, b, c) > 0.0)) continue;
-    lamp_of_portal_[side] = static_cast<std::uint32_t>(triangles_.size());
+    lamp_of_portal_[i] = static_cast<std::uint32_t>(triangles_.size());
     add({a, is_back ? c : b, is_back ? b : c}, emittance, static_cast<std::uint32_t>(groups_ - 1));
-    triangles_.back().portal = static_cast<std::uint32_t>(side);
+    triangles_.back().portal = side.index();
   }
 }
 
 std::uint32_t Lamps::lamp_at(std::size_t patch, const Vec3& point) const {
   auto lamp = lamp_of_patch_[patch];
-  if (lamp == no_lamp) return lamp;
-  // Past the third corner, seen from the first?
+  if (lamp == none) return lamp;
+  // Whether the point lies past the third corner, seen from the first.
   for (; triangles_[lamp].fan_goes_on; ++lamp) {
     const auto& t = triangles_[lamp];
     if (glm::dot(t.normal, area_vector2(t.corner[0], t.corner[2], point)) <= 0.0) break;

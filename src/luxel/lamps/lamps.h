@@ -7,24 +7,23 @@
 #include <span>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {
 
 // A triangle that shines from its front, evenly and by Lambert's law: a surface, or a portal of the sky.
 struct LampTriangle {
-  static constexpr std::uint32_t no_portal = 0xffffffffu;
-
-  bool is_portal() const { return portal != no_portal; }
-  std::array<Vec3, 3> corner;        // m, counter-clockwise seen from the front
-  Vec3d normal;                      // unit, front
-  double area = 0.0;                 // m²
-  double longest_edge = 0.0;         // m
-  double weight = 0.0;               // radiance summed over bands, W/(m² sr)
-  bool has_holes = false;            // a cut-out texture: radiance is the mean over holes and surface
-  std::uint32_t portal = no_portal;  // the side of a portal (see Portals) that the sky shines through
-  bool fan_goes_on = false;  // the next triangle is of the same polygon, between the same first corner and
-                             // this one's third
+  bool is_portal() const { return portal != none; }
+  std::array<Vec3, 3> corner;   // m, counter-clockwise seen from the front
+  Vec3d normal;                 // unit, front
+  double area = 0.0;            // m²
+  double longest_edge = 0.0;    // m
+  double weight = 0.0;          // radiance summed over bands, W/(m² sr)
+  bool has_holes = false;       // a cut-out texture: radiance is the mean over holes and surface
+  std::uint32_t portal = none;  // the side of a portal (see Portals) that the sky shines through
+  bool fan_goes_on = false;     // the next triangle is of the same polygon, between the same first corner and
+                                // this one's third
 };
 
 // The lamps of a scene as they were before they were cut into patches and meshed: flat convex ones as a few
@@ -40,14 +39,13 @@ class Lamps {
   std::size_t size() const { return triangles_.size(); }
   std::size_t bands() const { return bands_; }
   std::size_t groups() const { return groups_; }
-  // The triangle that a point of a patch is part of, or no_lamp.
-  static constexpr std::uint32_t no_lamp = 0xffffffffu;
+  // The triangle that a point of a patch is part of, or none.
   std::uint32_t lamp_at(std::size_t patch, const Vec3& point) const;
-  // The lamp that stands for this side of a portal, or no_lamp.
+  // The lamp that stands for this side of a portal, or none.
   std::uint32_t lamp_of_portal(std::uint32_t portal_side) const {
-    return portal_side < lamp_of_portal_.size() ? lamp_of_portal_[portal_side] : no_lamp;
+    return portal_side < lamp_of_portal_.size() ? lamp_of_portal_[portal_side] : none;
   }
-  // Of one triangle's front, W/(m² sr), [band].
+  // Radiance of one triangle's front, W/(m² sr), [band].
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
   }

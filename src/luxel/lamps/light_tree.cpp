@@ -3,29 +3,34 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "luxel/core/trig.h"
+#include "luxel/core/unit_vector.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::size_t bins = 16;
-constexpr float rounding = 1e-4f;          // of the cosines, generously
+constexpr float rounding = 1e-4f;          // tolerance of cosines
 constexpr float sphere_margin = 1.00001f;  // of a bounding sphere's radius, for the rounding of floats
-constexpr float nearest_ball = 1.02f;      // distance over radius; nearer, facets are told apart
-// Area of lamps over that of their bounding sphere. A convex bulb shows on average a quarter of its area, and
-// the sphere shows a quarter of its own: so this is the share of rays towards the sphere that meet the bulb.
+constexpr float nearest_ball = 1.02f;      // distance over radius; nearer balls are split into facets
+// Minimum ratio of the lamps' area to that of their bounding sphere. On average a convex bulb shows a quarter
+// of its area, and the sphere a quarter of its own: the ratio is therefore the fraction of rays towards the
+// sphere that hit the bulb.
 constexpr float min_fill = 0.5f;
-// Facets of a ball. Variance times cost of a bulb of 20 was 0.7 of what its facets took one by one, of a bulb
-// of 8, whose closed form then counts, 1.5 times (40 lamps close to walls, 16 samples per replicate).
+// Minimum number of facets of a ball. Measured with 40 lamps close to walls and 16 samples per replicate:
+// variance times cost of a bulb of 20 facets was 0.7 of that of its individual facets; of a bulb of 8, for
+// which the closed form applies, 1.5 times.
 constexpr std::ptrdiff_t min_facets = 16;
-constexpr float min_cosine = 0.05f;  // a lamp at the boundary is asked seldom, not never: bounded weights
+constexpr float min_cosine =
+    0.05f;  // lamps at the horizon are sampled rarely but not never: bounds the weights
 
-// What a split is judged by, additive over lamps.
+// Quantities that determine the cost of a split, additive over lamps.
 struct Cluster {
   Bounds bounds;
   Vec3d normals{0.0};  // sum, weighted by power
@@ -44,8 +49,8 @@ struct Cluster {
     normals += other.normals;
     power += other.power;
   }
-  // Surface area orientation heuristic (Conty Estevez and Kulla 2018, equation 1), the spread of normals
-  // taken from the length of their mean.
+  // Surface area orientation heuristic (Conty Estevez and Kulla 2018, equation 1); the spread of normals is
+  // derived from the length of their mean.
   double cost() const {
     if (bounds.empty()) return 0.0;
     const auto d = Vec3d(bounds.size());
@@ -67,7 +72,7 @@ struct Split {
   float at = 0.0f;
 };
 
-// The cheapest of the splits between bins along the three axes; axis -1 where all centres coincide.
+// The cheapest split between bins along the three axes; axis -1 where all centres coincide.
 Split best_split(std::span<const LampTriangle> lamps, const std::uint32_t* begin, const std::uint32_t* end) {
   Bounds centres;
   for (auto i = begin; i != end; ++i) centres.add(centre_of(lamps[*i]));
@@ -91,7 +96,7 @@ Split best_split(std::span<const LampTriangle> lamps, const std::uint32_t* begin
     sum = {};
     for (std::size_t k = 1; k < bins; ++k) {
       sum.add(cluster[k - 1]);
-      // Long thin boxes are cut across.
+      // Penalises splits along the short axes of thin boxes.
       const auto interval = static_cast<double>(std::max({size.x, size.y, size.z}) / size[axis]);
       const auto cost = interval * (sum.cost() + right[k]);
       if (cost < least) {
@@ -175,7 +180,7 @@ float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n, floa
   const auto sphere_cosine = sine_of(sphere_sine);
   const auto here = cosine_of_less(glm::dot(n, to) * inverse, sphere_sine, sphere_cosine);
   if (here < -rounding) return 0.0f;
-  // At the lamps: away from their axis, less the spread, less the sphere.
+  // At the lamps: the angle to their axis, less the spread of normals and the angle of the sphere.
   const auto away = cosine_of_less(-glm::dot(node.axis, to) * inverse, node.spread_sine, node.spread);
   const auto there = cosine_of_less(away, sphere_sine, sphere_cosine);
   if (there < -rounding) return 0.0f;
@@ -184,6 +189,7 @@ float LightTree::importance(const Node& node, const Vec3& x, const Vec3& n, floa
 
 void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most, bool balls,
                     std::vector<LampBranch>& branches) const {
+  assert(is_unit(n) && radius >= 0.0f && most > 0);
   branches.clear();
   if (nodes_.empty()) return;
   struct Open {
@@ -205,7 +211,7 @@ void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t
       branches.push_back({index, false, true, node.power, node.area, value});
       return;
     }
-    // A cluster's lamps differ the more, the larger it is seen.
+    // The larger a cluster appears, the more its lamps differ in importance.
     const auto distance = std::max(0.0f, glm::distance(node.centre, centre) - radius);
     heap.push_back({distance > node.radius ? value * node.radius / distance : value, index, value});
     std::push_heap(heap.begin(), heap.end());
@@ -224,7 +230,7 @@ void LightTree::cut(const Vec3& centre, float radius, const Vec3& n, std::size_t
   }
 }
 
-// What two children are chosen in proportion to: nothing where neither can light x.
+// Weights by which one of two children is chosen; 0 and 0 where neither can light x.
 std::array<double, 2> LightTree::values_of(const Node* children, const Vec3& x, const Vec3& n,
                                            bool by_area) const {
   const auto value = [&](const Node& child) {
@@ -235,6 +241,7 @@ std::array<double, 2> LightTree::values_of(const Node* children, const Vec3& x, 
 
 LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u,
                              bool by_area) const {
+  assert(is_unit(n) && u >= 0.0 && u < 1.0);
   const auto* node = &nodes_[branch.index];
   double probability = 1.0;
   while (!node->leaf) {
@@ -244,7 +251,7 @@ LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3
     const auto at = u * (a + b);
     const bool first = at < a;
     node = first ? children : children + 1;
-    // Two divisions that do not wait for each other.
+    // Two divisions that do not depend on each other.
     probability *= (first ? a : b) / (a + b);
     u = std::min(first ? at / a : (at - a) / b, 0x1.fffffffffffffp-1);
   }
@@ -252,8 +259,9 @@ LampChoice LightTree::choose(const LampBranch& branch, const Vec3& x, const Vec3
 }
 
 bool LightTree::holds(const LampBranch& branch, std::uint32_t lamp) const {
+  assert(!branch.single && lamp < leaf_of_.size());
   auto at = leaf_of_[lamp];
-  while (at > branch.index) at = nodes_[at].parent;  // children stand behind their parents
+  while (at > branch.index) at = nodes_[at].parent;  // children follow their parents
   return at == branch.index;
 }
 

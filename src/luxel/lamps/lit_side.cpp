@@ -2,24 +2,28 @@
 #include "luxel/lamps/lit_side.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "luxel/core/unit_vector.h"
 #include "luxel/lamps/clip_triangle.h"
 #include "luxel/lamps/polygon_irradiance.h"
 
 namespace luxel {
 namespace {
 
-// Measured in a room with 2 to 24 lamps, patches with edges of up to 5, 15 and 40 cm: the sum over lamps is
-// off by 1e-5 to 6e-4 RMS over sides, by 0.016 on the worst side, and by less than 1e-4 over all sides
-// together.
-constexpr double series_reach = 0.04;  // variances of patch and lamp over distance², up to which it is good
-constexpr double series_error = 1.0;   // of the series, over the square of that and area / distance²
-constexpr double one_point_error = 0.3;    // of the centroid rule, over (radius / distance)²
-constexpr double three_point_error = 0.1;  // of the rule of three points, over (radius / distance)³
-constexpr double allowed_error = 2e-4;     // of one lamp, of the sum over all
-constexpr double split_error = 0.004;      // difference of the rules of one and of three points that splits
-constexpr int deepest = 9;                 // halvings of the edges
+// Measured in a room with 2 to 24 lamps and patches with edges of up to 5, 15 and 40 cm: the error of the sum
+// over lamps is 1e-5 to 6e-4 RMS over sides, 0.016 on the worst side, and below 1e-4 in the total of all
+// sides.
+constexpr double series_reach =
+    0.04;  // largest variance of patch and lamp over distance² for which the series is used
+constexpr double series_error = 1.0;  // of the series, per square of that variance and of area / distance²
+constexpr double one_point_error = 0.3;    // of the centroid rule, per (radius / distance)²
+constexpr double three_point_error = 0.1;  // of the three-point rule, per (radius / distance)³
+constexpr double allowed_error = 2e-4;     // of one lamp, relative to the sum over all
+// difference between the one-point and three-point rules above which a triangle is split
+constexpr double split_error = 0.004;
+constexpr int deepest = 9;  // levels of subdivision
 
 using Corners = std::array<Vec3d, 3>;
 using Heights = std::array<double, 3>;
@@ -46,8 +50,8 @@ struct Scatter {
         variance(glm::dot(a, a) + glm::dot(b, b)) {}
 };
 
-// Mean over both triangles of (n . r) (-m . r) / r^4, r from a point of the one to a point of the other: the
-// value between their centroids and half the second derivative along what scatters r.
+// Mean over both triangles of (n . r) (-m . r) / r^4, with r from a point of one to a point of the other: the
+// value between their centroids plus half the second derivative along the scatter of r.
 double series(const Vec3d& r, const Vec3d& n, const Vec3d& m, const Scatter& patch, const Scatter& lamp) {
   const auto inverse = 1.0 / glm::dot(r, r);
   const auto here = glm::dot(n, r);
@@ -55,7 +59,7 @@ double series(const Vec3d& r, const Vec3d& n, const Vec3d& m, const Scatter& pat
   const auto product = here * there;
   double second = 0.0;
   const auto add = [&](const Vec3d& e, double other, double slope) {
-    // other: the cosine that does not change along e; slope: of the one that does.
+    // other: the cosine that is constant along e; slope: the derivative of the cosine that varies.
     const auto along = 2.0 * glm::dot(r, e) * inverse;
     second += -4.0 * other * slope * along + product * (6.0 * along * along - 4.0 * glm::dot(e, e) * inverse);
   };
@@ -76,7 +80,7 @@ struct Patch {
                             glm::length(corners[2] - centroid)});
 };
 
-// The part of a patch before a lamp whose plane cuts it.
+// The part of a patch in front of a lamp whose plane cuts the patch.
 struct Part {
   std::array<Corners, 2> facet{};
   std::array<double, 2> facet_fraction{};  // of the patch
@@ -97,11 +101,11 @@ struct Part {
   }
 };
 
-// A first value for a lamp, and what it may be wrong by, W/m² at unit radiance.
+// A first value for a lamp and its error estimate, W/m² at unit radiance.
 struct Rough {
   double irradiance = 0.0;
   double error = 0.0;
-  double three_point = 0.0;  // what the rule of three points would be wrong by
+  double three_point = 0.0;  // error estimate of the three-point rule
 };
 
 Rough rough(const LampTriangle& lamp, const Corners& at, const Patch& patch, const Heights& above,
@@ -118,7 +122,7 @@ Rough rough(const LampTriangle& lamp, const Corners& at, const Patch& patch, con
               error};
     }
   }
-  // Where the lamp's plane cuts the patch, light may jump from nothing to half of the whole.
+  // Where the lamp's plane cuts the patch, the irradiance may jump from 0 to half of the total.
   if (low(before) < 0.0) {
     const Part part(patch.corners, before);
     return {part.fraction * unit_irradiance(lamp, part.middle, patch.n), flat, flat};
@@ -137,8 +141,8 @@ double three_points(const LampTriangle& lamp, const Corners& t, const Vec3d& cen
   return sum / 3.0;
 }
 
-// The mean over a triangle that is this share of the patch, times the share: by splitting it where rules of
-// one and of three points disagree.
+// The mean over a triangle that is this fraction of the patch, times the fraction; the triangle is split
+// where the one-point and three-point rules disagree.
 double fine(const LampTriangle& lamp, const Corners& t, const Vec3d& n, double fraction, double allowed,
             int depth) {
   const auto centroid = centre_of(t);
@@ -172,12 +176,13 @@ double fine(const LampTriangle& lamp, const Patch& patch, const Heights& before,
 void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidates,
                      const std::array<Vec3, 3>& corners, const Vec3& n, bool mean,
                      std::vector<SideLamp>& found) {
+  assert(is_unit(n));
   found.clear();
   const Patch patch{{Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])}, Vec3d(n)};
   const auto before = [&](const LampTriangle& lamp) {
     return heights(patch.corners, lamp.normal, Vec3d(lamp.corner[0]));
   };
-  // 1. Rough values.
+  // 1. First values.
   double total = 0.0;
   for (const auto i : candidates) {
     const auto& lamp = lamps.triangles()[i];
@@ -190,7 +195,7 @@ void find_side_lamps(const Lamps& lamps, std::span<const std::uint32_t> candidat
     found.push_back({i, value.irradiance, lamp.weight * value.error, lamp.weight * value.three_point});
   }
   if (!mean) return;
-  // 2. Better ones where it matters.
+  // 2. More accurate values for the lamps that matter.
   const auto allowed = allowed_error * total;
   for (auto& f : found) {
     if (f.error <= allowed) continue;

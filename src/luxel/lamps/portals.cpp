@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 
 Portals::Portals(const PatchSet& patches) {
@@ -14,7 +16,7 @@ Portals::Portals(const PatchSet& patches) {
     triangles.corners.push_back({first, first + 1, first + 2});
     both_ways_.push_back(portal.both_ways ? 1 : 0);
   }
-  tracer_ = std::make_shared<const Tracer>(triangles, Workers(1));
+  tracer_ = std::make_shared<const Tracer>(triangles, Context(1));
 }
 
 std::uint32_t Portals::first_crossed(const Ray& ray) const {

@@ -19,13 +19,12 @@ namespace luxel {
 // about 0.1 us. Without portals, or without a sky, it is empty.
 class Portals {
  public:
-  static constexpr std::uint32_t none = 0xffffffffu;
-
   // Keeps no reference.
   explicit Portals(const PatchSet& patches);
 
   bool empty() const { return tracer_ == nullptr; }
-  // The side that the ray comes from, or none: no portal, or first one that does not light this side.
+  // The side that the ray comes from, or none: it meets no portal, or first one that does not light this
+  // side.
   std::uint32_t first_crossed(const Ray& ray) const;
   // To the first portal, m; infinite where there is none.
   float distance(const Ray& ray) const;

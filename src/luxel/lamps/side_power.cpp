@@ -2,7 +2,9 @@
 #include "luxel/lamps/side_power.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 namespace luxel {
@@ -13,7 +15,7 @@ SidePower lamp_power(const PatchSet& patches) {
   SidePower power;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (!shines[static_cast<std::size_t>(patches.material[p])]) continue;
-    power.side.push_back(static_cast<std::uint32_t>(side_of(p, false)));
+    power.side.push_back(SideId(p, false));
     for (std::size_t b = 0; b < patches.band_count(); ++b)
       power.watts.push_back(static_cast<double>(patches.area[p]) *
                             static_cast<double>(patches.emittance(p, b)));
@@ -23,13 +25,14 @@ SidePower lamp_power(const PatchSet& patches) {
 
 void add_sky_power(const PatchSet& patches, const SkyBox& box, SidePower& power) {
   for (std::size_t face = 0; face < SkyBox::faces; ++face) {
-    power.side.push_back(static_cast<std::uint32_t>(2 * patches.size() + face));
+    power.side.push_back(SideId::at(side_count(patches.size()) + face));
     for (std::size_t b = 0; b < patches.band_count(); ++b)
       power.watts.push_back(box.area(face) * patches.sky_radiosity(b));
   }
 }
 
-EntryRange entries_between(std::span<const std::uint32_t> side, std::size_t begin, std::size_t end) {
+EntryRange entries_between(std::span<const SideId> side, SideId begin, SideId end) {
+  assert(begin <= end);
   const auto first = std::lower_bound(side.begin(), side.end(), begin);
   const auto last = std::lower_bound(first, side.end(), end);
   return {static_cast<std::size_t>(first - side.begin()), static_cast<std::size_t>(last - side.begin())};

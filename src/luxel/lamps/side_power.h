@@ -8,18 +8,19 @@
 
 #include "luxel/lamps/sky_box.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 
 // Power of the patch sides that have any. The others are not listed, so that a bounce costs no more than the
 // sides it meets, however many there are. After the sides come the faces of the sky.
 struct SidePower {
-  // Rising; side 2p is the front of patch p, 2p + 1 its back; 2 * patches + f is face f of the SkyBox.
-  std::vector<std::uint32_t> side;
+  // Rising; at side_count(patches) + f stands face f of the SkyBox.
+  std::vector<SideId> side;
   std::vector<double> watts;  // [entry][band], none negative
 };
 
-// What the lamps emit: the fronts of all patches that shine.
+// Returns the power emitted by the lamps: the fronts of all patches that emit.
 SidePower lamp_power(const PatchSet& patches);
 
 // Adds what the sky sends in through the faces of its box, which none of the sides may come after.
@@ -29,6 +30,6 @@ void add_sky_power(const PatchSet& patches, const SkyBox& box, SidePower& power)
 struct EntryRange {
   std::size_t begin = 0, end = 0;
 };
-EntryRange entries_between(std::span<const std::uint32_t> side, std::size_t begin, std::size_t end);
+EntryRange entries_between(std::span<const SideId> side, SideId begin, SideId end);
 
 }  // namespace luxel

@@ -11,7 +11,6 @@ namespace {
 
 constexpr float margin = 1e-4f;  // of the box's diagonal
 constexpr std::size_t trial_rays = 4096;
-constexpr std::uint32_t trials = 0x736b7962u;  // their stream
 
 // Face 2 * axis is the lower of the two that stand across an axis.
 int axis_of(std::size_t face) { return static_cast<int>(face / 2); }
@@ -52,7 +51,7 @@ double sky_hit_fraction(const PatchSet& patches, const Tracer& tracer, const Sky
   double area = 0.0;
   double met = 0.0;
   for (std::size_t face = 0; face < SkyBox::faces; ++face) {
-    const auto key = stream_key(0, trials, static_cast<std::uint32_t>(face));
+    const auto key = stream_key(0, RandomPurpose::sky_box, static_cast<std::uint32_t>(face));
     std::size_t hits = 0;
     for (std::size_t i = 0; i < trial_rays / SkyBox::faces; ++i)
       if (takes_part(patches, tracer.nearest(box.ray(face, uniform4(key, i))))) ++hits;

@@ -5,7 +5,7 @@
 
 namespace luxel {
 
-// Throws the InputError that says how to add light where there is neither lamp nor sky.
+// Throws InputError where the scene has neither lamp nor sky; its text explains how to add light.
 void check_light(const PatchSet& patches);
 
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #include "luxel/patch/colour_patches.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <tuple>
 
@@ -26,9 +27,9 @@ T between(const std::array<T, 3>& corners, const Vec3d& weight) {
 template <typename T, typename PointsOf>
 std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& wholes, const PatchSet& parts,
                                        std::span<const std::uint32_t> whole_of, const PointsOf& points_of,
-                                       const Workers& workers) {
+                                       const Context& context) {
   std::vector<std::array<T, 3>> result(parts.size());
-  workers.for_chunks(parts.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(parts.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) {
       const auto whole = whole_of[p];
       const auto triangle = points_of(whole);
@@ -43,19 +44,19 @@ std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& whol
 // Means of the textures of patches: one table for each texture as materials of the patches use it.
 class PatchMeans {
  public:
-  PatchMeans(const PatchSet& patches, const Workers& workers)
+  PatchMeans(const PatchSet& patches, const Context& context)
       : patches_(patches), of_material_(patches.materials.size()) {
     std::vector<std::uint8_t> is_used(patches.materials.size(), 0);
     for (const auto m : patches.material) is_used[static_cast<std::size_t>(m)] = 1;
     for (std::size_t m = 0; m < is_used.size(); ++m) {
       if (!is_used[m]) continue;
       const auto& t = patches.materials[m].textures;
-      of_material_[m] = {sums(t.reflectance, t, workers), sums(t.emittance, t, workers),
-                         sums(t.cutout, t, workers)};
+      of_material_[m] = {sums(t.reflectance, t, context), sums(t.emittance, t, context),
+                         sums(t.cutout, t, context)};
     }
   }
 
-  // Of textures that the patch's material has.
+  // Textures that the patch's material has.
   Vec3 reflectance(std::size_t p) const {
     return over(p, *of(p).reflectance, *patches_.material_of(p).textures.reflectance).colour;
   }
@@ -75,7 +76,7 @@ class PatchMeans {
 
   // With holes where the same texture lies the same way as the cut-out's.
   const TexelSums* sums(const std::optional<TextureUse>& use, const MaterialTextures& material,
-                        const Workers& workers) {
+                        const Context& context) {
     if (!use) return nullptr;
     const bool has_holes = material.cutout && *material.cutout == *use;
     const auto threshold = has_holes ? std::optional(material.cutout_threshold) : std::nullopt;
@@ -83,7 +84,7 @@ class PatchMeans {
     auto found = made_.find(key);
     if (found == made_.end())
       found =
-          made_.emplace(key, TexelSums(patches_.textures[use->texture].raster, use->wrap, threshold, workers))
+          made_.emplace(key, TexelSums(patches_.textures[use->texture].raster, use->wrap, threshold, context))
               .first;
     return &found->second;
   }
@@ -144,7 +145,7 @@ void colour_patch(PatchSet& patches, std::size_t p, const PatchMeans& means, con
                        material.emittance);
 }
 
-void colour_patches(PatchSet& patches, const Workers& workers) {
+void colour_patches(PatchSet& patches, const Context& context) {
   const auto any = [&](const auto& has) {
     return std::any_of(patches.materials.begin(), patches.materials.end(),
                        [&](const BandMaterial& m) { return has(m.textures); });
@@ -154,16 +155,16 @@ void colour_patches(PatchSet& patches, const Workers& workers) {
     patches.reflectance_ratio.assign(values, 1.0f);
   if (any([](const auto& t) { return t.emittance.has_value(); }))
     patches.emittance_ratio.assign(values, 1.0f);
-  const PatchMeans means(patches, workers);
+  const PatchMeans means(patches, context);
   const BandsOfColours bands(patches);
-  workers.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) colour_patch(patches, p, means, bands);
   });
 }
 
 }  // namespace
 
-void lay_textures(PatchSet& patches, const Scene& scene, const Workers& workers) {
+void lay_textures(PatchSet& patches, const Scene& scene, const Context& context) {
   const bool has_textures = std::any_of(scene.materials.begin(), scene.materials.end(),
                                         [](const Material& m) { return m.textures.any(); });
   if (!has_textures && scene.corner_colours.empty()) return;
@@ -174,32 +175,33 @@ void lay_textures(PatchSet& patches, const Scene& scene, const Workers& workers)
   if (has_textures) {
     patches.textures = scene.textures;
     for (const auto& set : scene.uv_sets)
-      patches.uv_sets.push_back(at_parts(set, patches, patches.triangle, points_of, workers));
+      patches.uv_sets.push_back(at_parts(set, patches, patches.triangle, points_of, context));
   }
   if (!scene.corner_colours.empty())
-    patches.corner_colours = at_parts(scene.corner_colours, patches, patches.triangle, points_of, workers);
-  colour_patches(patches, workers);
+    patches.corner_colours = at_parts(scene.corner_colours, patches, patches.triangle, points_of, context);
+  colour_patches(patches, context);
 }
 
 void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent,
-                      const Workers& workers) {
+                      const Context& context) {
+  assert(parent.size() == parts.size());
   if (whole.uv_sets.empty() && whole.corner_colours.empty()) return;
   const auto points_of = [&](std::uint32_t patch) { return whole.points(patch); };
   parts.textures = whole.textures;
   for (const auto& set : whole.uv_sets)
-    parts.uv_sets.push_back(at_parts(set, parts, parent, points_of, workers));
+    parts.uv_sets.push_back(at_parts(set, parts, parent, points_of, context));
   if (!whole.corner_colours.empty())
-    parts.corner_colours = at_parts(whole.corner_colours, parts, parent, points_of, workers);
-  colour_patches(parts, workers);
+    parts.corner_colours = at_parts(whole.corner_colours, parts, parent, points_of, context);
+  colour_patches(parts, context);
 }
 
-FineColours::FineColours(const PatchSet& patches, const Workers& workers) : patches_(patches) {
-  const PatchMeans means(patches, workers);
+FineColours::FineColours(const PatchSet& patches, const Context& context) : patches_(patches) {
+  const PatchMeans means(patches, context);
   const auto fill = [&](std::vector<Vec3>& filled, const auto& use_of, const auto& mean) {
     const auto has = [&](const BandMaterial& m) { return use_of(m.textures).has_value(); };
     if (std::none_of(patches.materials.begin(), patches.materials.end(), has)) return;
     filled.assign(patches.size(), Vec3(0.0f));
-    workers.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto p = begin; p < end; ++p)
         if (has(patches.material_of(p))) filled[p] = mean(p);
     });

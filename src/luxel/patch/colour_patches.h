@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/scene/scene.h"
 
@@ -15,19 +15,19 @@ namespace luxel {
 // Lays the scene's textures and the colours of its corners on patches that were cut from its triangles
 // (PatchSet::triangle), and colours them. Nothing is done where the scene has neither. Cost: that of a mean
 // per patch and texture (TexelSums). The same bits for any number of threads.
-void lay_textures(PatchSet& patches, const Scene& scene, const Workers& workers);
+void lay_textures(PatchSet& patches, const Scene& scene, const Context& context);
 
 // The same for patches that are parts of others, which `parent` names. Their areas are those of the whole
 // triangles still.
 void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent,
-                      const Workers& workers);
+                      const Context& context);
 
 // How fine textures are within patches: what a point is over what its patch is in the mean, so that pictures
 // show more than patches. Immutable once made; memory 24 bytes per patch where there are textures, else none.
 class FineColours {
  public:
   // Keeps a reference to the patches. Cost: that of lay_textures().
-  FineColours(const PatchSet& patches, const Workers& workers);
+  FineColours(const PatchSet& patches, const Context& context);
 
   // Linear sRGB, of (1-u-v) a + u b + v c: times what the patch reflects, and emits. 1 without textures.
   Vec3 reflectance(std::size_t patch, float u, float v) const;

@@ -2,10 +2,12 @@
 #include "luxel/patch/contact_lines.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/flat_triangle.h"
 #include "luxel/patch/triangle_pairs.h"
@@ -26,13 +28,13 @@ using Triangle = std::array<Vec3, 3>;
 class Finder {
  public:
   Finder(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions, double gap,
-         const Workers& workers)
+         const Context& context)
       : triangles_(triangles),
         positions_(positions),
-        workers_(workers),
+        context_(context),
         neighbours_(triangles, positions.size()),
         shapes_(triangles.size()) {
-    workers.for_chunks(triangles.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(triangles.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto p = points(static_cast<std::uint32_t>(i));
         shapes_[i] = {glm::normalize(area_vector2(p[0], p[1], p[2])),
@@ -43,9 +45,9 @@ class Finder {
   }
 
   std::vector<ContactLine> find() const {
-    const OverlappingPairs pairs(boxes(), workers_);
+    const OverlappingPairs pairs(boxes(), context_);
     std::vector<std::vector<ContactLine>> of_part(pairs.parts());
-    workers_.for_chunks(pairs.parts(), 1, [&](std::size_t part, std::size_t, int) {
+    context_.for_chunks(pairs.parts(), 1, [&](std::size_t part, std::size_t, int) {
       pairs.for_pairs(part, [&](std::uint32_t i, std::uint32_t j) { meet(i, j, of_part[part]); });
     });
     std::vector<ContactLine> lines;
@@ -77,7 +79,7 @@ class Finder {
 
   std::vector<Bounds> boxes() const {
     std::vector<Bounds> result(triangles_.size());
-    workers_.for_chunks(triangles_.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(triangles_.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         // As much as may be between two that touch; and what adding it rounds.
         const auto reach = static_cast<float>(1.5 * shapes_[i].slack + shapes_[i].reach);
@@ -95,7 +97,7 @@ class Finder {
                      glm::distance(Vec3d(p[2]), Vec3d(p[0]))});
   }
 
-  // A corner that both have is in the plane, whatever rounding says.
+  // A common corner is in the plane, whatever the rounding.
   Heights heights(std::uint32_t on, std::uint32_t other) const {
     const auto& c = triangles_[on].corners;
     const Vec3d origin(positions_[c[0]]);
@@ -119,8 +121,8 @@ class Finder {
     const auto of_i = heights(j, i);
     if (of_i.all_above(reach) || of_i.all_below(-reach)) return;
     if (are_beside(i, j, slack, reach) || are_beside(j, i, slack, reach)) return;
-    EdgeIntersection(*this, i, j, of_j, slack, reach, lines).find();
-    EdgeIntersection(*this, j, i, of_i, slack, reach, lines).find();
+    EdgeIntersection(*this, i, j, of_j, {slack, reach}, lines).find();
+    EdgeIntersection(*this, j, i, of_i, {slack, reach}, lines).find();
   }
 
   // Whether they share an edge, and do not lie on each other: then they share no more than that.
@@ -187,17 +189,22 @@ class Finder {
     return low >= length2 - slack * length || high <= slack * length;
   }
 
-  // What one triangle, `other`, does on another one, `on`.
+  // m: what rounding may do; how near one may be that touches the other.
+  struct Tolerances {
+    double slack, reach;
+  };
+
+  // The contact of one triangle, `other`, with another one, `on`.
   class EdgeIntersection {
    public:
     EdgeIntersection(const Finder& finder, std::uint32_t on, std::uint32_t other, const Heights& heights,
-                     double slack, double reach, std::vector<ContactLine>& lines)
+                     const Tolerances& tolerances, std::vector<ContactLine>& lines)
         : finder_(finder),
           on_(on),
           other_(other),
           height_(heights.of),
-          slack_(slack),
-          reach_(reach),
+          slack_(tolerances.slack),
+          reach_(tolerances.reach),
           plane_(finder.points(on), finder.shapes_[on].normal),
           vertex_(finder.triangles_[other].corners),
           lines_(lines) {
@@ -268,7 +275,7 @@ class Finder {
 
     void find_passage() {
       std::array<Vec3d, 2> ends{};
-      std::array<std::uint32_t, 2> vertices{no_vertex, no_vertex};
+      std::array<std::uint32_t, 2> vertices{none, none};
       std::size_t count = 0;
       for (std::size_t k = 0; k < 3 && count < 2; ++k) {
         const auto l = (k + 1) % 3;
@@ -362,7 +369,7 @@ class Finder {
 
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
-  const Workers& workers_;
+  const Context& context_;
   VertexTriangles neighbours_;
   std::vector<Shape> shapes_;
 };
@@ -371,8 +378,9 @@ class Finder {
 
 std::vector<ContactLine> find_contact_lines(const std::vector<CleanTriangle>& triangles,
                                             const std::vector<Vec3>& positions, double gap,
-                                            const Workers& workers) {
-  return Finder(triangles, positions, gap, workers).find();
+                                            const Context& context) {
+  assert(gap >= 0.0);
+  return Finder(triangles, positions, gap, context).find();
 }
 
 }  // namespace luxel

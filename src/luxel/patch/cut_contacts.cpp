@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/edge_points.h"
 #include "luxel/patch/flat_triangle.h"
@@ -20,10 +21,10 @@ constexpr float same_way = 0.999f;  // cosine between two ways into what is one 
 // Where on a patch a line ends: at a corner, on an edge, or inside.
 struct LineEnd {
   enum class At { corner, edge, inside } at = At::inside;
-  std::size_t k = 0;                 // corner or edge
-  std::uint32_t request = 0;         // of a point on an edge
-  std::uint32_t vertex = no_vertex;  // that stands there, if one does
-  Vec3d place{0.0};                  // m
+  std::size_t k = 0;            // corner or edge
+  std::uint32_t request = 0;    // of a point on an edge
+  std::uint32_t vertex = none;  // that stands there, if one does
+  Vec3d place{0.0};             // m
 };
 
 // A line that runs through the inside of a patch.
@@ -64,7 +65,8 @@ class Cutter {
   FlatTriangle plane(std::size_t patch) const { return {points(patch), Vec3d(patches_.normal[patch])}; }
   double slack(std::size_t patch) const { return slack_roundings * coordinate_rounding(points(patch)); }
 
-  // Finds what of a line lies on a patch, and asks for the points that it needs on the patch's edges.
+  // Finds the part of a line that lies on a patch, and requests the points that it needs on the patch's
+  // edges.
   void place(const LineOnPatch& o) {
     const auto& line = lines_[o.line];
     const auto flat = plane(o.patch);
@@ -80,8 +82,8 @@ class Cutter {
       return;
     }
     InnerLine inner{o.patch, o.line, {}, {}};
-    inner.from = locate(o.patch, flat, near, from, interval->begin == 0.0 ? line.vertices[0] : no_vertex);
-    inner.to = locate(o.patch, flat, near, to, interval->end == 1.0 ? line.vertices[1] : no_vertex);
+    inner.from = locate(o.patch, flat, near, from, interval->begin == 0.0 ? line.vertices[0] : none);
+    inner.to = locate(o.patch, flat, near, to, interval->end == 1.0 ? line.vertices[1] : none);
     inner_lines_.push_back(inner);
   }
 
@@ -117,7 +119,7 @@ class Cutter {
     for (std::size_t i = 0; i < 2; ++i) {
       line.fractions[i] = a < b ? fractions[i] : 1.0 - fractions[i];
       if (fractions[i] > 0.0 && fractions[i] < 1.0)
-        line.requests[i] = edge_points_.ask(a, b, fractions[i], no_vertex);
+        line.requests[i] = edge_points_.ask(a, b, fractions[i], none);
     }
     edge_lines_.push_back(line);
   }
@@ -223,7 +225,7 @@ class Cutter {
     }
     const auto point = fragments.add_inside(end.place);
     if (point == vertex.size())
-      vertex.push_back(end.vertex != no_vertex ? end.vertex : weld_.index_of(Vec3(end.place)));
+      vertex.push_back(end.vertex != none ? end.vertex : weld_.index_of(Vec3(end.place)));
     return point;
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "luxel/core/none.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/flat_triangle.h"
 
@@ -38,7 +39,7 @@ void EdgePoints::settle(Edge& edge, VertexWeld& weld) {
   const auto way = Vec3d(end) - Vec3d(start);
   const auto near = slack_roundings * coordinate_rounding({start, end, end}) / glm::length(way);
   auto& requests = edge.requests;
-  // Of those in one place the one at a vertex first.
+  // Sorts coincident points such that the one at a vertex comes first.
   std::sort(requests.begin(), requests.end(), [](const Request& a, const Request& b) {
     return std::tuple(a.fraction, a.vertex, a.number) < std::tuple(b.fraction, b.vertex, b.number);
   });
@@ -52,7 +53,7 @@ void EdgePoints::settle(Edge& edge, VertexWeld& weld) {
       station = {0.0, edge.ends[0]};
     } else if (station.fraction >= 1.0 - near) {
       station = {1.0, edge.ends[1]};
-    } else if (station.vertex == no_vertex) {
+    } else if (station.vertex == none) {
       station.vertex = weld.index_of(Vec3(Vec3d(start) + station.fraction * way));
     }
     if (station.vertex == edge.ends[0]) station.fraction = 0.0;

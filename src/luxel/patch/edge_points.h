@@ -12,9 +12,9 @@
 
 namespace luxel {
 
-// Points that are to stand on edges of a mesh, so that all triangles at an edge take the same ones. First
-// points are asked for, from whatever triangle; then settle() joins those nearer to each other, or to an end
-// of the edge, than rounding can tell, and makes vertices of the rest.
+// Points on edges of a mesh, such that all triangles at an edge get the same ones. Points are first
+// requested, from any triangle; settle() then merges those nearer to each other, or to an end of the edge,
+// than rounding resolves, and makes vertices of the rest.
 class EdgePoints {
  public:
   struct Station {
@@ -23,7 +23,7 @@ class EdgePoints {
   };
 
   // Asks for a point at this share of the way from vertex a to vertex b. vertex: one that stands there
-  // already, or no_vertex. Returns the number of the request.
+  // already, or none. Returns the number of the request.
   std::uint32_t ask(std::uint32_t a, std::uint32_t b, double fraction, std::uint32_t vertex);
   // Cost: a sort of each edge's requests. Vertices are made in the order in which their edges were first
   // named.

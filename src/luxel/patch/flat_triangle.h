@@ -50,8 +50,8 @@ struct EdgeInterval {
 std::optional<EdgeInterval> interval_on_edge(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
                                              double slack);
 
-// What of a segment lies over the triangle, exactly; or, where that is a point at most, along an edge of it
-// but for slack. Nothing that is not longer than slack.
+// Returns the part of a segment that lies over the triangle, exactly; or, where that is a point at most, the
+// part within slack along an edge of it. Returns nothing where the part is not longer than slack.
 std::optional<Interval> interval_on(const FlatTriangle& triangle, const Vec3d& p, const Vec3d& q,
                                     double slack);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/scene/name_pattern.h"
 
 namespace luxel {
@@ -28,17 +29,20 @@ void set_focus(const Scene& scene, const std::string& focus, PatchSet& patches) 
   if (focus == focus_on_all) return;
   if (patches.focuses_on_cameras) {
     if (patches.cameras.empty())
-      throw InputError("--focus camera: the scene has no camera, give one with --eye and --target");
+      throw with_hints(InputError("the focus is on the camera, but the scene has none: give one"),
+                       {{Setting::eye}, {Setting::target}});
     return;
   }
   patches.focus.resize(patches.size());
   for (std::size_t p = 0; p < patches.size(); ++p)
     patches.focus[p] = is_called(scene, patches, p, focus) ? 1 : 0;
   if (std::none_of(patches.focus.begin(), patches.focus.end(), [](auto f) { return f != 0; }))
-    throw InputError(fmt::format(
-        "--focus {}: no material, object or group is called so; expected all, camera or a name (* and "
-        "? stand for any text and any letter)",
-        focus));
+    throw with_hints(
+        InputError(fmt::format(
+            "no material, object or group is called '{}', which the focus is on; expected all, camera "
+            "or a name (* and ? stand for any text and any letter)",
+            focus)),
+        {{Setting::focus, "NAME"}});
 }
 
 }  // namespace luxel

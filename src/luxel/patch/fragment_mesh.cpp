@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 
 FragmentMesh::FragmentMesh()
@@ -36,8 +38,8 @@ std::uint32_t FragmentMesh::fragment_with(std::uint32_t point) const {
     const auto& v = fragments_[fragment].v;
     return turn(v[k], v[(k + 1) % 3], point) >= 0;
   };
-  // A walk towards the point, from where the last one was put. In a mesh that is not Delaunay it may go round
-  // in circles; then every fragment is asked.
+  // Walks towards the point, from the triangle of the last one. In a mesh that is not Delaunay the walk may
+  // cycle; then every fragment is tested.
   auto fragment = next_number() - 1;
   for (std::size_t steps = 0; steps < fragments_.size(); ++steps) {
     const auto k = !holds(fragment, 0) ? 0u : (!holds(fragment, 1) ? 1u : (!holds(fragment, 2) ? 2u : 3u));

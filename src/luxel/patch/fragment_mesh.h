@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 
 // A triangle cut into fragments, as a mesh that can be changed step by step. Points stand on a grid of
@@ -15,7 +17,6 @@ namespace luxel {
 class FragmentMesh {
  public:
   static constexpr std::int64_t grid = std::int64_t{1} << 29;
-  static constexpr std::uint32_t none = 0xffffffffu;
 
   struct Point {
     std::int64_t x, y;  // x, y >= 0, x + y <= grid

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/scene/name_pattern.h"
 
 namespace luxel {
@@ -94,9 +95,10 @@ void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules,
           rules[r].name, rules[r].pattern, fmt::join(lamp_names(patches), ", ")));
   if (patches.has_sky()) index_of(sky_group);
   if (groups.size() > max_light_groups)
-    throw InputError(fmt::format(
-        "{} light groups, at most {} can be kept apart: put lamps together with --light-group NAME=PATTERN",
-        groups.size(), max_light_groups));
+    throw with_hints(InputError(fmt::format(
+                         "{} light groups, where at most {} can be dimmed separately: put lamps together",
+                         groups.size(), max_light_groups)),
+                     {{Setting::light_group, "NAME=PATTERN"}});
 }
 
 void join_light_groups(PatchSet& patches) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/contact_lines.h"
@@ -112,14 +113,15 @@ double chosen_edge(const Scene& scene, const PatchOptions& options) {
   const auto all = shapes(scene);
   const auto expected = expected_count(all, options.max_edge);
   if (expected > 2.0 * static_cast<double>(options.max_count))
-    throw InputError(fmt::format(
-        "an edge of {} m would make about {:.2g} patches, more than {}: {:.3g} m would fit (--max-edge)",
-        options.max_edge, expected, options.max_count,
-        edge_for_count(all, 0.7 * static_cast<double>(options.max_count))));
+    throw with_hints(InputError(fmt::format(
+                         "an edge of {} m would make about {:.2g} patches, more than {}: {:.3g} m would fit",
+                         options.max_edge, expected, options.max_count,
+                         edge_for_count(all, 0.7 * static_cast<double>(options.max_count)))),
+                     {{Setting::max_edge}});
   return options.max_edge;
 }
 
-// Of each triangle the numbers of the contact lines on it, which are sorted by it.
+// The numbers of the contact lines on each triangle; lines are sorted by triangle.
 std::vector<std::uint32_t> lines_on(std::span<const ContactLine> lines, std::uint32_t triangle) {
   const auto comes_before = [](const ContactLine& line, std::uint32_t t) { return line.on < t; };
   const auto first = std::lower_bound(lines.begin(), lines.end(), triangle, comes_before);
@@ -130,16 +132,15 @@ std::vector<std::uint32_t> lines_on(std::span<const ContactLine> lines, std::uin
 }
 
 void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, const PatchSet& patches,
-                      const LogSink& log) {
-  if (!log) return;
+                      const Context& context) {
+  if (!context.log()) return;
   std::size_t surfaces = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (i == 0 || lines[i].on != lines[i - 1].on) ++surfaces;
-  log({Severity::note,
-       fmt::format(
-           "{} of the triangles are touched or pierced by others, along {} lines: cut along these into {} "
-           "patches more",
-           surfaces, lines.size(), patches.size() - before)});
+  context.note(fmt::format(
+      "{} of the triangles are touched or pierced by others, along {} lines: cut along these into {} "
+      "patches more",
+      surfaces, lines.size(), patches.size() - before));
 }
 
 }  // namespace
@@ -150,13 +151,7 @@ float automatic_max_edge(const Scene& scene, std::size_t target_count) {
   return static_cast<float>(edge_for_count(all, static_cast<double>(all.size() + target_count)));
 }
 
-PatchSet make_patches(const Scene& scene, const PatchOptions& options, const LogSink& log,
-                      const Monitor& monitor) {
-  return make_patches(scene, options, Workers(), log, monitor);
-}
-
-PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Workers& workers,
-                      const LogSink& log, const Monitor& monitor) {
+PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Context& context) {
   PatchSet patches;
   set_bands(patches, scene);
   patches.scene_fingerprint = fingerprint(scene);
@@ -164,20 +159,20 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Wor
   patches.cameras = scene.cameras;
 
   VertexWeld weld;
-  const auto triangles = clean_triangles(scene, weld, log).kept;
+  const auto triangles = clean_triangles(scene, weld, context).kept;
   if (triangles.empty())
     throw InputError(scene.source,
                      "expected at least one triangle with area, found none: there is nothing to light");
 
   reserve(patches, triangles.size());
   const auto lines = options.contacts
-                         ? find_contact_lines(triangles, weld.positions(), options.contact_gap, workers)
+                         ? find_contact_lines(triangles, weld.positions(), options.contact_gap, context)
                          : std::vector<ContactLine>();
   TwoSidedTwins twins(patches);
   TriangleSplitter splitter(patches, weld, chosen_edge(scene, options), options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(triangles.size());
-    if (i % triangles_per_report == 0 && tell(monitor, {.stage = "patches", .done = done}) == Next::stop)
+    if (i % triangles_per_report == 0 && context.report({.stage = "patches", .done = done}) == Next::stop)
       return {};
     const auto& t = triangles[i];
     const auto& p = weld.positions();
@@ -190,14 +185,15 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Wor
     const auto before = patches.size();
     cut_along_contacts(patches, weld, lines, splitter.lines_on_patches());
     if (patches.size() > options.max_count)
-      throw InputError(
-          fmt::format("more than {} patches where surfaces touch: a longer edge is needed (--max-edge), or "
-                      "--contacts off",
-                      options.max_count));
-    say_what_was_cut(lines, before, patches, log);
+      throw with_hints(
+          InputError(fmt::format("more than {} patches where surfaces touch: a longer edge is needed, or no "
+                                 "cuts where surfaces touch",
+                                 options.max_count)),
+          {{Setting::max_edge}, {Setting::contacts, "off"}});
+    say_what_was_cut(lines, before, patches, context);
   }
   patches.vertices = weld.take();
-  lay_textures(patches, scene, workers);
+  lay_textures(patches, scene, context);
   return patches;
 }
 

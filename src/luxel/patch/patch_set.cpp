@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
+#include "luxel/scene/band_colours.h"
 
 namespace luxel {
 
@@ -33,10 +35,11 @@ bool PatchSet::has_colours() const {
 
 BandColours PatchSet::colours() const {
   if (!has_colours())
-    throw MismatchError(
-        fmt::format("what is shown needs the bands red, green, blue in this order, or wavelengths, but there "
-                    "are {}; solve the scene with plain colour or with --spectral",
-                    bands.empty() ? "none" : fmt::format("{}", fmt::join(bands, ", "))));
+    throw with_hints(MismatchError(fmt::format(
+                         "colours need the bands red, green, blue in this order, or wavelengths, but there "
+                         "are {}: solve the scene with plain colour or by wavelength",
+                         bands.empty() ? "none" : fmt::format("{}", fmt::join(bands, ", ")))),
+                     {{Setting::spectral}});
   return BandColours(wavebands);
 }
 

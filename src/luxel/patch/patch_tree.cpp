@@ -26,9 +26,10 @@ struct Item {
   std::array<float, 6> at{};  // centroid, normal
 };
 
-struct Bounds {
+// A box of places and normals together.
+struct ItemBounds {
   std::array<float, 6> low, high;
-  Bounds() {
+  ItemBounds() {
     low.fill(std::numeric_limits<float>::max());
     high.fill(std::numeric_limits<float>::lowest());
   }
@@ -45,7 +46,7 @@ Vec3 place_of(const Item& i) { return {i.at[0], i.at[1], i.at[2]}; }
 Vec3 normal_of(const Item& i) { return {i.at[3], i.at[4], i.at[5]}; }
 
 // Whether the items lie on one plane, or on one sheet that bends gently: as thick as its bend explains.
-bool is_flat(const Item* begin, const Item* end, const Bounds& bounds) {
+bool is_flat(const Item* begin, const Item* end, const ItemBounds& bounds) {
   for (std::size_t d = 3; d < 6; ++d)
     if (bounds.extent(d) > cone_width) return false;  // as a look at every one of them would say
   Vec3 sum(0.0f);
@@ -86,7 +87,7 @@ class Builder {
     group(plane_parts(patches));
   }
 
-  void build(const Workers& workers) {
+  void build(const Context& context) {
     tree_.nodes.push_back({0, static_cast<std::uint32_t>(items_.size()), 0, false});
     tree_.level_begin = {0};
     // Level by level: the nodes of one level are disjoint, so threads can split them apart from each other.
@@ -94,7 +95,7 @@ class Builder {
       const auto end = tree_.nodes.size();
       tree_.level_begin.push_back(static_cast<std::uint32_t>(end));
       std::vector<std::uint32_t> left(end - begin);
-      workers.for_chunks(end - begin, 16, [&](std::size_t b, std::size_t e, int) {
+      context.for_chunks(end - begin, 16, [&](std::size_t b, std::size_t e, int) {
         for (auto i = b; i < e; ++i) left[i] = split(tree_.nodes[begin + i]);
       });
       for (std::size_t i = begin; i < end; ++i) {
@@ -159,7 +160,7 @@ class Builder {
       if (cut < node.first + node.count) return cut - node.first;
       node.is_flat = true;
     }
-    Bounds bounds;
+    ItemBounds bounds;
     for (const auto* i = begin; i != end; ++i) bounds.add(*i);
     if (!node.is_flat) node.is_flat = is_flat(begin, end, bounds);
     if (node.count <= 1 || (node.is_flat && node.count <= PatchTree::leaf_patches)) {
@@ -183,7 +184,7 @@ class Builder {
     return half;
   }
 
-  static std::size_t widest_dimension(const Bounds& bounds, bool flat) {
+  static std::size_t widest_dimension(const ItemBounds& bounds, bool flat) {
     const Vec3 extent(bounds.extent(0), bounds.extent(1), bounds.extent(2));
     const auto scale = normal_weight * glm::length(extent);
     std::size_t widest = 0;
@@ -237,9 +238,9 @@ class Builder {
 
 }  // namespace
 
-PatchTree make_patch_tree(const PatchSet& patches, const Workers& workers) {
+PatchTree make_patch_tree(const PatchSet& patches, const Context& context) {
   PatchTree tree;
-  Builder(patches, tree).build(workers);
+  Builder(patches, tree).build(context);
   return tree;
 }
 

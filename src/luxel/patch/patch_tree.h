@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {
@@ -33,6 +33,6 @@ struct PatchTree {
 
 // The same tree on any number of threads. About 0.3 s per million patches on one thread; 50 bytes a
 // patch.
-PatchTree make_patch_tree(const PatchSet& patches, const Workers& workers);
+PatchTree make_patch_tree(const PatchSet& patches, const Context& context);
 
 }  // namespace luxel

@@ -39,7 +39,7 @@ std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
   return planes;
 }
 
-// What hangs together by edges that are no contacts, of the planes that have contacts.
+// Components connected by edges that are no contacts, of the planes that have contacts.
 class Parts {
  public:
   Parts(const PatchSet& patches, const std::vector<std::uint64_t>& planes)

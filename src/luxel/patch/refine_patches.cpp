@@ -2,10 +2,12 @@
 #include "luxel/patch/refine_patches.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/scene/triangle_shape.h"
@@ -15,7 +17,6 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;  // the lower vertex first
 
-constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 constexpr double shortest = 0x1p-18;  // of an edge's largest coordinate
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -161,7 +162,8 @@ class Refiner {
   void append(const std::array<std::uint32_t, 3>& c, std::uint32_t p) {
     auto& set = result_.patches;
     const auto& v = set.vertices;
-    // What floats cannot tell from a line carries no light; its neighbours share its corners all the same.
+    // A triangle that floats cannot distinguish from a line carries no light; its neighbours share its
+    // corners all the same.
     if (c != old_.corners[p] && !has_area(v[c[0]], v[c[1]], v[c[2]])) return;
     set.corners.push_back(c);
     set.normal.push_back(old_.normal[p]);
@@ -194,9 +196,10 @@ class Refiner {
 }  // namespace
 
 RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked,
-                              const Workers& workers) {
+                              const Context& context) {
+  assert(is_marked.size() == patches.size());
   auto refined = Refiner(patches, is_marked).take();
-  inherit_textures(refined.patches, patches, refined.parent, workers);
+  inherit_textures(refined.patches, patches, refined.parent, context);
   return refined;
 }
 

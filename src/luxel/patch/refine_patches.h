@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {
@@ -16,14 +16,14 @@ struct RefinedPatches {
 };
 
 // Cuts the marked patches in four: all three edges are halved, the longest one first (Rivara 1984, the
-// four-triangle partition), which keeps angles from degrading however often it is done. A neighbour at a
-// halved edge is cut there too, and at its own longest edge, so surfaces stay whole: no vertex lies within
-// another patch's edge that did not before. An edge as short as floats can tell stays.
+// four-triangle partition), so that angles do not degrade over any number of refinements. A neighbour at a
+// halved edge is cut there too, and at its own longest edge, so that refinement adds no T-junctions: no
+// vertex lies within another patch's edge that did not before. Edges at the resolution of floats are not cut.
 //
-// is_marked: [patch]. Patches that nothing touches keep their place in the order; parts stand where the whole
-// one stood. Contacts are inherited by the halves of their edge. Cost: a sort of the edges, about half a
-// second a million patches.
+// is_marked: [patch]. Unaffected patches keep their place in the order; parts take the place of the whole
+// patch. Contacts are inherited by the halves of their edge. Cost: a sort of the edges, about half a second
+// per million patches.
 RefinedPatches refine_patches(const PatchSet& patches, std::span<const std::uint8_t> is_marked,
-                              const Workers& workers = Workers());
+                              const Context& context = Context());
 
 }  // namespace luxel

@@ -31,7 +31,7 @@ Range extent(const std::array<glm::dvec2, 3>& t, int axis) {
 }  // namespace
 
 TexelSums::TexelSums(std::shared_ptr<const Raster> raster, std::array<Wrap, 2> wrap,
-                     std::optional<float> threshold, const Workers& workers)
+                     std::optional<float> threshold, const Context& context)
     : raster_(std::move(raster)), wrap_(wrap) {
   while (first_solid_ < 256 && threshold && static_cast<float>(first_solid_) / 255.0f < *threshold)
     ++first_solid_;
@@ -43,7 +43,7 @@ TexelSums::TexelSums(std::shared_ptr<const Raster> raster, std::array<Wrap, 2> w
   table_.resize((width / block + 1) * height);
   std::vector<Sum> all_of_row(height);
   std::vector<Vec3d> plain(height, Vec3d(0.0));  // with the colours of holes
-  workers.for_chunks(height, rows_grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(height, rows_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto y = begin; y < end; ++y) {
       Sum sum(0.0);
       for (std::size_t x = 0; x < width; ++x) {
@@ -204,7 +204,7 @@ TexelSums::Mean TexelSums::over(const std::array<Vec2, 3>& places) const {
   }
   const auto ab = t[1] - t[0], ac = t[2] - t[0];
   const auto area = 0.5 * (ab.x * ac.y - ab.y * ac.x);
-  // Of a sliver that floats cannot tell from a line, areas are mostly rounding.
+  // Areas of a sliver that floats cannot distinguish from a line are mostly rounding.
   if (!(std::fabs(area) > 1e-12 * columns.reach() * rows.reach()))
     return mean_of(along_side(t), samples_along, whole_);
   const auto sum = along_edge(t[0], t[1]) + along_edge(t[1], t[2]) + along_edge(t[2], t[0]);

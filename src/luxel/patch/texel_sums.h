@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/scene/texture.h"
 
 namespace luxel {
@@ -25,7 +25,7 @@ class TexelSums {
   // threshold: pixels of less alpha are holes, and have no part in the mean colour. Cost: 15 ns per pixel and
   // thread.
   TexelSums(std::shared_ptr<const Raster> raster, std::array<Wrap, 2> wrap,
-            std::optional<float> threshold = {}, const Workers& workers = Workers());
+            std::optional<float> threshold = {}, const Context& context = Context());
 
   struct Mean {
     Vec3 colour = Vec3(0.0f);  // of what is not a hole; of all where all is
@@ -42,7 +42,7 @@ class TexelSums {
   using Point = glm::dvec2;  // pixels: x to the right, y down
   using Triangle = std::array<Point, 3>;
 
-  // What a row needs of some of its pixels, in one line of the processor's cache.
+  // The data of a row for some of its pixels, in one cache line of the processor.
   static constexpr std::int64_t block = 8;  // pixels
   struct alignas(64) Block {
     Sum before{0.0};                        // of the row's pixels before the block

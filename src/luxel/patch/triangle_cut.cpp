@@ -6,6 +6,8 @@
 #include <deque>
 #include <utility>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 namespace {
 

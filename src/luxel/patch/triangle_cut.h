@@ -45,7 +45,6 @@ class TriangleCut {
  private:
   using Edge = FragmentMesh::Edge;
   using Ends = FragmentMesh::Ends;
-  static constexpr auto none = FragmentMesh::none;
   struct PlanePoint {
     double x, y;  // m
   };

@@ -18,7 +18,7 @@ bool overlap(const Bounds& a, const Bounds& b) {
 
 Bounds join(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-// The nodes of a tree over so many boxes.
+// The nodes of a tree over this many boxes.
 std::uint32_t tree_size(std::uint32_t count) {
   if (count <= leaf_size) return 1;
   const auto half = count / 2;
@@ -27,14 +27,14 @@ std::uint32_t tree_size(std::uint32_t count) {
 
 }  // namespace
 
-OverlappingPairs::OverlappingPairs(std::span<const Bounds> boxes, const Workers& workers)
+OverlappingPairs::OverlappingPairs(std::span<const Bounds> boxes, const Context& context)
     : boxes_(boxes.size()), index_(boxes.size()) {
   if (boxes.empty()) return;
   std::vector<Item> items(boxes.size());
-  workers.for_chunks(boxes.size(), items_grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(boxes.size(), items_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) items[i] = {boxes[i], static_cast<std::uint32_t>(i)};
   });
-  build(items, workers);
+  build(items, context);
   part_the_pairs();
 }
 
@@ -55,7 +55,7 @@ void OverlappingPairs::for_pairs(std::size_t part, const Visit& visit) const {
   }
 }
 
-void OverlappingPairs::build(std::span<Item> items, const Workers& workers) {
+void OverlappingPairs::build(std::span<Item> items, const Context& context) {
   const auto count = static_cast<std::uint32_t>(items.size());
   nodes_.resize(tree_size(count));
   nodes_[0].count = count;
@@ -64,13 +64,13 @@ void OverlappingPairs::build(std::span<Item> items, const Workers& workers) {
   while (!level.empty()) {
     std::vector<std::uint32_t> large;
     for (const auto n : level) (nodes_[n].count > task_boxes ? large : tasks).push_back(n);
-    workers.for_chunks(large.size(), 1,
+    context.for_chunks(large.size(), 1,
                        [&](std::size_t i, std::size_t, int) { cut_in_half(large[i], items); });
     level.clear();
     for (const auto n : large) level.insert(level.end(), {n + 1, nodes_[n].right});
     large_nodes.insert(large_nodes.end(), large.begin(), large.end());
   }
-  workers.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i], items); });
+  context.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i], items); });
   for (auto n = large_nodes.rbegin(); n != large_nodes.rend(); ++n)
     nodes_[*n].box = join(nodes_[*n + 1].box, nodes_[nodes_[*n].right].box);
 }

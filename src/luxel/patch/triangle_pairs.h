@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "luxel/core/bounds.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 
 namespace luxel {
 
@@ -20,7 +20,7 @@ class OverlappingPairs {
   using Visit = std::function<void(std::uint32_t, std::uint32_t)>;
 
   // Up to 2^31 boxes, none of them empty.
-  OverlappingPairs(std::span<const Bounds> boxes, const Workers& workers);
+  OverlappingPairs(std::span<const Bounds> boxes, const Context& context);
 
   std::size_t parts() const { return parts_.size(); }
   // Calls visit(i, j), i < j, for each pair of a part; a pair is in one part. Thread-safe.
@@ -44,7 +44,7 @@ class OverlappingPairs {
     std::uint32_t a = 0, b = 0;
   };
 
-  void build(std::span<Item> items, const Workers& workers);
+  void build(std::span<Item> items, const Context& context);
   void cut_in_half(std::uint32_t number, std::span<Item> items);
   void build_below(std::uint32_t number, std::span<Item> items);
   void part_the_pairs();

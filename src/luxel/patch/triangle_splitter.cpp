@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/flat_triangle.h"
 #include "luxel/scene/triangle_shape.h"
@@ -62,7 +63,8 @@ std::vector<std::uint32_t> TriangleSplitter::near(const std::array<std::uint32_t
 void TriangleSplitter::append(const std::array<std::uint32_t, 3>& c,
                               const std::vector<std::uint32_t>& lines) {
   if (patches_.size() >= max_count_)
-    throw InputError(fmt::format("more than {} patches: a longer edge is needed (--max-edge)", max_count_));
+    throw with_hints(InputError(fmt::format("more than {} patches: a longer edge is needed", max_count_)),
+                     {{Setting::max_edge}});
   const auto& p = weld_.positions();
   for (const auto line : lines)
     lines_on_patches_.push_back({static_cast<std::uint32_t>(patches_.size()), line});

@@ -15,7 +15,7 @@ namespace luxel {
 
 // Halves a triangle at its longest edge, and the halves again, until no edge is too long; appends the parts
 // to a patch set. Whether an edge is halved depends on its own two ends only. Carries contact lines along:
-// each part knows those that meet it.
+// each part gets those that meet it.
 class TriangleSplitter {
  public:
   // max_edge: m, 0 for no splitting. More than max_count patches are an InputError.
@@ -41,7 +41,7 @@ class TriangleSplitter {
   std::size_t max_count_;
   double max_edge2_;
   std::vector<LineOnPatch> lines_on_patches_;
-  // Of the triangle that is being split.
+  // Data of the triangle that is being split.
   std::span<const ContactLine> all_lines_;
   Vec3 normal_{0.0f};
   std::uint32_t triangle_ = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/open_polygons.h"
 
@@ -44,13 +45,13 @@ class Picture {
     if (!(cell_ > 0.0)) return;
     for (std::size_t i = 0; i < 2; ++i) count_[i] = static_cast<std::size_t>(size[i] / cell_) + 1;
     if (count_[0] * count_[1] > 2 * cells) return;  // a strip
-    label_.assign(count_[0] * count_[1], empty);
+    label_.assign(count_[0] * count_[1], none);
     for (const auto& triangle : triangles_) fill(triangle);
   }
 
   void find_holes(std::vector<OpenPolygon>& found) {
     for (std::size_t i = 0; i < label_.size(); ++i)
-      if (label_[i] == empty) flood(i);
+      if (label_[i] == none) flood(i);
     if (holes_.empty()) return;
     collect_corners();
     for (auto& hole : holes_)
@@ -58,7 +59,7 @@ class Picture {
   }
 
  private:
-  static constexpr std::uint32_t empty = 0xffffffffu, wall = 0xfffffffeu, speck = 0xfffffffdu;
+  static constexpr std::uint32_t wall = 0xfffffffeu, speck = 0xfffffffdu;
 
   struct Hole {
     std::array<std::size_t, 2> low{}, high{};  // cells, both included
@@ -110,7 +111,7 @@ class Picture {
         for (const bool up : {false, true}) {
           if (up ? cell[i] + 1 == count_[i] : cell[i] == 0) continue;
           const auto next = up ? at + step : at - step;
-          if (label_[next] != empty) continue;
+          if (label_[next] != none) continue;
           label_[next] = label;
           open.push_back(next);
         }
@@ -132,7 +133,7 @@ class Picture {
           first[i] = at > 0 ? at - 1 : 0;
           last[i] = std::min(at + 1, count_[i] - 1);
         }
-        auto seen = empty;
+        auto seen = none;
         for (auto row = first[1]; row <= last[1]; ++row)
           for (auto i = first[0]; i <= last[0]; ++i)
             if (const auto label = label_[row * count_[0] + i]; label < holes_.size() && label != seen) {

@@ -16,12 +16,13 @@
 namespace luxel {
 namespace {
 
-constexpr int coarse_rows = 9;  // 108 rays a view
-constexpr int fine_rows = 24;   // 768 rays a view
+constexpr int coarse_rows = 9;  // 108 rays per view
+constexpr int fine_rows = 24;   // 768 rays per view
 constexpr std::size_t finalists_inside = 16;
 constexpr std::size_t finalists_outside = 8;
-constexpr double clearly = 1e-3;  // a better score by less than this is a tie, and the first stays: rounding
-                                  // (another unit of length) shall not choose the view
+// smallest difference of scores that counts: below it the first view wins, so that rounding (for example in
+// another unit of length) does not select the view
+constexpr double clearly = 1e-3;
 
 struct Ranked {
   View view;
@@ -44,8 +45,8 @@ Ranked best_of(const Subject& subject, const std::vector<View>& views, int rows)
   return best;
 }
 
-// The view after a step to the side, up or ahead (shares of the depth), a turn and a nod; steps through
-// walls are not made.
+// The view after a step sideways, up or ahead (fractions of the depth), a turn and a change of pitch. Steps
+// through walls are omitted.
 View moved(const Subject& subject, const Ranked& from, const Vec3& step, float turn, float nod) {
   View view = from.view;
   const auto camera = camera_of({view.eye, view.turn, 0.0f, view.vertical_fov}, subject.up, 1.0f);
@@ -59,7 +60,7 @@ View moved(const Subject& subject, const Ranked& from, const Vec3& step, float t
   return view;
 }
 
-// Small moves, halved where none helps.
+// Improves a view by small moves, which are halved where none helps.
 Ranked refined(const Subject& subject, const View& start) {
   auto best = rank(subject, start, fine_rows);
   float size = 1.0f;
@@ -78,11 +79,11 @@ Ranked refined(const Subject& subject, const View& start) {
   return best;
 }
 
-// The best view of each group, of these the best `count`, best first.
+// The best view of each group; of these the best `count`, in descending order.
 std::vector<Ranked> best_groups(const Subject& subject, const std::vector<std::vector<View>>& groups,
-                                std::size_t count, const Workers& workers) {
+                                std::size_t count, const Context& context) {
   std::vector<Ranked> ranked(groups.size());
-  workers.for_chunks(groups.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(groups.size(), 1, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) ranked[i] = best_of(subject, groups[i], coarse_rows);
   });
   std::stable_sort(ranked.begin(), ranked.end(),
@@ -111,28 +112,28 @@ Bounds bounds_of(const PatchSet& patches) {
 }  // namespace
 
 Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
-                        const Workers& workers, const Vec3& up, float aspect) {
+                        const Vec3& up, float aspect, const Context& context) {
   check(patches, up, aspect);
   const auto sides =
-      make_lit_sides(patches, patches.has_sky() ? indoor_light(patches, tracer, workers) : solution);
+      make_lit_sides(patches, patches.has_sky() ? indoor_light(patches, tracer, context) : solution);
   const auto box = bounds_of(patches);
   Subject subject{patches, sides, tracer, box, glm::length(box.size()), glm::normalize(up), aspect};
   subject.openness = openness(subject);
 
-  // 1. The best view of each place, roughly; of these the best, those from outside apart: they would not
-  // survive beside the many from inside.
-  auto finals = best_groups(subject, views_from_inside(subject), finalists_inside, workers);
-  for (const auto& one : best_groups(subject, views_from_outside(subject), finalists_outside, workers))
+  // 1. The best view of each place by coarse thumbnails. Views from outside are ranked separately: they would
+  // be lost among the many from inside.
+  auto finals = best_groups(subject, views_from_inside(subject), finalists_inside, context);
+  for (const auto& one : best_groups(subject, views_from_outside(subject), finalists_outside, context))
     finals.push_back(one);
 
-  // 2. Each looked at closely and moved a little.
-  workers.for_chunks(finals.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+  // 2. Score the finalists with finer thumbnails and improve them by small moves.
+  context.for_chunks(finals.size(), 1, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) finals[i] = refined(subject, finals[i].view);
   });
 
   Ranked best;
   for (const auto& one : finals) keep_more_visible(best, one);
-  // Far enough to differ from the eye in float, whatever stands before it.
+  // Large enough for eye and target to differ in float.
   const auto distance = best.depth > 0.0f ? std::max(best.depth, 1e-3f * subject.diagonal) : subject.diagonal;
   return camera_of(best.view, subject.up, distance);
 }

@@ -6,9 +6,9 @@
 namespace luxel {
 namespace {
 
-// Within 6 degrees of an axis: level, or shining straight down.
+// Cosine: within 6 degrees of an axis counts as level, or as shining straight down.
 constexpr double close_to_axis = 0.995;
-// Level surfaces must lead by this share to decide: below it, furniture may as well lie on its side.
+// Relative lead of level surfaces that decides; below it, furniture may as well lie on its side.
 constexpr double clear_lead = 0.1;
 
 struct Vote {
@@ -19,12 +19,12 @@ struct Vote {
     if (along_y > close_to_axis) y += weight;
     if (along_z > close_to_axis) z += weight;
   }
-  // How far y leads, -1 to 1; 0 where nobody voted.
+  // The lead of y over z, -1 to 1; 0 without votes.
   double lead() const { return y + z > 0.0 ? (y - z) / (y + z) : 0.0; }
 };
 
-// Each input triangle weighs by its length, not its area: treads, boards and table tops are many and mostly
-// level, and would drown beside two long walls.
+// Each input triangle is weighted by its length, not its area: treads, boards and table tops are many and
+// mostly level, and would be outweighed by two long walls.
 Vote level_surfaces(const PatchSet& patches) {
   Vote vote;
   for (std::size_t i = 0; i < patches.size();) {
@@ -38,7 +38,7 @@ Vote level_surfaces(const PatchSet& patches) {
   return vote;
 }
 
-// By power.
+// Votes of lamps, weighted by power.
 Vote lamps_downwards(const PatchSet& patches) {
   Vote vote;
   for (std::size_t i = 0; i < patches.size(); ++i) {

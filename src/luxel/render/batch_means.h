@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "luxel/core/context.h"
 #include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {
@@ -40,25 +40,25 @@ class BatchMeans {
   // Adds the sum over the paths of one batch to sums, [value]; returns the rays traced. Must depend on its
   // arguments alone.
   using Draw = std::function<std::uint64_t(std::size_t element, std::uint64_t batch, std::span<double> sums)>;
-  // Of all so far: the relative error of the whole.
+  // The relative error of the whole, from all batches so far.
   using Error = std::function<double(const BatchMeans&)>;
 
-  // Draws until the limits say stop, or the monitor does. The same bits on any number of threads.
-  StopReason run(const ReferenceLimits& limits, const Draw& draw, const Error& error, const Workers& workers,
-                 const Monitor& monitor, std::string_view stage);
+  // Draws until the limits or the monitor stop it. The same bits on any number of threads.
+  StopReason run(const ReferenceLimits& limits, const Draw& draw, const Error& error, const Context& context,
+                 std::string_view stage);
 
   std::size_t elements() const { return count_.size(); }
   std::uint64_t batches(std::size_t element) const { return count_[element]; }
   // Whether each element has the two batches that an error needs.
   bool complete() const;
   double mean(std::size_t element, std::size_t value) const { return mean_[element * values_ + value]; }
-  // Of the mean; 0 where there are fewer than two batches.
+  // Standard error of the mean; 0 where there are fewer than two batches.
   double variance(std::size_t element, std::size_t value) const;
   std::uint64_t rays() const { return rays_; }
 
  private:
   // Brings every element up to this many batches; returns false if it was stopped on the way.
-  bool draw_up_to(std::uint64_t batches, const Draw& draw, const Workers& workers, const Monitor& monitor,
+  bool draw_up_to(std::uint64_t batches, const Draw& draw, const Context& context,
                   const std::function<Progress(double)>& progress);
 
   std::size_t values_;
@@ -67,8 +67,8 @@ class BatchMeans {
   std::uint64_t rays_ = 0;
 };
 
-// What a standard error is widened by where its variance is known from so few batches: the 97.5 % point of
-// Student's t over that of the normal distribution (Cornish and Fisher 1938).
+// Returns the factor that widens a standard error whose variance is estimated from this few batches: the 97.5
+// % point of Student's t over that of the normal distribution (Cornish and Fisher 1938).
 double widening_of(std::uint64_t batches);
 
 }  // namespace luxel

@@ -11,6 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "luxel/core/error.h"
+#include "luxel/patch/side.h"
+#include "luxel/scene/band_colours.h"
 
 namespace luxel {
 namespace {
@@ -18,11 +20,11 @@ namespace {
 constexpr double max_mean_z2 = 1.5;
 constexpr double min_within = 0.9;
 constexpr double max_bias = 0.5;         // of the expected RMS
-constexpr double max_bias_errors = 5.0;  // where there are so few places that this is more
+constexpr double max_bias_errors = 5.0;  // alternative limit, in standard errors, where there are few places
 constexpr double max_z2 = 36.0;
 constexpr double floor_fraction = 0.01;  // of the mean light
 
-// The same place in two answers: [band]; errors may be empty.
+// The same place in two solutions: [band]; errors may be empty.
 struct Pair {
   std::span<const float> a, b, error_a, error_b;
 };
@@ -57,7 +59,7 @@ class Sums {
       within_ += z2 < 1.96 * 1.96 ? 1.0 : 0.0;
     }
     bias_squared_error_ += weight * weight * together * together;
-    place.error = per_band * std::sqrt(variance * static_cast<double>(bands));  // bands lie on the same rays
+    place.error = per_band * std::sqrt(variance * static_cast<double>(bands));  // bands share their rays
     if (place.a != place.b) result_.largest.push_back(place);
   }
 
@@ -84,7 +86,7 @@ class Sums {
   static double square_of(std::span<const float> errors, std::size_t i) {
     return errors.empty() ? 0.0 : static_cast<double>(errors[i]) * static_cast<double>(errors[i]);
   }
-  // Of two numbers, the second of which may be nothing: light where A is all dark has no ratio to it.
+  // The ratio of two numbers; defined where the second is 0, since a dark A has no ratio to B.
   static double ratio(double x, double y) {
     if (y != 0.0) return x / y;
     return x == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
@@ -93,7 +95,8 @@ class Sums {
   Comparison result_;
   double light_ = 0.0, squared_light_ = 0.0, bias_ = 0.0, squared_bias_ = 0.0, squared_error_ = 0.0,
          z2_ = 0.0, within_ = 0.0;
-  double bias_squared_error_ = 0.0;  // bands lie on the same rays: their errors are added, places' squared
+  double bias_squared_error_ =
+      0.0;  // bands share their rays: errors of bands are added, squared errors of places are
 };
 
 std::span<const float> at(const std::vector<float>& values, std::size_t patch, std::size_t bands) {
@@ -103,8 +106,8 @@ std::span<const float> at(const Image& image, std::size_t pixel) {
   return std::span(&image.pixels[pixel].x, 3);
 }
 
-// What arrives, by linear sRGB. Errors of bands lie on the same rays, so those of a colour are at most their
-// sums.
+// Converts irradiance to linear sRGB. Bands share their rays, so the error of a colour is at most the sum of
+// theirs.
 Baked in_plain_colour(const Baked& baked, const std::string& bands_of_both) {
   if (!baked.patches.has_colours() || baked.solution.bands != baked.patches.bands)
     throw MismatchError(fmt::format("the solutions have different bands, {}", bands_of_both));
@@ -122,9 +125,9 @@ Baked in_plain_colour(const Baked& baked, const std::string& bands_of_both) {
     }
     values = std::move(converted);
   };
-  for (auto* light : {&plain.solution.irradiance_front, &plain.solution.irradiance_back})
+  for (auto* light : {&plain.solution.irradiance.front, &plain.solution.irradiance.back})
     convert(*light, false);
-  for (auto* error : {&plain.solution.standard_error_front, &plain.solution.standard_error_back})
+  for (auto* error : {&plain.solution.standard_error.front, &plain.solution.standard_error.back})
     convert(*error, true);
   return plain;
 }
@@ -163,7 +166,7 @@ double mean(std::span<const float> bands) {
   return sum / static_cast<double>(bands.size());
 }
 
-// pair(index): of places [0, count).
+// pair(index): both values of places [0, count).
 template <typename PairOf>
 std::vector<float> signed_fractions(std::size_t count, const PairOf& pair) {
   double light = 0.0;
@@ -184,21 +187,19 @@ std::vector<float> signed_fractions(std::size_t count, const PairOf& pair) {
 }
 
 bool states_every_error(const Solution& s) {
-  return !s.standard_error_front.empty() || !s.standard_error_back.empty();
+  return !s.standard_error.front.empty() || !s.standard_error.back.empty();
 }
 
-// Places are scored where both answers state an error of each.
-Pair side_pair(const Baked& a, const Baked& b, std::size_t side) {
+// Places are compared with their errors where both solutions state errors.
+Pair side_pair(const Baked& a, const Baked& b, SideId side) {
   const auto bands = a.solution.bands.size();
-  const auto of = [&](const auto& front, const auto& back) {
-    return at(side % 2 == 0 ? front : back, side / 2, bands);
-  };
+  const auto of = [&](const SideValues& values) { return at(values.of(side), side.patch(), bands); };
   const auto& x = a.solution;
   const auto& y = b.solution;
-  Pair pair{of(x.irradiance_front, x.irradiance_back), of(y.irradiance_front, y.irradiance_back), {}, {}};
+  Pair pair{of(x.irradiance), of(y.irradiance), {}, {}};
   if (states_every_error(x) && states_every_error(y)) {
-    pair.error_a = of(x.standard_error_front, x.standard_error_back);
-    pair.error_b = of(y.standard_error_front, y.standard_error_back);
+    pair.error_a = of(x.standard_error);
+    pair.error_b = of(y.standard_error);
   }
   return pair;
 }
@@ -220,8 +221,10 @@ Comparison compare_solutions(const Baked& a, const Baked& b, std::size_t places)
     return compare_solutions(plain_a, plain_b, places);
   }
   Sums sums;
-  for (std::size_t side = 0; side < 2 * a.patches.size(); ++side)
-    sums.add(side, static_cast<double>(a.patches.area[side / 2]), side_pair(a, b, side));
+  for (std::size_t i = 0; i < side_count(a.patches.size()); ++i) {
+    const auto side = SideId::at(i);
+    sums.add(i, static_cast<double>(a.patches.area[side.patch()]), side_pair(a, b, side));
+  }
   auto result = sums.result(places);
   if (!states_every_error(a.solution) || !states_every_error(b.solution))
     if (a.solution.predicted_error > 0.0 && b.solution.predicted_error > 0.0)
@@ -247,7 +250,8 @@ std::vector<float> relative_differences(const Baked& a, const Baked& b) {
     const auto [plain_a, plain_b] = in_plain_colour(a, b);
     return relative_differences(plain_a, plain_b);
   }
-  return signed_fractions(2 * a.patches.size(), [&](std::size_t side) { return side_pair(a, b, side); });
+  return signed_fractions(side_count(a.patches.size()),
+                          [&](std::size_t i) { return side_pair(a, b, SideId::at(i)); });
 }
 
 std::vector<float> relative_differences(const Image& a, const Image& b) {

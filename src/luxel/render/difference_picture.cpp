@@ -25,11 +25,12 @@ Vec3 colour_of(float fraction, float scale) {
   const auto s = fraction / scale;
   const Vec3 full = s > 0.0f ? Vec3(0.75f, 0.03f, 0.02f) : Vec3(0.02f, 0.1f, 0.75f);
   const auto strength = std::min(1.0f, std::fabs(s));
-  const auto beyond = std::clamp(0.5f * (std::fabs(s) - 1.0f), 0.0f, 0.7f);  // darker, down to three tenths
+  const auto beyond =
+      std::clamp(0.5f * (std::fabs(s) - 1.0f), 0.0f, 0.7f);  // beyond the scale: darkened to 0.3
   return (Vec3(1.0f) + strength * (full - Vec3(1.0f))) * (1.0f - beyond);
 }
 
-// The characters of a number, five by seven dots each, a row a byte.
+// Dots of a character, five by seven, one byte per row.
 struct Glyph {
   char character;
   std::array<unsigned char, 7> rows;
@@ -61,7 +62,7 @@ void write_text(Image& image, std::string_view text, int left, int top, int dot)
   }
 }
 
-// A bar of all colours from -scale to +scale across the picture, with five numbers below it.
+// Draws a bar of all colours from -scale to +scale across the picture, with five numbers below it.
 void draw_legend(Image& image, int top, float scale, int dot) {
   const auto margin = std::min(image.width / 8, 4 * text_width("-100%", dot) / 5);
   const auto bar_width = image.width - 2 * margin;

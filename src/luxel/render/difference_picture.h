@@ -18,8 +18,8 @@ namespace luxel {
 // shares: [pixel], width * height, row by row. scale: above 0; automatic_scale() makes one.
 Image difference_picture(std::span<const float> fractions, int width, int height, float scale);
 
-// What nineteen in twenty of the shares do not exceed, rounded up to 1, 2 or 5 times a power of ten; 0.01
-// where there are none.
+// Returns the 95th percentile of the shares, rounded up to 1, 2 or 5 times a power of ten; 0.01 where there
+// are none.
 float automatic_scale(std::span<const float> fractions);
 
 // The shares of patch sides ([side], see relative_differences()) as a camera sees them, one ray through the

@@ -15,7 +15,7 @@ struct Filling {
   std::array<Vec3, 3> light_vector;
 };
 
-// The mean of what holds light around (x, y); returns how many do.
+// The mean of the lit texels around (x, y); returns their number.
 int mean_around(const LightmapPage& page, int x, int y, Filling& filling) {
   const auto width = page.irradiance.width, height = page.irradiance.height;
   Vec3 irradiance(0.0f), standard_error(0.0f);
@@ -38,7 +38,7 @@ int mean_around(const LightmapPage& page, int x, int y, Filling& filling) {
   return lit;
 }
 
-// Returns whether there was anything to fill.
+// Fills one ring of texels; returns whether there were any to fill.
 bool add_ring(LightmapPage& page) {
   std::vector<Filling> ring;
   Filling filling{};
@@ -60,12 +60,12 @@ bool add_ring(LightmapPage& page) {
 
 }  // namespace
 
-bool dilate(Lightmap& lightmap, int rings, const Monitor& monitor) {
+bool dilate(Lightmap& lightmap, int rings, const Context& context) {
   auto& pages = lightmap.pages;
   for (std::size_t p = 0; p < pages.size(); ++p)
     for (int ring = 0; ring < rings; ++ring) {
       const auto done = static_cast<double>(p) / static_cast<double>(pages.size());
-      if (tell(monitor, {"margins", done}) == Next::stop) return false;
+      if (context.report({"margins", done}) == Next::stop) return false;
       if (!add_ring(pages[p])) break;
     }
   return true;

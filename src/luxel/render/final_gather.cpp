@@ -13,14 +13,14 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t gather_step = 0x67617468u;      // keeps these streams apart from others of the seed
-constexpr std::size_t samples_between_calls = 1 << 17;  // of the monitor; two to three rays each
+constexpr std::size_t samples_between_calls =
+    1 << 17;  // between polls of the monitor; each traces two to three rays
 constexpr std::size_t pixels_per_chunk = 16;
 constexpr int max_rays = 65536;
 
 void check(const PatchSet& patches, const Solution& solution, const GatherOptions& options) {
-  if (solution.radiosity_front.size() != patches.size() * patches.band_count() ||
-      solution.radiosity_back.size() != solution.radiosity_front.size())
+  if (solution.radiosity.front.size() != patches.size() * patches.band_count() ||
+      solution.radiosity.back.size() != solution.radiosity.front.size())
     throw MismatchError(
         fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
   if (options.rays < 1 || options.rays > max_rays)
@@ -37,8 +37,7 @@ std::uint32_t gather_grid(int rays) {
 }
 
 Image gather_picture(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
-                     const Camera& camera, const GatherOptions& options, const Workers& workers,
-                     const Monitor& monitor) {
+                     const Camera& camera, const GatherOptions& options, const Context& context) {
   check(patches, solution, options);
   const SeenPoints seen(patches, tracer, camera, options.width, options.height);
   const LightPaths paths(patches, tracer);
@@ -47,26 +46,24 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   const auto bands = seen.bands();
   const std::vector<double> one(bands, 1.0);
 
-  // What arrives at x: straight from lamps and sky, and what the surface that the cosine ray meets reflects.
+  // Irradiance at x: direct light from lamps and sky, plus the light reflected where the cosine ray hits.
   const auto gather = [&](const SurfacePoint& x, const VertexNumbers& numbers, std::uint64_t,
                           std::span<double> H) {
     const auto hit = paths.direct(x, numbers, one, H).first;
     if (!hit || !is_reflecting(patches, hit.patch, hit.back)) return;
     for (std::size_t b = 0; b < bands; ++b) {
       const auto at = bands * hit.patch + b;
-      H[b] += hit.back ? static_cast<double>(solution.radiosity_back[at])
-                       : static_cast<double>(solution.radiosity_front[at]) -
+      H[b] += hit.back ? static_cast<double>(solution.radiosity.back[at])
+                       : static_cast<double>(solution.radiosity.front[at]) -
                              static_cast<double>(patches.emittance(hit.patch, b));
     }
   };
   const auto radiance_of_pixel = [&](std::size_t pixel) {
-    const SeenPoints::Batch batch(stream_key(options.seed, gather_step, static_cast<std::uint32_t>(pixel)),
-                                  side);
-    Vec3d radiance(0.0), reflected(0.0);
-    std::vector<double> scratch;
-    for (std::uint32_t i = 0; i < samples; ++i)
-      seen.look(pixel, batch, i, radiance, reflected, scratch, gather);
-    return in_gamut(radiance / static_cast<double>(samples));
+    const SeenPoints::Batch batch(
+        stream_key(options.seed, RandomPurpose::final_gather, static_cast<std::uint32_t>(pixel)), side);
+    SeenPoints::Sums sums;
+    for (std::uint32_t i = 0; i < samples; ++i) seen.look(pixel, batch, i, sums, gather);
+    return in_gamut(sums.radiance / static_cast<double>(samples));
   };
 
   Image picture(options.width, options.height);
@@ -74,14 +71,14 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   const auto rows = std::max<std::size_t>(1, samples_between_calls / (width * samples));
   for (std::size_t first = 0; first < seen.pixels(); first += rows * width) {
     const auto fraction = static_cast<double>(first) / static_cast<double>(seen.pixels());
-    if (tell(monitor, {"picture", fraction, 3 * samples * first}) == Next::stop) return picture;
-    workers.for_chunks(std::min(rows * width, seen.pixels() - first), pixels_per_chunk,
+    if (context.report({"picture", fraction, 3 * samples * first}) == Next::stop) return picture;
+    context.for_chunks(std::min(rows * width, seen.pixels() - first), pixels_per_chunk,
                        [&](std::size_t begin, std::size_t end, int) {
                          for (auto i = first + begin; i < first + end; ++i)
                            picture.pixels[i] = radiance_of_pixel(i);
                        });
   }
-  tell(monitor, {"picture", 1.0, 3 * samples * seen.pixels()});
+  context.report({"picture", 1.0, 3 * samples * seen.pixels()});
   return picture;
 }
 

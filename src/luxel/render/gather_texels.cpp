@@ -11,28 +11,30 @@
 
 #include "luxel/core/address.h"
 #include "luxel/core/error.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/point_gather.h"
 #include "luxel/render/texel_places.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/cross.h"
+#include "luxel/surface/smooth_irradiance.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t texel_step = 0x7465786cu;  // keeps these streams apart from others of the seed
 constexpr std::uint32_t min_rays = 64;
 constexpr std::size_t texels_per_chunk = 64;
-constexpr std::size_t max_between_calls = 1 << 14;  // texels, of the monitor
+constexpr std::size_t max_between_calls = 1 << 14;  // texels between polls of the monitor
 
 void check(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
            const TexelOptions& options, const Lightmap& lightmap) {
   const auto values = patches.size() * patches.band_count();
-  if (solution.bands != patches.bands || solution.irradiance_front.size() != values ||
-      solution.irradiance_back.size() != values || light.corners.size() != patches.size())
+  if (solution.bands != patches.bands || solution.irradiance.front.size() != values ||
+      solution.irradiance.back.size() != values || light.corners.size() != patches.size())
     throw MismatchError(
         fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
-  if (lightmap.atlas.chart_of.size() != 2 * patches.size())
+  if (lightmap.atlas.chart_of.size() != side_count(patches.size()))
     throw MismatchError(fmt::format("the atlas has {} sides but the patches have {}: lay out this scene",
-                                    lightmap.atlas.chart_of.size(), 2 * patches.size()));
+                                    lightmap.atlas.chart_of.size(), side_count(patches.size())));
   if (!(options.error >= 0.0 && options.error <= 1.0))
     throw InputError(
         fmt::format("the error asked of a texel must be from 0 to 1, but it is {}", options.error));
@@ -41,7 +43,7 @@ void check(const PatchSet& patches, const Solution& solution, const SmoothLight&
         fmt::format("a final gather takes at least {} rays a texel, not {}", min_rays, options.max_rays));
 }
 
-// What the solution says of single sides and places.
+// Values of the solution at single sides and points.
 class SolvedLight {
  public:
   SolvedLight(const PatchSet& patches, const Solution& solution, const SmoothLight& light)
@@ -55,12 +57,10 @@ class SolvedLight {
     return sum;
   }
 
-  Vec3d mean(std::uint32_t side) const {
-    return colours_.rgb(row(side % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back, side));
-  }
+  Vec3d mean(SideId side) const { return colours_.rgb(row(solution_.irradiance.of(side), side)); }
 
-  Vec3d standard_error(std::uint32_t side) const {
-    const auto& errors = side % 2 == 0 ? solution_.standard_error_front : solution_.standard_error_back;
+  Vec3d standard_error(SideId side) const {
+    const auto& errors = solution_.standard_error.of(side);
     if (errors.empty()) return Vec3d(0.0);
     const auto* of_band = row(errors, side);
     Vec3d variance(0.0);
@@ -71,8 +71,8 @@ class SolvedLight {
     return glm::sqrt(variance);
   }
 
-  // What smooth light may be wrong by on this side, W/m².
-  double uncertainty(std::uint32_t side) const {
+  // Error estimate of the smooth light on this side, W/m².
+  double uncertainty(SideId side) const {
     std::array<Vec3d, 3> corner;
     for (std::size_t k = 0; k < 3; ++k)
       corner[k] = at({side, {k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f}, Texel::inside});
@@ -84,8 +84,8 @@ class SolvedLight {
   }
 
  private:
-  const float* row(const std::vector<float>& values, std::uint32_t side) const {
-    return values.data() + side / 2 * colours_.bands();
+  const float* row(const std::vector<float>& values, SideId side) const {
+    return values.data() + side.patch() * colours_.bands();
   }
 
   const Solution& solution_;
@@ -93,30 +93,31 @@ class SolvedLight {
   BandColours colours_;
 };
 
-// The length of the mean irradiance of all sides that have a place, W/m².
+// The length of the mean irradiance vector of all sides on the pages, W/m².
 double mean_light(const PatchSet& patches, const SolvedLight& light, const Atlas& atlas) {
   Vec3d sum(0.0);
   double area = 0.0;
-  for (std::uint32_t side = 0; side < atlas.chart_of.size(); ++side) {
+  for (std::size_t i = 0; i < atlas.chart_of.size(); ++i) {
+    const auto side = SideId::at(i);
     if (!atlas.has(side)) continue;
-    sum += static_cast<double>(patches.area[side / 2]) * light.mean(side);
-    area += static_cast<double>(patches.area[side / 2]);
+    sum += static_cast<double>(patches.area[side.patch()]) * light.mean(side);
+    area += static_cast<double>(patches.area[side.patch()]);
   }
   return area > 0.0 ? glm::length(sum) / area : 0.0;
 }
 
-// From where the rays of a texel leave: a little inside the patch, so that what stands along its border is
-// before the point and not above it.
+// The origin of a texel's rays: moved slightly into the patch, so that walls along its border are beside the
+// point and not above it.
 SurfacePoint point_of(const PatchSet& patches, const Atlas& atlas, const TexelPlace& place) {
-  constexpr float max_drawn_in = 0.25f;  // of the way to the centroid
+  constexpr float max_drawn_in = 0.25f;  // fraction of the distance to the centroid
   constexpr float from_border = 0.02f;   // texels
-  const auto& t = atlas.corners[place.side];
+  const auto& t = atlas.corners[place.side.index()];
   const auto b = t[1] - t[0], c = t[2] - t[0];
   const auto longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
   const auto third_height = std::abs(cross(b, c)) / (3.0f * longest);
   const auto drawn_in =
       third_height > 0.0f ? std::min(max_drawn_in, from_border / third_height) : max_drawn_in;
-  return surface_point(patches, place.side / 2, place.side % 2 == 1,
+  return surface_point(patches, place.side.patch(), place.side.is_back(),
                        place.weights + drawn_in * (Vec2(1.0f / 3.0f) - place.weights));
 }
 
@@ -124,23 +125,25 @@ struct Wanting {
   std::uint32_t page, texel;
 };
 
-// Fills all texels with the smooth light; returns those it does not do for. After the monitor's stop there
-// are no pages.
+// Fills all texels with the smooth light; returns those for which it is not accurate enough. No pages if the
+// monitor stopped the work.
 std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
-                                 double error, double least, bool all, const Monitor& monitor,
-                                 Lightmap& lightmap, TexelReport& report) {
+                                 const PointGather::Limits& limits, Lightmap& lightmap, TexelReport& report,
+                                 const Context& context) {
+  const bool all = limits.with_light_vector;
   std::vector<Wanting> wanting;
   const auto& atlas = lightmap.atlas;
-  std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; not yet known
-  const auto wants = [&](std::uint32_t side) {
-    if (is_wanting[side] < 0)
-      is_wanting[side] =
-          light.uncertainty(side) > error * std::max(glm::length(light.mean(side)), least) ? 1 : 0;
-    return is_wanting[side] > 0;
+  std::vector<std::int8_t> is_wanting(atlas.chart_of.size(), -1);  // [side]; -1: not yet determined
+  const auto wants = [&](SideId side) {
+    if (is_wanting[side.index()] < 0)
+      is_wanting[side.index()] =
+          light.uncertainty(side) > limits.error * std::max(glm::length(light.mean(side)), limits.least) ? 1
+                                                                                                         : 0;
+    return is_wanting[side.index()] > 0;
   };
   for (std::uint32_t p = 0; p < places.size(); ++p) {
     const auto done = static_cast<double>(p) / static_cast<double>(places.size());
-    if (tell(monitor, {"smooth light", done}) == Next::stop) {
+    if (context.report({"smooth light", done}) == Next::stop) {
       lightmap.pages.clear();
       return {};
     }
@@ -155,14 +158,14 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
       ++report.texels;
       page.irradiance.pixels[i] = in_gamut(light.at(place));
       page.standard_error.pixels[i] = Vec3(light.standard_error(place.side));
-      if (all || (error > 0.0 && wants(place.side))) wanting.push_back({p, i});
+      if (all || (limits.error > 0.0 && wants(place.side))) wanting.push_back({p, i});
     }
   }
   return wanting;
 }
 
-// Texels that stand out from all of their neighbours by more than their errors: so few rays may all miss what
-// little of the surroundings is bright, and then agree.
+// Texels that differ from all of their neighbours by more than their errors: a few rays may all miss a small
+// bright surface, and then agree with each other.
 std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wanting>& gathered) {
   constexpr float errors_off = 3.0f;
   const auto luminance = [](const Vec3& c) { return c.r + c.g + c.b; };
@@ -186,23 +189,22 @@ std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wa
   return found;
 }
 
-// Gathers light at texels, on to pages that hold other light as yet.
+// Gathers light at texels, and writes it to pages that hold interpolated light so far.
 class TexelGather {
  public:
-  // Keeps references.
+  // Stores references.
   TexelGather(const PatchSet& patches, const Lightmap& lightmap,
               const std::vector<std::vector<TexelPlace>>& places, const PointGather& gather,
-              std::uint64_t seed, const Workers& workers, const Monitor& monitor)
+              std::uint64_t seed, const Context& context)
       : patches_(patches),
         atlas_(lightmap.atlas),
         places_(places),
         gather_(gather),
         seed_(seed),
-        workers_(workers),
-        monitor_(monitor) {}
+        context_(context) {}
 
-  // begin, end: the part of the whole work that this is. False where the monitor says stop.
-  bool run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin, double end,
+  // begin, end: the fraction of the whole work, for progress. Returns false where the monitor stops the work.
+  bool run(const std::vector<Wanting>& wanting, const PointGather::Limits& limits, double begin, double end,
            Lightmap& lightmap, TexelReport& report);
 
  private:
@@ -211,30 +213,30 @@ class TexelGather {
   const std::vector<std::vector<TexelPlace>>& places_;
   const PointGather& gather_;
   std::uint64_t seed_;
-  const Workers& workers_;
-  const Monitor& monitor_;
+  const Context& context_;
 };
 
-bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bounds& bounds, double begin,
+bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Limits& limits, double begin,
                       double end, Lightmap& lightmap, TexelReport& report) {
-  // As many at a time as take a tenth of a second: some want a few rays, others all there may be.
+  // Groups of texels of about a tenth of a second: the number of rays per texel varies widely.
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds between_calls(100);
   constexpr std::uint32_t rays_at_first = 1 << 17;
-  std::size_t at_a_time = std::max(1u, rays_at_first / bounds.max_rays);
+  std::size_t at_a_time = std::max(1u, rays_at_first / limits.max_rays);
   std::vector<PointGather::Result> results;
   for (std::size_t first = 0, count = 0; first < wanting.size(); first += count) {
     const auto fraction = static_cast<double>(first) / static_cast<double>(wanting.size());
-    if (tell(monitor_, {"texels", begin + fraction * (end - begin), report.rays}) == Next::stop) return false;
+    if (context_.report({"texels", begin + fraction * (end - begin), report.rays}) == Next::stop)
+      return false;
     const auto begun = Clock::now();
     count = std::min(wanting.size() - first, at_a_time);
     results.resize(count);
     const auto chunk = std::clamp<std::size_t>(count / texels_per_chunk, 1, texels_per_chunk);
-    workers_.for_chunks(count, chunk, [&](std::size_t from, std::size_t to, int) {
+    context_.for_chunks(count, chunk, [&](std::size_t from, std::size_t to, int) {
       for (auto i = from; i < to; ++i) {
         const auto [page, texel] = wanting[first + i];
-        results[i] = gather_.at(point_of(patches_, atlas_, places_[page][texel]), bounds,
-                                mix64(stream_key(seed_, texel_step, texel) + page));
+        results[i] = gather_.at(point_of(patches_, atlas_, places_[page][texel]), limits,
+                                mix64(stream_key(seed_, RandomPurpose::lightmap_texels, texel) + page));
       }
     });
     for (std::size_t i = 0; i < count; ++i) {
@@ -256,33 +258,33 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Bo
 
 }  // namespace
 
-TexelReport gather_texels(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
-                          const Tracer* tracer, const TexelOptions& options, const Workers& workers,
-                          Lightmap& lightmap, const Monitor& monitor) {
-  check(patches, solution, light, options, lightmap);
+TexelReport gather_texels(const LightmapInput& input, const SmoothLight& light, const TexelOptions& options,
+                          Lightmap& lightmap, const Context& context) {
+  const auto& patches = input.patches;
+  const auto* tracer = input.tracer;
+  check(patches, input.solution, light, options, lightmap);
   if (options.directional && !(tracer && options.error > 0.0))
     throw InputError("the directions of light come from a final gather: ask for one");
   const auto& atlas = lightmap.atlas;
-  const auto places = find_texel_places(atlas, workers, monitor);
-  const SolvedLight solved(patches, solution, light);
+  const auto places = find_texel_places(atlas, context);
+  const SolvedLight solved(patches, input.solution, light);
   const auto least = options.dark * mean_light(patches, solved, atlas);
   TexelReport report;
   lightmap.pages.clear();
-  const auto wanting = interpolate(places, solved, tracer ? options.error : 0.0, least, options.directional,
-                                   monitor, lightmap, report);
+  PointGather::Limits limits{tracer ? options.error : 0.0, least, options.max_rays, options.directional};
+  const auto wanting = interpolate(places, solved, limits, lightmap, report, context);
   if (wanting.empty()) return report;
 
   const PointGather gather(patches, light, *tracer);
-  TexelGather texels(patches, lightmap, places, gather, options.seed, workers, monitor);
-  PointGather::Bounds bounds{options.error, least, options.max_rays, options.directional};
+  TexelGather texels(patches, lightmap, places, gather, options.seed, context);
   constexpr double first_part = 0.98;
-  report.stopped = !texels.run(wanting, bounds, 0.0, first_part, lightmap, report);
+  report.stopped = !texels.run(wanting, limits, 0.0, first_part, lightmap, report);
   if (report.stopped) return report;
-  bounds.min_rays = std::min(options.max_rays, 16 * bounds.min_rays);
+  limits.min_rays = std::min(options.max_rays, 16 * limits.min_rays);
   TexelReport again{.rays = report.rays};
-  report.stopped = !texels.run(standing_out(lightmap, wanting), bounds, first_part, 1.0, lightmap, again);
+  report.stopped = !texels.run(standing_out(lightmap, wanting), limits, first_part, 1.0, lightmap, again);
   report.rays = again.rays;
-  if (!report.stopped) tell(monitor, {"texels", 1.0, report.rays});
+  if (!report.stopped) context.report({"texels", 1.0, report.rays});
   return report;
 }
 

@@ -6,27 +6,27 @@
 
 #include "luxel/core/address.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/side_point.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t neighbours = 64;  // positions that are judged together
-constexpr std::size_t rays = 64;          // of such a group, of its fronts and of its backs
-constexpr std::uint32_t stream = 2;       // the first two are the candidates'
-constexpr float indoors = 0.3f;           // shut in by more than that
-constexpr double many = 0.05;             // of the lit area
-constexpr float reflected = 0.5f;         // of the light that comes
+constexpr std::uint32_t neighbours = 64;  // positions whose fronts, and whose backs, form one face
+constexpr std::size_t rays = 64;          // per face
+constexpr float indoors = 0.3f;           // enclosed fraction above which a face counts as indoors
+constexpr double many = 0.05;             // fraction of the lit area above which the scene has an indoors
+constexpr float reflected = 0.5f;         // assumed reflectance
 constexpr int bounces = 16;
-constexpr float dim = 0.01f;  // beside lamps and the sky: what is darker counts less
+constexpr float dim = 0.01f;  // relative to lamps and the sky: darker faces are weighted less
 
-// The sides of neighbouring patches: those of group g from the front are faces 2 g, from the back 2 g + 1.
+// The sides of neighbouring patches: the fronts of group g are face 2 g, the backs face 2 g + 1.
 class Faces {
  public:
   static constexpr std::uint32_t sky = 0xffffffffu;
 
-  Faces(const PatchSet& patches, const Workers& workers)
-      : patches_(patches), tree_(make_patch_tree(patches, workers)), group_of_(patches.size()) {
+  Faces(const PatchSet& patches, const Context& context)
+      : patches_(patches), tree_(make_patch_tree(patches, context)), group_of_(patches.size()) {
     for (std::size_t i = 0; i < patches.size(); ++i) {
       if (i == 0 || tree_.position[i] / neighbours != tree_.position[i - 1] / neighbours)
         begins_.push_back(i);
@@ -40,10 +40,10 @@ class Faces {
     return std::span(tree_.order).subspan(begins_[face / 2], begins_[face / 2 + 1] - begins_[face / 2]);
   }
 
-  // The faces that rays of each meet, or the sky: [face * rays + ray].
-  std::vector<std::uint32_t> look_round(const Tracer& tracer, const Workers& workers) const {
+  // The faces, or the sky, that the rays of each face hit: [face * rays + ray].
+  std::vector<std::uint32_t> look_round(const Tracer& tracer, const Context& context) const {
     std::vector<std::uint32_t> met(size() * rays);
-    workers.for_chunks(size(), 16, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(size(), 16, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin * rays; i < end * rays; ++i) met[i] = met_by(tracer, i / rays, i % rays);
     });
     return met;
@@ -52,9 +52,10 @@ class Faces {
  private:
   std::uint32_t met_by(const Tracer& tracer, std::size_t face, std::size_t ray) const {
     const auto own = patches(face);
-    const auto side = 2 * std::size_t{own[ray * own.size() / rays]} + face % 2;
-    const auto u = uniform4(stream_key(0, stream, static_cast<std::uint32_t>(face)), ray);
-    const auto direction = Frame(side_normal(patches_, side)).to_world(cosine_hemisphere(u[2], u[3]));
+    const SideId side(own[ray * own.size() / rays], face % 2 == 1);
+    const auto u =
+        uniform4(stream_key(0, RandomPurpose::indoor_light, static_cast<std::uint32_t>(face)), ray);
+    const auto direction = Frame(patches_.normal_of(side)).to_world(cosine_hemisphere(u[2], u[3]));
     const auto hit = tracer.nearest({point_before(patches_, side, u[0], u[1]), direction});
     return hit ? 2 * group_of_[hit.patch] + (hit.back ? 1 : 0) : sky;
   }
@@ -65,8 +66,8 @@ class Faces {
   std::vector<std::size_t> begins_;      // [group + 1], into the tree's order
 };
 
-// How bright faces are, roughly: lamps and the sky are 1, and half of what comes is reflected. 0: light does
-// not find a way.
+// Rough brightness of faces: lamps and the sky are 1, and half of the arriving light is reflected. 0: not
+// reached by light.
 std::vector<float> brightness_of(const PatchSet& patches, const Faces& faces,
                                  const std::vector<std::uint32_t>& met) {
   std::vector<float> light(faces.size(), 0.0f);
@@ -88,12 +89,12 @@ std::vector<float> brightness_of(const PatchSet& patches, const Faces& faces,
 
 }  // namespace
 
-Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
-  const Faces faces(patches, workers);
-  const auto met = faces.look_round(tracer, workers);
+Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Context& context) {
+  const Faces faces(patches, context);
+  const auto met = faces.look_round(tracer, context);
   const auto light = brightness_of(patches, faces, met);
 
-  // How far each face is shut in, and whether there is an indoors at all.
+  // How enclosed each face is, and whether the scene has an indoors.
   std::vector<float> fraction(faces.size(), 0.0f);
   double lit_area = 0.0;
   double inside = 0.0;
@@ -111,12 +112,12 @@ Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Worke
   const auto bands = patches.band_count();
   Solution result;
   result.bands = patches.bands;
-  for (auto* array : {&result.irradiance_front, &result.irradiance_back})
+  for (auto* array : {&result.irradiance.front, &result.irradiance.back})
     array->assign(patches.size() * bands, 0.0f);
   for (std::size_t f = 0; f < fraction.size(); ++f) {
     if (!(light[f] > 0.0f) || (has_indoors && fraction[f] <= indoors)) continue;
     const auto seen = std::min(1.0f, light[f] / dim);
-    auto& irradiance = f % 2 == 0 ? result.irradiance_front : result.irradiance_back;
+    auto& irradiance = result.irradiance.of(f % 2 == 1);
     for (const auto p : faces.patches(f))
       std::fill_n(&irradiance[p * bands], bands, has_indoors ? seen * fraction[f] * fraction[f] : 1.0f);
   }

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
 
-// What views of a scene under a sky are judged by in the place of its light. The sky lights houses from
-// outside first, and yet they are looked at from inside: so a side counts by how far it is shut in, the
-// square of the share of its view that other surfaces fill, where light finds a way to it; what is nearly
-// open counts nothing, and what is darker than a hundredth of the sky less in proportion. Where there is next
-// to no indoors, all that is lit counts alike. Neighbours count alike.
+// Importance of sides for the choice of views in a scene under a sky, in place of its light. The sky lights
+// houses from outside first, but they are viewed from inside. A side therefore counts by the square of the
+// share of its view that other surfaces fill, where light reaches it; sides that are nearly open count
+// nothing, and those darker than a hundredth of the sky less in proportion. Where there is next to no
+// indoors, all lit sides count equally. Neighbours count equally.
 //
-// Gives a Solution with that as irradiance. Deterministic. Cost: 2 rays per patch or a little more.
-Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
+// Returns a Solution with the importance as irradiance. Deterministic. Cost: 2 rays per patch or a little
+// more.
+Solution indoor_light(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
 }  // namespace luxel

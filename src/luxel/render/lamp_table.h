@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/surface_point.h"
 
@@ -30,8 +31,8 @@ class LampTable {
 
  private:
   std::vector<std::uint32_t> patch_;
-  std::vector<double> power_up_to_;  // [lamp]: of it and all before it, as a share of all
-  std::vector<double> density_;      // [material], per m²
+  DiscreteDistribution by_power_;
+  std::vector<double> density_;  // [material], per m²
 };
 
 }  // namespace luxel

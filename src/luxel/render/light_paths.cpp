@@ -21,8 +21,8 @@ LightPaths::LightPaths(const PatchSet& patches, const Tracer& tracer)
   check_light(patches);
 }
 
-// Calls add(direction, cosine, solid_angle, radiance) for what arrives: the integral of radiance over all
-// that x sees is, in the mean, the sum of solid_angle (sr) times radiance(band), W/(m² sr).
+// Calls add(direction, cosine, solid_angle, radiance) for the arriving light: the expected sum of solid_angle
+// (sr) times radiance(band), W/(m² sr), is the integral of radiance over all that x sees.
 template <typename Add>
 LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread,
                                        const Add& add) const {
@@ -32,7 +32,7 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
       return static_cast<double>(patches_.emittance(patch, b)) / std::numbers::pi;
     };
   };
-  // Densities per steradian: of the shadow ray's direction, and of the other ray's.
+  // Densities per steradian: of the shadow ray (lamp sampling) and of the other ray.
   const auto lamp_density = [&](std::size_t patch, double distance, double cosine) {
     return lamps_.density(patches_, patch) * distance * distance / cosine;
   };
@@ -41,7 +41,7 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
     return spread == Rays::by_cosine ? by_cosine : 0.5 * (by_cosine + 0.5 / std::numbers::pi);
   };
 
-  // 1. To a lamp.
+  // 1. Shadow ray to a lamp.
   if (lamps_.size() > 0) {
     const auto y = lamps_.sample(patches_, numbers.lamp);
     const auto way = Vec3d(y.position) - Vec3d(x.position);
@@ -66,7 +66,7 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
         [&](std::size_t b) { return static_cast<double>(lamp.intensity[b]); });
   }
 
-  // 2. Where the light goes that the surface itself would send, or also beside that.
+  // 2. Cosine-distributed ray or, for light vectors, one of the mixture of cosine and uniform directions.
   auto [u, v] = numbers.direction;
   const bool is_even = spread == Rays::by_cosine_or_evenly && u >= 0.5f;
   if (spread == Rays::by_cosine_or_evenly) u = 2.0f * u - (is_even ? 1.0f : 0.0f);
@@ -120,7 +120,7 @@ LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumb
     const auto u = uniform4(key, 2 * vertex);
     const auto v = uniform4(key, 2 * vertex + 1);
 
-    // Roulette keeps what a path carries, in its brightest band, at one.
+    // Russian roulette keeps the path's throughput in its brightest band at 1.
     for (std::size_t b = 0; b < weight.size(); ++b)
       weight[b] *= static_cast<double>(patches_.reflectance(hit.patch, b));
     const auto survival = std::min(1.0, *std::max_element(weight.begin(), weight.end()));

@@ -25,21 +25,22 @@ struct VertexNumbers {
   std::array<float, 3> lamp;       // of the shadow ray: which lamp, where on it
 };
 
-// Paths that start at a surface and gather light (Kajiya 1986). At each vertex a shadow ray to a lamp and a
-// cosine ray: light straight from lamps comes from both, weighed by the balance heuristic (Veach and Guibas
-// 1995), so that no path carries much more than others where a lamp is near; the cosine ray carries on, or
-// meets the sky, which nothing else asks.
-// Shares tracer and patches with the solvers, and no estimator.
+// Paths that start at a surface and gather light (Kajiya 1986). Each vertex traces a shadow ray to a lamp and
+// a cosine ray: light straight from lamps comes from both, weighted by the balance heuristic (Veach and
+// Guibas 1995), so that no path carries much more than others where a lamp is near; the cosine ray continues
+// the path, or meets the sky, which no other ray samples. Shares tracer and patches with the solvers, and no
+// estimator.
 class LightPaths {
  public:
   // Keeps references. Throws InputError where there is neither lamp nor sky.
   LightPaths(const PatchSet& patches, const Tracer& tracer);
 
-  // What one path, or one ray, leaves behind.
+  // The result of one path, or one ray.
   struct Trail {
     Hit first;               // of the first cosine ray
     std::uint64_t rays = 0;  // traced
-    // Of that ray: radiance times solid_angle (sr) estimates the integral of radiance over what is seen.
+    // That ray: radiance times solid_angle (sr) estimates the integral of radiance over
+    // what is seen.
     Vec3d direction{0.0};
     double cosine = 0.0, solid_angle = 0.0;
   };

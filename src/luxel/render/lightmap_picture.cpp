@@ -6,6 +6,7 @@
 #include "luxel/core/error.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/render/pinhole.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t pixels_per_chunk = 64;
 
-// What stands still while a picture is made.
+// Constant data of a picture.
 struct Shot {
   const PatchSet& patches;
   const Lightmap& lightmap;
@@ -24,10 +25,10 @@ struct Shot {
 Vec3d radiance_at(const Shot& shot, const Hit& hit) {
   if (!hit) return shot.patches.sky.empty() ? Vec3d(0.0) : shot.colours.rgb(shot.patches.sky);
   const auto& atlas = shot.lightmap.atlas;
-  const auto side = 2 * std::size_t{hit.patch} + (hit.back ? 1 : 0);
+  const auto side = hit.side();
   Vec3 irradiance(0.0f);
   if (atlas.has(side)) {
-    const auto& t = atlas.corners[side];
+    const auto& t = atlas.corners[side.index()];
     const auto at = t[0] + hit.u * (t[1] - t[0]) + hit.v * (t[2] - t[0]);
     irradiance = look_up(shot.lightmap.pages[atlas.page_of(side)].irradiance, at);
   }
@@ -38,7 +39,7 @@ Vec3d radiance_at(const Shot& shot, const Hit& hit) {
 }  // namespace
 
 Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const Tracer& tracer,
-                       const Camera& camera, const RenderOptions& options, const Workers& workers) {
+                       const Camera& camera, const RenderOptions& options, const Context& context) {
   check_is_of(patches, lightmap);
   if (!patches.has_colours())
     throw MismatchError("a picture from a lightmap needs light that was solved in plain colour");
@@ -47,13 +48,13 @@ Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const 
         fmt::format("samples_per_side must be at least 1, but it is {}", options.samples_per_side));
 
   const Pinhole pinhole(camera, options.width, options.height);
-  const FineColours fine(patches, workers);
+  const FineColours fine(patches, context);
   const auto colours = patches.colours();
   const Shot shot{patches, lightmap, fine, colours};
   const auto side = options.samples_per_side;
   const auto width = static_cast<std::size_t>(options.width);
   Image picture(options.width, options.height);
-  workers.for_chunks(picture.pixels.size(), pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(picture.pixels.size(), pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       const auto x = static_cast<double>(i % width), y = static_cast<double>(i / width);
       Vec3d sum(0.0);

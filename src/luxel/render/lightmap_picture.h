@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/image/image.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lightmap.h"
@@ -11,12 +11,13 @@
 
 namespace luxel {
 
-// A picture as a reader of the pages sees the scene: where a ray meets a surface, the page is read between
-// its texels, times reflectance over pi, textures and all, and a lamp's own light on top; sides that have no
-// place are black. What texels and seams are worth is seen there. options and result as in render(). Throws
-// MismatchError where the map is not of these patches, or the light is not plain colour (of a spectrum, a
-// page holds the colour of what arrives, and no reflectance by wavelength can be put on it).
+// Renders the scene from its lightmap, as a program that reads the pages would: where a ray meets a surface,
+// the page is interpolated between its texels, times reflectance over pi, textures included, plus a lamp's
+// own emission; sides without a chart are black. The picture shows the quality of texels and seams. options
+// and result as in render(). Throws MismatchError where the map is not of these patches, or the light is not
+// plain colour (for spectra, a page holds the colour of the arriving light, to which no reflectance by
+// wavelength can be applied).
 Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const Tracer& tracer,
-                       const Camera& camera, const RenderOptions& options, const Workers& workers);
+                       const Camera& camera, const RenderOptions& options, const Context& context);
 
 }  // namespace luxel

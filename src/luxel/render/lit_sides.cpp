@@ -5,11 +5,13 @@
 #include <cmath>
 #include <span>
 
+#include "luxel/patch/side.h"
+
 namespace luxel {
 namespace {
 
-constexpr double dark = 1e-4;  // of the mean irradiance: less is not lit but noise
-constexpr double glare = 3.0;  // of the typical irradiance
+constexpr double dark = 1e-4;  // fraction of the mean irradiance below which a side counts as unlit
+constexpr double glare = 3.0;  // multiple of the typical irradiance above which an emitter glares
 
 double mean(std::span<const float> bands) {
   double sum = 0.0;
@@ -17,21 +19,22 @@ double mean(std::span<const float> bands) {
   return bands.empty() ? 0.0 : sum / static_cast<double>(bands.size());
 }
 
-// Mean irradiance over bands of every side; ones where there is no light at all.
+// Irradiance of every side, averaged over bands; 1 everywhere if there is no light.
 std::vector<double> side_irradiance(const PatchSet& patches, const Solution& solution) {
   const auto bands = patches.band_count();
-  const auto solved = solution.irradiance_front.size() == patches.size() * bands &&
-                      solution.irradiance_back.size() == patches.size() * bands;
-  std::vector<double> irradiance(2 * patches.size(), 0.0);
+  const auto solved = solution.irradiance.front.size() == patches.size() * bands &&
+                      solution.irradiance.back.size() == patches.size() * bands;
+  std::vector<double> irradiance(side_count(patches.size()), 0.0);
   double total = 0.0;
-  for (std::size_t i = 0; solved && i < patches.size(); ++i) {
-    irradiance[2 * i] = mean(std::span(solution.irradiance_front).subspan(i * bands, bands));
-    irradiance[2 * i + 1] = mean(std::span(solution.irradiance_back).subspan(i * bands, bands));
-    total += irradiance[2 * i] + irradiance[2 * i + 1];
+  for (std::size_t p = 0; solved && p < patches.size(); ++p) {
+    const SideId front(p, false), back(p, true);
+    for (const auto side : {front, back})
+      irradiance[side.index()] = mean(std::span(solution.irradiance.of(side)).subspan(p * bands, bands));
+    total += irradiance[front.index()] + irradiance[back.index()];
   }
-  if (!(total > 0.0)) irradiance.assign(2 * patches.size(), 1.0);
-  for (std::size_t i = 0; i < patches.size(); ++i)
-    if (!patches.material_of(i).two_sided) irradiance[2 * i + 1] = 0.0;
+  if (!(total > 0.0)) irradiance.assign(side_count(patches.size()), 1.0);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (!patches.material_of(p).two_sided) irradiance[SideId(p, true).index()] = 0.0;
   return irradiance;
 }
 
@@ -41,20 +44,20 @@ LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
   const auto irradiance = side_irradiance(patches, solution);
   double area = 0.0;
   double power = 0.0;
-  for (std::size_t side = 0; side < irradiance.size(); ++side) {
-    const auto a = static_cast<double>(patches.area[side / 2]);
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    const auto a = static_cast<double>(patches.area[SideId::at(i).patch()]);
     area += a;
-    power += a * irradiance[side];
+    power += a * irradiance[i];
   }
   const auto least = area > 0.0 ? dark * power / area : 0.0;
 
-  // Log-average, weighted by power: what falls on a wide ground around a house has little to say in it.
+  // Log-average, weighted by power, so that a wide ground around a house has little weight.
   double log_sum = 0.0;
   double weight = 0.0;
-  for (std::size_t side = 0; side < irradiance.size(); ++side) {
-    if (!(irradiance[side] > least)) continue;
-    const auto arriving = static_cast<double>(patches.area[side / 2]) * irradiance[side];
-    log_sum += arriving * std::log(irradiance[side]);
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    if (!(irradiance[i] > least)) continue;
+    const auto arriving = static_cast<double>(patches.area[SideId::at(i).patch()]) * irradiance[i];
+    log_sum += arriving * std::log(irradiance[i]);
     weight += arriving;
   }
   const auto typical = weight > 0.0 ? std::exp(log_sum / weight) : 1.0;
@@ -62,14 +65,15 @@ LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
   LitSides sides;
   sides.brightness.assign(irradiance.size(), 0.0f);
   sides.glaring.assign(irradiance.size(), false);
-  for (std::size_t side = 0; side < irradiance.size(); ++side) {
-    const auto emittance = side % 2 == 0 ? mean(patches.material_of(side / 2).emittance) : 0.0;
-    sides.glaring[side] = emittance > glare * typical;
-    const auto light = irradiance[side] + std::min(emittance, typical);
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    const auto side = SideId::at(i);
+    const auto emittance = side.is_back() ? 0.0 : mean(patches.material_of(side.patch()).emittance);
+    sides.glaring[i] = emittance > glare * typical;
+    const auto light = irradiance[i] + std::min(emittance, typical);
     if (!(light > least)) continue;
     const auto brightness = light / (light + typical);
-    sides.brightness[side] = static_cast<float>(brightness);
-    sides.lit_area += static_cast<double>(patches.area[side / 2]) * brightness;
+    sides.brightness[i] = static_cast<float>(brightness);
+    sides.lit_area += static_cast<double>(patches.area[side.patch()]) * brightness;
   }
   return sides;
 }

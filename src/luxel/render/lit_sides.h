@@ -5,19 +5,20 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {
 
-// What a view is judged by: how bright each side of each patch shows. Side 2 * patch is the front,
-// 2 * patch + 1 the back.
+// The input of the choice of views: the brightness of each side of each patch. Side 2 * patch is the front, 2
+// * patch + 1 the back.
 struct LitSides {
   std::vector<float> brightness;  // [side], [0, 1): 0 unlit, 0.5 the irradiance typical of the scene; a
                                   // lamp shows at least as a lit wall does
   std::vector<bool> glaring;      // [side]: emits far more than lit surfaces send back
   double lit_area = 0.0;          // m², each lit side's area times its brightness
 
-  bool lit(std::size_t side) const { return brightness[side] > 0.0f; }
+  bool lit(SideId side) const { return brightness[side.index()] > 0.0f; }
 };
 
 // Where the solution has no light, or has not been solved, every side that reflects counts as lit.

@@ -8,14 +8,16 @@
 
 #include "luxel/core/error.h"
 #include "luxel/render/dilate.h"
+#include "luxel/render/gather_texels.h"
 #include "luxel/render/new_layout.h"
+#include "luxel/render/solve_seams.h"
 #include "luxel/solution/back_is_lit.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
 namespace {
 
-// So that the sides with light have half of the texels of a page.
+// Texel size for which the lit sides cover half of a page.
 double automatic_texels(const PatchSet& patches, const Solution& solution, int page_size) {
   constexpr int max_of_page = 512;
   constexpr double fraction = 0.5;
@@ -36,30 +38,28 @@ double texels_per_metre(const PatchSet& patches, const Solution& solution, const
   return texels;
 }
 
-Lightmap fill_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
-                       const LaidOut& laid, const LightmapOptions& options, const Workers& workers,
-                       LightmapReport* report, const Monitor& monitor) {
-  const auto smooth = make_smooth_light(patches, solution, {.crease_angle = options.crease_angle}, workers);
+Lightmap fill_lightmap(const LightmapInput& input, const LaidOut& laid, const LightmapOptions& options,
+                       LightmapReport* report, const Context& context) {
+  const auto smooth =
+      make_smooth_light(input.patches, input.solution, {.crease_angle = options.crease_angle}, context);
   Lightmap lightmap;
   LightmapReport done;
   done.charts = laid.charts.charts.size();
   lightmap.atlas = laid.atlas;
-  done.texels = gather_texels(patches, solution, smooth, tracer, options.texels, workers, lightmap, monitor);
+  done.texels = gather_texels(input, smooth, options.texels, lightmap, context);
   if (lightmap.pages.empty()) return lightmap;
-  const Monitor none;
-  const auto& rest = done.texels.stopped ? none : monitor;
+  const auto rest = done.texels.stopped ? context.quiet() : context;
   done.seams = solve_seams(laid.charts, lightmap, {}, rest);
   if (done.seams.stopped || !dilate(lightmap, options.margin, rest)) lightmap.pages.clear();
   if (report) *report = done;
   return lightmap;
 }
 
-Lightmap make_lightmap(const PatchSet& patches, const Solution& solution, const Tracer* tracer,
-                       const LightmapOptions& options, const Workers& workers, LightmapReport* report,
-                       const Monitor& monitor) {
-  const auto laid = lay_out(patches, solution, options, workers, monitor);
+Lightmap make_lightmap(const LightmapInput& input, const LightmapOptions& options, LightmapReport* report,
+                       const Context& context) {
+  const auto laid = lay_out(input.patches, input.solution, options, context);
   if (laid.charts.charts.empty()) return {};
-  return fill_lightmap(patches, solution, tracer, laid, options, workers, report, monitor);
+  return fill_lightmap(input, laid, options, report, context);
 }
 
 }  // namespace luxel

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/make_lightmap.h"
 #include "luxel/solution/solution.h"
@@ -10,9 +9,9 @@
 
 namespace luxel {
 
-// Where all lit surfaces lie on pages: in charts that are made and packed. After the monitor's stop there is
-// none: no charts, no pages. Throws what make_charts() and pack_charts() throw.
+// Lays out all lit surfaces on pages: makes charts and packs them. After the monitor's stop the layout is
+// empty: no charts, no pages. Throws the errors of make_charts() and pack_charts().
 LaidOut lay_out(const PatchSet& patches, const Solution& solution, const LightmapOptions& options,
-                const Workers& workers, const Monitor& monitor = {});
+                const Context& context = {});
 
 }  // namespace luxel

@@ -7,12 +7,12 @@
 #include "luxel/core/address.h"
 #include "luxel/core/warp.h"
 #include "luxel/render/seen_point.h"
+#include "luxel/scene/band_colours.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t picture_step = 0x76696577u;  // keeps these streams apart from those of patches
-constexpr std::size_t values = 6;                    // radiance, and the part of it that is reflected
+constexpr std::size_t values = 6;  // radiance, and its reflected part
 constexpr std::size_t reflected = 3;
 
 double whole_error(const BatchMeans& means) {
@@ -29,39 +29,38 @@ double whole_error(const BatchMeans& means) {
 }  // namespace
 
 PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
-                          const PictureSize& size, const PathOptions& options, const Workers& workers,
-                          const Monitor& monitor) {
+                          const PictureSize& size, const PathOptions& options, const Context& context) {
   const SeenPoints seen(patches, tracer, camera, size.width, size.height);
   const LightPaths paths(patches, tracer);
   BatchMeans means(seen.pixels(), values);
-  // The light of a patch is the same wherever it is seen.
+  // With bounces from patches, the light of a patch does not depend on the point.
   const auto anywhere_on = [&](const SurfacePoint& x, std::uint64_t key) {
     const auto u = uniform4(key, ~std::uint64_t{2});
     return surface_point(patches, x.patch, x.back, uniform_triangle(u[0], u[1]));
   };
   const auto draw = [&](std::size_t pixel, std::uint64_t index, std::span<double> sums) {
-    const auto pixel_key = stream_key(options.seed, picture_step, static_cast<std::uint32_t>(pixel));
-    const SeenPoints::Batch batch(mix64(pixel_key + (index + 1) * 0x9e3779b97f4a7c15u),
-                                  BatchMeans::batch_side);
+    const auto pixel_key =
+        stream_key(options.seed, RandomPurpose::traced_pixels, static_cast<std::uint32_t>(pixel));
+    const SeenPoints::Batch batch(nth_key(pixel_key, index), BatchMeans::batch_side);
     std::uint64_t rays = 0;
-    Vec3d radiance(0.0), reflected_light(0.0);
-    std::vector<double> weight(seen.bands()), scratch;
+    SeenPoints::Sums light;
+    std::vector<double> weight(seen.bands());
     for (std::uint32_t i = 0; i < BatchMeans::batch_paths; ++i)
       seen.look(
-          pixel, batch, i, radiance, reflected_light, scratch,
+          pixel, batch, i, light,
           [&](const SurfacePoint& x, const VertexNumbers& first, std::uint64_t key, std::span<double> H) {
             const auto from = options.bounces_from == BouncesFrom::patches ? anywhere_on(x, key) : x;
             rays += paths.irradiance(from, first, key, options.bounces_from, weight, H).rays;
           });
     for (std::size_t c = 0; c < reflected; ++c) {
-      sums[c] += radiance[static_cast<int>(c)];
-      sums[reflected + c] += reflected_light[static_cast<int>(c)];
+      sums[c] += light.radiance[static_cast<int>(c)];
+      sums[reflected + c] += light.reflected[static_cast<int>(c)];
     }
     return rays;
   };
 
   PathPicture picture;
-  picture.stop = means.run(options.limits, draw, whole_error, workers, monitor, "picture");
+  picture.stop = means.run(options.limits, draw, whole_error, context, "picture");
   picture.complete = means.complete();
   picture.paths = means.batches(0) * BatchMeans::batch_paths;
   picture.rays = means.rays();

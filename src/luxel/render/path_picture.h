@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "luxel/core/context.h"
 #include "luxel/image/image.h"
 #include "luxel/render/path_traced.h"
 #include "luxel/scene/camera.h"
@@ -30,7 +31,6 @@ struct PathPicture {
 // MismatchError where the bands have no colour (PatchSet::colours). The same picture on any number of
 // threads.
 PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
-                          const PictureSize& size, const PathOptions& options, const Workers& workers,
-                          const Monitor& monitor = {});
+                          const PictureSize& size, const PathOptions& options, const Context& context = {});
 
 }  // namespace luxel

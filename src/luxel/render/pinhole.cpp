@@ -14,7 +14,7 @@ namespace luxel {
 namespace {
 
 constexpr int max_side = 32768;
-constexpr float farthest_eye = 1e15f;  // m; Embree ends the program at rays from beyond 1.8e18
+constexpr float farthest_eye = 1e15f;  // m; Embree aborts on rays from beyond 1.8e18
 
 std::string as_text(const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
@@ -36,7 +36,7 @@ void check(const Camera& camera, int width, int height) {
                                  as_text(camera.eye)));
 }
 
-// sin and cos of at most an eighth of a turn, in double: Taylor series to the 13th and 12th power, error
+// Sine and cosine of at most an eighth of a turn, in double: Taylor series to the 13th and 12th power, error
 // below 1e-12.
 void sin_cos_eighth(double x, double& sine, double& cosine) {
   const double s = x * x;
@@ -51,7 +51,7 @@ Pinhole::Pinhole(const Camera& camera, int width, int height) : eye_(camera.eye)
   check(camera, width, height);
   const auto forward = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));
   const auto side = glm::cross(forward, Vec3d(camera.up));
-  // The sine of the angle between up and the view; a millionth is float's rounding of the two.
+  // Sine of the angle between up and the view; a millionth is the rounding of float directions.
   if (!(glm::length(side) > 1e-6 * glm::length(Vec3d(camera.up))))
     throw InputError(fmt::format("a camera's up must not point along its view, but up is {} and the view {}",
                                  as_text(camera.up), as_text(Vec3(forward))));

@@ -11,38 +11,39 @@
 #include "luxel/core/address.h"
 #include "luxel/core/sobol.h"
 #include "luxel/render/batch_means.h"
+#include "luxel/scene/band_colours.h"
+#include "luxel/surface/smooth_irradiance.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::uint32_t replicates = 8;
-constexpr std::uint32_t first_samples = 4;  // a replicate
+constexpr std::uint32_t first_samples = 4;  // per replicate
 
 }  // namespace
 
 PointGather::PointGather(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer)
     : patches_(patches), light_(light), paths_(patches, tracer), colours_(patches.colours()) {}
 
-PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bounds,
+PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& limits,
                                     std::uint64_t key) const {
   const auto bands = colours_.bands();
   const std::vector<double> one(bands, 1.0);
   std::vector<double> sums(replicates * bands, 0.0);
-  std::vector<glm::dvec4> vectors(bounds.with_light_vector ? replicates * bands : 0, glm::dvec4(0.0));
+  std::vector<glm::dvec4> vectors(limits.with_light_vector ? replicates * bands : 0, glm::dvec4(0.0));
   Result result;
   const auto numbers_of = [](const OwenSobol& points, std::uint32_t i) {
     return VertexNumbers{{points.at(i, 0), points.at(i, 1)},
                          {points.at(i, 4), points.at(i, 2), points.at(i, 3)}};
   };
-  // What is reflected where a ray ended, W/m²: radiance times pi.
+  // Reflected light where a ray ended, W/m²: radiance times pi.
   const auto reflected = [&](const Hit& hit, std::size_t b) {
-    const auto side = 2 * hit.patch + (hit.back ? 1 : 0);
     return static_cast<double>(patches_.reflectance(hit.patch, b)) *
-           smooth_irradiance(light_, side, {hit.u, hit.v}, b, bands);
+           smooth_irradiance(light_, hit.side(), {hit.u, hit.v}, b, bands);
   };
   const auto sample = [&](const OwenSobol& points, std::uint32_t i, std::uint32_t r) {
     const auto sum = std::span(sums).subspan(r * bands, bands);
-    if (!bounds.with_light_vector) {
+    if (!limits.with_light_vector) {
       const auto trail = paths_.direct(point, numbers_of(points, i), one, sum);
       result.rays += trail.rays;
       const auto& hit = trail.first;
@@ -62,7 +63,7 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bou
       sum[b] = vector[b].w;
     }
   };
-  Vec3d before(0.0);  // variance
+  Vec3d before(0.0);  // variance of the previous pass
   const auto judge = [&](std::uint32_t samples) {
     std::array<Vec3d, replicates> means;
     result.irradiance = Vec3d(0.0);
@@ -74,24 +75,24 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Bounds& bou
     for (const auto& mean : means)
       variance += (mean - result.irradiance) * (mean - result.irradiance) /
                   static_cast<double>(replicates * (replicates - 1));
-    // To stop where the spread happens to be small would make errors look smaller than they are: the spread
-    // of half the samples has as much to say.
+    // Stopping where the spread happens to be small would underestimate errors: the spread of the first half
+    // of the samples has the same weight.
     const auto of_half = before;
     before = variance;
     if (samples > first_samples) variance = 0.5 * (variance + 0.5 * of_half);
     result.standard_error = widening_of(replicates) * glm::sqrt(variance);
-    const auto whole = std::max(glm::length(result.irradiance), bounds.least);
-    result.reached = samples > first_samples && samples * replicates >= bounds.min_rays &&
-                     std::sqrt(variance.x + variance.y + variance.z) <= bounds.error * whole;
+    const auto whole = std::max(glm::length(result.irradiance), limits.least);
+    result.reached = samples > first_samples && samples * replicates >= limits.min_rays &&
+                     std::sqrt(variance.x + variance.y + variance.z) <= limits.error * whole;
   };
 
   for (std::uint32_t from = 0, to = first_samples;; from = to, to *= 2) {
     for (std::uint32_t r = 0; r < replicates; ++r) {
-      const OwenSobol points(mix64(key + (r + 1) * 0x9e3779b97f4a7c15u));
+      const OwenSobol points(nth_key(key, r));
       for (auto i = from; i < to; ++i) sample(points, i, r);
     }
     judge(to);
-    if (!result.reached && 2 * to * replicates <= bounds.max_rays) continue;
+    if (!result.reached && 2 * to * replicates <= limits.max_rays) continue;
     for (std::size_t i = 0; i < vectors.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         result.light_vector[axis] += colours_.of(i % bands) * vectors[i][static_cast<int>(axis)] /

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/surface_point.h"
 #include "luxel/trace/tracer.h"
@@ -21,6 +21,6 @@ namespace luxel {
 // there is no lamp.
 std::vector<double> irradiance_at(const PatchSet& patches, const Tracer& tracer,
                                   std::span<const SurfacePoint> points, std::uint64_t paths,
-                                  std::uint64_t seed, const Workers& workers);
+                                  std::uint64_t seed, const Context& context);
 
 }  // namespace luxel

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "luxel/patch/colour_patches.h"
 #include "luxel/render/dilate.h"
 #include "luxel/render/texel_places.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
@@ -15,33 +17,32 @@ constexpr std::size_t texels_per_chunk = 1024;
 
 }  // namespace
 
-std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Workers& workers,
-                                  const Monitor& monitor) {
+std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Context& context) {
   check_is_of(patches, lightmap);
-  const auto places = find_texel_places(lightmap.atlas, workers, monitor);
+  const auto places = find_texel_places(lightmap.atlas, context);
   if (places.empty()) return {};
-  const FineColours fine(patches, workers);
+  const FineColours fine(patches, context);
   const auto colours = patches.colours();
   auto shining = lightmap;
   for (std::size_t p = 0; p < shining.pages.size(); ++p) {
     const auto done = static_cast<double>(p) / static_cast<double>(shining.pages.size());
-    if (tell(monitor, {"colours", done}) == Next::stop) return {};
+    if (context.report({"colours", done}) == Next::stop) return {};
     auto& page = shining.pages[p];
-    workers.for_chunks(places[p].size(), texels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(places[p].size(), texels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto& place = places[p][i];
-        page.texels[i] = place.kind;  // what was filled from beside is filled again
+        page.texels[i] = place.kind;  // dilated texels are dilated again
         if (place.kind == Texel::empty) continue;
-        const auto patch = place.side / 2;
+        const auto patch = place.side.patch();
         const auto fraction = texture_ratio_at(patches, fine, patch, place.weights.x, place.weights.y);
         auto& pixel = page.irradiance.pixels[i];
         const auto light = pixel;
         pixel = in_gamut(
-            radiance_of(patches.material_of(patch), place.side % 2 == 1, &light.x, colours, fraction));
+            radiance_of(patches.material_of(patch), place.side.is_back(), &light.x, colours, fraction));
       }
     });
   }
-  if (!dilate(shining, std::max(lightmap.atlas.margin, 1), monitor)) return {};
+  if (!dilate(shining, std::max(lightmap.atlas.margin, 1), context)) return {};
   return irradiance_pages(shining);
 }
 

@@ -3,20 +3,21 @@
 
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/image/image.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lightmap.h"
 
 namespace luxel {
 
-// What the surfaces of a lightmap send out, W/(m² sr) by linear sRGB: the irradiance of each texel on the
-// colour of its place, textures too, and what it emits. Margins as in the lightmap. Throws MismatchError
-// where the lightmap is of other patches or these have no colours. After the monitor's stop there are none.
-std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Workers& workers,
-                                  const Monitor& monitor = {});
+// Computes the radiance of the surfaces of a lightmap, W/(m² sr) by linear sRGB: the irradiance of each texel
+// times the reflectance of its place, textures included, and its emission. Margins as in the lightmap. Throws
+// MismatchError where the lightmap is of other patches or these have no colours. Returns no pages after the
+// monitor's stop.
+std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap,
+                                  const Context& context = {});
 
-// What 999 of 1000 texels with light do not exceed in any channel: a lamp's own neighbourhood shall not
+// Returns the 99.9th percentile of lit texels in any channel, so that the surroundings of a lamp do not
 // darken all else. 1 where there is no light.
 float white_of(const std::vector<Image>& pages);
 

@@ -11,13 +11,18 @@
 #include "luxel/core/error.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/render/pinhole.h"
+#include "luxel/scene/band_colours.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/surface/smooth_irradiance.h"
 
 namespace luxel {
 namespace {
 
 constexpr int max_samples_per_side = 64;
-constexpr std::size_t rays_between_calls = 1u
-                                           << 18;  // of the monitor: about a tenth of a second on two cores
+constexpr std::size_t rays_between_calls =
+    1u
+    // between polls of the monitor: about a tenth of a second on two cores
+    << 18;
 constexpr std::size_t pixels_per_chunk = 64;
 
 void check(const PatchSet& patches, const SmoothLight& light, const RenderOptions& options) {
@@ -31,7 +36,7 @@ void check(const PatchSet& patches, const SmoothLight& light, const RenderOption
                                  options.samples_per_side));
 }
 
-// What stands still while a picture is made.
+// Constant data of a picture.
 struct Shot {
   const PatchSet& patches;
   const SmoothLight& light;
@@ -46,15 +51,8 @@ struct Shot {
 // here: scratch, [band].
 Vec3d radiance_at(const Shot& shot, const Hit& hit, std::vector<float>& here) {
   if (!hit) return shot.sky;
-  const auto& irradiance = hit.back ? shot.light.irradiance_back : shot.light.irradiance_front;
-  const auto& corners = shot.light.corners[hit.patch];
-  const std::array<float, 3> weight = {1.0f - hit.u - hit.v, hit.u, hit.v};
-  const auto bands = here.size();
-  std::fill(here.begin(), here.end(), 0.0f);
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    const auto* at = &irradiance[bands * corners[corner]];
-    for (std::size_t band = 0; band < bands; ++band) here[band] += weight[corner] * at[band];
-  }
+  for (std::size_t band = 0; band < here.size(); ++band)
+    here[band] = smooth_irradiance<float>(shot.light, hit.side(), {hit.u, hit.v}, band, here.size());
   const auto fraction = texture_ratio_at(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
   return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours, fraction);
 }
@@ -78,12 +76,12 @@ Vec3 pixel_radiance(const Shot& shot, int x, int y, std::vector<float>& scratch)
 }  // namespace
 
 Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer, const Camera& camera,
-             const RenderOptions& options, const Workers& workers, const Monitor& monitor) {
+             const RenderOptions& options, const Context& context) {
   check(patches, light, options);
   const Pinhole pinhole(camera, options.width, options.height);
   const auto colours = patches.colours();
   const auto& sky = patches.sky;
-  const FineColours fine(patches, workers);
+  const FineColours fine(patches, context);
   const Shot shot{patches, light,   tracer, pinhole,
                   options, colours, fine,   sky.empty() ? Vec3d(0.0) : colours.rgb(sky)};
   Image picture(options.width, options.height);
@@ -96,18 +94,24 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
   for (std::size_t row = 0; row < height; row += band_rows) {
     const Progress progress{"picture", static_cast<double>(row) / static_cast<double>(height),
                             row * rays_per_row};
-    if (tell(monitor, progress) == Next::stop) return picture;
+    if (context.report(progress) == Next::stop) return picture;
     const auto first = row * width;
     const auto count = std::min(band_rows, height - row) * width;
-    workers.for_chunks(count, pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(count, pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       std::vector<float> scratch(colours.bands());
       for (auto i = first + begin; i < first + end; ++i)
         picture.pixels[i] =
             pixel_radiance(shot, static_cast<int>(i % width), static_cast<int>(i / width), scratch);
     });
   }
-  tell(monitor, {"picture", 1.0, height * rays_per_row});
+  context.report({"picture", 1.0, height * rays_per_row});
   return picture;
+}
+
+Image render(const Baked& baked, const Camera& camera, const RenderOptions& options, const Context& context) {
+  const Tracer tracer(baked.patches, context);
+  const auto light = make_smooth_light(baked.patches, baked.solution, {}, context);
+  return render(baked.patches, light, tracer, camera, options, context);
 }
 
 }  // namespace luxel

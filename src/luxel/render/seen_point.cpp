@@ -2,6 +2,7 @@
 #include "luxel/render/seen_point.h"
 
 #include "luxel/core/address.h"
+#include "luxel/scene/band_colours.h"
 
 namespace luxel {
 
@@ -12,7 +13,7 @@ SeenPoints::Batch::Batch(std::uint64_t batch_key, std::uint32_t side)
       lamp(key, 2, side),
       choice(key, 3, side) {}
 
-std::uint64_t SeenPoints::Batch::path_key(std::uint32_t i) const { return mix64(key ^ (i + 1)); }
+std::uint64_t SeenPoints::Batch::path_key(std::uint32_t i) const { return luxel::path_key(key, i); }
 
 SeenPoints::SeenPoints(const PatchSet& patches, const Tracer& tracer, const Camera& camera, int width,
                        int height)
@@ -25,7 +26,7 @@ SeenPoints::SeenPoints(const PatchSet& patches, const Tracer& tracer, const Came
       height_(static_cast<std::size_t>(height)) {}
 
 SeenPoints::Numbers SeenPoints::numbers_of(const Batch& batch, std::uint32_t i, std::uint64_t path_key) {
-  // The ends of the path's own stream, which its vertices do not reach.
+  // A counter that the vertices of the path do not reach.
   const auto u = uniform4(path_key, ~std::uint64_t{0});
   const auto v = uniform4(path_key, ~std::uint64_t{1});
   const auto direction = batch.direction.pair(i, u[2], u[3]);

@@ -8,10 +8,12 @@
 #include "luxel/render/light_paths.h"
 #include "luxel/render/pinhole.h"
 #include "luxel/render/strata.h"
+#include "luxel/scene/band_colours.h"
 
 namespace luxel {
 
-// What a picture's pixels see, and the numbers they look with. Read-only: any number of threads may ask.
+// The surface points seen by a picture's pixels, and the random numbers of their rays. Read-only: any number
+// of threads may call.
 class SeenPoints {
  public:
   // Keeps references. Throws MismatchError where the bands have no colour (PatchSet::colours), and what
@@ -29,25 +31,33 @@ class SeenPoints {
     Strata pixel, direction, lamp, choice;
   };
 
+  // Sums over samples, W/(m² sr), linear RGB, and memory for H.
+  struct Sums {
+    Vec3d radiance{0.0};
+    Vec3d reflected{0.0};  // the part of it that is not of lamps or sky
+    std::vector<double> scratch;
+  };
+
   // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
-  // surface; H: [band], 0 at first, kept in `scratch`. Adds the colour of what leaves towards the eye, or the
-  // sky's, to radiance, and of the part of it that is reflected to reflected; W/(m² sr), linear RGB.
+  // surface; H: [band], 0 at first. Adds the colour of what leaves towards the eye, or the sky's, to the
+  // sums.
   template <typename Irradiance>
-  void look(std::size_t pixel, const Batch& batch, std::uint32_t i, Vec3d& radiance, Vec3d& reflected,
-            std::vector<double>& scratch, const Irradiance& irradiance) const {
+  void look(std::size_t pixel, const Batch& batch, std::uint32_t i, Sums& sums,
+            const Irradiance& irradiance) const {
     const auto path_key = batch.path_key(i);
     const auto numbers = numbers_of(batch, i, path_key);
     const auto hit = hit_of(pixel, numbers.pixel);
-    if (!hit) radiance += sky_;
+    if (!hit) sums.radiance += sky_;
     if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
+    auto& scratch = sums.scratch;
     scratch.assign(bands(), 0.0);
     irradiance(surface_point(patches_, hit.patch, hit.back, {hit.u, hit.v}), numbers.vertex, path_key,
                std::span<double>(scratch));
     for (std::size_t b = 0; b < bands(); ++b) {
       const auto back_to_eye = static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] * per_pi;
       const auto own = hit.back ? 0.0 : static_cast<double>(patches_.emittance(hit.patch, b)) * per_pi;
-      radiance += (own + back_to_eye) * colours_.of(b);
-      reflected += back_to_eye * colours_.of(b);
+      sums.radiance += (own + back_to_eye) * colours_.of(b);
+      sums.reflected += back_to_eye * colours_.of(b);
     }
   }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "luxel/core/conjugate_gradients.h"
 #include "luxel/core/error.h"
 #include "luxel/render/footprint.h"
 
@@ -15,13 +17,13 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-// One place of a seam: what is read in one chart less what is read in the other.
+// One point of a seam: the value read in one chart minus that read in the other.
 struct Row {
   std::array<std::uint32_t, 8> texel{};  // index into the unknowns
   std::array<double, 8> weight{};
 };
 
-// The texels that seams are read from, and the rows over them.
+// The texels that seams read, and the equations over them.
 class Seams {
  public:
   Seams(const std::vector<SeamPlace>& places, int page_size) {
@@ -46,7 +48,7 @@ class Seams {
             std::lower_bound(texels_.begin(), texels_.end(), named[i][k]) - texels_.begin());
   }
 
-  const std::vector<std::size_t>& texels() const { return texels_; }  // page * texels of a page + texel
+  const std::vector<std::size_t>& texels() const { return texels_; }  // index: page * texels per page + texel
 
   Numbers differences(const Numbers& x) const {
     Numbers result(rows_.size(), 0.0);
@@ -73,44 +75,30 @@ double dot(const Numbers& a, const Numbers& b) {
   return sum;
 }
 
-// The change d of the texels x that makes |S (x + d)|² + w |d|² least: (S'S + w) d = -S'S x. Conjugate
-// gradients (Hestenes and Stiefel 1952). Returns the number of steps. next_step(): whether there shall be one
-// more.
-template <typename NextStep>
+// Solves (S'S + w) d = -S'S x for the change d of the texels x that minimises |S (x + d)|² + w |d|². Returns
+// the number of steps. may_step(step): called before each step.
+template <typename MayStep>
 int change(const Seams& seams, const Numbers& x, const SeamOptions& options, Numbers& d,
-           const NextStep& next_step) {
-  constexpr double as_good = 1e-10;  // of the squared residual
-  const auto apply = [&](const Numbers& v) {
-    auto result = seams.back(seams.differences(v));
+           const MayStep& may_step) {
+  constexpr double as_good = 1e-10;  // relative squared residual at which the iteration ends
+  const auto apply = [&](const Numbers& v, Numbers& result) {
+    result = seams.back(seams.differences(v));
     for (std::size_t i = 0; i < v.size(); ++i) result[i] += options.weight_of_light * v[i];
-    return result;
   };
   d.assign(x.size(), 0.0);
   auto residual = seams.back(seams.differences(x));
   for (auto& r : residual) r = -r;
-  auto direction = residual;
-  auto norm = dot(residual, residual);
-  const auto enough = as_good * norm;
-  int step = 0;
-  for (; step < options.max_steps && norm > enough && next_step(step); ++step) {
-    const auto image = apply(direction);
-    const auto length = norm / dot(direction, image);
-    for (std::size_t i = 0; i < d.size(); ++i) {
-      d[i] += length * direction[i];
-      residual[i] -= length * image[i];
-    }
-    const auto next = dot(residual, residual);
-    for (std::size_t i = 0; i < d.size(); ++i) direction[i] = residual[i] + next / norm * direction[i];
-    norm = next;
-  }
-  return step;
+  const auto as_it_is = [](const Numbers& v, Numbers& result) { result = v; };
+  return conjugate_gradients(d, std::move(residual), {options.max_steps, as_good},
+                             LinearSystem{apply, as_it_is, dot},
+                             [&](int step, const Numbers&) { return may_step(step); });
 }
 
 }  // namespace
 
 std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas) {
   constexpr double places_per_texel = 2.0;
-  constexpr float same_place = 1e-2f;  // texels; nearer, the layout runs on as the surface does
+  constexpr float same_place = 1e-2f;  // texels; the edges of both charts coincide, so there is no seam
   std::vector<SeamPlace> places;
   for (const auto& edge : charts.edges) {
     const auto side_a = edge.halves[0].side, side_b = edge.halves[1].side;
@@ -119,7 +107,8 @@ std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas
     double length = 0.0;
     for (std::size_t h = 0; h < 2; ++h) {
       const auto& half = edge.halves[h];
-      const auto &a = atlas.corners[half.side][half.edge], &b = atlas.corners[half.side][(half.edge + 1) % 3];
+      const auto &a = atlas.corners[half.side.index()][half.edge],
+                 &b = atlas.corners[half.side.index()][(half.edge + 1) % 3];
       ends[h] = {a + half.from * (b - a), a + half.to * (b - a)};
       length = std::max(length, static_cast<double>(glm::length(ends[h][1] - ends[h][0])));
     }
@@ -140,7 +129,7 @@ std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas
 }
 
 SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options,
-                       const Monitor& monitor) {
+                       const Context& context) {
   if (!(options.weight_of_light > 0.0))
     throw InputError(
         fmt::format("at seams the light must weigh more than 0, but it does {}", options.weight_of_light));
@@ -161,7 +150,7 @@ SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptio
     const auto found = seams.differences(x);
     const auto next_step = [&](int step) {
       const auto done = (c + static_cast<double>(step) / options.max_steps) / 3.0;
-      report.stopped = report.stopped || tell(monitor, {"seams", done}) == Next::stop;
+      report.stopped = report.stopped || context.report({"seams", done}) == Next::stop;
       return !report.stopped;
     };
     report.steps = std::max(report.steps, change(seams, x, options, d, next_step));

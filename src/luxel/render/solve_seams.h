@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/core/progress.h"
+#include "luxel/core/context.h"
 #include "luxel/render/lightmap.h"
+#include "luxel/render/lightmap_options.h"
 #include "luxel/surface/make_charts.h"
 
 namespace luxel {
@@ -12,20 +13,13 @@ struct SeamOptions {
   int max_steps = 200;            // of conjugate gradients
 };
 
-struct SeamReport {
-  std::size_t places = 0;                                  // along seams where two charts are compared
-  double difference_before = 0.0, difference_after = 0.0;  // relative, root mean square over the places
-  int steps = 0;                                           // of conjugate gradients, the most of a colour
-  bool stopped = false;                                    // by the monitor: not all texels are changed
-};
-
 // Makes both sides of a seam read the same light: where a smooth surface is parted between two charts, texels
 // along the edge change as little as they can so that at every half texel along it the bilinear lookups in
 // both charts agree; least squares, by conjugate gradients (Iwanicki, "Lighting Technology of The Last of
 // Us", 2013; Castano, "Lightmap Seams", 2017). Edges where light may jump are no seams. Cost: linear in the
 // length of the seams; on the calling thread.
 SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options = {},
-                       const Monitor& monitor = {});
+                       const Context& context = {});
 
 // Where two charts are compared: a place of a seam, as each of them has it, in texels of its page.
 struct SeamPlace {

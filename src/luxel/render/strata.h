@@ -18,13 +18,13 @@ class Strata {
  public:
   // name: keeps pairs apart; side: 1 to 1024.
   Strata(std::uint64_t key, std::uint32_t name, std::uint32_t side) : side_(side), count_(side * side) {
-    const auto bits = mix64(key + (2 * std::uint64_t{name} + 1) * 0x9e3779b97f4a7c15u);
+    const auto bits = nth_key(key, 2 * std::uint64_t{name});
     first_ = static_cast<std::uint32_t>(bits) % count_;
     step_ = 1 + static_cast<std::uint32_t>(bits >> 32) % count_;
     while (std::gcd(step_, count_) != 1) ++step_;
   }
 
-  // Of sample i, below side²; jitter: uniform in [0, 1).
+  // Returns the point of sample i, below side²; jitter: uniform in [0, 1).
   Vec2 pair(std::uint32_t i, float u1, float u2) const {
     const auto cell = cell_of(i);
     return {within(cell % side_, u1, side_), within(cell / side_, u2, side_)};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/core/none.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
 
 namespace luxel {
@@ -31,7 +33,7 @@ Nearest nearest_on_edge(const Triangle& t, std::size_t k, const Point& p) {
   return {glm::dot(d, d), {weight[1], weight[2]}};
 }
 
-// The point of a triangle, edges and all, that is nearest to p.
+// The point of a triangle, including its edges, that is nearest to p.
 Nearest nearest_point(const Triangle& t, const Point& p) {
   const auto area = cross(t[1] - t[0], t[2] - t[0]);
   if (area != 0.0) {
@@ -45,13 +47,14 @@ Nearest nearest_point(const Triangle& t, const Point& p) {
   return best;
 }
 
-// Whether the open square of two texels around p, in which it is read, meets the triangle.
+// Whether the open square of two by two texels around p, the support of its bilinear weight, overlaps the
+// triangle.
 bool is_read_from(const Triangle& t, const Point& p) {
   constexpr double reach = 1.0 - 1e-4;
   const auto low = glm::min(glm::min(t[0], t[1]), t[2]) - p;
   const auto high = glm::max(glm::max(t[0], t[1]), t[2]) - p;
   if (low.x >= reach || low.y >= reach || high.x <= -reach || high.y <= -reach) return false;
-  // An edge of the triangle with the square on one side and the third corner on the other.
+  // Looks for an edge of the triangle that separates the square from the third corner.
   for (std::size_t k = 0; k < 3; ++k) {
     const auto a = t[k] - p, edge = t[(k + 1) % 3] - t[k];
     const auto middle = cross(edge, -a);
@@ -62,7 +65,7 @@ bool is_read_from(const Triangle& t, const Point& p) {
   return true;
 }
 
-// Texels of a chart, row by row.
+// The texels of a chart, row by row.
 class ChartTexels {
  public:
   explicit ChartTexels(const Atlas::Place& place)
@@ -70,9 +73,9 @@ class ChartTexels {
         nearest_(static_cast<std::size_t>(place.width) * static_cast<std::size_t>(place.height),
                  std::numeric_limits<double>::infinity()) {}
 
-  void add(const Atlas& atlas, std::uint32_t side, std::vector<TexelPlace>& page) {
+  void add(const Atlas& atlas, SideId side, std::vector<TexelPlace>& page) {
     Triangle t;
-    for (std::size_t k = 0; k < 3; ++k) t[k] = Point(atlas.corners[side][k]) - 0.5;
+    for (std::size_t k = 0; k < 3; ++k) t[k] = Point(atlas.corners[side.index()][k]) - 0.5;
     const auto low = glm::floor(glm::min(glm::min(t[0], t[1]), t[2]));
     const auto high = glm::ceil(glm::max(glm::max(t[0], t[1]), t[2]));
     const auto first = [](double v, int least) { return std::max(static_cast<int>(v), least); };
@@ -85,7 +88,7 @@ class ChartTexels {
         const auto near = nearest_point(t, middle);
         if (!(near.distance2 < best)) continue;
         best = near.distance2;
-        constexpr double rounding = 1e-6;  // texels²: a border may run along the middles
+        constexpr double rounding = 1e-6;  // texels²: a border may coincide with texel centres
         page[static_cast<std::size_t>(y) * static_cast<std::size_t>(atlas.page_size) + x] = {
             side, Vec2(near.weights), best < rounding ? Texel::inside : Texel::beside};
       }
@@ -98,24 +101,23 @@ class ChartTexels {
 
 }  // namespace
 
-std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Workers& workers,
-                                                       const Monitor& monitor) {
-  std::vector<std::vector<std::uint32_t>> sides(atlas.places.size());
-  for (std::uint32_t s = 0; s < atlas.chart_of.size(); ++s)
-    if (atlas.has(s)) sides[atlas.chart_of[s]].push_back(s);
+std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Context& context) {
+  std::vector<std::vector<SideId>> sides(atlas.places.size());
+  for (std::size_t i = 0; i < atlas.chart_of.size(); ++i)
+    if (atlas.chart_of[i] != none) sides[atlas.chart_of[i]].push_back(SideId::at(i));
   const auto size = static_cast<std::size_t>(atlas.page_size);
   std::vector<std::vector<TexelPlace>> pages(static_cast<std::size_t>(atlas.pages),
                                              std::vector<TexelPlace>(size * size));
   constexpr std::size_t texels_between_calls = 1 << 18;
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    if (tell(monitor, {"places", static_cast<double>(first) / static_cast<double>(sides.size())}) ==
+    if (context.report({"places", static_cast<double>(first) / static_cast<double>(sides.size())}) ==
         Next::stop)
       return {};
     for (std::size_t texels = 0; last < sides.size() && texels < texels_between_calls; ++last)
       texels += static_cast<std::size_t>(atlas.places[last].width) *
                 static_cast<std::size_t>(atlas.places[last].height);
-    // Charts share no texel.
-    workers.for_chunks(last - first, 1, [&](std::size_t begin, std::size_t end, int) {
+    // Charts do not share texels, so threads do not conflict.
+    context.for_chunks(last - first, 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto c = first + begin; c < first + end; ++c) {
         ChartTexels texels(atlas.places[c]);
         for (const auto side : sides[c]) texels.add(atlas, side, pages[atlas.places[c].page]);

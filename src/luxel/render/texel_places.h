@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/lightmap.h"
 #include "luxel/surface/pack_charts.h"
 
@@ -13,7 +13,7 @@ namespace luxel {
 
 // The point of a surface whose light a texel holds.
 struct TexelPlace {
-  std::uint32_t side = 0;
+  SideId side;
   Vec2 weights{0.0f};  // barycentric, of the corners 1 and 2 of its patch
   Texel kind = Texel::empty;
 };
@@ -22,7 +22,6 @@ struct TexelPlace {
 // chart nearest to its middle. So each is a point of the surface, none beyond its border, and where that
 // border runs along another surface none behind it. The same on any number of threads; about 0.1 us per texel
 // and side that it touches. After the monitor's stop there are no pages.
-std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Workers& workers,
-                                                       const Monitor& monitor = {});
+std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Context& context = {});
 
 }  // namespace luxel

@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "luxel/core/address.h"
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/pinhole.h"
 #include "luxel/render/side_point.h"
 
@@ -18,12 +20,12 @@ constexpr std::size_t places = 288;
 constexpr std::size_t openness_rays = 4096;
 constexpr int turns_inside = 12;
 constexpr int turns_outside = 16;
-constexpr float pitch_inside = -0.02f;      // 7 degrees downwards
-constexpr double half_height_inside = 0.5;  // tangent of half the vertical field of view of a 4:3 picture
+constexpr float pitch_inside = -0.02f;      // of a full turn: 7 degrees downwards
+constexpr double half_height_inside = 0.5;  // tangent of half the vertical field of view, for a 4:3 picture
 constexpr double half_height_outside = 0.36;
-constexpr float eye_level = 0.55f;  // of the height between floor and ceiling
+constexpr float eye_level = 0.55f;  // fraction of the height between floor and ceiling
 
-// Portrait or landscape, the picture sees about the same solid angle.
+// The half height for which portrait and landscape pictures cover about the same solid angle.
 double half_height(double of_4_to_3, float aspect) {
   return of_4_to_3 * std::sqrt(4.0 / 3.0 / static_cast<double>(aspect));
 }
@@ -32,28 +34,28 @@ float degrees_of(double half_height_tangent) {
   return static_cast<float>(2.0 * std::atan(half_height_tangent) * 180.0 / std::numbers::pi);
 }
 
-// Lit sides drawn with probability in proportion to a weight, evenly spread over the list.
-std::vector<std::size_t> draw_sides(const Subject& subject, std::size_t count, bool by_area) {
-  std::vector<double> sums;
-  double sum = 0.0;
-  for (std::size_t side = 0; side < subject.sides.brightness.size(); ++side) {
-    if (subject.sides.lit(side)) sum += by_area ? static_cast<double>(subject.patches.area[side / 2]) : 1.0;
-    sums.push_back(sum);
+// Draws lit sides with probability in proportion to a weight, stratified over the list.
+std::vector<SideId> draw_sides(const Subject& subject, std::size_t count, bool by_area) {
+  DiscreteDistribution sides;
+  for (std::size_t i = 0; i < subject.sides.brightness.size(); ++i) {
+    const auto side = SideId::at(i);
+    const auto weight = by_area ? static_cast<double>(subject.patches.area[side.patch()]) : 1.0;
+    sides.add(subject.sides.lit(side) ? weight : 0.0);
   }
-  std::vector<std::size_t> drawn;
-  for (std::size_t i = 0; i < count && sum > 0.0; ++i) {
-    const auto at = sum * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    const auto found = std::upper_bound(sums.begin(), sums.end(), at) - sums.begin();
-    drawn.push_back(std::min(static_cast<std::size_t>(found), sums.size() - 1));
+  std::vector<SideId> drawn;
+  for (std::size_t i = 0; i < count && sides.total() > 0.0; ++i) {
+    const auto at = sides.total() * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    drawn.push_back(SideId::at(sides.at(at)));
   }
   return drawn;
 }
 
-// Somewhere between the side and what it faces, then raised or lowered to eye level.
-Vec3 place_before(const Subject& subject, std::size_t side, std::uint64_t sample) {
-  const auto random = uniform4({.seed = 0, .step = 0, .element = 0, .sample = sample});
+// A point between the side and the surface opposite, then moved to eye level.
+Vec3 place_before(const Subject& subject, SideId side, std::uint64_t sample) {
+  const auto random =
+      uniform4({.seed = 0, .step = step_of(RandomPurpose::view_candidates), .element = 0, .sample = sample});
   const auto point = point_before(subject.patches, side, random[0], random[1]);
-  const auto normal = side_normal(subject.patches, side);
+  const auto normal = subject.patches.normal_of(side);
   const auto free = std::min(subject.tracer.nearest({point, normal}).distance, 0.5f * subject.diagonal);
   const auto eye = point + (0.08f + 0.84f * random[2]) * free * normal;
 
@@ -63,7 +65,7 @@ Vec3 place_before(const Subject& subject, std::size_t side, std::uint64_t sample
   return eye + (eye_level * (below + above) - below) * subject.up;
 }
 
-// How far from the middle of the box a camera must stand for the picture to hold it.
+// The distance from the centre of the box at which the whole box is in the picture.
 float fitting_distance(const Subject& subject, const Camera& direction) {
   const auto forward = glm::normalize(direction.target - direction.eye);
   const auto right = glm::normalize(glm::cross(forward, subject.up));
@@ -95,17 +97,19 @@ double openness(const Subject& subject) {
   const auto sides = draw_sides(subject, openness_rays, true);
   std::size_t free = 0;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const auto random = uniform4({.seed = 0, .step = 1, .element = 0, .sample = i});
+    const auto random =
+        uniform4({.seed = 0, .step = step_of(RandomPurpose::view_directions), .element = 0, .sample = i});
     const auto start = point_before(subject.patches, sides[i], random[0], random[1]);
     const auto direction =
-        Frame(side_normal(subject.patches, sides[i])).to_world(cosine_hemisphere(random[2], random[3]));
+        Frame(subject.patches.normal_of(sides[i])).to_world(cosine_hemisphere(random[2], random[3]));
     if (!subject.tracer.nearest({start, direction})) ++free;
   }
   return sides.empty() ? 1.0 : static_cast<double>(free) / static_cast<double>(sides.size());
 }
 
 std::vector<std::vector<View>> views_from_inside(const Subject& subject) {
-  // Half of the places by area, half by count: the finely modelled corner of a large hall is worth a look.
+  // Half of the places are drawn by area and half by number of sides, so that finely modelled parts of a
+  // large hall are included.
   auto sides = draw_sides(subject, places / 2, true);
   const auto more = draw_sides(subject, places / 2, false);
   sides.insert(sides.end(), more.begin(), more.end());

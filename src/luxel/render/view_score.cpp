@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-// Entropy of counts over that of `classes` alike, at most 1.
+// Entropy of counts over that of `classes` equal counts, at most 1.
 double evenness(std::span<const double> counts, double classes) {
   double total = 0.0;
   for (const auto c : counts) total += c;
@@ -23,7 +23,7 @@ double evenness(std::span<const double> counts, double classes) {
   return std::min(1.0, entropy / std::log(classes));
 }
 
-// 0 to 5: which of the six axis directions the side that is seen faces most.
+// 0 to 5: the axis direction nearest to the normal of the visible side.
 std::size_t facing(const Vec3& normal) {
   const auto a = glm::abs(normal);
   const std::size_t axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
@@ -47,7 +47,7 @@ double materials_variety(const Subject& subject, const std::vector<Hit>& hits) {
   return evenness(list, 8.0);
 }
 
-// Bins of a factor sqrt(2) in distance.
+// Evenness over bins of distance, a factor sqrt(2) each.
 double depth_variety(const std::vector<Hit>& hits, float depth) {
   std::array<double, 16> counts{};
   for (const auto& hit : hits) {
@@ -80,24 +80,24 @@ double detail_of(const Subject& subject, std::span<const Hit> pixels, std::size_
   return static_cast<double>(edges) / (2.0 * static_cast<double>(pixels.size()));
 }
 
-// What one pixel adds to the shares, times the number of pixels. solid_angle: of the pixel, sr.
+// Adds one pixel to the fractions, which are not yet divided by the number of pixels. solid_angle: of the
+// pixel, sr.
 void add_hit(const Subject& subject, const Ray& ray, const Hit& hit, double solid_angle, double pixels,
              ViewFacts& facts) {
-  const auto side = std::size_t{2} * hit.patch + (hit.back ? 1 : 0);
-  if (subject.sides.glaring[side]) facts.glare += 1.0;
+  const auto side = hit.side();
+  if (subject.sides.glaring[side.index()]) facts.glare += 1.0;
   if (!subject.sides.lit(side)) return;
-  const auto brightness = static_cast<double>(subject.sides.brightness[side]);
+  const auto brightness = static_cast<double>(subject.sides.brightness[side.index()]);
   facts.lit += 1.0;
   facts.bright += brightness;
-  // One pixel may not stand for much of the scene, or a far floor seen at a grazing angle would outweigh the
-  // picture.
+  // Limits the area that one pixel represents; else a distant floor at a grazing angle would dominate.
   const auto cosine = std::abs(glm::dot(ray.direction, subject.patches.normal[hit.patch]));
   const auto distance = static_cast<double>(hit.distance);
   const auto area = distance * distance * solid_angle / std::max(0.1, static_cast<double>(cosine));
   facts.coverage += std::min(pixels * area * brightness / subject.sides.lit_area, 4.0);
 }
 
-// Steep surfaces only: the floor may begin at one's feet.
+// Only steep surfaces count: the floor may begin at the viewer's feet.
 double near_count(const Subject& subject, std::span<const Hit> hits, float depth) {
   const auto close = std::max(0.35f * depth, 0.004f * subject.diagonal);
   return static_cast<double>(std::count_if(hits.begin(), hits.end(), [&](const Hit& hit) {
@@ -149,7 +149,8 @@ double score(const ViewFacts& f, double openness) {
   const auto beyond = [](double fraction, double allowed) { return std::max(0.0, fraction - allowed); };
   const auto allowed = std::min(0.6, openness);
   const auto filled = 1.0 - std::min(f.empty, allowed);
-  // A thing alone is shown whole; in a room the picture has no other place to end than on a wall.
+  // In the open, an object cut off at the border lowers the score; in a room the picture always ends on
+  // walls.
   const auto cut_off = beyond(openness, 0.5) * f.border;
   return 0.5 * std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
          1.5 * std::min(f.detail, 0.4) - 3.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -

@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// What thumbnails are traced in.
+// The scene in which thumbnails are traced.
 struct Subject {
   const PatchSet& patches;
   const LitSides& sides;

@@ -9,16 +9,15 @@
 
 namespace luxel {
 
-// What light of several bands looks like: the one place where bands become linear sRGB and lumens.
+// Colours of light of several bands: the only conversion from bands to linear sRGB and lumens.
 //
-// Plain colour is linear sRGB already. Wavebands, W in each, are weighed by the CIE 1931 observer into X, Y
-// and Z at 683 lm/W, turned into linear sRGB (IEC 61966-2-1, white D65) and divided by the 179 lm/W that RGB
-// counts with (luminous_efficacy.h): so 179 times the luminance of the colour is 683 lm/W times Y, and a
+// Plain colour is linear sRGB already. Wavebands, W in each, are weighted by the CIE 1931 observer into X, Y
+// and Z at 683 lm/W, converted to linear sRGB (IEC 61966-2-1, white D65) and divided by the 179 lm/W that RGB
+// uses (luminous_efficacy.h). 179 times the luminance of the colour is therefore 683 lm/W times Y, and a
 // spectrum and the plain colour of the same name give the same lumens and pictures of the same brightness.
-// For a spectrum that runs linearly between the wavebands the colour is exact.
+// For a spectrum that is linear between the wavebands the colour is exact.
 //
-// Colours that sRGB cannot show come out with a negative number; linear sums need them. in_gamut() is for
-// what is shown.
+// Colours outside sRGB have a negative component, which linear sums need. in_gamut() is for display.
 class BandColours {
  public:
   // Empty: plain colour, three bands.
@@ -28,14 +27,14 @@ class BandColours {
   // Linear sRGB of 1 in a band.
   const Vec3d& of(std::size_t band) const { return of_band_[band]; }
 
-  // Of W/m² (or W, or W/(m² sr)) by band, values[band]: the same unit by linear sRGB.
+  // Converts W/m² (or W, or W/(m² sr)) by band, values[band], to the same unit by linear sRGB.
   template <typename Values>
   Vec3d rgb(const Values& values) const {
     Vec3d sum(0.0);
     for (std::size_t b = 0; b < of_band_.size(); ++b) sum += static_cast<double>(values[b]) * of_band_[b];
     return sum;
   }
-  // Of W by band; likewise lux of W/m².
+  // Returns lumens of W by band, or lux of W/m² by band.
   template <typename Values>
   double lumens(const Values& values) const {
     return lumens_of(rgb(values));

@@ -2,13 +2,10 @@
 #include "luxel/scene/boundary_loops.h"
 
 #include "luxel/core/disjoint_sets.h"
+#include "luxel/core/none.h"
 
 namespace luxel {
-namespace {
-
-constexpr auto none = 0xffffffffu;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<BoundaryLoop> find_boundary_loops(std::span<const Vec3> places, const Edges& edges,
                                               const TJunctions& junctions) {

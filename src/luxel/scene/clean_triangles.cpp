@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/scene/triangle_shape.h"
 
 namespace luxel {
@@ -25,11 +26,10 @@ bool is_lamp(const Scene& scene, const CleanTriangle& t) {
 CleanTriangles by_area(const Scene& scene, VertexWeld& weld) {
   CleanTriangles result;
   result.kept.reserve(scene.triangles.size());
-  // The weld is asked once a vertex of the file, not once a corner.
-  constexpr auto unknown = 0xffffffffu;
-  std::vector<std::uint32_t> welded(scene.positions.size(), unknown);
+  // The weld is looked up once per vertex of the file, not once per corner.
+  std::vector<std::uint32_t> welded(scene.positions.size(), none);
   const auto weld_corner = [&](std::uint32_t v) {
-    if (welded[v] == unknown) welded[v] = weld.index_of(scene.positions[v]);
+    if (welded[v] == none) welded[v] = weld.index_of(scene.positions[v]);
     return welded[v];
   };
   for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
@@ -83,17 +83,17 @@ std::vector<std::uint32_t> by_place(const Scene& scene, const std::vector<CleanT
 
 }  // namespace
 
-CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log) {
+CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const Context& context) {
   auto result = by_area(scene, weld);
   if (!result.without_area.empty())
-    warn(log, fmt::format("{} of {} triangles have no area and are left out ({})", result.without_area.size(),
-                          scene.triangles.size(), where(scene, result.without_area.front())));
+    context.warn(fmt::format("{} of {} triangles have no area and are left out ({})",
+                             result.without_area.size(), scene.triangles.size(),
+                             where(scene, result.without_area.front())));
 
   // Piles of triangles on the same three vertices, the one to keep first in each.
   auto& triangles = result.kept;
   const auto order = by_place(scene, triangles, weld.positions().size());
-  constexpr auto on_none = 0xffffffffu;
-  std::vector<std::uint32_t> lies_on(triangles.size(), on_none);
+  std::vector<std::uint32_t> lies_on(triangles.size(), none);
   for (std::size_t i = 0, pile = 0; i < order.size(); ++i) {
     if (sorted(triangles[order[i]].corners) != sorted(triangles[order[pile]].corners)) pile = i;
     if (i == pile) continue;
@@ -106,19 +106,19 @@ CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const LogSi
   std::vector<std::uint32_t> place(triangles.size());
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (lies_on[i] == on_none) place[i] = count++;
+    if (lies_on[i] == none) place[i] = count++;
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (lies_on[i] != on_none)
+    if (lies_on[i] != none)
       result.twins.push_back({triangles[i].triangle, place[lies_on[i]],
                               rotated(triangles[i].corners) != rotated(triangles[lies_on[i]].corners)});
   if (result.twins.empty()) return result;
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (lies_on[i] == on_none) triangles[place[i]] = triangles[i];
+    if (lies_on[i] == none) triangles[place[i]] = triangles[i];
   triangles.resize(count);
-  warn(log, fmt::format(
-                "{} triangles lie exactly on another one and are left out ({}); the one that stays is lit on "
-                "both sides where they faced opposite ways",
-                result.twins.size(), where(scene, result.twins.front().triangle)));
+  context.warn(fmt::format(
+      "{} triangles lie exactly on another one and are left out ({}); the one that stays is lit on "
+      "both sides where they faced opposite ways",
+      result.twins.size(), where(scene, result.twins.front().triangle)));
   return result;
 }
 

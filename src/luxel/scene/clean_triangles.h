@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/log.h"
+#include "luxel/core/context.h"
 #include "luxel/scene/scene.h"
 #include "luxel/scene/vertex_weld.h"
 
@@ -31,9 +31,9 @@ struct CleanTriangles {
   std::vector<TwinTriangle> twins;
 };
 
-// The scene's opaque triangles, those left out that have no area (no more height than the rounding of their
-// coordinates) and those that lie exactly on another one: of each such pile the lamp stays, else the first.
-// All in file order. What is left out is counted in warnings.
-CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const LogSink& log = {});
+// Returns the scene's opaque triangles in file order, without those that have no area (no more height than
+// the rounding of their coordinates) and without duplicates: of triangles in exactly the same place the lamp
+// stays, else the first. Triangles left out are counted in warnings.
+CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const Context& context = {});
 
 }  // namespace luxel

@@ -12,13 +12,13 @@ namespace luxel {
 inline constexpr double spectra_begin = 420.0;  // nm: wavebands that begin later, or
 inline constexpr double spectra_end = 680.0;    // nm: end earlier, cannot carry every colour
 
-// Spectra for what is known by its colour alone, at given wavebands: smooth ones that look like the colour.
+// Smooth spectra at given wavebands for light and reflectances that are given as colours.
 //
-// White light is daylight (CIE D65), the white of sRGB, bent by a parabola of about a per cent so that its
-// colour at these wavebands is exactly (1, 1, 1). A surface reflects by a sigmoid of a parabola (Jakob and
-// Hanika 2019), found such that it has the colour asked for in that light; a grey reflects all wavelengths
-// alike. So a grey scene has the same light as in plain colour, and so has what lamps light at once; it is
-// the light that has met coloured surfaces more than once that differs.
+// White light is daylight (CIE D65), the white of sRGB, multiplied by a parabola that differs from 1 by about
+// a per cent, so that its colour at these wavebands is exactly (1, 1, 1). A reflectance is a sigmoid of a
+// parabola (Jakob and Hanika 2019), fitted such that it has the given colour in that light; a grey reflects
+// all wavelengths equally. Light in a grey scene, and direct light from lamps, is therefore the same as in
+// plain colour; light that has met coloured surfaces more than once differs.
 class ColourSpectra {
  public:
   // Throws InputError where the wavebands do not reach from spectra_begin to spectra_end.

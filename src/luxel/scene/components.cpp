@@ -3,12 +3,11 @@
 
 #include <array>
 
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 
 namespace luxel {
 namespace {
-
-constexpr auto none = 0xffffffffu;
 
 // The edge at each corner of each triangle.
 std::vector<std::array<std::uint32_t, 3>> edges_of_triangles(std::size_t triangles, const Edges& edges) {

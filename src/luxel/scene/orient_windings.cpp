@@ -91,9 +91,9 @@ OrientReport orient_windings(Scene& scene) {
 std::string OrientReport::as_text() const {
   auto text =
       plan.turned == 0
-          ? fmt::format("--orient: {} connected components checked; nothing was flipped", all_components)
+          ? fmt::format("orientation: {} connected components checked; nothing was flipped", all_components)
           : fmt::format(
-                "--orient: {} triangles flipped in {} of {} connected components ({} closed, now "
+                "orientation: {} triangles flipped in {} of {} connected components ({} closed, now "
                 "facing outwards; {} that follow their lamps; {} by the greater area)",
                 plan.turned, plan.components, all_components, plan.closed, plan.lamps,
                 plan.components - plan.closed - plan.lamps);

@@ -34,7 +34,7 @@ struct OrientReport {
   WindingPlan plan;
   std::size_t all_components = 0;
 
-  // What was done, as a sentence.
+  // Describes the changes as a sentence.
   std::string as_text() const;
 };
 

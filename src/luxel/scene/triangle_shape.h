@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// Whether a triangle has a plane that floats can tell: more height than half a unit in the last place of its
-// largest coordinate. With less, what is left is rounding, and so is its normal.
+// Returns whether the plane of a triangle is representable in floats: its height is more than half a unit in
+// the last place of its largest coordinate. Below that its shape, and so its normal, is rounding.
 bool has_area(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // The longest edge over the height that stands on it: 1.15 for an equilateral triangle, infinite without

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 namespace {
 
@@ -22,7 +24,7 @@ std::uint32_t VertexWeld::index_of(const Vec3& position) {
   const auto p = position + Vec3(0.0f);  // -0 becomes +0
   const auto mask = receivers_.size() - 1;
   auto receiver = hash(p) & mask;
-  for (; receivers_[receiver] != empty; receiver = (receiver + 1) & mask)
+  for (; receivers_[receiver] != none; receiver = (receiver + 1) & mask)
     if (positions_[receivers_[receiver]] == p) return receivers_[receiver];
   receivers_[receiver] = static_cast<std::uint32_t>(positions_.size());
   positions_.push_back(p);
@@ -31,11 +33,11 @@ std::uint32_t VertexWeld::index_of(const Vec3& position) {
 
 void VertexWeld::grow() {
   constexpr std::size_t smallest = 1024;
-  receivers_.assign(std::max(smallest, 4 * receivers_.size()), empty);
+  receivers_.assign(std::max(smallest, 4 * receivers_.size()), none);
   const auto mask = receivers_.size() - 1;
   for (std::uint32_t i = 0; i < positions_.size(); ++i) {
     auto receiver = hash(positions_[i]) & mask;
-    while (receivers_[receiver] != empty) receiver = (receiver + 1) & mask;
+    while (receivers_[receiver] != none) receiver = (receiver + 1) & mask;
     receivers_[receiver] = i;
   }
 }

@@ -19,8 +19,7 @@ class VertexWeld {
 
  private:
   void grow();
-  // Open addressing, at most half full: where to look for an index, or `empty`. A power of two long.
-  static constexpr std::uint32_t empty = 0xffffffffu;
+  // Open addressing, at most half full: where to look for an index, or `none`. A power of two long.
   std::vector<std::uint32_t> receivers_;
   std::vector<Vec3> positions_;
 };

@@ -10,13 +10,12 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
 #include "luxel/scene/triangle_shape.h"
 #include "luxel/scene/vertex_weld.h"
 
 namespace luxel {
 namespace {
-
-constexpr auto none = 0xffffffffu;
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -108,14 +107,13 @@ std::vector<std::uint32_t> weld_points(std::span<const Vec3> points, double dist
 }
 
 WeldReport weld_vertices(Scene& scene, double distance) {
-  constexpr auto unknown = none;
   VertexWeld weld;
-  std::vector<std::uint32_t> place(scene.positions.size(), unknown);
+  std::vector<std::uint32_t> place(scene.positions.size(), none);
   std::vector<std::uint8_t> had_area(scene.triangles.size());
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     had_area[t] = triangle_has_area(scene, t) ? 1 : 0;
     for (const auto v : scene.triangles[t])
-      if (place[v] == unknown) place[v] = weld.index_of(scene.positions[v]);
+      if (place[v] == none) place[v] = weld.index_of(scene.positions[v]);
   }
   const auto& places = weld.positions();
   const auto goes_to = weld_points(places, distance);
@@ -128,7 +126,7 @@ WeldReport weld_vertices(Scene& scene, double distance) {
     report.farthest = std::max(report.farthest, glm::distance(Vec3d(places[i]), Vec3d(places[goes_to[i]])));
   }
   for (std::size_t v = 0; v < scene.positions.size(); ++v)
-    if (place[v] != unknown) scene.positions[v] = places[goes_to[place[v]]];
+    if (place[v] != none) scene.positions[v] = places[goes_to[place[v]]];
   for (std::size_t t = 0; t < scene.triangles.size(); ++t)
     if (had_area[t] != 0 && !triangle_has_area(scene, t)) ++report.collapsed;
   return report;
@@ -136,9 +134,10 @@ WeldReport weld_vertices(Scene& scene, double distance) {
 
 std::string WeldReport::as_text(double distance) const {
   if (moved == 0)
-    return fmt::format("--weld {:g}: no two vertices are that near; nothing was changed", distance);
-  auto text = fmt::format("--weld {:g}: {} of {} vertices moved onto another one, by {:.2g} m at most",
-                          distance, moved, places, farthest);
+    return fmt::format("welding within {:g} m: no two vertices are that near; nothing was changed", distance);
+  auto text =
+      fmt::format("welding within {:g} m: {} of {} vertices moved onto another one, by {:.2g} m at most",
+                  distance, moved, places, farthest);
   if (collapsed > 0)
     text += fmt::format("; {} lost {} area by it",
                         collapsed == 1 ? "1 triangle" : fmt::format("{} triangles", collapsed),

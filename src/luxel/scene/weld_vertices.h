@@ -25,13 +25,13 @@ struct WeldReport {
   std::size_t collapsed = 0;  // triangles that had area before and have none now
   double farthest = 0.0;      // m, moved at most
 
-  // What was done, as a sentence.
+  // Describes the changes as a sentence.
   std::string as_text(double distance) const;
 };
 
-// Moves the vertices of the scene's triangles so that those nearer than distance (m) share one place, as
-// weld_points() says. Triangles, and the number of vertices, stay as they are. About 0.5 s per million
-// vertices.
+// Moves the vertices of the scene's triangles so that those nearer than distance (m) have one position, by
+// the rule of weld_points(). Triangles, and the number of vertices, are unchanged. Costs about 0.5 s per
+// million vertices.
 WeldReport weld_vertices(Scene& scene, double distance);
 
 }  // namespace luxel

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/scene/orient_windings.h"
 #include "luxel/scene/weld_vertices.h"
 #include "luxel/session/mesh_diagnostics.h"
@@ -48,7 +49,7 @@ void find_t_vertices(const ScannedMesh& mesh, std::size_t places, std::vector<Di
                                       with_commas(junctions.size()));
   diagnostic.consequence =
       "loses no light there, but does not smooth the light across such an edge: it may show";
-  diagnostic.remedy = "no flag changes that: split the long edge at the vertex in the file";
+  diagnostic.remedy = "no setting changes that: split the long edge at the vertex in the file";
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) { return fmt::format("{} on an edge {} long", c.item, in_metres(c.weight)); },
@@ -63,14 +64,14 @@ struct WeldTrial {
 };
 
 std::size_t closed_by(const ScannedMesh& mesh, double distance) {
-  std::vector<std::uint32_t> number(mesh.places.size(), 0xffffffffu);
+  std::vector<std::uint32_t> number(mesh.places.size(), none);
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 2>> open;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     if (!mesh.edges.is_open(e) || mesh.junctions.is_welded[e] != 0) continue;
     auto ends = mesh.edges.ends[e];
     for (auto& v : ends) {
-      if (number[v] == 0xffffffffu) {
+      if (number[v] == none) {
         number[v] = static_cast<std::uint32_t>(points.size());
         points.push_back(mesh.places[v]);
       }
@@ -135,9 +136,11 @@ void find_open_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Di
   if (weld.closed > 0) diagnostic.severity = Severity::warning;
   diagnostic.consequence =
       "takes such surfaces as sheets, lit on both sides; light passes around their boundary and through gaps";
-  diagnostic.remedy =
-      weld.closed > 0 ? fmt::format("--weld {:g} closes {} of them", weld.distance, with_commas(weld.closed))
-                      : "no flag needed where sheets are meant; --one-sided NAME makes backs absorb";
+  diagnostic.remedy = weld.closed > 0
+                          ? fmt::format("welding closes {} of them", with_commas(weld.closed))
+                          : "nothing needs to change where sheets are meant; backs can be made to absorb";
+  diagnostic.hints = {weld.closed > 0 ? Hint{Setting::weld, fmt::format("{:g}", weld.distance)}
+                                      : Hint{Setting::one_sided, "NAME"}};
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) {
@@ -167,9 +170,8 @@ void find_non_manifold_edges(const ScannedMesh& mesh, std::size_t places,
                              diagnostic.triangles.end());
   diagnostic.count = diagnostic.edges.size();
   diagnostic.fact = fmt::format("{} more than two triangles", counted_have(diagnostic.count, "edge"));
-  diagnostic.consequence =
-      "takes the surfaces as they are; --orient does not carry a side across such an edge";
-  diagnostic.remedy = "no flag needed: walls that meet a floor along its edges look like this";
+  diagnostic.consequence = "takes the surfaces as they are; orientation does not carry over such an edge";
+  diagnostic.remedy = "nothing needs to change: walls that meet a floor along its edges look like this";
   tell_places(
       *mesh.scene, candidates, places,
       [](const Candidate& c) { return fmt::format("{} triangles, {} long", c.item, in_metres(c.weight)); },
@@ -215,9 +217,9 @@ void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Diag
   diagnostic.consequence =
       one_sided > 0
           ? "lets the backs of one-sided materials absorb, so these components darken in patches"
-          : "lights both sides alike, so the light is the same; view factors and --one-sided do look";
-  diagnostic.remedy =
-      fmt::format("--orient turns {} round, and says so", counted_things(plan.turned, "triangle"));
+          : "lights both sides alike, so the light is the same; view factors and one-sided materials do look";
+  diagnostic.remedy = fmt::format("orientation turns {} round", counted_things(plan.turned, "triangle"));
+  diagnostic.hints = {{Setting::orient}};
   const auto detail = [](const Candidate& c) { return fmt::format("an edge {} long", in_metres(c.weight)); };
   tell_places(*mesh.scene, candidates, places, detail, diagnostic);
   diagnostics.push_back(std::move(diagnostic));
@@ -230,7 +232,7 @@ void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Diag
       fmt::format("{} between parts of a lamp that face opposite ways: one of them shines to the wrong side",
                   counted_lie(lamps.count, "edge"));
   lamps.consequence = "lets each part shine from its own front";
-  lamps.remedy = "no flag turns a part of a lamp: turn these faces round in the file";
+  lamps.remedy = "no setting turns a part of a lamp: turn these faces round in the file";
   tell_places(*mesh.scene, lamp_candidates, places, detail, lamps);
   diagnostics.push_back(std::move(lamps));
 }

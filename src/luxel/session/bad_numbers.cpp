@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/session/mesh_diagnostics.h"
 #include "luxel/session/words.h"
 
@@ -14,7 +15,7 @@ void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<
   const auto& scene = *mesh.scene;
   Diagnostic diagnostic{DiagnosticKind::reflectance, Severity::note};
   std::vector<Candidate> candidates;
-  std::vector<std::uint32_t> first(scene.materials.size(), 0xffffffffu);
+  std::vector<std::uint32_t> first(scene.materials.size(), none);
   std::vector<double> size(scene.materials.size(), 0.0);
   for (const auto& t : mesh.clean.kept) {
     const auto m = static_cast<std::size_t>(scene.triangle_material[t.triangle]);
@@ -42,7 +43,8 @@ void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<
                                                   reflect, highest)
                                     : fmt::format("{} nearly all light (up to {:.3g})", reflect, highest);
   diagnostic.consequence = fmt::format("lowers it to {:.3g} in each band that exceeds it", lowered_to);
-  diagnostic.remedy = "--max-reflectance sets another bound; more likely the file's Kd is too bright";
+  diagnostic.remedy = "the file's Kd is probably too bright; another bound can be set";
+  diagnostic.hints = {{Setting::reflectance_limit}};
   tell_places(
       scene, candidates, places,
       [&](const Candidate& c) {
@@ -81,9 +83,11 @@ void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnos
   diagnostic.fact = fmt::format("the scene is {} long: {}", in_metres(extent),
                                 extent > largest ? "too large for a room" : "too small for a room");
   diagnostic.consequence =
-      "takes coordinates as metres: lumens and --max-edge go by that, light per m² and pictures do not";
-  diagnostic.remedy = fmt::format("if these are {}, --scale {:g} makes it {} long", likely->name,
+      "takes coordinates as metres: lumens and the size of patches go by that, light per m² and pictures do "
+      "not";
+  diagnostic.remedy = fmt::format("if these are {}, a scale of {:g} makes it {} long", likely->name,
                                   likely->metres, in_metres(extent * likely->metres));
+  diagnostic.hints = {{Setting::scale, fmt::format("{:g}", likely->metres)}};
   tell_places(
       *mesh.scene, {{mesh.in_scene(0), mesh.box.center()}}, places,
       [&](const Candidate&) {

@@ -47,7 +47,8 @@ void find_no_area(const ScannedMesh& mesh, std::size_t places, std::vector<Diagn
     diagnostic.consequence = "refuses to bake: there is nothing else to light";
   }
   diagnostic.remedy =
-      "no flag needed; if an open edge or a T-junction stays in their place, --weld may close it";
+      "nothing needs to change; if an open edge or a T-junction stays in their place, welding may close it";
+  diagnostic.hints = {{Setting::weld, "DISTANCE"}};
   tell_places(
       scene, candidates, places, [](const Candidate& c) { return in_metres(c.weight) + " long"; },
       diagnostic);
@@ -80,7 +81,7 @@ void find_twins(const ScannedMesh& mesh, bool opposite, std::size_t places,
   diagnostic.consequence =
       opposite ? "keeps one of each pile (the lamp, else the first of the file), lit on both sides"
                : "keeps one of each pile: the lamp, else the first of the file";
-  diagnostic.remedy = "no flag changes that: delete the copies that are not wanted in the file";
+  diagnostic.remedy = "no setting changes that: delete the copies that are not wanted in the file";
   tell_places(
       scene, candidates, places, [&](const Candidate& c) { return lies_on(scene, c.item); }, diagnostic);
   diagnostics.push_back(std::move(diagnostic));
@@ -111,7 +112,8 @@ void find_slivers(const ScannedMesh& mesh, std::size_t places, std::vector<Diagn
                   counted_is(diagnostic.count, "triangle"), thin, rounded(worst), percent(slivers / all));
   diagnostic.consequence =
       "cuts them as it cuts all others; on each thin part the light is one mean along its length";
-  diagnostic.remedy = "--max-edge makes the parts shorter";
+  diagnostic.remedy = "a shorter edge makes the parts shorter";
+  diagnostic.hints = {{Setting::max_edge}};
   tell_places(
       scene, candidates, places,
       [&](const Candidate& c) {

@@ -21,23 +21,22 @@ void summarise(const ScannedMesh& mesh, CheckReport& report) {
 }
 
 // What rays tell. False: stopped.
-bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const Workers& workers,
-                   const Monitor& monitor, CheckReport& report) {
-  const auto patches = make_patches(*mesh.scene, {.max_edge = no_max_edge}, workers);
-  if (tell(monitor, {.stage = "hierarchy"}) == Next::stop) return false;
-  const Tracer tracer(patches, workers);
-  const auto views = view_from_lamps(patches, tracer, workers);
+bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const Context& context,
+                   CheckReport& report) {
+  const auto patches = make_patches(*mesh.scene, {.max_edge = no_max_edge}, context.quiet());
+  if (context.report({.stage = "hierarchy"}) == Next::stop) return false;
+  const Tracer tracer(patches, context);
+  const auto views = view_from_lamps(patches, tracer, context);
   const auto paths = options.paths > 0 ? options.paths : std::max<std::size_t>(16'384, patches.size() / 4);
-  report.walks = walk_light(patches, tracer, paths, options.seed, workers, monitor);
-  const auto openings = find_openings(mesh, report.walks.lost, workers);
+  report.walks = walk_light(patches, tracer, paths, options.seed, context);
+  const auto openings = find_openings(mesh, report.walks.lost, context);
   find_bad_lamps(mesh, patches, views, report.walks, report.diagnostics);
   find_lost_light(mesh, patches, report.walks, openings, options.places, report.diagnostics);
   report.rays = report.walks.rays + 2000 * views.size();
   if (views.empty() && !patches.has_sky()) return true;  // no light at all: not worth a list
-  const auto unlit =
-      find_unlit(patches, tracer,
-                 {.has_sky = patches.has_sky(), .seed = options.seed, .is_known_lit = report.walks.is_met},
-                 workers, monitor);
+  const auto unlit = find_unlit(
+      patches, tracer,
+      {.has_sky = patches.has_sky(), .seed = options.seed, .is_known_lit = report.walks.is_met}, context);
   report.rays += unlit.rays;
   report.dark_walks = unlit.walks;
   if (!unlit.is_whole) return false;
@@ -52,17 +51,16 @@ std::size_t CheckReport::count(Severity severity) const {
                                                 [&](const Diagnostic& f) { return f.severity == severity; }));
 }
 
-CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Workers& workers,
-                     const Monitor& monitor) {
+CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Context& context) {
   CheckReport report;
   report.triangles = scene.triangles.size();
-  const auto mesh = scan_mesh(scene, monitor, report.is_whole);
+  const auto mesh = scan_mesh(scene, context, report.is_whole);
   if (!report.is_whole) return report;
   summarise(mesh, report);
   find_bad_triangles(mesh, options.places, report.diagnostics);
   find_bad_edges(mesh, options.places, report.diagnostics);
   find_bad_numbers(mesh, options.places, report.diagnostics);
-  if (!mesh.clean.kept.empty()) report.is_whole = look_at_light(mesh, options, workers, monitor, report);
+  if (!mesh.clean.kept.empty()) report.is_whole = look_at_light(mesh, options, context, report);
   std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
                    [](const Diagnostic& a, const Diagnostic& b) {
                      return a.severity != b.severity ? a.severity > b.severity : a.kind < b.kind;

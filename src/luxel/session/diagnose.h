@@ -2,6 +2,7 @@
 #pragma once
 
 #include "luxel/core/bounds.h"
+#include "luxel/core/context.h"
 #include "luxel/session/light_walks.h"
 
 namespace luxel {
@@ -33,7 +34,6 @@ struct CheckReport {
 // rays (about 10 million for a million triangles). Nothing is changed. The same report on any number of
 // threads. About 10 s per million triangles on one core, half of it rays; 500 bytes per triangle. Throws what
 // make_patches() throws.
-CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Workers& workers,
-                     const Monitor& monitor = {});
+CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Context& context = {});
 
 }  // namespace luxel

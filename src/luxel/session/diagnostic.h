@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "luxel/core/hint.h"
 #include "luxel/core/log.h"
 #include "luxel/core/vector.h"
 
@@ -49,7 +50,8 @@ struct Diagnostic {
   std::size_t count = 0;           // of what the fact speaks of: triangles, edges, loops, materials
   std::string fact = {};           // one sentence: what is the matter, with numbers
   std::string consequence = {};    // one sentence: what Luxel will do about it
-  std::string remedy = {};         // one sentence: the flag, or the edit, that changes that
+  std::string remedy = {};         // one sentence: what changes that
+  std::vector<Hint> hints = {};    // the settings that do, where any does
   std::vector<Place> places = {};  // the worst first, as many as were asked for
   std::size_t all_places = 0;      // that there are
 

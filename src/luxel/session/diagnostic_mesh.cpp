@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "luxel/core/none.h"
 #include "luxel/core/warp.h"
 
 namespace luxel {
@@ -39,7 +40,7 @@ bool concerns_faces(const Diagnostic& diagnostic) { return diagnostic.edges.empt
 }  // namespace
 
 std::vector<FaultPart> fault_parts(const Scene& scene, const CheckReport& report) {
-  constexpr auto well = 0xffffffffu;
+  constexpr auto well = none;
   std::vector<std::uint32_t> diagnostic_of(scene.triangles.size(), well);
   for (std::uint32_t f = 0; f < report.diagnostics.size(); ++f)
     if (concerns_faces(report.diagnostics[f]))

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/patch/patch_set.h"
 
 namespace luxel {
@@ -14,11 +15,11 @@ class LampByPower {
   explicit LampByPower(const PatchSet& patches);
   bool empty() const { return patch_.empty(); }
   // u in [0, 1): a patch.
-  std::size_t at(double u) const;
+  std::size_t at(double u) const { return patch_[by_power_.choose(u)]; }
 
  private:
   std::vector<std::size_t> patch_;
-  std::vector<double> up_to_;  // power of this and those before
+  DiscreteDistribution by_power_;
 };
 
 }  // namespace luxel

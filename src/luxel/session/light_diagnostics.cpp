@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
@@ -69,7 +70,8 @@ void find_no_lamp(const ScannedMesh& mesh, std::vector<Diagnostic>& diagnostics)
   diagnostic.consequence =
       has_sky ? "lights the scene from all around" : "refuses to bake: all would be black";
   diagnostic.remedy = has_sky ? "a material with a Ke line is a lamp"
-                              : "--sky 1 lights it from all around; a material with a Ke line is a lamp";
+                              : "a material with a Ke line is a lamp; a sky lights the scene from all around";
+  if (!has_sky) diagnostic.hints = {{Setting::sky, "1"}};
   diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -82,14 +84,16 @@ void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std:
     const auto material = scene_material(mesh, patches, view.material);
     const auto& name = mesh.scene->materials[material].name;
     const auto kind = judge(view);
-    if (kind != LampFault::none) {
+    if (kind != LampFault::no_fault) {
       auto diagnostic = lamp_diagnostic(mesh,
                                         kind == LampFault::faces_wall ? DiagnosticKind::lamp_faces_wall
                                                                       : DiagnosticKind::lamp_lights_nothing,
                                         material, lamp_fact(patches, view));
       diagnostic.consequence = "solves it as it is: a lamp shines from the front of its faces alone";
-      diagnostic.remedy = turning_helps(view) ? fmt::format("--flip {} turns its faces round", name)
-                                              : "no flag helps: both of its sides look away from the scene";
+      diagnostic.remedy = turning_helps(view)
+                              ? "turn its faces round"
+                              : "no setting helps: both of its sides look away from the scene";
+      if (turning_helps(view)) diagnostic.hints = {{Setting::flip, name}};
       diagnostics.push_back(std::move(diagnostic));
       continue;
     }
@@ -102,9 +106,10 @@ void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std:
                                     name, with_commas(paths), away > 0.0 ? percent(away) : "none",
                                     in_metres(static_cast<double>(walks.near))));
     diagnostic.consequence = "lights the inside of what surrounds it, and nothing else";
-    diagnostic.remedy = fmt::format(
-        "give the cover 'd 0' in its MTL, and light passes freely; or --flip {} if it should shine outwards",
-        name);
+    diagnostic.remedy =
+        "give the cover 'd 0' in its MTL, and light passes freely; or turn the lamp round if it should shine "
+        "outwards";
+    diagnostic.hints = {{Setting::flip, name}};
     diagnostics.push_back(std::move(diagnostic));
   }
 }
@@ -121,7 +126,7 @@ std::string extent(const BoundaryLoop& loop) {
 }
 
 std::string describe(const ScannedMesh& mesh, const Opening& opening) {
-  if (opening.loop == Opening::no_loop)
+  if (opening.loop == none)
     return fmt::format("{} past all surfaces towards {}", percent(opening.weight),
                        directions[opening.direction]);
   return fmt::format("{} through a hole of {}", percent(opening.weight), extent(mesh.loops[opening.loop]));
@@ -129,7 +134,7 @@ std::string describe(const ScannedMesh& mesh, const Opening& opening) {
 
 // A triangle to name the place by: one on the loop, or the nearest to where the rays left.
 std::uint32_t triangle_near(const ScannedMesh& mesh, const Opening& opening) {
-  if (opening.loop != Opening::no_loop)
+  if (opening.loop != none)
     return mesh.in_scene(mesh.edges.uses_of(mesh.loops[opening.loop].edges[0])[0].triangle);
   std::size_t best = 0;
   auto best2 = std::numeric_limits<float>::infinity();
@@ -157,12 +162,13 @@ void find_escape(const ScannedMesh& mesh, const LightWalks& walks, const std::ve
                         100.0 * walks.escaped_error);
   diagnostic.consequence = has_sky      ? "lets the light out there, and the sky's light in"
                            : from_lamps ? "counts it as escaped; nothing comes back"
-                                        : "lets no light in there without --sky";
-  diagnostic.remedy = "close what should be closed in the file (--weld closes gaps); --sky 1 lets light in";
+                                        : "lets no light in there without a sky";
+  diagnostic.remedy = "close what should be closed in the file; welding closes gaps, and a sky lets light in";
+  diagnostic.hints = {{Setting::weld, "DISTANCE"}, {Setting::sky, "1"}};
   std::vector<Candidate> candidates;
   for (std::uint32_t i = 0; i < openings.size(); ++i) {
     candidates.push_back({triangle_near(mesh, openings[i]), openings[i].at, openings[i].weight, i});
-    if (openings[i].loop == Opening::no_loop) continue;
+    if (openings[i].loop == none) continue;
     for (const auto e : mesh.loops[openings[i].loop].edges) diagnostic.edges.push_back(mesh.ends(e));
   }
   tell_places(
@@ -194,7 +200,8 @@ void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const Lig
                   counted_things(diagnostic.count, "one-sided material"));
   diagnostic.consequence = "lets such backs absorb all light, and counts it as lost at backs";
   diagnostic.remedy =
-      "--flip NAME flips a material, --orient each component; without --one-sided nothing is lost";
+      "flip the material, or orient each component; where materials are two-sided nothing is lost";
+  diagnostic.hints = {{Setting::flip, "NAME"}, {Setting::orient}, {Setting::one_sided}};
   tell_places(
       *mesh.scene, candidates, places, [](const Candidate& c) { return percent(c.weight) + " of the light"; },
       diagnostic);
@@ -248,7 +255,8 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
   diagnostic.fact += fmt::format(", by {} random walks from each side: an estimate", unlit.walks);
   diagnostic.consequence = "leaves them black, on both sides";
   diagnostic.remedy =
-      "no flag needed if they are hidden for good; else open what shuts them in, or --flip its lamp";
+      "nothing needs to change if they are hidden for good; else open what shuts them in, or flip its lamp";
+  diagnostic.hints = {{Setting::flip, "NAME"}};
   tell_places(
       scene, candidates, places,
       [](const Candidate& c) {

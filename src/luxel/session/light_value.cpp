@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/session/light_value.h"
 
-#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
+
+#include "luxel/scene/band_colours.h"
+#include "luxel/surface/smooth_irradiance.h"
 
 namespace luxel {
 namespace {
@@ -38,36 +40,31 @@ LightValue value_of(const BandColours& colours, std::span<const double> light,
 
 }  // namespace
 
-LightValue irradiance_of(const LiveLight& light, std::size_t patch, bool back) {
+LightValue irradiance_of(const SessionLight& light, std::size_t patch, bool back) {
   const auto& s = light.solution;
   const auto bands = s.bands.size();
-  const auto& error = back ? s.standard_error_back : s.standard_error_front;
-  return value_of(light.mesh.patches->colours(),
-                  of_patch(back ? s.irradiance_back : s.irradiance_front, patch, bands),
+  const auto& error = s.standard_error.of(back);
+  return value_of(light.mesh.patches->colours(), of_patch(s.irradiance.of(back), patch, bands),
                   error.empty() ? std::vector<double>() : of_patch(error, patch, bands));
 }
 
-LightValue radiosity_of(const LiveLight& light, std::size_t patch, bool back) {
+LightValue radiosity_of(const SessionLight& light, std::size_t patch, bool back) {
   const auto& s = light.solution;
   const auto bands = s.bands.size();
-  const auto& error = back ? s.standard_error_back : s.standard_error_front;
+  const auto& error = s.standard_error.of(back);
   std::vector<double> reflected;
   if (!error.empty()) {
     reflected = of_patch(error, patch, bands);
     for (std::size_t b = 0; b < bands; ++b) reflected[b] *= light.mesh.patches->reflectance(patch, b);
   }
-  return value_of(light.mesh.patches->colours(),
-                  of_patch(back ? s.radiosity_back : s.radiosity_front, patch, bands), reflected);
+  return value_of(light.mesh.patches->colours(), of_patch(s.radiosity.of(back), patch, bands), reflected);
 }
 
-LightValue smooth_irradiance(const LiveLight& light, std::size_t patch, bool back, float u, float v) {
+LightValue smooth_irradiance(const SessionLight& light, std::size_t patch, bool back, float u, float v) {
   const auto bands = light.solution.bands.size();
-  const auto& at = back ? light.smooth->irradiance_back : light.smooth->irradiance_front;
-  const std::array<double, 3> weight = {1.0 - static_cast<double>(u) - static_cast<double>(v), u, v};
-  std::vector<double> sum(bands, 0.0);
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t b = 0; b < bands; ++b)
-      sum[b] += weight[k] * static_cast<double>(at[light.smooth->corners[patch][k] * bands + b]);
+  std::vector<double> sum(bands);
+  for (std::size_t b = 0; b < bands; ++b)
+    sum[b] = smooth_irradiance(*light.smooth, SideId(patch, back), {u, v}, b, bands);
   return value_of(light.mesh.patches->colours(), sum, {});
 }
 

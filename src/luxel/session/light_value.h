@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "luxel/session/live_state.h"
+#include "luxel/session/session_snapshot.h"
 
 namespace luxel {
 
@@ -18,10 +18,10 @@ struct LightValue {
 
 // What arrives at a side of a patch: its mean, as it was solved. The same rays carry all bands, so their
 // errors are added as if they went together, which they do or nearly.
-LightValue irradiance_of(const LiveLight& light, std::size_t patch, bool back);
-// What leaves it, by emission and reflection.
-LightValue radiosity_of(const LiveLight& light, std::size_t patch, bool back);
+LightValue irradiance_of(const SessionLight& light, std::size_t patch, bool back);
+// Radiosity of the side: its emission and reflection.
+LightValue radiosity_of(const SessionLight& light, std::size_t patch, bool back);
 // What arrives at a point of it as it is drawn, (1 - u - v) a + u b + v c; without an error.
-LightValue smooth_irradiance(const LiveLight& light, std::size_t patch, bool back, float u, float v);
+LightValue smooth_irradiance(const SessionLight& light, std::size_t patch, bool back, float u, float v);
 
 }  // namespace luxel

@@ -10,14 +10,15 @@
 #include "luxel/core/address.h"
 #include "luxel/core/bounds.h"
 #include "luxel/core/sobol.h"
+#include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 #include "luxel/session/lamp_by_power.h"
 #include "luxel/session/walk.h"
-#include "luxel/trace/patch_emitter.h"
+#include "luxel/trace/start_sides.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t first_step = 0x0c4ec000;  // of the random numbers: no solver counts that far
 constexpr int max_bounces = 16;
 constexpr float near_fraction = 0.03f;  // of the diagonal
 constexpr double too_faint = 0.002;     // of what set out
@@ -25,7 +26,7 @@ constexpr double too_faint = 0.002;     // of what set out
 struct Path {
   double escaped = 0.0, escaped_at_once = 0.0, lost = 0.0;
   std::uint32_t hits = 0, backs = 0;
-  std::array<std::uint32_t, max_bounces + 1> met{};  // sides, one a hit
+  std::array<SideId, max_bounces + 1> met{};  // sides, one a hit
   float reach = 0.0f;
   std::uint32_t lamp = 0, back_material = 0;  // materials
   Ray last;
@@ -45,9 +46,9 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampByPower&
   auto side = lamps.at((static_cast<double>(i) + 0.5) / static_cast<double>(paths));
   bool back = false;
   path.lamp = static_cast<std::uint32_t>(patches.material[side]);
-  const auto u0 = uniform4({seed, first_step, 0, i});
+  const auto u0 = uniform4({seed, step_of(RandomPurpose::walks), 0, i});
   auto weights = uniform_triangle(u0[0], u0[1]);
-  auto ray = bounce(patches, side, back, weights, u0[2], u0[3]);
+  auto ray = ray_from_side(patches, SideId(side, back), weights, u0[2], u0[3]);
   const auto start = ray.origin;
   for (int b = 0;; ++b) {
     const auto hit = tracer.nearest(ray);
@@ -59,7 +60,7 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampByPower&
       break;
     }
     path.reach = std::max(path.reach, glm::distance(start, ray.origin + hit.distance * ray.direction));
-    path.met[path.hits++] = static_cast<std::uint32_t>(side_of(hit.patch, hit.back));
+    path.met[path.hits++] = hit.side();
     path.backs += hit.back ? 1 : 0;
     const auto& material = patches.material_of(hit.patch);
     if (hit.back && !material.two_sided) {
@@ -72,8 +73,8 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampByPower&
     side = hit.patch;
     back = hit.back;
     weights = {hit.u, hit.v};
-    const auto u = uniform4({seed, first_step + 1 + static_cast<std::uint32_t>(b), 0, i});
-    ray = bounce(patches, side, back, weights, u[2], u[3]);
+    const auto u = uniform4({seed, step_of(RandomPurpose::walks, 1 + static_cast<std::uint32_t>(b)), 0, i});
+    ray = ray_from_side(patches, SideId(side, back), weights, u[2], u[3]);
   }
   return path;
 }
@@ -89,22 +90,23 @@ Vec3 any_direction(float u1, float u2) {
 // Points of the box from which most directions meet a surface, and not one right before the eye: the inside
 // of rooms, not of tables.
 std::vector<Vec3> points_inside(const PatchSet& patches, const Tracer& tracer, std::uint64_t seed,
-                                const Workers& workers) {
+                                const Context& context) {
   constexpr std::size_t candidates = 1024;
   constexpr std::uint32_t looks = 64;
   constexpr float most = 0.7f;    // of the directions
   constexpr float roomy = 0.04f;  // of the box's diagonal
   Bounds box;
   for (const auto& p : patches.vertices) box.add(p);
-  const OwenSobol points(stream_key(seed, first_step, 1));
+  const OwenSobol points(stream_key(seed, RandomPurpose::walks, 1));
   std::vector<std::uint8_t> is_inside(candidates, 0);
   const auto place = [&](std::size_t i) {
     const auto u = points.first4(static_cast<std::uint32_t>(i));
     return box.low + Vec3(u[0], u[1], u[2]) * box.size();
   };
-  workers.for_chunks(candidates, 16, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(candidates, 16, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
-      const OwenSobol directions(stream_key(seed, first_step + 1, static_cast<std::uint32_t>(i)));
+      const OwenSobol directions(
+          stream_key(seed, step_of(RandomPurpose::walks, 1), static_cast<std::uint32_t>(i)));
       std::uint32_t hits = 0;
       float way = 0.0f;
       for (std::uint32_t k = 0; k < looks; ++k) {
@@ -125,7 +127,7 @@ std::vector<Vec3> points_inside(const PatchSet& patches, const Tracer& tracer, s
 
 Path from_inside(const Tracer& tracer, const std::vector<Vec3>& inside, std::size_t i, std::uint64_t seed) {
   Path path;
-  const auto u = uniform4({seed, first_step, 2, i});
+  const auto u = uniform4({seed, step_of(RandomPurpose::walks), 2, i});
   const Ray ray{inside[i % inside.size()], any_direction(u[0], u[1])};
   const auto hit = tracer.nearest(ray);
   path.hits = hit ? 1 : 0;
@@ -153,7 +155,7 @@ void add_up(const std::vector<Path>& paths, LightWalks& walks) {
     if (path.lost > 0.0) walks.back_loss[path.back_material] += path.lost / n;
     if (walks.from != LightWalks::From::lamps) continue;
     ++walks.set_out[path.lamp];
-    for (std::uint32_t i = 0; i < path.hits; ++i) walks.is_met[path.met[i]] = 1;
+    for (std::uint32_t i = 0; i < path.hits; ++i) walks.is_met[path.met[i].index()] = 1;
     if (path.reach > walks.near) ++walks.got_away[path.lamp];
   }
   walks.rays = hits + walks.lost.size();
@@ -165,7 +167,7 @@ void add_up(const std::vector<Path>& paths, LightWalks& walks) {
 }  // namespace
 
 LightWalks walk_light(const PatchSet& patches, const Tracer& tracer, std::size_t paths, std::uint64_t seed,
-                      const Workers& workers, const Monitor& monitor) {
+                      const Context& context) {
   LightWalks walks;
   walks.back_loss.assign(patches.materials.size(), 0.0);
   walks.got_away.assign(patches.materials.size(), 0);
@@ -173,21 +175,21 @@ LightWalks walk_light(const PatchSet& patches, const Tracer& tracer, std::size_t
   for (const auto& p : patches.vertices) box.add(p);
   walks.near = near_fraction * glm::length(box.size());
   walks.set_out.assign(patches.materials.size(), 0);
-  walks.is_met.assign(2 * patches.size(), 0);
+  walks.is_met.assign(side_count(patches.size()), 0);
   const LampByPower lamps(patches);
-  const auto inside = lamps.empty() ? points_inside(patches, tracer, seed, workers) : std::vector<Vec3>();
+  const auto inside = lamps.empty() ? points_inside(patches, tracer, seed, context) : std::vector<Vec3>();
   if (lamps.empty() && inside.empty()) return walks;
   walks.from = lamps.empty() ? LightWalks::From::inside : LightWalks::From::lamps;
   std::vector<Path> all(paths);
   constexpr std::size_t at_a_time = 4096;
   for (std::size_t begin = 0; begin < paths; begin += at_a_time) {
-    if (tell(monitor, {.stage = "light paths",
-                       .done = static_cast<double>(begin) / static_cast<double>(paths)}) == Next::stop) {
+    if (context.report({.stage = "light paths",
+                        .done = static_cast<double>(begin) / static_cast<double>(paths)}) == Next::stop) {
       all.resize(begin);
       break;
     }
     const auto count = std::min(at_a_time, paths - begin);
-    workers.for_chunks(count, 64, [&](std::size_t first, std::size_t last, int) {
+    context.for_chunks(count, 64, [&](std::size_t first, std::size_t last, int) {
       for (auto i = begin + first; i < begin + last; ++i)
         all[i] = lamps.empty() ? from_inside(tracer, inside, i, seed)
                                : from_lamp(patches, tracer, lamps, i, paths, seed);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/progress.h"
+#include "luxel/core/context.h"
 #include "luxel/session/openings.h"
 
 namespace luxel {
@@ -25,7 +25,7 @@ struct LightWalks {
   float near = 0.0f;              // m, three hundredths of the scene's diagonal
   std::vector<std::size_t>
       got_away;  // [material]: paths from it that got farther than `near` from their start
-  std::vector<std::uint8_t> is_met;  // [side], see side_of(): light of a lamp fell on it
+  std::vector<std::uint8_t> is_met;  // [side], see SideId: light of a lamp fell on it
   std::vector<std::size_t> set_out;  // [material]: paths from it
 };
 
@@ -34,6 +34,6 @@ struct LightWalks {
 // scene's box from which most directions meet a surface; none where there are none. The same answer on any
 // number of threads. paths: about 10 µs each.
 LightWalks walk_light(const PatchSet& patches, const Tracer& tracer, std::size_t paths, std::uint64_t seed,
-                      const Workers& workers, const Monitor& monitor);
+                      const Context& context);
 
 }  // namespace luxel

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "luxel/core/bounds.h"
+#include "luxel/core/none.h"
 
 namespace luxel {
 namespace {
@@ -29,7 +30,7 @@ PatchSet make_lids(const ScannedMesh& mesh) {
 }
 
 struct Crossing {
-  std::uint32_t loop = Opening::no_loop;
+  std::uint32_t loop = none;
   int direction = 0;
   Vec3 at{0.0f};
 };
@@ -71,16 +72,16 @@ Crossing through_box(const Bounds& box, const Ray& ray) {
 }  // namespace
 
 std::vector<Opening> find_openings(const ScannedMesh& mesh, const std::vector<LostRay>& lost,
-                                   const Workers& workers) {
+                                   const Context& context) {
   const auto lids = make_lids(mesh);
   std::optional<Tracer> tracer;
-  if (lids.size() > 0) tracer.emplace(lids, workers);
+  if (lids.size() > 0) tracer.emplace(lids, context);
 
   std::vector<Crossing> crossings(lost.size());
-  workers.for_chunks(lost.size(), 256, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(lost.size(), 256, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
       if (tracer) crossings[i] = last_lid(lids, *tracer, lost[i].ray);
-      if (crossings[i].loop == Opening::no_loop) crossings[i] = through_box(mesh.box, lost[i].ray);
+      if (crossings[i].loop == none) crossings[i] = through_box(mesh.box, lost[i].ray);
     }
   });
 

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
+#include "luxel/core/none.h"
 #include "luxel/session/scanned_mesh.h"
 #include "luxel/trace/tracer.h"
 
@@ -18,11 +19,10 @@ struct LostRay {
 
 // Where light leaves: through a loop of open edges, or past all surfaces in one of six directions.
 struct Opening {
-  static constexpr std::uint32_t no_loop = 0xffffffffu;
-  std::uint32_t loop = no_loop;  // index into ScannedMesh::loops
-  int direction = 0;             // without a loop: 0 to 5 for -x +x -y +y -z +z
-  Vec3 at{0.0f};        // m; the mean of where the rays cross it, or where they leave the scene's box
-  double weight = 0.0;  // of all that is lost there
+  std::uint32_t loop = none;  // index into ScannedMesh::loops
+  int direction = 0;          // without a loop: 0 to 5 for -x +x -y +y -z +z
+  Vec3 at{0.0f};              // m; the mean of where the rays cross it, or where they leave the scene's box
+  double weight = 0.0;        // of all that is lost there
   std::size_t rays = 0;
 };
 
@@ -31,6 +31,6 @@ struct Opening {
 // the loop of a sheet's own outline but where the sheet is not, for there it would have met the sheet.) A few
 // milliseconds a thousand rays.
 std::vector<Opening> find_openings(const ScannedMesh& mesh, const std::vector<LostRay>& lost,
-                                   const Workers& workers);
+                                   const Context& context);
 
 }  // namespace luxel

@@ -6,13 +6,13 @@
 namespace luxel {
 namespace {
 
-bool lies_on(const LiveLight* light, const LiveMesh& mesh) {
+bool lies_on(const SessionLight* light, const SessionMesh& mesh) {
   return light != nullptr && light->smooth && light->mesh.geometry == mesh.geometry;
 }
 
 }  // namespace
 
-std::optional<Probe> probe(const LiveMesh& mesh, const LiveLight* light, const Ray& ray) {
+std::optional<Probe> probe(const SessionMesh& mesh, const SessionLight* light, const Ray& ray) {
   if (!mesh.tracer) return {};
   const auto hit = mesh.tracer->nearest(ray);
   if (!hit) return {};
@@ -46,7 +46,8 @@ std::optional<Probe> probe(const LiveMesh& mesh, const LiveLight* light, const R
   return found;
 }
 
-std::vector<ProfilePoint> profile(const LiveMesh& mesh, const LiveLight* light, std::span<const Ray> rays) {
+std::vector<ProfilePoint> profile(const SessionMesh& mesh, const SessionLight* light,
+                                  std::span<const Ray> rays) {
   std::vector<ProfilePoint> points(rays.size());
   if (!mesh.tracer) return points;
   std::optional<Vec3> last;

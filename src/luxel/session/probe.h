@@ -34,7 +34,7 @@ struct Probe {
 
 // The nearest surface along the ray (counted from the patches' origin): nothing where it meets none, or there
 // is no tracer yet. light: null, or of the same geometry as the mesh. Cost: microseconds.
-std::optional<Probe> probe(const LiveMesh& mesh, const LiveLight* light, const Ray& ray);
+std::optional<Probe> probe(const SessionMesh& mesh, const SessionLight* light, const Ray& ray);
 
 struct ProfilePoint {
   double along = 0.0;              // m, from the first point on, in a straight line from each to the next
@@ -47,6 +47,7 @@ struct ProfilePoint {
 
 // Light along a line that was drawn on the screen: what each of the rays meets, in their order. Where a ray
 // meets nothing the way goes on at the next that does.
-std::vector<ProfilePoint> profile(const LiveMesh& mesh, const LiveLight* light, std::span<const Ray> rays);
+std::vector<ProfilePoint> profile(const SessionMesh& mesh, const SessionLight* light,
+                                  std::span<const Ray> rays);
 
 }  // namespace luxel

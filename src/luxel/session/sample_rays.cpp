@@ -7,6 +7,8 @@
 
 #include "luxel/lamps/direct_light.h"
 #include "luxel/lamps/lamps.h"
+#include "luxel/patch/side.h"
+#include "luxel/solution/sample_state.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/trace/gather_rays.h"
 
@@ -17,15 +19,15 @@ constexpr std::uint32_t first_of_none = 32;  // samples per replicate, where the
 
 // A side, and where it stands among those that gather.
 struct Place {
-  std::size_t side = 0;
+  SideId side;
   std::uint32_t position = 0;           // in the patch tree's order
   std::optional<std::size_t> receiver;  // in the samples
 };
 
-std::optional<Place> place_of(const LiveLight& light, std::uint32_t patch, bool back) {
+std::optional<Place> place_of(const SessionLight& light, std::uint32_t patch, bool back) {
   const auto& mesh = light.mesh;
   if (!mesh.tracer || !mesh.tree || (back && !mesh.patches->material_of(patch).two_sided)) return {};
-  Place place{.side = side_of(patch, back), .position = 0, .receiver = {}};
+  Place place{.side = SideId(patch, back), .position = 0, .receiver = {}};
   const auto& order = mesh.tree->order;
   place.position =
       mesh.tree
@@ -38,7 +40,7 @@ std::optional<Place> place_of(const LiveLight& light, std::uint32_t patch, bool 
 }
 
 // Rounds of gather rays that the side had a part in: their level, and rays per replicate.
-std::vector<std::array<std::uint32_t, 2>> rounds_of(const LiveLight& light, const Place& place) {
+std::vector<std::array<std::uint32_t, 2>> rounds_of(const SessionLight& light, const Place& place) {
   if (!light.samples || light.samples->rounds.empty()) return {{0, first_of_none}};
   // The first round was everybody's; then sides that no light reaches were left out.
   if (!place.receiver) return {{0, light.samples->rounds[0].per_replicate}};
@@ -52,11 +54,12 @@ std::vector<std::array<std::uint32_t, 2>> rounds_of(const LiveLight& light, cons
 
 }  // namespace
 
-std::vector<GatherRay> gather_rays(const LiveLight& light, std::uint32_t patch, bool back, std::size_t most) {
+std::vector<GatherRay> gather_rays(const SessionLight& light, std::uint32_t patch, bool back,
+                                   std::size_t most) {
   const auto place = place_of(light, patch, back);
   if (!place) return {};
   const auto& patches = *light.mesh.patches;
-  const GatherSides alone{.side = {static_cast<std::uint32_t>(place->side)},
+  const GatherSides alone{.side = {place->side},
                           .position = {place->position},
                           .receiver_of_side = {},
                           .fronts = back ? std::size_t{0} : std::size_t{1}};
@@ -78,7 +81,8 @@ std::vector<GatherRay> gather_rays(const LiveLight& light, std::uint32_t patch, 
   return found;
 }
 
-std::vector<DirectRay> direct_rays(const LiveLight& light, std::uint32_t patch, bool back, std::size_t most) {
+std::vector<DirectRay> direct_rays(const SessionLight& light, std::uint32_t patch, bool back,
+                                   std::size_t most) {
   const auto place = place_of(light, patch, back);
   if (!place) return {};
   const auto& patches = *light.mesh.patches;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/session/live_state.h"
+#include "luxel/session/session_snapshot.h"
 
 namespace luxel {
 
@@ -15,23 +15,23 @@ namespace luxel {
 // the scene's lamps anew, milliseconds where there are thousands. Empty where there is no tracer yet, or the
 // side gathers no light.
 
-// A cosine ray that asks what other surfaces send.
+// A cosine ray that gathers the radiosity of other surfaces.
 struct GatherRay {
   Vec3 from{0.0f};       // m, on the side
   Vec3 direction{0.0f};  // unit
   Hit hit;               // nothing: it leaves the scene
   std::uint32_t replicate = 0;
 };
-std::vector<GatherRay> gather_rays(const LiveLight& light, std::uint32_t patch, bool back,
+std::vector<GatherRay> gather_rays(const SessionLight& light, std::uint32_t patch, bool back,
                                    std::size_t most = 256);
 
-// A ray that asks whether a point of a lamp is seen.
+// A ray that tests whether a point of a lamp is visible.
 struct DirectRay {
   Vec3 from{0.0f}, to{0.0f};  // m, on the side and on the lamp
   bool seen = false;
   std::uint32_t replicate = 0;
 };
-std::vector<DirectRay> direct_rays(const LiveLight& light, std::uint32_t patch, bool back,
+std::vector<DirectRay> direct_rays(const SessionLight& light, std::uint32_t patch, bool back,
                                    std::size_t most = 256);
 
 }  // namespace luxel

@@ -18,12 +18,12 @@ double ScannedMesh::area(std::size_t triangle) const {
   return triangle_area(p[0], p[1], p[2]);
 }
 
-ScannedMesh scan_mesh(const Scene& scene, const Monitor& monitor, bool& is_whole) {
+ScannedMesh scan_mesh(const Scene& scene, const Context& context, bool& is_whole) {
   ScannedMesh mesh;
   mesh.scene = &scene;
   is_whole = false;
   const auto stops = [&](double done) {
-    return tell(monitor, {.stage = "mesh", .done = done}) == Next::stop;
+    return context.report({.stage = "mesh", .done = done}) == Next::stop;
   };
   if (stops(0.0)) return mesh;
   VertexWeld weld;

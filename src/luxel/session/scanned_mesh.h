@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/progress.h"
+#include "luxel/core/context.h"
 #include "luxel/scene/boundary_loops.h"
 #include "luxel/scene/components.h"
 #include "luxel/scene/scene.h"
@@ -35,7 +35,7 @@ struct ScannedMesh {
 
 // n log n in all, about 3 s per million triangles. Stopped by the monitor, it returns what there is, with
 // is_whole false.
-ScannedMesh scan_mesh(const Scene& scene, const Monitor& monitor, bool& is_whole);
+ScannedMesh scan_mesh(const Scene& scene, const Context& context, bool& is_whole);
 
 // A place that may be told: the larger `weight`, the sooner.
 struct Candidate {

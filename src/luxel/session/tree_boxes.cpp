@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/session/tree_boxes.h"
 
+#include "luxel/patch/patch_tree.h"
+
 namespace luxel {
 
 std::vector<std::vector<Bounds>> tree_boxes(const PatchSet& patches, const PatchTree& tree) {

@@ -6,14 +6,15 @@
 
 #include "luxel/core/address.h"
 #include "luxel/core/bounds.h"
+#include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 #include "luxel/session/lamp_by_power.h"
 #include "luxel/session/walk.h"
-#include "luxel/trace/patch_emitter.h"
+#include "luxel/trace/start_sides.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t first_step = 0x0c4ed000;  // of the random numbers: no solver counts that far
 constexpr std::uint32_t stops = 4;
 constexpr float small_fraction =
     0.02f;  // of the scene's diagonal: light does not end within so short an edge
@@ -24,7 +25,7 @@ enum class End { in_the_dark, near_light, in_light };
 
 // The sides a walk came by.
 struct Trail {
-  std::array<std::size_t, stops + 1> side{};
+  std::array<SideId, stops + 1> side{};
   std::uint32_t length = 0;
   std::uint32_t rays = 0;
 };
@@ -49,14 +50,14 @@ class Looker {
   // How a walk from a patch ends: from its front those of even numbers, from its back the others.
   End walk(std::uint32_t patch, std::uint32_t number, Trail& trail) const {
     const bool back = number % 2 == 1;
-    trail.side[trail.length++] = side_of(patch, back);
-    const auto u = uniform4({options_.seed, first_step + number, patch, 0});
+    trail.side[trail.length++] = SideId(patch, back);
+    const auto u = uniform4({options_.seed, step_of(RandomPurpose::unlit_walks, number), patch, 0});
     auto from = patch;
     auto from_back = back;
     auto weights = uniform_triangle(u[0], u[1]);
     for (std::uint32_t stop = 0; stop < stops; ++stop) {
-      const auto v = uniform4({options_.seed, first_step + number, patch, 1 + stop});
-      const auto ray = bounce(patches_, from, from_back, weights, v[0], v[1]);
+      const auto v = uniform4({options_.seed, step_of(RandomPurpose::unlit_walks, number), patch, 1 + stop});
+      const auto ray = ray_from_side(patches_, SideId(from, from_back), weights, v[0], v[1]);
       if (!lamps_.empty() && sees_lamp(ray.origin, from, from_back, v, trail.rays)) return End::in_light;
       ++trail.rays;
       const auto hit = tracer_.nearest(ray);
@@ -64,9 +65,9 @@ class Looker {
       if (!hit.back && patches_.material_of(hit.patch).is_lamp()) return End::in_light;
       if (!reflects(patches_, hit)) return End::in_the_dark;
       from = hit.patch;
-      const auto side = side_of(hit.patch, hit.back);
+      const auto side = hit.side();
       trail.side[trail.length++] = side;
-      if (is_lit_[side] != 0 && is_small_[hit.patch] != 0) return End::near_light;
+      if (is_lit_[side.index()] != 0 && is_small_[hit.patch] != 0) return End::near_light;
       from_back = hit.back;
       weights = {hit.u, hit.v};
     }
@@ -104,17 +105,18 @@ class Looker {
 }  // namespace
 
 Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptions& options,
-                 const Workers& workers, const Monitor& monitor) {
+                 const Context& context) {
   constexpr std::size_t grain = 1024;
-  std::vector<std::uint8_t> is_lit(2 * patches.size(), 0);
+  std::vector<std::uint8_t> is_lit(side_count(patches.size()), 0);
   if (!options.is_known_lit.empty()) is_lit.assign(options.is_known_lit.begin(), options.is_known_lit.end());
   for (std::size_t p = 0; p < patches.size(); ++p)
-    if (patches.material_of(p).is_lamp()) is_lit[side_of(p, false)] = 1;
+    if (patches.material_of(p).is_lamp()) is_lit[SideId(p, false).index()] = 1;
   const Looker looker(patches, tracer, options, is_lit);
 
   Unlit result;
   for (std::uint32_t p = 0; p < patches.size(); ++p)
-    if (is_lit[side_of(p, false)] == 0 && is_lit[side_of(p, true)] == 0) result.patches.push_back(p);
+    if (is_lit[SideId(p, false).index()] == 0 && is_lit[SideId(p, true).index()] == 0)
+      result.patches.push_back(p);
   // Rounds of ever more looks at the ever fewer that are left: 1, 2, ... 32 in all.
   for (const std::uint32_t upto : {1u, 2u, 3u, 5u, 9u, 17u, 32u}) {
     auto& left = result.patches;
@@ -123,21 +125,21 @@ Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptio
     if (begin >= 3 && static_cast<double>(result.rays) + expected > static_cast<double>(options.max_rays))
       break;
     // In parts, so that somebody can be told. What was found lit is marked when all are done.
-    std::vector<std::size_t> sides;
+    std::vector<SideId> sides;
     std::vector<std::uint8_t> is_done(left.size(), 0);
     const auto part = std::max<std::size_t>(grain, left.size() / 16 / grain * grain);
     for (std::size_t first = 0; first < left.size(); first += part) {
       const auto fraction = static_cast<double>(first) / static_cast<double>(left.size());
-      if (tell(monitor, {.stage = "dark places",
-                         .done = (begin + (upto - begin) * fraction) / 32.0,
-                         .rays = result.rays}) == Next::stop) {
+      if (context.report({.stage = "dark places",
+                          .done = (begin + (upto - begin) * fraction) / 32.0,
+                          .rays = result.rays}) == Next::stop) {
         result.is_whole = false;
         return result;
       }
       const auto count = std::min(part, left.size() - first);
-      std::vector<std::vector<std::size_t>> lit((count + grain - 1) / grain);
+      std::vector<std::vector<SideId>> lit((count + grain - 1) / grain);
       std::vector<std::uint64_t> rays(lit.size(), 0);
-      workers.for_chunks(count, grain, [&](std::size_t from, std::size_t to, int) {
+      context.for_chunks(count, grain, [&](std::size_t from, std::size_t to, int) {
         const auto chunk = from / grain;
         for (auto i = first + from; i < first + to; ++i)
           for (auto walk = 2 * begin; walk < 2 * upto && is_done[i] == 0; ++walk) {
@@ -152,10 +154,11 @@ Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptio
       for (const auto& some : lit) sides.insert(sides.end(), some.begin(), some.end());
       for (const auto r : rays) result.rays += r;
     }
-    for (const auto side : sides) is_lit[side] = 1;
+    for (const auto side : sides) is_lit[side.index()] = 1;
     std::vector<std::uint32_t> dark;
     for (std::size_t i = 0; i < left.size(); ++i)
-      if (is_done[i] == 0 && is_lit[side_of(left[i], false)] == 0 && is_lit[side_of(left[i], true)] == 0)
+      if (is_done[i] == 0 && is_lit[SideId(left[i], false).index()] == 0 &&
+          is_lit[SideId(left[i], true).index()] == 0)
         dark.push_back(left[i]);
     left = std::move(dark);
     result.walks = upto;

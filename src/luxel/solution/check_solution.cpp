@@ -108,10 +108,10 @@ std::string fault_in_errors(const Solution& solution, std::size_t length) {
   const auto both_or_none = [length](const std::vector<float>& front, const std::vector<float>& back) {
     return front.empty() && back.empty() ? 0 : length;
   };
-  const auto errors = both_or_none(solution.standard_error_front, solution.standard_error_back);
-  const auto biases = both_or_none(solution.smoothing_bias_front, solution.smoothing_bias_back);
+  const auto errors = both_or_none(solution.standard_error.front, solution.standard_error.back);
+  const auto biases = both_or_none(solution.smoothing_bias.front, solution.smoothing_bias.back);
   for (const auto& [name, values] : error_arrays(solution)) {
-    const bool is_bias = values == &solution.smoothing_bias_front || values == &solution.smoothing_bias_back;
+    const bool is_bias = values == &solution.smoothing_bias.front || values == &solution.smoothing_bias.back;
     const auto expected = is_bias ? biases : errors;
     if (values->size() != expected)
       return fmt::format("'{}' holds {} numbers, expected {}", name, values->size(), expected);

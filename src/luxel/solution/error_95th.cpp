@@ -21,9 +21,9 @@ double squared_sum(const float* numbers, std::size_t count) {
 
 double error_95th_of(const Solution& solution) {
   const auto bands = solution.bands.size();
-  const auto& front = solution.irradiance_front;
-  const auto& back = solution.irradiance_back;
-  if (solution.standard_error_front.empty() || front.empty()) return 0.0;
+  const auto& front = solution.irradiance.front;
+  const auto& back = solution.irradiance.back;
+  if (solution.standard_error.front.empty() || front.empty()) return 0.0;
   double light = 0.0;
   for (const auto* of : {&front, &back})
     for (std::size_t i = 0; i < of->size(); i += bands)
@@ -40,8 +40,8 @@ double error_95th_of(const Solution& solution) {
           static_cast<float>(std::sqrt(squared_sum(standard_error.data() + i, bands) / squared_light)));
     }
   };
-  add(front, solution.standard_error_front);
-  add(back, solution.standard_error_back);
+  add(front, solution.standard_error.front);
+  add(back, solution.standard_error.back);
   if (relative.empty()) return 0.0;
   const auto at =
       relative.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(relative.size() - 1));

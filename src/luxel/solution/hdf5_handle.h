@@ -27,7 +27,7 @@ class Hdf5Handle {
 
   bool is_open() const { return id_ >= 0; }
   Hdf5Id id() const { return id_; }
-  // False where the library says that it failed.
+  // Returns false where the library reports a failure.
   bool close() {
     const auto id = std::exchange(id_, -1);
     return id < 0 || closer_(id) >= 0;
@@ -43,7 +43,7 @@ class Hdf5Handle {
   Closer closer_ = nullptr;
 };
 
-// While it lives, the library does not print its errors; then its habit is as before. Of this thread.
+// Suppresses the library's own error output in this thread during its lifetime; the destructor restores it.
 class Hdf5Silence {
  public:
   Hdf5Silence();

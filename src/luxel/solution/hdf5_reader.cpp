@@ -17,8 +17,8 @@ namespace luxel {
 namespace fs = std::filesystem;
 namespace {
 
-// Deflate packs 1,032 bytes into one at best (zlib, "Maximum Compression Factor"), so a dataset cannot be
-// larger than so many times its place in the file.
+// Deflate packs 1,032 bytes into one at best (zlib, "Maximum Compression Factor"), which bounds the size of a
+// dataset by its storage in the file.
 constexpr std::size_t max_bytes_per_stored_byte = 1040;
 constexpr double max_chunk = 64 << 20;     // bytes; ours are far smaller
 constexpr std::size_t longest_word = 256;  // bytes
@@ -161,7 +161,7 @@ void Hdf5Reader::check_shape(const Hdf5Handle& dataset, const std::string& name,
                                   fmt::join(found, ", "), fmt::join(expected, ", ")));
 }
 
-// Before memory is asked for: could the file hold that much at all, and does it hold it itself?
+// Checked before memory is allocated: whether the file can hold this much, and holds it itself.
 void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& name, std::size_t rows,
                                std::size_t row_size) const {
   const Hdf5Handle creation(H5Dget_create_plist(dataset.id()), H5Pclose);

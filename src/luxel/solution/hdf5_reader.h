@@ -14,16 +14,16 @@
 
 namespace luxel {
 
-// Reads an HDF5 file of which nothing is taken for granted: types, shapes and the room that a claimed shape
-// takes in the file are checked before memory is asked for. Names are paths from the root. What is not as
-// asked is a FormatError naming the file and the object; what the file holds beyond that is not looked at.
+// Reads an untrusted HDF5 file: types, shapes and the storage that a declared shape takes in the file are
+// checked before memory is allocated. Names are paths from the root. Throws FormatError, naming the file and
+// the object, where an object differs from the expected one; other content of the file is ignored.
 class Hdf5Reader {
  public:
   // Throws InputError where there is no such file, FormatError where it is not HDF5 or is cut short.
   explicit Hdf5Reader(std::filesystem::path path);
 
-  // Datasets and attributes that have other names in this file: pairs of the name asked for and the file's,
-  // both without the path. Holds for all calls after it. Keeps the span.
+  // Renames datasets and attributes: pairs of the expected name and the name in this file, both without the
+  // path. Applies to all later calls. Keeps the span.
   using Renamed = std::span<const std::pair<std::string_view, std::string_view>>;
   void use_names(Renamed renamed) { renamed_ = renamed; }
 

@@ -62,9 +62,9 @@ void set_storage(Hdf5Id list, std::size_t rows, std::size_t columns, std::size_t
   require(is_set && H5Pset_fletcher32(list) >= 0, "an array in chunks");
 }
 
-// The file in memory is kept when the library closes it, not copied before (H5Fget_file_image): while it is
+// The file in memory is taken when the library closes it, not copied before (H5Fget_file_image): while it is
 // open its first block is marked as open, and the library's copy lacks that mark but has the checksum of the
-// block with it, so nobody could open it (HDF5 1.10.8).
+// block with it, so that it cannot be opened (HDF5 1.10.8).
 herr_t keep_image(void* bytes, H5FD_file_image_op_t operation, void* keeper) {
   if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
     static_cast<Hdf5Image*>(keeper)->reset(bytes);

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/student.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/error_95th.h"
 #include "luxel/solution/solution_layout.h"
 
@@ -33,12 +35,13 @@ void check(const std::vector<NamedSolution>& all) {
   for (const auto& each : all) {
     const auto& [patches, solution] = each.baked;
     const auto refuse = [&](const std::string& what) { throw InputError(each.name, what); };
-    if (solution.provenance.method != "sampled" || solution.standard_error_front.empty() ||
+    if (solution.provenance.method != "sampled" || solution.standard_error.front.empty() ||
         !(solution.error_degrees_of_freedom > 0.0))
-      refuse(
-          "it has no standard errors from independent replicates, so it cannot be merged: expected a "
-          "solution "
-          "by --method sampled");
+      throw with_hints(
+          InputError(each.name,
+                     "it has no standard errors from independent replicates, so it cannot be merged: "
+                     "expected a solution of the sampled method"),
+          {{Setting::method, "sampled"}});
     if (patches.scene_fingerprint != first.baked.patches.scene_fingerprint ||
         patches.sky != first.baked.patches.sky || !same_materials(patches, first.baked.patches))
       refuse(fmt::format("it is of another scene than {}", first.name));
@@ -63,25 +66,25 @@ void sort_by_seed(std::vector<NamedSolution>& all) {
   });
   for (std::size_t i = 1; i < seeds.size(); ++i)
     if (seeds[i].first == seeds[i - 1].first)
-      throw InputError(
-          *seeds[i].second,
-          fmt::format("it is made with seed {}, as is {}: they are not independent, give each bake "
-                      "a --seed of its own",
-                      seeds[i].first, *seeds[i - 1].second));
+      throw with_hints(InputError(*seeds[i].second,
+                                  fmt::format("it is made with seed {}, as is {}: they are not independent, "
+                                              "give each run a seed of its own",
+                                              seeds[i].first, *seeds[i - 1].second)),
+                       {{Setting::seed}});
 }
 
-// What of each run goes into the mean.
+// The data of each run that enters the mean.
 struct Fraction {
   const Solution* solution;
   double weight;
   double widening;
 };
 
-std::vector<float> mean(const std::vector<Fraction>& fractions, const std::vector<float> Solution::*array) {
-  std::vector<float> result((fractions.front().solution->*array).size());
+std::vector<float> mean(const std::vector<Fraction>& fractions, SideValues Solution::*values, bool back) {
+  std::vector<float> result((fractions.front().solution->*values).of(back).size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     double sum = 0.0;
-    for (const auto& s : fractions) sum += s.weight * static_cast<double>((s.solution->*array)[i]);
+    for (const auto& s : fractions) sum += s.weight * static_cast<double>((s.solution->*values).of(back)[i]);
     result[i] = static_cast<float>(sum);
   }
   return result;
@@ -92,18 +95,18 @@ struct Errors {
 };
 
 // Variances add up with the squares of weights, biases with weights.
-Errors errors(const std::vector<Fraction>& fractions, const std::vector<float> Solution::*standard_error,
-              const std::vector<float> Solution::*bias, double widening) {
-  const auto count = (fractions.front().solution->*standard_error).size();
-  const bool any_bias = std::any_of(fractions.begin(), fractions.end(),
-                                    [&](const Fraction& s) { return !(s.solution->*bias).empty(); });
+Errors errors(const std::vector<Fraction>& fractions, bool back, double widening) {
+  const auto count = fractions.front().solution->standard_error.of(back).size();
+  const bool any_bias = std::any_of(fractions.begin(), fractions.end(), [&](const Fraction& s) {
+    return !s.solution->smoothing_bias.of(back).empty();
+  });
   Errors result{std::vector<float>(count), std::vector<float>(any_bias ? count : 0)};
   for (std::size_t i = 0; i < count; ++i) {
     double variance = 0.0;
     double all_bias = 0.0;
     for (const auto& s : fractions) {
-      const auto narrow = static_cast<double>((s.solution->*standard_error)[i]) / s.widening;
-      const auto& biases = s.solution->*bias;
+      const auto narrow = static_cast<double>(s.solution->standard_error.of(back)[i]) / s.widening;
+      const auto& biases = s.solution->smoothing_bias.of(back);
       const auto own = biases.empty() ? 0.0 : static_cast<double>(biases[i]);
       variance += s.weight * s.weight * std::max(0.0, narrow * narrow - own * own);
       all_bias += s.weight * own;
@@ -114,7 +117,7 @@ Errors errors(const std::vector<Fraction>& fractions, const std::vector<float> S
   return result;
 }
 
-// What all runs say alike stays; what differs is of no run in particular.
+// Preserves the options that all runs have in common and drops the others; sums rays and joins command lines.
 Provenance provenance_of(const std::vector<NamedSolution>& all) {
   auto result = all.front().baked.solution.provenance;
   result.merged.clear();
@@ -161,18 +164,15 @@ Baked merge_solutions(std::vector<NamedSolution> all) {
     merged.mesh_error = std::max(merged.mesh_error, s.mesh_error);
   }
   merged.bands = all.front().baked.solution.bands;
-  merged.irradiance_front = mean(fractions, &Solution::irradiance_front);
-  merged.irradiance_back = mean(fractions, &Solution::irradiance_back);
-  merged.radiosity_front = mean(fractions, &Solution::radiosity_front);
-  merged.radiosity_back = mean(fractions, &Solution::radiosity_back);
   merged.error_degrees_of_freedom = 1.0 / inverse_degrees_of_freedom;
   const auto widening = student_widening(merged.error_degrees_of_freedom);
-  auto front = errors(fractions, &Solution::standard_error_front, &Solution::smoothing_bias_front, widening);
-  auto back = errors(fractions, &Solution::standard_error_back, &Solution::smoothing_bias_back, widening);
-  merged.standard_error_front = std::move(front.standard_error);
-  merged.standard_error_back = std::move(back.standard_error);
-  merged.smoothing_bias_front = std::move(front.bias);
-  merged.smoothing_bias_back = std::move(back.bias);
+  for (const bool back : {false, true}) {
+    merged.irradiance.of(back) = mean(fractions, &Solution::irradiance, back);
+    merged.radiosity.of(back) = mean(fractions, &Solution::radiosity, back);
+    auto found = errors(fractions, back, widening);
+    merged.standard_error.of(back) = std::move(found.standard_error);
+    merged.smoothing_bias.of(back) = std::move(found.bias);
+  }
   merged.predicted_bias = bias;
   merged.predicted_error = std::sqrt(std::max(0.0, variance) + bias * bias);
   merged.error_95th = error_95th_of(merged);

@@ -19,8 +19,8 @@ namespace luxel {
 void add_places(Hdf5Writer& file, const std::string& name, std::span<const Vec3> places, const Vec3d& origin);
 void add_origin(Hdf5Writer& file, const std::string& name, const Vec3d& origin);
 
-// What was added; places to the bit where the origin is 0, else to the rounding of the doubles, 1e-16 of the
-// coordinates.
+// Returns the coordinates with the origin added; exact to the bit where the origin is 0, else to the rounding
+// of the doubles, 1e-16 of the coordinates.
 std::vector<Vec3> read_places(const Hdf5Reader& file, const std::string& name, std::size_t rows,
                               const Vec3d& origin);
 Vec3d read_origin(const Hdf5Reader& file, const std::string& name);

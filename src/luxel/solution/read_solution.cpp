@@ -43,7 +43,7 @@ std::vector<std::array<std::uint32_t, 3>> read_corners(const Hdf5Reader& file, s
   std::vector<std::array<std::uint32_t, 3>> corners(n);
   for (std::size_t i = 0; i < connectivity.size(); ++i) {
     const auto index = connectivity[i];
-    // Whether the vertex exists is asked later; here the number must survive being made smaller.
+    // Whether the vertex exists is checked later; here the number must survive narrowing.
     if (index < 0 || index > std::numeric_limits<std::uint32_t>::max())
       file.refuse_as_damaged(fmt::format("patch {} names vertex {}", i / 3, index));
     corners[i / 3][i % 3] = static_cast<std::uint32_t>(index);
@@ -110,7 +110,7 @@ StopReason read_stop_reason(const Hdf5Reader& file) {
   file.refuse_as_damaged(fmt::format("the stop reason '{}' is not known", found));
 }
 
-// Of a spectrum; plain colour has none, and files from before there were spectra have none.
+// For spectra; plain colour has none, and files from before there were spectra have none.
 std::vector<Waveband> read_wavebands(const Hdf5Reader& file, std::size_t bands) {
   if (!file.has("Luxel/wavelengths")) return {};
   const auto wavelengths = file.array<double>("Luxel/wavelengths", bands);
@@ -125,8 +125,8 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   solution.bands = bands;
   for (const auto& [name, values] : light_arrays(solution))
     *values = file.array<float>(name, n, light_columns(bands.size()));
-  // Parts that came later, and that not every method gives. Of a pair, one alone is a fault that the check
-  // finds.
+  // Parts that were added later, and that not every method gives. Where only one of a pair is present the
+  // check reports an error.
   for (const auto& [name, values] : error_arrays(solution))
     if (file.has(name)) *values = file.array<float>(name, n, light_columns(bands.size()));
   const auto later = [&](const char* name, double& value) {

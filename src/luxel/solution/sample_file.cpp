@@ -48,7 +48,7 @@ HitRound read_round(const Hdf5Reader& file, const std::string& name, std::uint32
   if (!std::has_single_bit(round.per_replicate) || round.per_replicate > 1u << 30)
     file.refuse_as_damaged(fmt::format("'{}' has {} rays per replicate", name, round.per_replicate));
   if (!file.has(name + "/hit")) return round;
-  // The shape is checked against the size of the file before memory is asked for.
+  // The shape is checked against the size of the file before memory is allocated.
   const auto hits = std::make_shared<std::vector<std::uint32_t>>(
       file.array<std::uint32_t>(name + "/hit", replicates, round.hits_per_replicate()));
   round.hits = {hits, hits->data()};
@@ -65,7 +65,8 @@ void add_samples(Hdf5Writer& file, const SampleState& state) {
   file.add_number(group, "rays", state.rays);
   file.add_number(group, "first_rays", state.first_rays);
   file.add_number(group, "rounds", static_cast<std::uint32_t>(state.rounds.size()));
-  file.add_array(group + "/side", flat(state.sides));
+  const auto sides = indices_of(state.sides);
+  file.add_array(group + "/side", flat(sides));
   file.add_array(group + "/direct_samples", flat(state.direct_samples));
   file.add_array(group + "/direct_doublings", flat(state.direct_doublings));
   add_light(file, group + "/direct", state.direct);
@@ -94,7 +95,7 @@ SampleState read_samples(const Hdf5Reader& file, const PatchSet& patches) {
   state.first_rays = file.number<std::uint64_t>(group, "first_rays");
   const auto receivers = file.rows(group + "/side");
   const auto width = receivers * patches.group_count() * patches.band_count();
-  state.sides = file.array<std::uint32_t>(group + "/side", receivers);
+  state.sides = sides_at(file.array<std::uint32_t>(group + "/side", receivers));
   state.direct_samples = file.array<std::uint32_t>(group + "/direct_samples", receivers);
   state.direct_doublings = file.array<std::uint32_t>(group + "/direct_doublings", receivers);
   state.direct = read_light(file, group + "/direct", state.replicates, width);

@@ -9,8 +9,8 @@
 namespace luxel {
 
 // The group Luxel/samples of a solution file; see docs/solution-file.md. Not compressed: a checkpoint is
-// written often. Reading throws FormatError where the arrays do not fit together; what the numbers say is
-// checked by who takes them up.
+// written often. Reading throws FormatError where the arrays do not fit together; values are checked when a
+// solve resumes from them.
 void add_samples(Hdf5Writer& file, const SampleState& state);
 SampleState read_samples(const Hdf5Reader& file, const PatchSet& patches);
 

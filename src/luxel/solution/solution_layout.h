@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// What writing and reading a solution file must agree on; docs/solution-file.md is the whole layout.
+// Definitions common to writing and reading a solution file; docs/solution-file.md has the whole layout.
 
 inline constexpr std::uint32_t solution_format_version = 2;
 
@@ -34,19 +34,19 @@ inline std::size_t light_columns(std::size_t band_count) { return band_count == 
 // The light's arrays with their names in the file, of a Solution that is const or not.
 template <typename SolutionType>
 auto light_arrays(SolutionType& solution) {
-  return std::array{std::pair("VTKHDF/CellData/radiosity_front", &solution.radiosity_front),
-                    std::pair("VTKHDF/CellData/radiosity_back", &solution.radiosity_back),
-                    std::pair("VTKHDF/CellData/irradiance_front", &solution.irradiance_front),
-                    std::pair("VTKHDF/CellData/irradiance_back", &solution.irradiance_back)};
+  return std::array{std::pair("VTKHDF/CellData/radiosity_front", &solution.radiosity.front),
+                    std::pair("VTKHDF/CellData/radiosity_back", &solution.radiosity.back),
+                    std::pair("VTKHDF/CellData/irradiance_front", &solution.irradiance.front),
+                    std::pair("VTKHDF/CellData/irradiance_back", &solution.irradiance.back)};
 }
 
-// Likewise, of the arrays that only some methods give: in the file where they are not empty.
+// The same for arrays that only some methods give: in the file where they are not empty.
 template <typename SolutionType>
 auto error_arrays(SolutionType& solution) {
-  return std::array{std::pair("VTKHDF/CellData/standard_error_front", &solution.standard_error_front),
-                    std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error_back),
-                    std::pair("VTKHDF/CellData/smoothing_bias_front", &solution.smoothing_bias_front),
-                    std::pair("VTKHDF/CellData/smoothing_bias_back", &solution.smoothing_bias_back)};
+  return std::array{std::pair("VTKHDF/CellData/standard_error_front", &solution.standard_error.front),
+                    std::pair("VTKHDF/CellData/standard_error_back", &solution.standard_error.back),
+                    std::pair("VTKHDF/CellData/smoothing_bias_front", &solution.smoothing_bias.front),
+                    std::pair("VTKHDF/CellData/smoothing_bias_back", &solution.smoothing_bias.back)};
 }
 
 }  // namespace luxel

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/none.h"
 #include "luxel/image/raster.h"
 
 namespace luxel {
 namespace {
 
-constexpr auto no_texture = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t max_side = 16384;
 const std::string group = "Luxel/surface";
 const std::string lights = "Luxel/point_lights";
@@ -43,7 +43,7 @@ void add_uses(Hdf5Writer& file, const PatchSet& patches, const UseColumn& column
   for (const auto& material : patches.materials) {
     const auto& use = material.textures.*column.use;
     const auto u = use.value_or(TextureUse{});
-    which.insert(which.end(), {use ? u.texture : no_texture, u.uv_set, static_cast<std::uint32_t>(u.wrap[0]),
+    which.insert(which.end(), {use ? u.texture : none, u.uv_set, static_cast<std::uint32_t>(u.wrap[0]),
                                static_cast<std::uint32_t>(u.wrap[1])});
     placement.insert(placement.end(), u.placement.begin(), u.placement.end());
   }
@@ -58,7 +58,7 @@ void read_uses(const Hdf5Reader& file, PatchSet& patches, const UseColumn& colum
   constexpr auto last_wrap = static_cast<std::uint32_t>(Wrap::clamp);
   for (std::size_t m = 0; m < n; ++m) {
     const auto* w = &which[4 * m];
-    if (w[0] == no_texture) continue;
+    if (w[0] == none) continue;
     if (w[2] > last_wrap || w[3] > last_wrap) file.refuse_as_damaged("a texture is wrapped in no known way");
     TextureUse use{w[0], w[1], {}, {static_cast<Wrap>(w[2]), static_cast<Wrap>(w[3])}};
     std::copy_n(&placement[6 * m], 6, use.placement.begin());

@@ -17,7 +17,7 @@ void read_surface(const Hdf5Reader& file, PatchSet& patches);
 void add_point_lights(Hdf5Writer& file, const PatchSet& patches);
 void read_point_lights(const Hdf5Reader& file, PatchSet& patches);
 
-// What is wrong with them, or nothing.
+// Describes what is wrong with the surfaces; empty if they are valid.
 std::string fault_in_surface(const PatchSet& patches);
 
 }  // namespace luxel

@@ -8,6 +8,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_writer.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/bounces.h"
 
+#include <cassert>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -19,7 +20,7 @@ constexpr std::size_t grain = 16384;  // numbers per chunk
 
 struct Bounces::State {
   const PatchSet& patches;
-  const Workers& workers;
+  const Context& context;
   SampledOptions options;
   std::uint64_t rays;
   Sampling sampling;
@@ -33,17 +34,17 @@ struct Bounces::State {
   double unshot = 0.0;  // W
 
   State(const PatchSet& of_run, const Tracer& tracer, const SampleState& state,
-        const SampledOptions& run_options, const Workers& run_workers)
+        const SampledOptions& run_options, const Context& run_context)
       : patches(of_run),
-        workers(run_workers),
+        context(run_context),
         options(run_options),
         rays(state.rays + state.first_rays),
-        sampling(of_run, tracer, run_options, run_workers) {
+        sampling(of_run, tracer, run_options, run_context) {
     sampling.restore(state);
     transport = sampling.transport();
-    direct = mean_of(sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, workers),
-                     workers);
-    const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, workers);
+    direct = mean_of(sum_of_groups(state.direct, patches.group_count(), patches.band_count(), {}, context),
+                     context);
+    const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, context);
     area.assign(receivers.area().begin(), receivers.area().end());
     reflectance.assign(receivers.reflectance().begin(), receivers.reflectance().end());
     begin();
@@ -61,17 +62,17 @@ struct Bounces::State {
     const auto count = irradiance.size();
     std::vector<float> rows(2 * count);
     const CrossedHalves crossed(*transport, bands);
-    crossed.apply(reflected, rows, 0, crossed.size(), workers);
-    workers.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
+    crossed.apply(reflected, rows, 0, crossed.size(), context);
+    context.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) irradiance[i] = direct[i] + 0.5f * (rows[i] + rows[count + i]);
     });
-    unshot = ordered_sum(workers, count, [&](std::size_t i) {
+    unshot = ordered_sum(context, count, [&](std::size_t i) {
       const auto before =
           0.5 * (static_cast<double>(reflected[i]) + static_cast<double>(reflected[count + i]));
       return static_cast<double>(area[i / bands]) *
              (static_cast<double>(reflectance[i] * irradiance[i]) - before);
     });
-    workers.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i)
         for (const auto row : {i, count + i}) reflected[row] = reflectance[i] * (direct[i] + rows[row]);
     });
@@ -82,16 +83,16 @@ struct Bounces::State {
     const auto bands = patches.band_count();
     Solution s;
     s.bands = patches.bands;
-    for (auto* array : {&s.irradiance_front, &s.irradiance_back, &s.radiosity_front, &s.radiosity_back})
+    for (auto* array : {&s.irradiance.front, &s.irradiance.back, &s.radiosity.front, &s.radiosity.back})
       array->assign(patches.size() * bands, 0.0f);
-    for (std::size_t i = 0; i < s.radiosity_front.size(); ++i)
-      s.radiosity_front[i] = patches.emittance(i / bands, i % bands);
+    for (std::size_t i = 0; i < s.radiosity.front.size(); ++i)
+      s.radiosity.front[i] = patches.emittance(i / bands, i % bands);
     const auto& sides = sampling.hits().sides();
     for (std::size_t i = 0; i < irradiance.size(); ++i) {
       const auto side = sides.side[i / bands];
-      const auto at = side / 2 * bands + i % bands;
-      (side % 2 == 1 ? s.irradiance_back : s.irradiance_front)[at] = irradiance[i];
-      (side % 2 == 1 ? s.radiosity_back : s.radiosity_front)[at] += reflectance[i] * irradiance[i];
+      const auto at = side.patch() * bands + i % bands;
+      s.irradiance.of(side)[at] = irradiance[i];
+      s.radiosity.of(side)[at] += reflectance[i] * irradiance[i];
     }
     const auto emitted = emitted_power(patches);
     const auto power = std::accumulate(emitted.begin(), emitted.end(), 0.0);
@@ -106,12 +107,13 @@ struct Bounces::State {
 };
 
 Bounces::Bounces(const PatchSet& patches, const Tracer& tracer, const SampleState& state,
-                 const SampledOptions& options, const Workers& workers)
-    : state_(std::make_unique<State>(patches, tracer, state, options, workers)) {}
+                 const SampledOptions& options, const Context& context)
+    : state_(std::make_unique<State>(patches, tracer, state, options, context)) {}
 
 Bounces::~Bounces() = default;
 
 Solution Bounces::light(int bounces) {
+  assert(bounces >= 0);
   auto& s = *state_;
   if (bounces < s.bounces) s.begin();
   while (s.bounces < bounces) s.bounce();

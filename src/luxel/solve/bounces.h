@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution.h"
@@ -22,17 +22,17 @@ namespace luxel {
 // once.
 class Bounces {
  public:
-  // Keeps references to patches, tracer and workers. options: of the run. Throws MismatchError where the
+  // Keeps references to patches, tracer and context. options: of the run. Throws MismatchError where the
   // state is not of these patches.
   Bounces(const PatchSet& patches, const Tracer& tracer, const SampleState& state,
-          const SampledOptions& options, const Workers& workers);
+          const SampledOptions& options, const Context& context);
   ~Bounces();
   Bounces(const Bounces&) = delete;
   Bounces& operator=(const Bounces&) = delete;
 
-  // The light after so many bounces, at least 0. Cost: a look-up a ray for each bounce more than it was asked
-  // for last; for fewer it begins anew. unshot_fraction: what the last bounce brought and none has sent on,
-  // over the power of the lamps; under a sky, which has no power of its own, 0.
+  // Returns the light after this many bounces, at least 0. Cost: a look-up per ray for each bounce beyond the
+  // last call's; fewer bounces start again from 0. unshot_fraction: power that the last bounce brought and
+  // that is not reflected yet, over the power of the lamps; 0 under a sky, which has no power of its own.
   Solution light(int bounces);
 
  private:

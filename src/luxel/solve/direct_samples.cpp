@@ -2,17 +2,19 @@
 #include "luxel/solve/direct_samples.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <numeric>
 
 #include "luxel/core/error.h"
+#include "luxel/solve/tuning.h"
 
 namespace luxel {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using namespace tuning::direct;
 
-constexpr std::size_t grain = 32;  // receivers per chunk
+using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
@@ -28,10 +30,10 @@ DirectSamples::DirectSamples(const DirectLight& light, const GatherSides& sides,
       doublings_(sides.size(), 0) {}
 
 std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> receivers, std::uint32_t first,
-                                            const Workers& workers) {
+                                            const Context& context) {
   std::vector<std::uint64_t> traced((receivers.size() + grain - 1) / grain, 0);
-  std::vector<double> seconds(partition_.ranks() ? receivers.size() : 0);  // for one sample
-  workers.for_chunks(receivers.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+  std::vector<double> seconds(partition_.is_shared() ? receivers.size() : 0);  // for one sample
+  context.for_chunks(receivers.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     std::vector<float> estimate(mean_.size() * width_);
     auto time = Clock::now();
     for (auto i = begin; i < end; ++i) {
@@ -60,10 +62,10 @@ std::uint64_t DirectSamples::double_samples(std::span<const std::uint32_t> recei
 }
 
 std::uint64_t DirectSamples::all_gather(std::span<const std::uint32_t> receivers, std::uint64_t own_rays) {
-  if (!partition_.ranks()) return own_rays;
+  if (!partition_.is_shared()) return own_rays;
   units_.all_gather(mean_, width_, receivers);
-  const auto of_ranks = all_gather_value(*partition_.ranks(), own_rays);
-  return std::accumulate(of_ranks.begin(), of_ranks.end(), std::uint64_t{0});
+  const auto rays = partition_.all_gather_value(own_rays);
+  return std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
 }
 
 void DirectSamples::restore(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
@@ -78,6 +80,7 @@ void DirectSamples::restore(std::vector<std::vector<float>> irradiance, std::vec
 }
 
 void DirectSamples::keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides) {
+  assert(kept.size() == samples_.size());
   const auto close_up = [&](auto& values, std::size_t width) {
     std::size_t to = 0;
     for (std::size_t s = 0; s < kept.size(); ++s)

@@ -5,32 +5,32 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/row_partition.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/lamps/direct_light.h"
 #include "luxel/solve/work_units.h"
 #include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 
-// Direct light of every receiver, replicate by replicate, and the samples it is the mean of.
+// Direct light of every receiver, replicate by replicate, and the samples that it is the mean of.
 //
-// Several ranks share the receivers, and all know all: between units().deal() and all_gather() each takes the
-// samples of its own units, and knows those alone.
+// The receivers are partitioned among processes, and all processes hold all of the light: between
+// units().deal() and all_gather() each takes the samples of its own units, and holds those alone.
 class DirectSamples {
  public:
-  // Keeps references to light, sides and shares. width: light groups times bands.
+  // Keeps references to light, sides and partition. width: light groups times bands.
   DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
                 std::size_t width, const RowPartition& partition);
 
   // Doubles the samples of these receivers; where there are none yet, takes `first` a replicate. Returns the
-  // shadow rays that this rank traced. The same bits on any number of threads.
+  // shadow rays that this process traced. The same bits on any number of threads.
   std::uint64_t double_samples(std::span<const std::uint32_t> receivers, std::uint32_t first,
-                               const Workers& workers);
+                               const Context& context);
 
-  // Of several ranks: who takes which samples.
+  // Which process takes which samples.
   WorkUnits& units() { return units_; }
-  // After some calls of double_samples() together for these receivers: the light that each rank found.
+  // After some calls of double_samples() together for these receivers: the light that each process found.
   // Returns the shadow rays of all, given one's own.
   std::uint64_t all_gather(std::span<const std::uint32_t> receivers, std::uint64_t own_rays);
 

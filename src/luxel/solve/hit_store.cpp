@@ -4,21 +4,24 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <chrono>
 #include <functional>
 
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
+#include "luxel/solve/tuning.h"
 
 namespace luxel {
 namespace {
 
+using namespace tuning::hits;
+
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t rows_per_job = 4 * GatherRays::max_rows;
-
-// Where each of `values` would stand among the receivers.
+// The position of each of `values` among the receivers.
 std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
                                      std::span<const std::uint32_t> receivers) {
   std::vector<std::uint32_t> places;
@@ -31,23 +34,22 @@ std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
 }  // namespace
 
 HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tracer,
-                   const HitStoreOptions& options)
+                   const HitStoreOptions& options, const SharedWork& work)
     : patches_(patches),
       tracer_(tracer),
       portals_(patches),
       sides_(std::move(sides)),
       options_(options),
-      partition_(options.ranks, gather_block_positions, sides_.position),
+      partition_(work, gather_block_positions, sides_.position),
       block_begins_(neighbour_begins(sides_, gather_block_positions)),
       rays_per_receiver_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
 
 std::uint32_t HitStore::element_of(const Hit& hit, const Ray& ray) const {
   if (!hit)
-    return static_cast<std::uint32_t>(portals_.first_crossed(ray) == Portals::none ? escaped()
-                                                                                   : through_portal());
-  const auto receiver = sides_.receiver_of_side[side_of(hit.patch, hit.back)];
-  if (receiver != GatherSides::none) return receiver;
+    return static_cast<std::uint32_t>(portals_.first_crossed(ray) == none ? escaped() : through_portal());
+  const auto receiver = sides_.receiver_of_side[hit.side().index()];
+  if (receiver != none) return receiver;
   if (hit.back && !patches_.material_of(hit.patch).two_sided)
     return static_cast<std::uint32_t>(absorbed(static_cast<std::size_t>(patches_.material[hit.patch])));
   return static_cast<std::uint32_t>(dark());
@@ -89,7 +91,7 @@ void HitStore::trace(const Round& round, std::span<const std::uint32_t> receiver
   }
 }
 
-// A block with few rays per receiver has too few that look the same way.
+// Blocks with few rays per receiver have too few rays of similar direction.
 std::vector<std::uint32_t> HitStore::traced_together(std::uint32_t per_replicate) const {
   const std::size_t most =
       options_.replicates * per_replicate > GatherRays::max_rows ? 1 : GatherRays::max_blocks;
@@ -105,7 +107,9 @@ std::vector<std::uint32_t> HitStore::traced_together(std::uint32_t per_replicate
 }
 
 std::optional<std::uint64_t> HitStore::double_rays(std::vector<std::uint32_t> receivers, std::uint32_t first,
-                                                   const Workers& workers, const Monitor& monitor) {
+                                                   const Context& context) {
+  assert(first == 0 || std::has_single_bit(first));
+  assert(std::is_sorted(receivers.begin(), receivers.end()));
   if (receivers.empty()) return 0;
   const auto so_far = rays_per_receiver_[receivers[0]];
   const auto per_replicate = so_far > 0 ? so_far : first;
@@ -115,16 +119,16 @@ std::optional<std::uint64_t> HitStore::double_rays(std::vector<std::uint32_t> re
   auto round = make_round({level, per_replicate, mine(receivers), nullptr});
   if (!is_streamed_) {
     make_room(round);
-    // In turns, between which the monitor is asked: some tenths of a second each.
+    // Processed in turns of some tenths of a second; the monitor is polled between them.
     const auto rows = std::size_t{options_.replicates} * per_replicate;
     const auto groups = places_of(traced_together(per_replicate), round.receivers);
     const auto jobs_per_group = (rows + rows_per_job - 1) / rows_per_job;
     const auto jobs = (groups.size() - 1) * jobs_per_group;
-    const auto turn = 32 * static_cast<std::size_t>(workers.threads());
+    const auto turn = 32 * static_cast<std::size_t>(context.threads());
     std::vector<double> seconds(jobs);
     for (std::size_t from = 0; from < jobs; from += turn) {
       const auto to = std::min(jobs, from + turn);
-      workers.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
+      context.for_chunks(to - from, 1, [&](std::size_t begin, std::size_t end, int) {
         std::vector<std::uint32_t*> places(options_.replicates);
         for (auto job = from + begin; job < from + end; ++job) {
           const auto job_begin = Clock::now();
@@ -138,7 +142,7 @@ std::optional<std::uint64_t> HitStore::double_rays(std::vector<std::uint32_t> re
       });
       const auto all_gather = static_cast<double>(to) / static_cast<double>(jobs);
       const auto rays = static_cast<std::uint64_t>(all_gather * static_cast<double>(whole));
-      if (tell(monitor, {"light", all_gather, rays}) == Next::stop) return {};
+      if (context.report({"light", all_gather, rays}) == Next::stop) return {};
     }
     learn_pace(round, groups, seconds, std::chrono::duration<double>(Clock::now() - begin_time).count());
   }
@@ -171,7 +175,7 @@ void HitStore::restore(std::vector<HitRound> rounds) {
       is_streamed_ = true;
     }
     count(receivers, round.per_replicate);
-    rounds_.push_back(partition_.ranks() ? own_part(round) : std::move(round));
+    rounds_.push_back(partition_.is_shared() ? own_part(round) : std::move(round));
   }
   if (is_streamed_) stream();
 }
@@ -187,13 +191,14 @@ std::uint64_t HitStore::bytes() const {
   return is_streamed_ ? 0 : sizeof(std::uint32_t) * count;
 }
 
-void HitStore::keep(const std::vector<std::uint8_t>& kept, const Workers& workers) {
-  HitStore smaller(patches_, restored_gather_sides(sides_, kept), tracer_, options_);
-  // What an old element is called now.
+void HitStore::keep(const std::vector<std::uint8_t>& kept, const Context& context) {
+  assert(kept.size() == sides_.size());
+  HitStore smaller(patches_, restored_gather_sides(sides_, kept), tracer_, options_, partition_);
+  // The new index of an old element.
   std::vector<std::uint32_t> name(elements());
   for (std::size_t e = 0; e < name.size(); ++e)
     name[e] = e >= sides_.size() ? static_cast<std::uint32_t>(e - sides_.size() + smaller.sides_.size())
-              : kept[e]          ? smaller.sides_.receiver_of_side[sides_.side[e]]
+              : kept[e]          ? smaller.sides_.receiver_of_side[sides_.side[e].index()]
                                  : static_cast<std::uint32_t>(smaller.dark());
   for (std::size_t s = 0; s < kept.size(); ++s)
     if (kept[s]) {
@@ -208,7 +213,7 @@ void HitStore::keep(const std::vector<std::uint8_t>& kept, const Workers& worker
     if (!is_streamed_) {
       smaller.make_room(fewer);
       const std::size_t n = round.per_replicate;
-      workers.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
+      context.for_chunks(options_.replicates, 1, [&](std::size_t begin, std::size_t end, int) {
         for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
           auto* to = fewer.hits_of(r, 0);
           for (std::size_t i = 0; i < round.receivers.size(); ++i)

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/core/progress.h"
-#include "luxel/core/row_partition.h"
+#include "luxel/core/context.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/lamps/portals.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/sample_state.h"
@@ -23,8 +23,6 @@ struct HitStoreOptions {
   std::uint32_t replicates = 8;
   bool low_discrepancy = true;  // else independent random numbers
   bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
-  // Share the rows: each traces and keeps the hits of its own.
-  const Ranks* ranks = nullptr;
 };
 
 // First hits of the cosine rays that gather light: in each replicate n Owen-scrambled rays per side. Rays are
@@ -40,25 +38,27 @@ struct HitStoreOptions {
 // call runs; any number of threads may read.
 class HitStore {
  public:
-  // Keeps references to patches and tracer.
-  HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tracer, const HitStoreOptions& options);
+  // Keeps references to patches and tracer. work: processes share the rows, each traces and stores the hits
+  // of its own.
+  HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tracer, const HitStoreOptions& options,
+           const SharedWork& work = {});
 
   const GatherSides& sides() const { return sides_; }
   std::uint32_t replicates() const { return options_.replicates; }
   // Rays of each receiver, of one replicate.
   std::span<const std::uint32_t> rays_per_receiver() const { return rays_per_receiver_; }
 
-  // Doubles the rays of these receivers (rising; all with equally many so far); where there are none yet,
-  // gives them `first`, a power of two. Returns the rays traced, or none, with nothing added, if the monitor
-  // said stop.
+  // Doubles the rays of these receivers (rising; all with equally many so far); receivers without rays get
+  // `first`, a power of two. Returns the rays traced, or none, with nothing added, if the monitor stops the
+  // work.
   std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> receivers, std::uint32_t first,
-                                           const Workers& workers, const Monitor& monitor = {});
+                                           const Context& context = {});
 
-  // Of several ranks, which call this together: gives rows, with their hits, away or gets some, where that
-  // lets all of them be done with more rays at once, by how long those before took. more_rays: [receiver], of
-  // one replicate; other_seconds: of a thread, for work that ranks share out by what this returns. Knows
-  // nothing before there were rays: all are ready at once then.
-  RankTimes balance(std::span<const double> more_rays, double other_seconds);
+  // Moves rows, with their hits, between the processes so that all finish more rays at the same time, by how
+  // long the rays before took. more_rays: [receiver], of one replicate; other_seconds: of a thread, for work
+  // that is divided by what this returns. Before there were rays all are ready at once. All processes call
+  // this together.
+  ProcessTimes balance(std::span<const double> more_rays, double other_seconds);
 
   // Forgets the hits, and those of later rounds: they are streamed from now on.
   void stream();
@@ -66,9 +66,9 @@ class HitStore {
   std::uint64_t bytes() const;  // of the hits
 
   // Leaves out the receivers that are not kept: rays to them end in the dark.
-  void keep(const std::vector<std::uint8_t>& kept, const Workers& workers);
+  void keep(const std::vector<std::uint8_t>& kept, const Context& context);
 
-  // All rounds so far; copies share the hits. Of several ranks the first has all hits, the others none.
+  // All rounds so far; copies share the hits. With several processes the first has all hits, the others none.
   std::vector<HitRound> rounds() const;
   const RowPartition& partition() const { return partition_; }
   // Goes on where an operator over the same receivers was, whose rounds these are. Throws MismatchError where
@@ -88,7 +88,7 @@ class HitStore {
   std::size_t elements() const { return through_portal() + (has_portals() ? 1 : 0); }
 
   // Calls body(receiver, element hit) for every ray of one replicate whose receiver lies in that block; of
-  // several ranks, for this one's blocks alone.
+  // several processes, for this one's blocks alone.
   std::size_t blocks() const { return block_begins_.size() - 1; }
   // Block k is the receivers [block_begins()[k], block_begins()[k + 1]).
   std::span<const std::uint32_t> block_begins() const { return block_begins_; }
@@ -103,7 +103,7 @@ class HitStore {
         });
   }
 
-  // Likewise, for the rays of the first round alone, the first of every receiver.
+  // The same for the rays of the first round alone, the first of every receiver.
   template <typename Body>
   void for_each_first_hit(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(replicate, block, std::span(rounds_).first(std::min<std::size_t>(1, rounds_.size())),
@@ -118,7 +118,7 @@ class HitStore {
   void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(replicate, block, rounds_, body);
   }
-  // Several ranks: the numbers, `width` per receiver, of each rank's own receivers become known to all.
+  // The numbers, `width` per receiver, of each process's own receivers become known to all.
   void all_gather_receivers(std::span<float> values, std::size_t width) const;
 
   // Blocks whose rays are traced together where all receivers get per_replicate rays: where they begin,
@@ -180,7 +180,7 @@ class HitStore {
   GatherSides sides_;
   HitStoreOptions options_;
   RowPartition partition_;
-  // Of this rank, since it was balanced: seconds of its threads together, and of the clock.
+  // Of this process, since it was balanced: seconds of its threads together, and of the clock.
   double busy_seconds_ = 0.0, traced_seconds_ = 0.0;
   std::vector<double>
       seconds_per_receiver_;  // [block of shares_]: for one ray per replicate, as its owner measured

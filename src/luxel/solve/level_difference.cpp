@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/level_difference.h"
 
+#include <cassert>
+
 #include "luxel/core/barycentric.h"
 
 namespace luxel {
 namespace {
 
-using Pair = std::array<double, 2>;  // of both answers
+using Pair = std::array<double, 2>;  // of both solutions
 
-// differences(patch, back, band, add): calls add(weight, pair) for what is summed over a patch side.
+// differences(patch, back, band, add): calls add(weight, pair) for each term of the sum over a patch side.
 template <typename Differences>
-FieldDifference summed(const PatchSet& patches, const Workers& workers, const Differences& differences) {
+FieldDifference summed(const PatchSet& patches, const Context& context, const Differences& differences) {
   constexpr std::size_t chunk = 4096;
   FieldDifference result;
   result.squared.resize(patches.size());
   result.noise.resize(patches.size());
-  workers.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) {
       double product = 0.0;
       double noise = 0.0;
@@ -38,11 +40,11 @@ FieldDifference summed(const PatchSet& patches, const Workers& workers, const Di
 
 double mean_at(const Answer& answer, std::size_t patch, bool back, std::size_t band) {
   const auto& s = answer.solution;
-  return static_cast<double>((back ? s.irradiance_back : s.irradiance_front)[patch * s.bands.size() + band]);
+  return static_cast<double>(s.irradiance.of(back)[patch * s.bands.size() + band]);
 }
 
 double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, bool back, std::size_t band) {
-  const auto& light = back ? answer.smooth.irradiance_back : answer.smooth.irradiance_front;
+  const auto& light = answer.smooth.irradiance.of(back);
   const auto bands = answer.solution.bands.size();
   const auto& corners = answer.smooth.corners[patch];
   double sum = 0.0;
@@ -55,8 +57,9 @@ double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, b
 
 FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                      const Answers& fine, std::span<const std::uint32_t> parent,
-                                     const Workers& workers) {
-  return summed(parts, workers, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
+                                     const Context& context) {
+  assert(parent.size() == parts.size());
+  return summed(parts, context, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
     const auto weights = barycentric(wholes.points(parent[p]), parts.centroid(p));
     Pair d;
     for (std::size_t i = 0; i < 2; ++i)
@@ -66,8 +69,8 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
 }
 
 FieldDifference difference_within_patches(const PatchSet& patches, const Answers& answers,
-                                          const Workers& workers) {
-  return summed(patches, workers, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
+                                          const Context& context) {
+  return summed(patches, context, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
     for (int corner = 0; corner < 3; ++corner) {
       Vec3d weights(0.0);
       weights[corner] = 1.0;
@@ -81,6 +84,7 @@ FieldDifference difference_within_patches(const PatchSet& patches, const Answers
 
 Solution light_of_wholes(const PatchSet& wholes, const PatchSet& parts, const Solution& light,
                          std::span<const std::uint32_t> parent) {
+  assert(parent.size() == parts.size());
   const auto bands = wholes.band_count();
   const auto mean = [&](const std::vector<float>& values) {
     std::vector<float> result(wholes.size() * bands, 0.0f);
@@ -95,8 +99,8 @@ Solution light_of_wholes(const PatchSet& wholes, const PatchSet& parts, const So
   };
   Solution result;
   result.bands = light.bands;
-  result.irradiance_front = mean(light.irradiance_front);
-  result.irradiance_back = mean(light.irradiance_back);
+  result.irradiance.front = mean(light.irradiance.front);
+  result.irradiance.back = mean(light.irradiance.back);
   result.provenance.scene_fingerprint = light.provenance.scene_fingerprint;
   return result;
 }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
@@ -18,10 +18,10 @@ struct Answer {
   Solution solution;
   SmoothLight smooth;
 };
-// Two independent ones: the noise of each is in the squares of what they say, but not in their products.
+// Two independent estimates: the squares of either contain its noise, their products do not.
 using Answers = std::array<Answer, 2>;
 
-// What patches say of a field that stands for the light. Arrays are [patch]: squared differences of
+// Differences per patch of a field that represents the light. Arrays are [patch]: squared differences of
 // irradiance, summed over sides and bands, times area: (W/m²)² m².
 struct FieldDifference {
   std::vector<double> squared;  // the product of both answers' differences: unbiased, so below 0 in places
@@ -31,12 +31,12 @@ struct FieldDifference {
 // How far the light of parts lies from the light reconstructed on the wholes.
 FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                      const Answers& fine, std::span<const std::uint32_t> parent,
-                                     const Workers& workers);
+                                     const Context& context);
 
-// How far the reconstructed light of patches lies from the one value that each has: its variance over the
-// patch. All there is to go by where nothing was cut; it says more than is wrong.
+// The squared difference of the reconstructed light of patches from their constant value: its variance over
+// the patch. The only estimate where nothing was cut; it overestimates the error.
 FieldDifference difference_within_patches(const PatchSet& patches, const Answers& answers,
-                                          const Workers& workers);
+                                          const Context& context);
 
 // The light of wholes: the area-weighted mean of that of their parts, as if it had been solved on them.
 // Irradiance alone. parent: [part].

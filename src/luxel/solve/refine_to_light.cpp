@@ -18,15 +18,17 @@
 namespace luxel {
 namespace {
 
-constexpr double light_fraction = 2.0;  // of the mesh error asked for: how well each of two answers is solved
-constexpr double poorest_light = 0.03;  // likewise, at most: where that is all that need be known
-constexpr double ratio = 0.5;           // of a squared error: what halving leaves where light jumps
-constexpr double aim = 0.8;             // of the squared error allowed: what the next mesh is to have
-constexpr double max_unrefined_fraction = 0.35;  // of what differs: what one more mesh need not see to
-constexpr double min_growth = 0.05;   // of the patches: to cut fewer is not worth solving the light again
-constexpr double large_patch = 5e-4;  // of the whole area: cut once before the light is asked
-constexpr double parts = 4.0;         // of a marked patch; neighbours are cut too, others not at all
-constexpr std::uint32_t purpose = 0x72656669u;  // keeps its streams apart from those of other stages
+constexpr double light_fraction =
+    2.0;  // of the mesh error target: error to which each of the two solutions is solved
+constexpr double poorest_light = 0.03;  // largest error to which a solution is ever solved
+constexpr double ratio = 0.5;           // of squared errors: left by halving a patch where the light jumps
+constexpr double aim = 0.8;             // of the allowed squared error: the target of the next mesh
+// fraction of the estimated error that may stay in uncut patches in one pass
+constexpr double max_unrefined_fraction = 0.35;
+constexpr double min_growth = 0.05;  // of the patches: cutting fewer is not worth another solve
+constexpr double large_patch =
+    5e-4;                      // fraction of the whole area above which a patch is cut before the first solve
+constexpr double parts = 4.0;  // made of a marked patch; neighbours are cut too, other patches are not
 
 void check(const RefineOptions& options) {
   if (!(options.mesh_error > 0.0))
@@ -45,9 +47,8 @@ struct Level {
 
 class Refinement {
  public:
-  Refinement(PatchSet patches, const RefineOptions& options, RefineReport& report, const Workers& workers,
-             const Monitor& monitor)
-      : options_(options), report_(report), workers_(workers), monitor_(monitor) {
+  Refinement(PatchSet patches, const RefineOptions& options, RefineReport& report, const Context& context)
+      : options_(options), report_(report), context_(context) {
     now_.patches = std::move(patches);
   }
 
@@ -75,7 +76,7 @@ class Refinement {
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
 
-  // How well to solve each answer: while much is wrong, rough ones show where.
+  // How accurately to solve each mesh: a rough solution suffices while the error is large.
   double light_error() const {
     const auto known = report_.levels.empty() ? poorest_light : report_.levels.back().mesh_error;
     return std::max(options_.light.error,
@@ -83,43 +84,44 @@ class Refinement {
   }
 
   bool solve(Level& level) {
-    const Tracer tracer(level.patches, workers_);
+    const Tracer tracer(level.patches, context_);
     const auto on_the_way = [&](const Progress& p) {
-      return tell(monitor_, {"refine", 0.0, rays_before_ + p.rays, p.error});
+      return context_.report({"refine", 0.0, rays_before_ + p.rays, p.error});
     };
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
-      how.error_measure = ErrorMeasure::power;  // as the mesh error is
-      how.seed =
-          stream_key(options_.light.seed, purpose, 2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
+      how.error_measure = ErrorMeasure::power;  // the measure of the mesh error
+      how.seed = stream_key(options_.light.seed, RandomPurpose::refinement,
+                            2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
       auto& [solution, smooth] = level.answers[i];
-      const auto solved = solve_sampled(level.patches, tracer, solution, how, workers_, on_the_way);
+      const auto solved =
+          solve_sampled(level.patches, tracer, solution, how, {}, context_.with_monitor(on_the_way));
       level.rays += solved.rays;
       rays_before_ += solved.rays;
       if (solved.stop == StopReason::stopped_by_user) return false;
-      smooth = make_smooth_light(level.patches, solution, options_.smooth, workers_);
+      smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
     }
     level.squared_light = squared_light(level.patches, level.answers);
     return true;
   }
 
-  // Goes on to the finer mesh and learns what the coarser one had wrong.
+  // Continues with the finer mesh and estimates the error of the coarser one.
   bool look(RefinedPatches refined) {
     const auto& parent = refined.parent;
     Level next;
     next.patches = std::move(refined.patches);
     if (!solve(next)) return false;
-    // What would be known if there were but the coarser one: the noise of both is the same then.
+    // The error estimate with the coarser mesh alone: the noise of both is the same then.
     Answers coarse;
     for (std::size_t i = 0; i < 2; ++i) {
       coarse[i].solution = light_of_wholes(now_.patches, next.patches, next.answers[i].solution, parent);
-      coarse[i].smooth = make_smooth_light(now_.patches, coarse[i].solution, options_.smooth, workers_);
+      coarse[i].smooth = make_smooth_light(now_.patches, coarse[i].solution, options_.smooth, context_);
     }
     auto difference =
-        difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, workers_);
+        difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, context_);
     if (report_.levels.empty())
-      keep_of_wholes(difference_within_patches(now_.patches, coarse, workers_), parent, difference);
+      keep_of_wholes(difference_within_patches(now_.patches, coarse, context_), parent, difference);
     else
       keep_of_wholes(difference_, parent, difference);
     difference_ = std::move(difference);
@@ -128,7 +130,7 @@ class Refinement {
     return true;
   }
 
-  // What was not cut keeps what it was known to differ by.
+  // Patches that were not cut keep their previous estimate.
   static void keep_of_wholes(const FieldDifference& known, const std::vector<std::uint32_t>& parent,
                              FieldDifference& difference) {
     for (std::size_t p = 0; p < parent.size(); ++p) {
@@ -140,21 +142,21 @@ class Refinement {
     }
   }
 
-  // Parts have wrong what is left of the error that they found.
+  // Parts inherit what is left of the error found by cutting.
   void note_level() {
     const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
     const auto squared_error =
         now_.squared_light > 0.0 ? std::max(0.0, sum) / now_.squared_light * ratio / (1.0 - ratio) : 0.0;
-    double squared_noise = 0.0;  // of the mean of both answers
+    double squared_noise = 0.0;  // of the mean of both solutions
     for (const auto& answer : now_.answers)
       squared_noise += 0.25 * answer.solution.predicted_error * answer.solution.predicted_error;
     report_.levels.push_back(
         {now_.patches.size(), std::sqrt(squared_error), std::sqrt(squared_noise), now_.rays});
   }
 
-  // The fewest patches that bring the error down to what is asked for, or near it: where that takes nearly
-  // all of what differs, another mesh will know better where the last of it is, if it is enough for a mesh.
-  // What noise may have made is no reason to cut.
+  // The fewest patches that reduce the error to about the target. Where that would require cutting patches
+  // with nearly all of the error, part of it is left to the next mesh, whose estimate is better. Differences
+  // that noise can explain are no reason to cut.
   std::vector<std::uint8_t> marked_by_difference() const {
     std::vector<std::uint32_t> order;
     double left = 0.0;
@@ -202,7 +204,7 @@ class Refinement {
     return result;
   }
 
-  // Where they would be too many, those of the greatest weight. weight: [patch].
+  // Limits their number to those of the greatest weight. weight: [patch].
   std::optional<RefinedPatches> refine_within_limit(const std::vector<std::uint8_t>& marks,
                                                     const std::vector<double>& weight) const {
     const auto size = now_.patches.size();
@@ -215,7 +217,7 @@ class Refinement {
     for (; count > 0; count = count * 3 / 4) {
       std::vector<std::uint8_t> chosen(size, 0);
       for (std::size_t i = 0; i < count; ++i) chosen[order[i]] = 1;
-      auto refined = refine_patches(now_.patches, chosen, workers_);
+      auto refined = refine_patches(now_.patches, chosen, context_);
       if (refined.patches.size() <= options_.max_patches) return refined;
     }
     return std::nullopt;
@@ -223,20 +225,19 @@ class Refinement {
 
   RefineOptions options_;
   RefineReport& report_;
-  const Workers& workers_;
-  const Monitor& monitor_;
+  const Context& context_;
   Level now_;
-  FieldDifference difference_;  // of the patches now
+  FieldDifference difference_;  // of the current patches
   std::uint64_t rays_before_ = 0;
 };
 
 }  // namespace
 
 PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
-                         const Workers& workers, const Monitor& monitor) {
+                         const Context& context) {
   check(options);
   report = {};
-  return Refinement(std::move(patches), options, report, workers, monitor).go();
+  return Refinement(std::move(patches), options, report, context).go();
 }
 
 }  // namespace luxel

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "luxel/classical/gauss_seidel.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/solve/sampled_operator.h"
 
 namespace luxel {
 
 // The mean of some replicates, number by number; at least one of them. The same bits on any number of
 // threads.
-std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Workers& workers);
+std::vector<float> mean_of(std::span<const std::vector<float>> replicates, const Context& context);
 
 // Radiosities of CrossedHalves in which the sky shines and nothing else yet: W/m², [row or sink][band].
 std::vector<float> dark_but_for_sky(const HitStore& hits, const PatchSet& patches);
@@ -38,6 +38,6 @@ struct ReplicateLight {
 // influences cost as much as some sweeps more.
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
                                 std::span<const float> reflectance, std::span<float> radiosity,
-                                double tolerance, const Workers& workers, const Monitor& monitor = {});
+                                double tolerance, const Context& context = {});
 
 }  // namespace luxel

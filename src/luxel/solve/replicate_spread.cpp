@@ -2,14 +2,16 @@
 #include "luxel/solve/replicate_spread.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "luxel/core/student.h"
+#include "luxel/solve/tuning.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::size_t block_numbers = 768;  // of each replicate at a time: all of them fit in the first cache
+using namespace tuning::spread;
 
 // Mean and variance of the mean over replicates, of a block of numbers.
 class Block {
@@ -64,12 +66,14 @@ class Block {
 
 // take(block, first receiver, receivers): reads the replicates.
 template <typename Take>
-Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t bands,
-              std::span<const float> area, const Workers& workers, std::size_t constraints,
-              const Ranks* ranks, Take take) {
+Spread spread(std::size_t replicates, const SpreadInput& input, const Context& context, Take take) {
+  const auto bias = input.bias, area = input.area;
+  const auto bands = input.bands;
+  assert(replicates > input.constraints);
+  assert(bias.size() == area.size() * bands);
   const auto receivers = area.size();
   Spread result;
-  result.degrees_of_freedom = static_cast<double>(replicates - constraints);
+  result.degrees_of_freedom = static_cast<double>(replicates - input.constraints);
   const auto widening = student_widening(result.degrees_of_freedom);
   result.mean.resize(bias.size());
   result.standard_error.resize(bias.size());
@@ -77,10 +81,10 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
   struct Sums {
     double variance = 0.0, total_squared_bias = 0.0, total_squared_light = 0.0;
   };
-  const auto mine = spread_partition(ranks, receivers);
+  const auto mine = spread_partition(SharedWork(context), receivers);
   const auto grain = mine.grain();
   std::vector<Sums> sums((receivers + grain - 1) / grain);
-  workers.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
+  context.for_chunks(mine.end() - mine.begin(), grain, [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
     Sums chunk;
@@ -131,28 +135,23 @@ Spread spread(std::size_t replicates, std::span<const float> bias, std::size_t b
 
 }  // namespace
 
-Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 std::span<const float> area, const Workers& workers, std::size_t constraints,
-                 const Ranks* ranks) {
-  return spread(
-      values.size(), bias, bands, area, workers, constraints, ranks,
-      [&](Block& block, std::size_t receiver, std::size_t count) { block.take(values, receiver, count); });
+Spread spread_of(Replicates values, const SpreadInput& input, const Context& context) {
+  return spread(values.size(), input, context, [&](Block& block, std::size_t receiver, std::size_t count) {
+    block.take(values, receiver, count);
+  });
 }
 
-Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
-                     std::span<const float> area, const Workers& workers, std::size_t constraints,
-                     const Ranks* ranks) {
-  return spread(first.size(), bias, bands, area, workers, constraints, ranks,
-                [&](Block& block, std::size_t receiver, std::size_t count) {
-                  block.take_sum(first, second, receiver, count);
-                });
+Spread spread_of_sum(Replicates first, Replicates second, const SpreadInput& input, const Context& context) {
+  assert(first.size() == second.size());
+  return spread(first.size(), input, context, [&](Block& block, std::size_t receiver, std::size_t count) {
+    block.take_sum(first, second, receiver, count);
+  });
 }
 
-std::vector<double> squared_errors(Replicates values, std::size_t bands, const Workers& workers,
-                                   const Ranks* ranks) {
+std::vector<double> squared_errors(Replicates values, std::size_t bands, const Context& context) {
   std::vector<double> of_receiver(values[0].size() / bands, 0.0);
-  const auto mine = spread_partition(ranks, of_receiver.size());
-  workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
+  const auto mine = spread_partition(SharedWork(context), of_receiver.size());
+  context.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     const auto begin = mine.begin() + from;
     const auto end = mine.begin() + to;
     Block block(bands);

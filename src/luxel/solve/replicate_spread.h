@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/ranks.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
+#include "luxel/core/work_partition.h"
 
 namespace luxel {
 
-// What replicates say together.
+// Mean, standard error and squared error over replicates.
 struct Spread {
   std::vector<float> mean;  // [receiver][band]
   // [receiver][band]: of the mean, from the spread and the bias; widened as Student's t is for so few
@@ -30,26 +30,25 @@ struct Spread {
 // One set of replicates: [replicate][receiver * bands + band].
 using Replicates = std::span<const std::vector<float>>;
 
-// Receivers that ranks share, in the functions below and where their input is made.
-inline LoopPartition spread_partition(const Ranks* ranks, std::size_t receivers) {
-  return {ranks, receivers, 4096};
+// The receivers of each process, in the functions below and where their input is made.
+inline LoopPartition spread_partition(const SharedWork& work, std::size_t receivers) {
+  return {work, receivers, 4096};
 }
 
-// constraints: how many of the replicates' degrees of freedom are taken, at least one by their
-// mean. area: [receiver], m². bias: squared, [receiver * bands + band], may be below 0 where it is an
-// estimate near 0. The same bits on any number of threads. Cost: about 50 ns per receiver for 8 replicates of
-// 3 bands. ranks: that call with the same values, of their part of spread_partition() at least, and share the
-// work.
-Spread spread_of(Replicates values, std::span<const float> bias, std::size_t bands,
-                 std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
-                 const Ranks* ranks = nullptr);
-// Of first + second, replicate by replicate, in one pass.
-Spread spread_of_sum(Replicates first, Replicates second, std::span<const float> bias, std::size_t bands,
-                     std::span<const float> area, const Workers& workers, std::size_t constraints = 1,
-                     const Ranks* ranks = nullptr);
+struct SpreadInput {
+  std::span<const float> bias;  // squared, [receiver * bands + band]; below 0 where an estimate is near 0
+  std::size_t bands;
+  std::span<const float> area;  // [receiver], m²
+  std::size_t constraints = 1;  // degrees of freedom that are taken, at least one by the replicates' mean
+};
+
+// The same bits on any number of threads. Cost: about 50 ns per receiver for 8 replicates of 3 bands.
+// Processes share the work; each needs the values of its part of spread_partition() at least.
+Spread spread_of(Replicates values, const SpreadInput& input, const Context& context);
+// The same for first + second, replicate by replicate, in one pass.
+Spread spread_of_sum(Replicates first, Replicates second, const SpreadInput& input, const Context& context);
 
 // The variance of each receiver's mean, summed over bands: [receiver].
-std::vector<double> squared_errors(Replicates values, std::size_t bands, const Workers& workers,
-                                   const Ranks* ranks = nullptr);
+std::vector<double> squared_errors(Replicates values, std::size_t bands, const Context& context);
 
 }  // namespace luxel

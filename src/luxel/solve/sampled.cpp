@@ -14,29 +14,25 @@
 #include "luxel/core/error.h"
 #include "luxel/core/memory.h"
 #include "luxel/patch/check_light.h"
-#include "luxel/solve/gather_errors.h"
-#include "luxel/solve/measure_surfaces.h"
+#include "luxel/patch/side.h"
+#include "luxel/solve/ray_allocation.h"
 #include "luxel/solve/replicate_solve.h"
-#include "luxel/solve/round_plan.h"
 #include "luxel/solve/run_progress.h"
-#include "luxel/solve/sample_plan.h"
-#include "luxel/solve/sample_units.h"
-#include "luxel/solve/sampled_energy.h"
 #include "luxel/solve/sampled_light.h"
 #include "luxel/solve/sampling.h"
 #include "luxel/solve/seen_measure.h"
-#include "luxel/solve/sky_not_found.h"
+#include "luxel/solve/survey_sides.h"
+#include "luxel/solve/tuning.h"
 
 namespace luxel {
 namespace {
 
-// Tolerance of the iteration: a thousandth of the error that the run aims at is less than a hundredth
-// anywhere, and light after a change of lamps does not differ visibly. The same for every answer, so that a
-// resumed run repeats the one that never stopped.
-double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 3e-6; }
+using namespace tuning::first_light;
 
-constexpr double second_tolerance = 0.01;              // of the shot light that the iteration begins from
-constexpr std::uint32_t first_pictures = 0x66697273u;  // keeps their streams apart from those of other stages
+// Tolerance of the iteration. A thousandth of the error target is below a hundredth everywhere, and light
+// after a change of lamps does not differ visibly. It is the same for every answer, so that a resumed run
+// repeats an uninterrupted one.
+double tolerance_for(double error) { return error > 0.0 ? std::clamp(0.001 * error, 1e-6, 1e-5) : 3e-6; }
 
 void check(const PatchSet& patches, const SampledOptions& options) {
   if (!(options.error >= 0.0))
@@ -53,39 +49,39 @@ double mean(std::span<const std::uint32_t> counts) {
   return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(1, counts.size()));
 }
 
-// The whole run: samples, the answer they give, and whether that is good enough.
+// A whole run: samples, the solution they give, and the test of its accuracy.
 class Run {
  public:
   Run(const PatchSet& patches, const Tracer& tracer, Solution& solution, const SampledOptions& options,
-      const Workers& workers, const Monitor& monitor, const SampleStorage& storage)
+      const SolveHooks& hooks, const Context& context)
       : patches_(patches),
         tracer_(tracer),
         solution_(solution),
         options_(options),
-        workers_(workers),
-        storage_(storage),
-        progress_(options, monitor, ranks_, storage.from != nullptr),
+        context_(context),
+        hooks_(hooks),
+        progress_(options, hooks, context),
         bands_(patches.band_count()) {}
 
   SolveReport go() {
-    if (storage_.from) {
-      restore(*storage_.from);
+    if (hooks_.from) {
+      restore(*hooks_.from);
     } else {
       if (!show_first_light()) return finish(StopReason::stopped_by_user);
-      sampling_.emplace(patches_, tracer_, options_, workers_);
+      sampling_.emplace(patches_, tracer_, options_, context_);
       if (!sampling_->start(solution_, sampling_monitor())) return finish(StopReason::stopped_by_user);
       prepare();
       begin_iteration();
     }
-    if (receivers() == 0) {  // the sky finds no way in
-      light_->write(answer_, solution_, workers_);
+    if (receivers() == 0) {  // the sky reaches no receiver
+      light_->write(answer_, solution_, context_);
       sign();
       return finish(StopReason::nothing_to_do);
     }
     while (true) {
       keep_state();
       if (!answer()) return finish(StopReason::stopped_by_user);
-      if (kept_) storage_.keep(kept_);
+      if (kept_) hooks_.keep(kept_);
       if (progress_.is_stopped(progress_.report(rays(), &solution_)))
         return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
@@ -93,7 +89,7 @@ class Run {
       const auto plan = plan_round(units, direct_units(), aimed_squared_error(), options_);
       predict_memory(units);
       if (plan.is_empty()) return finish(StopReason::error_reached);
-      if (const auto bound = broken_bound(plan, options_, rays(), progress_.agreed_elapsed()))
+      if (const auto bound = broken_bound(plan, options_, rays(), progress_.common_elapsed()))
         return finish(*bound);
       progress_.begin_round(plan);
       if (!sampling_->take(plan.doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
@@ -101,22 +97,21 @@ class Run {
   }
 
  private:
-  // Shoots a few rays for a picture of the whole, then more, which are not shown: the iteration begins there.
+  // Shoots a few rays for a first picture, then more that start the iteration and are not shown.
   bool show_first_light() {
     const auto first = glance(patches_);
     return shoot_light(first.rays, first.tolerance, 0) &&
            progress_.report(rays(), &solution_) == Next::go_on &&
-           shoot_light(2 * patches_.size(), second_tolerance, 1);
+           shoot_light(side_count(patches_.size()), second_tolerance, 1);
   }
 
   bool shoot_light(std::uint64_t rays, double bias, std::uint32_t picture) {
     const auto before = first_rays_;
     const auto on_the_way = [&](const Progress& p) { return progress_.report(before + p.rays); };
-    const auto seed = stream_key(options_.seed, first_pictures, picture);
+    const auto seed = stream_key(options_.seed, RandomPurpose::first_pictures, picture);
     const auto shot = solve_stochastic_jacobi(
-        patches_, tracer_, solution_,
-        {.rays = rays, .tolerance = bias, .seed = seed, .shows_bounces = false, .ranks = ranks_}, workers_,
-        on_the_way);
+        patches_, tracer_, solution_, {.rays = rays, .tolerance = bias, .seed = seed, .shows_bounces = false},
+        context_.with_monitor(on_the_way));
     report_.energy = shot.energy;
     report_.back_loss = shot.back_loss;
     report_.unshot_fraction = shot.unshot_fraction;
@@ -126,12 +121,12 @@ class Run {
     return shot.stop != StopReason::stopped_by_user;
   }
 
-  // Where the iteration begins: with what the shot light says.
+  // The start of the iteration: the radiosities of the shot light.
   void begin_iteration() {
     radiosity_ = dark_but_for_sky(sampling_->hits(), patches_);
     for (std::size_t s = 0; s < receivers(); ++s) {
-      const auto patch = side(s) / 2;
-      const auto& H = side(s) % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
+      const auto patch = side(s).patch();
+      const auto& H = solution_.irradiance.of(side(s));
       for (std::size_t b = 0; b < bands_; ++b)
         radiosity_[s * bands_ + b] = radiosity_[(receivers() + s) * bands_ + b] =
             patches_.reflectance(patch, b) * H[patch * bands_ + b];
@@ -139,7 +134,7 @@ class Run {
   }
 
   void restore(const SampleState& state) {
-    sampling_.emplace(patches_, tracer_, options_, workers_);
+    sampling_.emplace(patches_, tracer_, options_, context_);
     sampling_->restore(state);
     prepare();
     if (state.radiosity.size() != (receivers() + sampling_->hits().elements()) * bands_)
@@ -150,7 +145,7 @@ class Run {
   }
 
   void keep_state() {
-    if (!storage_.keep) return;
+    if (!hooks_.keep) return;
     auto state = std::make_shared<SampleState>(sampling_->state());
     state->radiosity = radiosity_;
     state->rounds_done = rounds_before_ + static_cast<std::uint32_t>(report_.rounds.size());
@@ -160,10 +155,10 @@ class Run {
 
   void prepare() {
     const auto& sides = sampling_->hits().sides();
-    not_found_.emplace(patches_, sampling_->hits(), sampling_->units(), workers_);
-    light_.emplace(patches_, sampling_->tree(), sides, options_.smoothing, workers_, ranks_);
+    not_found_.emplace(patches_, sampling_->hits(), sampling_->units(), context_);
+    light_.emplace(patches_, sampling_->tree(), sides, options_.smoothing, context_);
     if (options_.error_measure == ErrorMeasure::seen && sides.size() > 0) {
-      seen_.emplace(patches_, sides, sampling_->units(), tracer_, workers_, ranks_);
+      seen_.emplace(patches_, sides, sampling_->units(), tracer_, context_);
       report_.views = seen_->views().stating.size();
       report_.places = seen_->views().places;
       if (!seen_->has_views()) seen_.reset();
@@ -174,34 +169,34 @@ class Run {
   }
 
   std::size_t receivers() const { return sampling_->hits().sides().size(); }
-  std::size_t side(std::size_t receiver) const { return sampling_->hits().sides().side[receiver]; }
+  SideId side(std::size_t receiver) const { return sampling_->hits().sides().side[receiver]; }
 
-  // ---- The answer ----
+  // ---- The solution ----
 
-  // Returns false, and the last answer stays, if the monitor said stop.
+  // Returns false, and keeps the previous solution, if the monitor stops the work.
   bool answer() {
     const auto begin_seconds = progress_.elapsed();
     progress_.begin_answer();
     auto direct =
-        sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, workers_);
+        sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, context_);
     transport_.reset();
     transport_ = sampling_->transport();
-    auto solved = solve_replicates(*transport_, direct, light_->reflectance(), radiosity_,
-                                   tolerance_for(options_.error), workers_,
-                                   [this](const Progress&) { return progress_.report(rays()); });
+    auto solved = solve_replicates(
+        *transport_, direct, light_->reflectance(), radiosity_, tolerance_for(options_.error),
+        context_.with_monitor([this](const Progress&) { return progress_.report(rays()); }));
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
-    gathered_ = mean_of(gathered, workers_);
+    gathered_ = mean_of(gathered, context_);
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
     answer_ =
-        light_->answer(direct, gathered, not_found_->variance(), enough, workers_, [&](bool is_smoothed) {
-          direct_squared_error_ = squared_errors(direct, bands_, workers_, ranks_);
-          gathered_squared_error_ = squared_errors(gathered, bands_, workers_, ranks_);
+        light_->answer(direct, gathered, not_found_->variance(), enough, context_, [&](bool is_smoothed) {
+          direct_squared_error_ = squared_errors(direct, bands_, context_);
+          gathered_squared_error_ = squared_errors(gathered, bands_, context_);
           if (is_smoothed) return;
           own_gathered_squared_error_ = gathered_squared_error_;
-          report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, workers_);
+          report_.means = measure_surfaces(patches_, sampling_->hits().sides(), direct, gathered, context_);
         });
-    if (seen_) seen_->take(answer_, direct, gathered, workers_);
+    if (seen_) seen_->take(answer_, direct, gathered, context_);
     error_ = seen_ ? seen_->error() : error_of(answer_);
 
     RoundRecord round;
@@ -222,15 +217,15 @@ class Run {
     report_.predicted_error = error_of(answer_);
     report_.seen_error = seen_ ? error_ : 0.0;
     report_.error_uncertainty = uncertainty();
-    light_->write(answer_, solution_, workers_);
+    light_->write(answer_, solution_, context_);
     sign();
     progress_.end_answer(error_, safe_error(), cost_of_samples(*sampling_, options_.replicates), rays());
     return true;
   }
 
-  // ---- Whether it is good enough, and what would make it better ----
+  // ---- Accuracy, and the next samples ----
 
-  // An error of nothing after one round is an estimate that failed, or light that is exact.
+  // An error of 0 after one round means a failed estimate or exact light.
   bool is_good_enough() const {
     return options_.error > 0.0 && safe_error() <= options_.error &&
            (error_ > 0.0 || rounds_before_ + report_.rounds.size() > 1);
@@ -239,31 +234,33 @@ class Run {
     return seen_ ? seen_->error_of(answer) : error_of(answer);
   }
   double uncertainty() const { return seen_ ? seen_->uncertainty() : 0.0; }
-  // With what may be wrong with it: luck must not end a run.
+  // Includes the uncertainty of the estimate, so that a low estimate by chance does not end the run.
   double safe_error() const { return error_ * (1.0 + uncertainty()); }
-  // What the squared errors of all units add up to, and what they should.
+  // The sum of the squared errors of all units, and its target.
   double whole_squared_error() const {
     return seen_ ? safe_error() * safe_error() : answer_.total_squared_error;
   }
   double aimed_squared_error() const {
-    return aim * options_.error * options_.error * (seen_ ? 1.0 : answer_.total_squared_light);
+    return tuning::rounds::aim * options_.error * options_.error *
+           (seen_ ? 1.0 : answer_.total_squared_light);
   }
 
-  // Of the variance of each receiver's irradiance, [receiver].
+  // Returns the variance of each receiver's irradiance, [receiver].
   std::span<const double> importance() const { return seen_ ? seen_->importance() : area_; }
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
 
   std::vector<SampleUnit> sample_units() const {
     const auto of_own_noise = importance_of_own_noise(sampling_->units(), importance(),
                                                       own_gathered_squared_error_, gathered_squared_error_);
-    const auto gather_squared_error =
-        gather_errors(patches_, *transport_, sampling_->units(), of_own_noise, radiosity_, gathered_,
-                      weighted_sum(importance(), gathered_squared_error_), workers_);
+    const auto gather_squared_error = gather_errors(patches_, *transport_,
+                                                    {sampling_->units(), of_own_noise, radiosity_, gathered_,
+                                                     weighted_sum(importance(), gathered_squared_error_)},
+                                                    context_);
     return make_sample_units(*sampling_, options_.replicates, importance(), direct_squared_error_,
                              gather_squared_error, std::max(0.0, whole_squared_error()));
   }
 
-  // After the first round: what the whole process will hold at its peak, if the error falls as planned.
+  // After the first round: the predicted peak memory of the process, if the error decreases as planned.
   void predict_memory(std::span<const SampleUnit> units) {
     if (report_.rounds.size() > 1) return;
     double hits = 0.0;
@@ -277,11 +274,11 @@ class Run {
 
   std::uint64_t rays() const { return first_rays_ + (sampling_ ? sampling_->rays() : 0); }
 
-  // ---- What the caller hears ----
+  // ---- Reports to the caller ----
 
   SolveReport finish(StopReason reason) {
     if (!report_.rounds.empty()) {
-      const auto energy = energy_of(patches_, *transport_, answer_.mean, workers_);
+      const auto energy = energy_of(patches_, *transport_, answer_.mean, context_);
       report_.energy = energy.balance;
       report_.back_loss = energy.back_loss;
     }
@@ -293,7 +290,7 @@ class Run {
     return report_;
   }
 
-  // What a solution says of itself.
+  // Fills the error estimates of the solution.
   void sign() {
     solution_.bands = patches_.bands;
     solution_.unshot_fraction = report_.unshot_fraction;
@@ -313,24 +310,24 @@ class Run {
   const Tracer& tracer_;
   Solution& solution_;
   const SampledOptions& options_;
-  const Workers& workers_;
-  const Ranks* ranks_ = options_.ranks && options_.ranks->size() > 1 ? options_.ranks : nullptr;
-  const SampleStorage& storage_;
+  const Context& context_;
+  const SolveHooks& hooks_;
   RunProgress progress_;
   std::size_t bands_;
   std::optional<Sampling> sampling_;
-  std::unique_ptr<const SampledOperator> transport_;  // by the rays of the last answer
+  std::unique_ptr<const SampledOperator> transport_;  // operator of the rays of the last answer
   std::uint64_t first_rays_ = 0;
-  std::uint32_t rounds_before_ = 0;  // of the run that this one takes up
+  std::uint32_t rounds_before_ = 0;  // of the resumed run
   std::shared_ptr<const SampleState> kept_;
   std::optional<SampledLight> light_;
   std::optional<SkyNotFound> not_found_;
   std::vector<float> radiosity_;     // reflected, and of the sky, W/m², [element][band]
-  std::optional<SeenMeasure> seen_;  // where it ends the run
+  std::optional<SeenMeasure> seen_;  // used where the seen error ends the run
   std::vector<double> area_;         // [receiver], m²
   SampledLight::Answer answer_;
-  std::vector<float> gathered_;  // before neighbours share, W/m², [receiver * bands + band]
-  // [receiver]: variances of direct and gathered light summed over bands; of the last, before smoothing too.
+  std::vector<float> gathered_;  // before smoothing, W/m², [receiver * bands + band]
+  // [receiver]: variances of direct and gathered light summed over bands; of gathered light also before
+  // smoothing.
   std::vector<double> direct_squared_error_, gathered_squared_error_, own_gathered_squared_error_;
   double error_ = 0.0;                              // by the measure that ends the run
   std::uint64_t begin_memory_ = resident_memory();  // bytes of the process
@@ -340,10 +337,9 @@ class Run {
 }  // namespace
 
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                          const SampledOptions& options, const Workers& workers, const Monitor& monitor,
-                          const SampleStorage& storage) {
+                          const SampledOptions& options, const SolveHooks& hooks, const Context& context) {
   check(patches, options);
-  return Run(patches, tracer, solution, options, workers, monitor, storage).go();
+  return Run(patches, tracer, solution, options, hooks, context).go();
 }
 
 }  // namespace luxel

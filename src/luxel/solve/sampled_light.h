@@ -7,23 +7,26 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/classical/energy.h"
+#include "luxel/classical/solve_report.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/solution/solution.h"
 #include "luxel/solve/replicate_spread.h"
+#include "luxel/solve/sampled_operator.h"
 #include "luxel/surface/smoothing.h"
 #include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 
-// The receivers of a sampled solve as surfaces, and how what replicates say of them becomes an answer.
+// The receivers of a sampled solve as surfaces, and the conversion of replicates to an answer.
 class SampledLight {
  public:
   // Keeps references to all three. smooths: the light is smoothed where its noise needs it (from 4,096
-  // receivers on). ranks: that all call for the same answers and share the work.
+  // receivers on).
   SampledLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool smooths,
-               const Workers& workers, const Ranks* ranks = nullptr);
+               const Context& context);
 
   std::span<const float> area() const { return area_; }                // [receiver], m²
   std::span<const float> reflectance() const { return reflectance_; }  // [receiver * bands + band]
@@ -42,22 +45,21 @@ class SampledLight {
     std::vector<float> bias;  // squared bias of the smoothing; empty where nothing was smoothed
   };
   Answer answer(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-                std::span<const float> not_found, const Enough& enough, const Workers& workers,
+                std::span<const float> not_found, const Enough& enough, const Context& context,
                 const Observer& observe = {}) const;
 
   // Fills the light of the solution and all its errors.
-  void write(const Answer& answer, Solution& solution, const Workers& workers) const;
+  void write(const Answer& answer, Solution& solution, const Context& context) const;
 
  private:
   const PatchSet& patches_;
   const GatherSides& sides_;
-  const Ranks* ranks_;
   std::vector<std::uint32_t> units_;  // see preserve_hue()
   std::vector<float> area_, reflectance_;
   std::optional<Smoothing> smoothing_;
 };
 
-// Of the whole: area-weighted relative RMS.
+// The error of the whole: area-weighted relative RMS.
 double error_of(const Spread& spread);
 
 // The light of all groups together: [replicate][(receiver * groups + group) * bands + band] becomes
@@ -65,6 +67,19 @@ double error_of(const Spread& spread);
 // groups.
 std::vector<std::vector<float>> sum_of_groups(std::span<const std::vector<float>> light, std::size_t groups,
                                               std::size_t bands, std::span<const float> weight,
-                                              const Workers& workers);
+                                              const Context& context);
+
+// Where the light of a sampled solution goes: what receivers take up, and what their rays bring to the sinks.
+// It adds up to within the error of the light; nothing is unshot. irradiance: [receiver * bands + band],
+// W/m². Cost: one look-up per ray. The same bits on any number of threads.
+EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport,
+                        const std::vector<float>& irradiance, const Context& context);
+
+// Means of direct + gathered light, [replicate][receiver * bands + band], W/m², and their errors from the
+// spread of the replicates' own means. At least 2 replicates, not yet smoothed: smoothing keeps the mean of a
+// smooth surface, but not of each material on it. The same bits on any number of threads. Cost: 5 ns per
+// receiver, replicate and band.
+SurfaceMeans measure_surfaces(const PatchSet& patches, const GatherSides& sides, Replicates direct,
+                              Replicates gathered, const Context& context);
 
 }  // namespace luxel

@@ -2,22 +2,23 @@
 #include "luxel/solve/sampled_operator.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "luxel/solve/sampled_operator_rows.h"
 
 namespace luxel {
-using namespace sampled_tuning;
+using namespace tuning::rows;
 
 SampledOperator::SampledOperator(const PatchSet& patches, const HitStore& hits,
-                                 const SampledOperatorOptions& options, const Workers& workers)
+                                 const SampledOperatorOptions& options, const Context& context)
     : patches_(patches), hits_(hits), options_(options) {
   find_densities();
   do {
     find_weights();
-    if (!hits_.is_streamed()) find_arrivals(workers);
-    find_row_sums(workers);
+    if (!hits_.is_streamed()) find_arrivals(context);
+    find_row_sums(context);
   } while (find_one_way_sides());
-  find_row_factors(workers);
+  find_row_factors(context);
 }
 
 SampledOperator::~SampledOperator() = default;
@@ -28,7 +29,7 @@ void SampledOperator::find_densities() {
   inverse_area_.resize(receivers);
   sent_density_.assign(elements(), 0.0f);
   for (std::size_t s = 0; s < receivers; ++s) {
-    const auto patch = sides().side[s] / 2;
+    const auto patch = sides().side[s].patch();
     inverse_area_[s] = 1.0 / static_cast<double>(patches_.area[patch]);
     density_[s] = static_cast<float>(hits_.rays_per_receiver()[s] * inverse_area_[s]);
     const bool is_one_way = !options_.one_way.empty() && options_.one_way[s] > 0;
@@ -36,17 +37,17 @@ void SampledOperator::find_densities() {
   }
 }
 
-void SampledOperator::find_arrivals(const Workers& workers) {
+void SampledOperator::find_arrivals(const Context& context) {
   arrivals_.resize(hits_.replicates());
   const auto find = [&](std::size_t r) {
     arrivals_[r] = arrivals_of(0, hits_.blocks(), [&](std::size_t block, auto body) {
       hits_.for_each_round(static_cast<std::uint32_t>(r), block, body);
     });
   };
-  if (hits_.partition().ranks())  // which meet, in order
+  if (hits_.partition().is_shared())  // collective: all processes meet here in the same order
     for (std::size_t r = 0; r < arrivals_.size(); ++r) find(r);
   else
-    workers.for_chunks(arrivals_.size(), 1, [&](std::size_t r, std::size_t, int) { find(r); });
+    context.for_chunks(arrivals_.size(), 1, [&](std::size_t r, std::size_t, int) { find(r); });
 }
 
 // ---- Sums of radiosity ----
@@ -62,7 +63,7 @@ void SampledOperator::find_weights() {
 
 namespace {
 
-// Density and three radiosities of an element in one place of memory.
+// Density and three radiosities of an element, stored together for one memory access.
 struct PackedKernel {
   const std::array<float, 4>* element;
   const float* trusted;  // k d, [receiver]
@@ -100,41 +101,48 @@ struct ColumnsKernel {
 
 template <typename MakeRows>
 void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns,
-                               std::span<const float> radiosity, const Workers& workers,
+                               std::span<const float> radiosity, const Context& context,
                                const MakeRows& make_rows) const {
   const auto add_columns = [&]<std::size_t known>() {
     const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), trusted_.data(), mutual_.data(),
                                       columns};
-    for_rows<known>(first, end, columns, workers, kernel, make_rows);
+    for_rows<known>(first, end, columns, context, kernel, make_rows);
   };
   if (columns == 12) return add_columns.template operator()<12>();
   if (columns != 3) return add_columns.template operator()<0>();
   std::vector<std::array<float, 4>> packed(elements());
-  workers.for_chunks(packed.size(), grain, [&](std::size_t from, std::size_t to, int) {
+  context.for_chunks(packed.size(), grain, [&](std::size_t from, std::size_t to, int) {
     for (auto e = from; e < to; ++e)
       packed[e] = {sent_density_[e], radiosity[3 * e], radiosity[3 * e + 1], radiosity[3 * e + 2]};
   });
   const PackedKernel kernel{packed.data(), trusted_.data(), mutual_.data(), packed.size() > cached_elements};
-  for_rows<3>(first, end, 3, workers, kernel, make_rows);
+  for_rows<3>(first, end, 3, context, kernel, make_rows);
 }
 
 namespace {
 
+// Rows [receiver0, receiver1), and what makes irradiance of their sums.
+struct RowBlock {
+  std::uint32_t receiver0, receiver1;
+  std::size_t columns;
+  double trust;
+  const std::vector<double>& inverse_area;
+};
+
 // Mean over replicates of the weighted rows of one block.
 class MeanRows {
  public:
-  MeanRows(std::uint32_t receiver0, std::uint32_t receiver1, std::size_t columns, double trust,
-           std::uint32_t count, const std::vector<std::vector<float>>& factor,
-           const std::vector<double>& inverse_area, std::span<float> out)
-      : receiver0_(receiver0),
-        receiver1_(receiver1),
-        columns_(columns),
-        trust_(trust),
+  MeanRows(const RowBlock& block, std::uint32_t count, const std::vector<std::vector<float>>& factor,
+           std::span<float> out)
+      : receiver0_(block.receiver0),
+        receiver1_(block.receiver1),
+        columns_(block.columns),
+        trust_(block.trust),
         count_(count),
         factor_(factor),
-        inverse_area_(inverse_area),
+        inverse_area_(block.inverse_area),
         out_(out),
-        sum_((receiver1 - receiver0) * columns, 0.0) {}
+        sum_((receiver1_ - receiver0_) * columns_, 0.0) {}
 
   void add(std::uint32_t replicate, const double* own, const double* arriving) {
     for (auto s = receiver0_; s < receiver1_; ++s) {
@@ -162,18 +170,16 @@ class MeanRows {
   std::vector<double> sum_;
 };
 
-// The rows of each replicate apart.
+// The rows of each replicate separately.
 class ReplicateRows {
  public:
-  ReplicateRows(std::uint32_t receiver0, std::uint32_t receiver1, std::size_t columns, double trust,
-                std::uint32_t first, const std::vector<double>& inverse_area,
-                std::span<std::vector<float>> out)
-      : receiver0_(receiver0),
-        receiver1_(receiver1),
-        columns_(columns),
-        trust_(trust),
+  ReplicateRows(const RowBlock& block, std::uint32_t first, std::span<std::vector<float>> out)
+      : receiver0_(block.receiver0),
+        receiver1_(block.receiver1),
+        columns_(block.columns),
+        trust_(block.trust),
         first_(first),
-        inverse_area_(inverse_area),
+        inverse_area_(block.inverse_area),
         out_(out) {}
 
   void add(std::uint32_t replicate, const double* own, const double* arriving) {
@@ -198,28 +204,31 @@ class ReplicateRows {
 }  // namespace
 
 void SampledOperator::apply(std::size_t half, std::size_t columns, std::span<const float> radiosity,
-                            std::span<float> irradiance, const Workers& workers) const {
+                            std::span<float> irradiance, const Context& context) const {
+  assert(half < 2);
+  assert(radiosity.size() == elements() * columns && irradiance.size() == sides().size() * columns);
   const auto first = half_begin(half);
   const auto end = half_begin(half + 1);
-  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t receiver0, std::uint32_t receiver1) {
-    return MeanRows(receiver0, receiver1, columns, options_.own_trust, end - first, row_factor_,
-                    inverse_area_, irradiance);
+  sum_rows(first, end, columns, radiosity, context, [&](std::uint32_t receiver0, std::uint32_t receiver1) {
+    return MeanRows({receiver0, receiver1, columns, options_.own_trust, inverse_area_}, end - first,
+                    row_factor_, irradiance);
   });
   hits_.all_gather_receivers(irradiance, columns);
 }
 
 std::vector<std::vector<float>> SampledOperator::replicate_rows(std::size_t half,
                                                                 std::span<const float> radiosity,
-                                                                const Workers& workers) const {
+                                                                const Context& context) const {
+  assert(half < 2 && radiosity.size() % elements() == 0);
   const auto first = half_begin(half);
   const auto end = half_begin(half + 1);
   const auto columns = radiosity.size() / elements();
   std::vector<std::vector<float>> rows(end - first, std::vector<float>(sides().size() * columns));
-  sum_rows(first, end, columns, radiosity, workers, [&](std::uint32_t receiver0, std::uint32_t receiver1) {
-    return ReplicateRows(receiver0, receiver1, columns, options_.own_trust, first, inverse_area_, rows);
+  sum_rows(first, end, columns, radiosity, context, [&](std::uint32_t receiver0, std::uint32_t receiver1) {
+    return ReplicateRows({receiver0, receiver1, columns, options_.own_trust, inverse_area_}, first, rows);
   });
   if (end - first < 2 || !options_.both_ways) return rows;
-  workers.for_chunks(sides().size(), grain, [&](std::size_t from, std::size_t to, int) {
+  context.for_chunks(sides().size(), grain, [&](std::size_t from, std::size_t to, int) {
     std::vector<double> row(rows.size());
     for (auto s = from; s < to; ++s) {
       double row_sums = 0.0;

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "luxel/classical/operator.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
-#include "luxel/solve/arrivals.h"
 #include "luxel/solve/hit_store.h"
+#include "luxel/solve/row_sums.h"
 
 namespace luxel {
 
@@ -50,7 +50,7 @@ struct SampledOperatorOptions {
 class SampledOperator {
  public:
   SampledOperator(const PatchSet& patches, const HitStore& hits, const SampledOperatorOptions& options,
-                  const Workers& workers);
+                  const Context& context);
   ~SampledOperator();
 
   const HitStore& hits() const { return hits_; }
@@ -64,14 +64,14 @@ class SampledOperator {
   std::size_t half_of(std::uint32_t replicate) const { return replicate < half_begin(1) ? 0 : 1; }
 
   // irradiance = F radiosity, F the mean of one half of the replicates. radiosity: [element * columns +
-  // column], irradiance: [receiver * columns + column]. Of all ranks together.
+  // column], irradiance: [receiver * columns + column]. Collective: all processes call it together.
   void apply(std::size_t half, std::size_t columns, std::span<const float> radiosity,
-             std::span<float> irradiance, const Workers& workers) const;
+             std::span<float> irradiance, const Context& context) const;
 
-  // h_r for each replicate r of that half: [replicate - half_begin(half)][receiver * bands + band]. Of
-  // several ranks, each knows its own rows alone: HitStore::all_gather_receivers().
+  // Computes h_r for each replicate r of that half: [replicate - half_begin(half)][receiver * bands + band].
+  // With several processes, each has its own rows alone: HitStore::all_gather_receivers().
   std::vector<std::vector<float>> replicate_rows(std::size_t half, std::span<const float> radiosity,
-                                                 const Workers& workers) const;
+                                                 const Context& context) const;
 
   // What all rays of that replicate count in row `receiver` for what they are in apply(): own rays to sinks
   // have 1 / n, n rays of the receiver, times this.
@@ -83,26 +83,28 @@ class SampledOperator {
     return static_cast<double>(row_sum_[replicate][receiver]);
   }
 
-  // What a further ray of each receiver is worth: minus the derivative of J = sum of importance * variance of
-  // irradiance by the receiver's rays per area d. J is the sum over receivers of d * worth. Two parts: the
-  // receiver's own row (noisy: to be averaged over neighbours) and the rows of those that its rays meet.
+  // Computes the benefit of a further ray of each receiver: minus the derivative of J = sum of importance *
+  // variance of irradiance by the receiver's rays per area d. J is the sum over receivers of d * worth. It
+  // has two parts: the receiver's own row (noisy: to be averaged over neighbours) and the rows of those that
+  // its rays meet.
   //
-  //     worth_m = sum over j of F_mj [ I_m (R_j - c_m)^2 / A_m^2 + I_j (R_m - c_j)^2 / A_j^2 ] / (d_m +
-  //     d_j)^2
+  //     worth_m = sum over j of F_mj [ I_m (R_j - c_m)^2 / A_m^2 + I_j (R_m - c_j)^2 / A_j^2 ]
+  //               / (d_m + d_j)^2
   //
-  // importance: I, [receiver]. radiosity: R, [element * bands + band]. level: c, what rows would gather if
-  // all they see were alike, [receiver * bands + band]. Costs one apply. Known to all ranks.
+  // importance: I, [receiver]. radiosity: R, [element * bands + band]. level: c, the irradiance of rows if
+  // all surfaces around them were alike, [receiver * bands + band]. Costs one apply. All processes get the
+  // result.
   struct RayWorth {
     std::vector<float> own, given;  // [receiver]
   };
   RayWorth ray_worth(std::span<const double> importance, std::span<const float> radiosity,
-                     std::span<const float> level, const Workers& workers) const;
+                     std::span<const float> level, const Context& context) const;
 
  private:
   void find_densities();
-  void find_arrivals(const Workers& workers);
-  void find_row_factors(const Workers& workers);
-  void find_row_sums(const Workers& workers);
+  void find_arrivals(const Context& context);
+  void find_row_factors(const Context& context);
+  void find_row_sums(const Context& context);
   // Lets sides whose row sums are off 1 count one way. Returns whether there are any new ones.
   bool find_one_way_sides();
   // Arrivals of one replicate, of rays that the blocks [first, end) send.
@@ -116,18 +118,18 @@ class SampledOperator {
   // replicates, each [receiver - first receiver][width], and rows.finish(). width: known_width, or any where
   // that is 0.
   template <std::size_t known_width, typename Kernel, typename MakeRows>
-  void for_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
+  void for_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Context& context,
                 const Kernel& kernel, const MakeRows& make_rows) const;
   template <std::size_t known_width, typename Kernel, typename MakeRows>
-  void for_stored_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
+  void for_stored_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Context& context,
                        const Kernel& kernel, const MakeRows& make_rows) const;
   template <std::size_t known_width, typename Kernel, typename MakeRows>
-  void for_streamed_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Workers& workers,
+  void for_streamed_rows(std::uint32_t first, std::uint32_t end, std::size_t width, const Context& context,
                          const Kernel& kernel, const MakeRows& make_rows) const;
   // Sums of radiosity: kernel and rows of apply() and replicate_rows().
   template <typename MakeRows>
   void sum_rows(std::uint32_t first, std::uint32_t end, std::size_t columns, std::span<const float> radiosity,
-                const Workers& workers, const MakeRows& make_rows) const;
+                const Context& context, const MakeRows& make_rows) const;
 
   const PatchSet& patches_;
   const HitStore& hits_;
@@ -135,10 +137,11 @@ class SampledOperator {
   // Rays of one replicate per area, 1/m²: [receiver], of the receiver's own rays; [element], of those that
   // may arrive from it: 0 for sinks and what is seen one way.
   std::vector<float> density_, sent_density_;
-  std::vector<float> trusted_, mutual_;                   // [receiver]: k d; 1, or 0 where rays count one way
-  std::vector<double> inverse_area_;                      // [receiver], 1/m²
-  std::vector<Arrivals> arrivals_;                        // [replicate]; none where hits are streamed
-  std::vector<std::vector<float>> row_sum_, row_factor_;  // [replicate][receiver], of this rank's receivers
+  std::vector<float> trusted_, mutual_;  // [receiver]: k d; 1, or 0 where rays count one way
+  std::vector<double> inverse_area_;     // [receiver], 1/m²
+  std::vector<Arrivals> arrivals_;       // [replicate]; none where hits are streamed
+  std::vector<std::vector<float>> row_sum_,
+      row_factor_;  // [replicate][receiver], of this process's receivers
   // [receiver]: sum over replicates of the variances that row sums would have if all rays were independent.
   std::vector<float> row_sum_variance_;
 };
@@ -153,9 +156,9 @@ class CrossedHalves final : public TransportOperator {
   std::size_t bands() const override { return bands_; }
   std::span<const std::uint32_t> row_begins() const override { return row_begins_; }
   void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-             std::size_t end, const Workers& workers) const override;
+             std::size_t end, const Context& context) const override;
 
-  // What half h of the rows sees: the other half's radiosities and the sinks', [element][band].
+  // The radiosities gathered by half h of the rows: those of the other half and the sinks, [element][band].
   std::vector<float> seen_by(std::size_t half, std::span<const float> radiosity) const;
 
  private:
@@ -176,8 +179,8 @@ class HalfOperator final : public TransportOperator {
   std::size_t bands() const override { return columns_; }
   std::span<const std::uint32_t> row_begins() const override { return row_begins_; }
   void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t, std::size_t,
-             const Workers& workers) const override {
-    whole_.apply(half_, columns_, radiosity, irradiance, workers);
+             const Context& context) const override {
+    whole_.apply(half_, columns_, radiosity, irradiance, context);
   }
 
  private:

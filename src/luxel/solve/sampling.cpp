@@ -9,20 +9,21 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
-#include "luxel/solve/one_way_sides.h"
+#include "luxel/core/none.h"
 #include "luxel/solve/sampled_light.h"
-#include "luxel/solve/unreached_sides.h"
+#include "luxel/solve/survey_sides.h"
+#include "luxel/solve/tuning.h"
 
 namespace luxel {
 namespace {
 
+using namespace tuning::first_samples;
+
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t min_rays = 1 << 17;  // of the first samples, shadow rays and gather rays each
-constexpr std::uint32_t unit_positions = 64;
-
-// The power of two that brings the rays of all receivers above the least.
+// The power of two for which the rays of all receivers reach the minimum.
 std::uint32_t first_samples(std::size_t receivers, std::uint32_t replicates) {
   std::uint32_t n = 1;
   while (n < 1024 && n * replicates * receivers < min_rays) n *= 2;
@@ -42,26 +43,25 @@ DirectOptions direct_options(const SampledOptions& options) {
 }
 
 Sampling::Sampling(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
-                   const Workers& workers)
+                   const Context& context)
     : patches_(patches),
       tracer_(tracer),
       options_(options),
-      workers_(workers),
-      memory_(options.memory > 0
-                  ? options.memory
-                  : free_memory() / 2 / (options.ranks ? options.ranks->on_this_machine() : 1)),
+      context_(context),
+      memory_(options.memory > 0 ? options.memory
+                                 : free_memory() / 2 / SharedWork(context).processes_on_this_machine()),
       lamps_(patches),
       direct_light_(patches, tracer, lamps_, direct_options(options)) {}
 
 void Sampling::lay_out() {
-  tree_ = make_patch_tree(patches_, workers_);
+  tree_ = make_patch_tree(patches_, context_);
   hits_.emplace(patches_, all_gather_sides(patches_, tree_), tracer_,
                 HitStoreOptions{.seed = options_.seed,
                                 .replicates = options_.replicates,
                                 .low_discrepancy = options_.low_discrepancy,
-                                .stratified = options_.stratified,
-                                .ranks = options_.ranks});
-  // Before it is known which sides are dark: the first samples of all.
+                                .stratified = options_.stratified},
+                SharedWork(context_));
+  // Before unreached sides are known: the first samples of all sides.
   check_memory(sizeof(float) * options_.replicates * direct_width() * hits_->sides().size(), 0);
   direct_.emplace(direct_light_, hits_->sides(), options_.replicates, direct_width(), hits_->partition());
 }
@@ -75,11 +75,11 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   if (!take_direct(all, first, monitor)) return false;
   const auto direct_rays = rays_;
   make_room(std::uint64_t{first} * options_.replicates * all.size());
-  const auto traced = hits_->double_rays(all, first, workers_, told);
+  const auto traced = hits_->double_rays(all, first, context_.with_monitor(told));
   if (!traced) return false;
   rays_ = direct_->all_gather(all, direct_rays) + *traced;
   leave_out_unreached_sides(first_picture);
-  if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, workers_);
+  if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, context_);
   check_memory(bytes_of_state(), resident_memory());
   units_ = neighbour_begins(hits_->sides(), unit_positions);
   return true;
@@ -87,9 +87,9 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
 
 bool Sampling::take_direct(std::span<const std::uint32_t> receivers, std::uint32_t first,
                            const Monitor& monitor) {
-  constexpr std::uint64_t turn_rays = 1 << 19;   // of a thread
-  constexpr std::size_t min_receivers = 1 << 7;  // likewise: some chunks of a loop
-  const auto threads = static_cast<std::size_t>(workers_.threads());
+  constexpr std::uint64_t turn_rays = 1 << 19;   // per thread
+  constexpr std::size_t min_receivers = 1 << 7;  // minimum: some chunks of a loop
+  const auto threads = static_cast<std::size_t>(context_.threads());
   while (!receivers.empty()) {
     std::size_t count = 0;
     for (std::uint64_t rays = 0;
@@ -98,7 +98,7 @@ bool Sampling::take_direct(std::span<const std::uint32_t> receivers, std::uint32
       const auto so_far = direct_->samples_per_receiver()[receivers[count]];
       rays += std::uint64_t{options_.replicates} * (so_far > 0 ? so_far : first);
     }
-    rays_ += direct_->double_samples(receivers.first(count), first, workers_);
+    rays_ += direct_->double_samples(receivers.first(count), first, context_);
     receivers = receivers.subspan(count);
     if (tell(monitor, {"light", 0.0, rays_}) == Next::stop) return false;
   }
@@ -113,22 +113,22 @@ void Sampling::restore(const SampleState& state) {
   const auto all = hits_->sides().size();
   std::vector<std::uint8_t> kept(all, 0);
   for (const auto side : state.sides) {
-    const auto receiver = side < hits_->sides().receiver_of_side.size()
-                              ? hits_->sides().receiver_of_side[side]
-                              : GatherSides::none;
-    if (receiver == GatherSides::none)
+    const auto receiver = side.index() < hits_->sides().receiver_of_side.size()
+                              ? hits_->sides().receiver_of_side[side.index()]
+                              : none;
+    if (receiver == none)
       throw MismatchError("the kept samples are not of these patches: a side of theirs gathers no light");
     kept[receiver] = 1;
   }
   unreached_sides_ = all - static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 1));
   if (unreached_sides_ > 0) {
-    hits_->keep(kept, workers_);
+    hits_->keep(kept, context_);
     direct_->keep(kept, hits_->sides());
   }
   if (hits_->sides().side != state.sides)
     throw MismatchError("the kept samples are not of these patches: their sides stand in another order");
   hits_->restore(state.rounds);
-  if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, workers_);
+  if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, context_);
   direct_->restore(state.direct, state.direct_samples, state.direct_doublings);
   if (bytes_of_state() + bytes_of_hits() > memory_) hits_->stream();
   rays_ = state.rays;
@@ -151,15 +151,15 @@ SampleState Sampling::state() const {
 
 void Sampling::leave_out_unreached_sides(const Solution& first_picture) {
   const auto direct =
-      sum_of_groups(direct_->irradiance(), patches_.group_count(), patches_.band_count(), {}, workers_);
-  const auto lit = lit_receivers(patches_, *hits_, first_picture, direct, workers_);
+      sum_of_groups(direct_->irradiance(), patches_.group_count(), patches_.band_count(), {}, context_);
+  const auto lit = lit_receivers(patches_, *hits_, first_picture, direct, context_);
   unreached_sides_ = static_cast<std::uint64_t>(std::count(lit.begin(), lit.end(), 0));
   if (unreached_sides_ == 0) return;
-  hits_->keep(lit, workers_);
+  hits_->keep(lit, context_);
   direct_->keep(lit, hits_->sides());
 }
 
-RankTimes Sampling::distribute(std::span<const std::uint8_t> doublings) {
+ProcessTimes Sampling::distribute(std::span<const std::uint8_t> doublings) {
   const auto n = units_.size() - 1;
   std::vector<double> more_samples(hits_->sides().size(), 0.0), more_rays(more_samples);
   const auto more = [](std::uint32_t so_far, std::uint8_t times) {
@@ -178,7 +178,7 @@ RankTimes Sampling::distribute(std::span<const std::uint8_t> doublings) {
 
 bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& monitor) {
   const auto n = units_.size() - 1;
-  auto times = options_.ranks ? distribute(doublings) : RankTimes{};
+  auto times = hits_->partition().is_shared() ? distribute(doublings) : ProcessTimes{};
   const auto begin_time = Clock::now();
   const auto turns = *std::max_element(doublings.begin() + static_cast<std::ptrdiff_t>(n), doublings.end());
   for (std::uint8_t turn = 0; turn < turns; ++turn) {
@@ -188,18 +188,17 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
     const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
     for (auto& [rays, receivers] : gathered) {
       make_room(std::uint64_t{rays} * options_.replicates * receivers.size());
-      const auto traced = hits_->double_rays(std::move(receivers), 0, workers_, told);
+      const auto traced = hits_->double_rays(std::move(receivers), 0, context_.with_monitor(told));
       if (!traced) return false;
       rays_ += *traced;
     }
   }
   const auto before = rays_;
   if (!take_direct_part(doublings, 0, monitor)) return false;
-  if (!options_.ranks) return true;
-  // While the others finish their first part, there is the second to do.
+  if (!hits_->partition().is_shared()) return true;
+  // While other processes finish their first part, this one starts the second.
   const double own = std::chrono::duration<double>(Clock::now() - begin_time).count();
-  const auto asked = options_.ranks->start_all_gather(std::as_bytes(std::span(&own, 1)),
-                                                      std::as_writable_bytes(std::span(times.ready)));
+  const auto asked = hits_->partition().start_all_gather_value(own, std::span(times.ready));
   if (!take_direct_part(doublings, 1, monitor)) return false;
   asked->wait();
   direct_->units().deal_rest(std::move(times));
@@ -225,15 +224,17 @@ bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int par
   return true;
 }
 
-// Hits can be traced again, but not the light: more than there is would end the process, not the run.
+// Hits can be traced again, but stored light cannot: memory beyond the limit would end the process.
 void Sampling::check_memory(std::uint64_t bytes, std::uint64_t held) const {
   constexpr std::uint64_t mebibyte = 1u << 20;
   const auto free = free_memory();
   if (free == 0 || bytes <= free + held) return;
-  throw InputError(fmt::format(
-      "the light of {} patch sides in {} bands needs about {} MiB of memory, of which {} are free: "
-      "make fewer patches (a larger --max-edge), or fewer bands (--bands with --spectral)",
-      hits_->sides().size(), patches_.band_count(), bytes / mebibyte, free / mebibyte));
+  throw with_hints(
+      InputError(fmt::format(
+          "the light of {} patch sides in {} bands needs about {} MiB of memory, of which {} are free: "
+          "make fewer patches with a longer edge, or take fewer bands",
+          hits_->sides().size(), patches_.band_count(), bytes / mebibyte, free / mebibyte)),
+      {{Setting::max_edge}, {Setting::bands}});
 }
 
 void Sampling::make_room(std::uint64_t more_rays) {
@@ -244,9 +245,9 @@ void Sampling::make_room(std::uint64_t more_rays) {
 std::uint64_t Sampling::bytes_of_state() const {
   const auto groups = patches_.light_groups.empty() ? 1 : 2 * patches_.group_count();
   const std::uint64_t numbers = hits_->sides().size() * patches_.band_count();
-  // Direct and gathered light of each replicate, and of direct light that of each group and a copy of it for
-  // who keeps the state; the iteration's vectors, of two halves; mean, error, bias, reflectance; what is kept
-  // by receiver and replicate; the tree; and the solution.
+  // Direct and gathered light of each replicate; direct light of each group, and a copy of it if the state is
+  // stored; the iteration's vectors of two halves; mean, error, bias and reflectance; arrays by receiver and
+  // replicate; the tree; and the solution.
   return sizeof(float) * numbers * ((2 + groups) * options_.replicates + 24 + 6) +
          (64 + 12 * options_.replicates) * hits_->sides().size() +
          patches_.size() * (60 + sizeof(float) * 6 * patches_.band_count());

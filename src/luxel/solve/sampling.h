@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/core/context.h"
 #include "luxel/core/progress.h"
 #include "luxel/lamps/direct_light.h"
 #include "luxel/patch/patch_tree.h"
@@ -26,15 +27,16 @@ class Sampling {
  public:
   // Keeps references to all but the options.
   Sampling(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
-           const Workers& workers);
+           const Context& context);
 
-  // The first samples of every side; then those that no light reaches are left out. first_picture: any light
-  // that is known to arrive somewhere. Returns false, and is of no use, if the monitor said stop.
+  // Takes the first samples of every side, then leaves out those that no light reaches. first_picture: any
+  // light that is known to arrive somewhere. Returns false, and must not be used further, if the monitor
+  // stops the work.
   bool start(const Solution& first_picture, const Monitor& monitor = {});
   // In place of start(): goes on where another was. Throws MismatchError where the state is not of these
   // patches and options.
   void restore(const SampleState& state);
-  // What restore() needs, and the rays traced; the rest is the caller's.
+  // The input of restore(), and the rays traced; the caller fills in the rest.
   SampleState state() const;
 
   const PatchTree& tree() const { return tree_; }
@@ -43,7 +45,7 @@ class Sampling {
   std::unique_ptr<const SampledOperator> transport() const {
     return std::make_unique<const SampledOperator>(
         patches_, *hits_, SampledOperatorOptions{.both_ways = options_.both_ways, .one_way = one_way_},
-        workers_);
+        context_);
   }
   const DirectSamples& direct() const { return *direct_; }
   std::uint64_t unreached_sides() const { return unreached_sides_; }
@@ -53,7 +55,7 @@ class Sampling {
   std::span<const std::uint32_t> units() const { return units_; }
 
   // Doubles the shadow rays of unit u doublings[u] times, and the gather rays of receiver s doublings[units +
-  // s] times. Returns false, with some of it done, if the monitor said stop.
+  // s] times. Returns false, with some of it done, if the monitor stops the work.
   bool take(std::span<const std::uint8_t> doublings, const Monitor& monitor);
 
   // Bytes of the hits that are stored, at their senders and where they arrive, and of all else that a solve
@@ -68,11 +70,11 @@ class Sampling {
   void make_room(std::uint64_t more_rays);
   // The samples of all sides: none yet.
   void lay_out();
-  // Of several ranks: who takes which samples of a take().
-  RankTimes distribute(std::span<const std::uint8_t> doublings);
+  // Which process takes which samples of a take().
+  ProcessTimes distribute(std::span<const std::uint8_t> doublings);
   // The shadow rays of a take(), of one part of the units.
   bool take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor);
-  // The monitor is asked a few times per second. Returns false if it said stop.
+  // Polls the monitor a few times per second. Returns false if it stops the work.
   bool take_direct(std::span<const std::uint32_t> receivers, std::uint32_t first, const Monitor& monitor);
   void leave_out_unreached_sides(const Solution& first_picture);
   std::size_t direct_width() const { return patches_.group_count() * patches_.band_count(); }
@@ -80,7 +82,7 @@ class Sampling {
   const PatchSet& patches_;
   const Tracer& tracer_;
   SampledOptions options_;
-  const Workers& workers_;
+  const Context& context_;
   std::uint64_t memory_;  // bytes that may be held
   Lamps lamps_;
   DirectLight direct_light_;

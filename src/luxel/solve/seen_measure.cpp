@@ -4,11 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
+
+#include "luxel/core/none.h"
+#include "luxel/core/student.h"
+#include "luxel/solve/tuning.h"
+#include "luxel/trace/place_views.h"
+#include "luxel/trace/seen_error.h"
 
 namespace luxel {
+
 namespace {
 
-constexpr double area_fraction = 0.05;  // of the importance; see importance()
+using namespace tuning::seen;
 
 double squared(double x) { return x * x; }
 
@@ -42,13 +51,11 @@ class LeaveOneOut {
 }  // namespace
 
 SeenMeasure::SeenMeasure(const PatchSet& patches, const GatherSides& sides,
-                         std::span<const std::uint32_t> units, const Tracer& tracer, const Workers& workers,
-                         const Ranks* ranks)
+                         std::span<const std::uint32_t> units, const Tracer& tracer, const Context& context)
     : patches_(patches),
       sides_(sides),
-      ranks_(ranks),
       units_(units.begin(), units.end()),
-      views_(place_views(patches, tracer, workers)) {}
+      views_(place_views(patches, tracer, context)) {}
 
 double SeenMeasure::error_of(const Spread& answer) const {
   const auto light = light_of(views_.stating, answer);
@@ -63,10 +70,10 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
   const std::vector<float> no_light(bands, 0.0f);
   std::vector<double> squared_error(bands);
   for (std::size_t i = 0; i < views.sides.size(); ++i) {
-    const auto receiver = sides_.receiver_of_side[views.sides[i]];
+    const auto receiver = sides_.receiver_of_side[views.sides[i].index()];
     std::span<const float> irradiance = no_light;
     std::fill(squared_error.begin(), squared_error.end(), 0.0);
-    if (receiver != GatherSides::none) {
+    if (receiver != none) {
       irradiance = std::span(answer.mean).subspan(receiver * bands, bands);
       for (std::size_t b = 0; b < bands; ++b)
         squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
@@ -78,32 +85,32 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
   return light;
 }
 
-void SeenMeasure::take(const Spread& answer, Replicates direct, Replicates gathered, const Workers& workers) {
+void SeenMeasure::take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context) {
   const auto light = light_of(views_.stating, answer);
   const SeenError stating(views_.stating, light);
   error_ = stating.percentile_95();
-  estimate_uncertainty(stating, light, answer, direct, gathered, workers);
+  estimate_uncertainty(stating, light, answer, direct, gathered, context);
   const auto dealing = light_of(views_.dealing, answer);
   spread_importance(SeenError(views_.dealing, dealing).importance(), answer);
 }
 
 void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
-                                       Replicates direct, Replicates gathered, const Workers& workers) {
+                                       Replicates direct, Replicates gathered, const Context& context) {
   const auto bands = patches_.band_count();
   const auto n = direct.size();
   const auto receivers = sides_.size();
   const bool black = reflects_nothing(patches_, views_.stating);
-  // By receiver, because ranks hold the replicates of ranges of receivers.
+  // Ordered by receiver, because each process holds the replicates of a range of receivers.
   std::vector<std::uint8_t> is_seen(receivers, 0);
   for (const auto side : views_.stating.sides)
-    if (sides_.receiver_of_side[side] != GatherSides::none) is_seen[sides_.receiver_of_side[side]] = 1;
+    if (sides_.receiver_of_side[side.index()] != none) is_seen[sides_.receiver_of_side[side.index()]] = 1;
   std::vector<float> without(receivers * n, 0.0f);
-  const auto mine = spread_partition(ranks_, receivers);
+  const auto mine = spread_partition(SharedWork(context), receivers);
   const LeaveOneOut leave_one_out(direct, gathered);
-  workers.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
+  context.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
     for (auto s = mine.begin() + from; s < mine.begin() + to; ++s)
       for (std::size_t b = 0; is_seen[s] && b < bands; ++b) {
-        const auto rho = black ? 1.0 : static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b));
+        const auto rho = black ? 1.0 : static_cast<double>(patches_.reflectance(sides_.side[s].patch(), b));
         leave_one_out.add(s * bands + b, static_cast<double>(answer.squared_error[s * bands + b]),
                           squared(rho / std::numbers::pi) / static_cast<double>(bands),
                           std::span(without).subspan(s * n, n));
@@ -111,11 +118,11 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
   });
   mine.all_gather(std::span(without), n);
   std::vector<double> errors(n);
-  workers.for_chunks(n, 1, [&](std::size_t r, std::size_t, int) {
+  context.for_chunks(n, 1, [&](std::size_t r, std::size_t, int) {
     std::vector<float> squared_error(light.squared_error.size(), 0.0f);
     for (std::size_t i = 0; i < squared_error.size(); ++i) {
-      const auto receiver = sides_.receiver_of_side[views_.stating.sides[i]];
-      if (receiver != GatherSides::none) squared_error[i] = without[receiver * n + r];
+      const auto receiver = sides_.receiver_of_side[views_.stating.sides[i].index()];
+      if (receiver != none) squared_error[i] = without[receiver * n + r];
     }
     errors[r] = seen.percentile_95(squared_error);
   });
@@ -133,14 +140,14 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
   const bool black = reflects_nothing(patches_, views_.stating);
   std::vector<double> own(sides_.size(), 0.0);
   for (std::size_t i = 0; i < of_seen.size(); ++i) {
-    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i]];
-    if (receiver != GatherSides::none) own[receiver] = of_seen[i];
+    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i].index()];
+    if (receiver != none) own[receiver] = of_seen[i];
   }
   importance_.assign(sides_.size(), 0.0);
   double seen = 0.0;   // sum of importance * variance
   double whole = 0.0;  // sum of area * variance
   const auto area = [&](std::size_t receiver) {
-    return static_cast<double>(patches_.area[sides_.side[receiver] / 2]);
+    return static_cast<double>(patches_.area[sides_.side[receiver].patch()]);
   };
   for (std::size_t u = 0; u + 1 < units_.size(); ++u) {
     double sum = 0.0;
@@ -153,7 +160,7 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
       double rho2 = 0.0;
       double variance = 0.0;
       for (std::size_t b = 0; b < bands; ++b) {
-        rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(sides_.side[s] / 2, b)));
+        rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(sides_.side[s].patch(), b)));
         variance += squared(static_cast<double>(answer.standard_error[s * bands + b]));
       }
       importance_[s] = scale * rho2 / static_cast<double>(bands) * sum / unit_area * area(s);
@@ -164,6 +171,33 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
   const auto by_area = whole > 0.0 ? area_fraction * seen / whole : 0.0;
   for (std::size_t s = 0; s < importance_.size(); ++s)
     importance_[s] = (1.0 - area_fraction) * importance_[s] + by_area * area(s);
+}
+
+double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
+                     const Context& context) {
+  if (solution.standard_error.front.empty()) return 0.0;
+  const auto views = place_views(patches, tracer, context).stating;
+  if (views.size() == 0) return 0.0;
+  const auto widening =
+      solution.error_degrees_of_freedom > 0.0 ? student_widening(solution.error_degrees_of_freedom) : 1.0;
+  const bool black = reflects_nothing(patches, views);
+  const auto bands = patches.band_count();
+  SeenLight light{{}, {}, sky_radiance(patches)};
+  std::vector<double> squared_error(bands);
+  for (const auto side : views.sides) {
+    const bool back = side.is_back();
+    const auto at = side.patch() * bands;
+    const auto& H = solution.irradiance.of(back);
+    const auto& error = solution.standard_error.of(back);
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto narrow = static_cast<double>(error[at + b]) / widening;
+      squared_error[b] = narrow * narrow;
+    }
+    const auto seen = light_of_side(patches, side, std::span(H).subspan(at, bands), squared_error, black);
+    light.radiance.push_back(seen.radiance);
+    light.squared_error.push_back(seen.squared_error);
+  }
+  return SeenError(views, light).percentile_95();
 }
 
 }  // namespace luxel

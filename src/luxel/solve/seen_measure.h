@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/ranks.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
 #include "luxel/solve/replicate_spread.h"
 #include "luxel/trace/gather_sides.h"
 #include "luxel/trace/place_views.h"
@@ -22,9 +22,9 @@ class SeenMeasure {
  public:
   // Places the views by the patches as they are now; later calls take their lamps and reflectances as they
   // are then. See place_views() for the cost. units: as neighbour_begins() gives them, the receivers whose
-  // importance is pooled. Keeps references to patches and sides. Ranks all make the same.
+  // importance is pooled. Keeps references to patches and sides. All processes make the same.
   SeenMeasure(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> units,
-              const Tracer& tracer, const Workers& workers, const Ranks* ranks = nullptr);
+              const Tracer& tracer, const Context& context);
 
   // False where the scene has no open space: then there is no seen error.
   bool has_views() const { return !views_.empty(); }
@@ -34,35 +34,40 @@ class SeenMeasure {
   double error_of(const Spread& answer) const;
 
   // Takes a new answer and the replicates it is made of, direct and gathered light, [replicate][receiver *
-  // bands
-  // + band]. With ranks, those of spread_partition() are enough. Cost: about 0.2 us per receiver seen and 50
-  // ns per direction, some 20 ms for a room of 50,000 patches.
-  void take(const Spread& answer, Replicates direct, Replicates gathered, const Workers& workers);
+  // bands + band]. With several processes, those of spread_partition() are enough. Cost: about 0.2 us per
+  // receiver seen and 50 ns per direction, some 20 ms for a room of 50,000 patches.
+  void take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context);
 
-  // Of the last answer taken.
+  // The error of the last answer taken.
   double error() const { return error_; }              // see Solution::seen_error
   double uncertainty() const { return uncertainty_; }  // its relative standard error, by the jackknife
 
   // Importance of each receiver, (m² / W)²: importance times the variance of the receiver's irradiance,
   // summed over bands (not averaged), summed over receivers, is about the square of error(). The views'
-  // importance of sides is pooled over each unit and dealt to its receivers by area and squared reflectance,
-  // because some hundred looks per view are sparse for a million sides; a twentieth goes by area alone, for
-  // light that comes to the views by surfaces which they do not see.
+  // importance of sides is pooled over each unit and distributed to its receivers by area and squared
+  // reflectance, because some hundred directions per view are sparse for a million sides; a twentieth is
+  // distributed by area alone, for light that reaches the views by surfaces outside them.
   std::span<const double> importance() const { return importance_; }  // [receiver]
 
  private:
   SeenLight light_of(const Views& views, const Spread& answer) const;
   void estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
-                            Replicates direct, Replicates gathered, const Workers& workers);
+                            Replicates direct, Replicates gathered, const Context& context);
   void spread_importance(std::span<const double> of_seen, const Spread& answer);
 
   const PatchSet& patches_;
   const GatherSides& sides_;
-  const Ranks* ranks_;
   std::vector<std::uint32_t> units_;
   ViewSets views_;
   double error_ = 0.0, uncertainty_ = 0.0;
   std::vector<double> importance_;
 };
+
+// The seen error of a solution (Solution::seen_error) from its light and the standard errors of its sides,
+// with the same views as a solve of these patches has. widening: of the standard errors, see Solution; from
+// error_degrees_of_freedom where that is above 0, else 1. 0 where the solution states no standard errors, or
+// no open space is found. Cost: that of place_views().
+double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
+                     const Context& context);
 
 }  // namespace luxel

@@ -1,43 +1,112 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/solve_light.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
+#include "luxel/classical/classical.h"
+#include "luxel/classical/forecast.h"
+#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
+#include "luxel/core/work_partition.h"
 
 namespace luxel {
+namespace {
+
+struct MethodInfo {
+  Method method;
+  std::string_view name, description;
+  SolveReport (*solve)(const PatchSet&, const Tracer&, Solution&, const LightOptions&, const LightSink&,
+                       const Context&);
+};
+
+constexpr MethodInfo methods[] = {
+    {Method::sampled, "sampled", "rays from every patch, with an error bar",
+     nullptr},  // which alone takes samples
+    {Method::shooting, "shooting", "power shot bounce by bounce: stochastic Jacobi iteration",
+     [](const PatchSet& patches, const Tracer& tracer, Solution& solution, const LightOptions& options,
+        const LightSink& on_light, const Context& context) {
+       return solve_stochastic_jacobi(patches, tracer, solution, options.shooting, context, on_light);
+     }},
+    {Method::dense, "dense", "the matrix of all form factors, solved without noise",
+     [](const PatchSet& patches, const Tracer& tracer, Solution& solution, const LightOptions& options,
+        const LightSink& on_light, const Context& context) {
+       return solve_dense(patches, tracer, solution, options.dense, context, on_light);
+     }},
+    {Method::hemicube, "hemicube", "form factors by hemicubes, row by row",
+     [](const PatchSet& patches, const Tracer&, Solution& solution, const LightOptions& options,
+        const LightSink& on_light, const Context& context) {
+       return solve_hemicube(patches, solution, options.hemicube, context, on_light);
+     }},
+    {Method::lines, "lines", "form factors by local lines, row by row",
+     [](const PatchSet& patches, const Tracer& tracer, Solution& solution, const LightOptions& options,
+        const LightSink& on_light, const Context& context) {
+       return solve_lines(patches, tracer, solution, options.lines, context, on_light);
+     }},
+};
+
+const MethodInfo& info_of(Method method) {
+  return *std::find_if(std::begin(methods), std::end(methods),
+                       [&](const MethodInfo& info) { return info.method == method; });
+}
+
+SolveReport solve_by_method(const PatchSet& patches, const Tracer& tracer, Solution& solution,
+                            const LightOptions& options, const SolveHooks& hooks, const Context& context) {
+  if (options.method == Method::sampled)
+    return solve_sampled(patches, tracer, solution, options.sampled, hooks, context);
+  if (!patches.point_lights.empty())
+    throw with_hints(
+        InputError(fmt::format("lamp '{}' has no surface: only the sampled method and the path-traced "
+                               "reference solve such lamps",
+                               patches.point_lights.front().light.name)),
+        {{Setting::method, "sampled"}});
+  return info_of(options.method).solve(patches, tracer, solution, options, hooks.on_light, context);
+}
+
+}  // namespace
+
+std::span<const Method> all_methods() {
+  static constexpr Method all[] = {Method::sampled, Method::shooting, Method::dense, Method::hemicube,
+                                   Method::lines};
+  return all;
+}
+
+std::string_view name(Method method) { return info_of(method).name; }
+
+std::string_view description(Method method) { return info_of(method).description; }
+
+std::optional<Method> method_named(std::string_view name) {
+  for (const auto& info : methods)
+    if (info.name == name) return info.method;
+  return {};
+}
 
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
-                        const LightOptions& options, const Workers& workers, const Monitor& monitor,
-                        const SampleStorage& storage) {
-  const auto& method = options.method;
-  if (!patches.point_lights.empty() && method != LightOptions::by_sampling)
-    throw InputError(fmt::format(
-        "lamp '{}' has no surface: such lamps are solved by --method sampled alone, and by luxel reference",
-        patches.point_lights.front().light.name));
-  if (method == LightOptions::by_shooting)
-    return solve_stochastic_jacobi(patches, tracer, solution, options.shooting, workers, monitor);
-  if (method == LightOptions::by_dense)
-    return solve_dense(patches, tracer, solution, options.dense, workers, monitor);
-  if (method == LightOptions::by_hemicube)
-    return solve_hemicube(patches, solution, options.hemicube, workers, monitor);
-  if (method == LightOptions::by_lines)
-    return solve_lines(patches, tracer, solution, options.lines, workers, monitor);
-  if (method != LightOptions::by_sampling)
-    throw InputError(fmt::format(
-        "the methods are sampled, shooting, dense, hemicube and lines; there is none named '{}'", method));
-  return solve_sampled(patches, tracer, solution, options.sampled, workers, monitor, storage);
+                        const LightOptions& options, const SolveHooks& hooks, const Context& context) {
+  auto report = solve_by_method(patches, tracer, solution, options, hooks, context);
+  const SharedWork work(context);
+  report.processes = work.processes();
+  report.traffic = work.traffic();
+  return report;
 }
 
 std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tracer,
-                                       const LightOptions& options, const Workers& workers) {
-  if (options.method == LightOptions::by_dense)
-    return forecast_dense(patches, tracer, options.dense, workers);
-  if (options.method == LightOptions::by_hemicube)
-    return forecast_hemicube(patches, options.hemicube, workers);
-  if (options.method == LightOptions::by_lines)
-    return forecast_lines(patches, tracer, options.lines, workers);
+                                       const LightOptions& options, const Context& context) {
+  switch (options.method) {
+    case Method::dense:
+      return forecast_dense(patches, tracer, options.dense, context);
+    case Method::hemicube:
+      return forecast_hemicube(patches, options.hemicube, context);
+    case Method::lines:
+      return forecast_lines(patches, tracer, options.lines, context);
+    case Method::sampled:
+    case Method::shooting:
+      break;
+  }
   return {};
 }
 

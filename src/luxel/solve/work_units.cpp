@@ -4,21 +4,21 @@
 #include <algorithm>
 #include <numeric>
 
+#include "luxel/solve/tuning.h"
+
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t positions_per_unit = 64;
-constexpr double second_part = 0.5, last_part = 0.75;  // shares of a rank's work, where they begin
-constexpr double guess = 1e-5;  // s per sample, as long as nothing is known: units are dealt evenly
+using namespace tuning::work;
 
 }  // namespace
 
 WorkUnits::WorkUnits(const RowPartition& partition, const GatherSides& sides)
     : partition_(partition), sides_(sides) {
-  if (!partition.ranks() || sides.size() == 0) return;
+  if (!partition.is_shared() || sides.size() == 0) return;
   const auto last = *std::max_element(sides.position.begin(), sides.position.end()) / positions_per_unit;
   for (std::size_t unit = 0; unit < 2 * (last + 1); ++unit)
-    owners_.push_back(static_cast<std::uint32_t>(unit / 2 % partition.ranks()->size()));
+    owners_.push_back(static_cast<std::uint32_t>(unit / 2 % partition.processes()));
   parts_.resize(owners_.size(), 0);
   seconds_per_sample_.resize(owners_.size(), 0.0);
 }
@@ -28,7 +28,7 @@ std::size_t WorkUnits::unit_of(std::size_t receiver) const {
 }
 
 void WorkUnits::learn(std::span<const std::uint32_t> receivers, std::span<const double> seconds) {
-  if (!partition_.ranks()) return;
+  if (!partition_.is_shared()) return;
   for (std::size_t i = 0; i < receivers.size();) {
     const auto unit = unit_of(receivers[i]);
     double sum = 0.0;
@@ -56,27 +56,27 @@ std::vector<double> WorkUnits::expected(std::span<const double> more) const {
 }
 
 double WorkUnits::expected_seconds(std::span<const double> more) const {
-  if (!partition_.ranks()) return 0.0;
+  if (!partition_.is_shared()) return 0.0;
   const auto seconds = expected(more);
   return std::accumulate(seconds.begin(), seconds.end(), 0.0);
 }
 
-void WorkUnits::deal(std::span<const double> more, const RankTimes& times) {
-  if (!partition_.ranks()) return;
+void WorkUnits::deal(std::span<const double> more, const ProcessTimes& times) {
+  if (!partition_.is_shared()) return;
   load_ = expected(more);
   owners_ = dealt_units(load_, times);
   std::vector<double> whole(times.ready.size(), 0.0), done(whole);
   for (std::size_t p = 0; p < load_.size(); ++p) whole[owners_[p]] += load_[p];
-  for (const auto p : heaviest_first(load_)) {  // the small ones last
-    const auto rank = owners_[p];
-    const auto all_gather = whole[rank] > 0.0 ? done[rank] / whole[rank] : 0.0;
-    parts_[p] = all_gather < second_part ? 0 : all_gather < last_part ? 1 : 2;
-    done[rank] += load_[p];
+  for (const auto p : heaviest_first(load_)) {  // small units last
+    const auto owner = owners_[p];
+    const auto finished = whole[owner] > 0.0 ? done[owner] / whole[owner] : 0.0;
+    parts_[p] = finished < second_part ? 0 : finished < last_part ? 1 : 2;
+    done[owner] += load_[p];
   }
 }
 
-void WorkUnits::deal_rest(RankTimes times) {
-  if (!partition_.ranks()) return;
+void WorkUnits::deal_rest(ProcessTimes times) {
+  if (!partition_.is_shared()) return;
   std::vector<std::uint32_t> rest;
   std::vector<double> load;
   for (std::uint32_t p = 0; p < load_.size(); ++p) {
@@ -91,7 +91,7 @@ void WorkUnits::deal_rest(RankTimes times) {
 
 void WorkUnits::all_gather(std::span<std::vector<float>> lists, std::size_t width,
                            std::span<const std::uint32_t> receivers) {
-  if (!partition_.ranks()) return;
+  if (!partition_.is_shared()) return;
   const auto runs = RowPartition::runs_of(
       receivers.size(), [&](std::size_t i) { return receivers[i]; },
       [&](std::size_t i) { return owners_[unit_of(receivers[i])]; });

@@ -5,39 +5,39 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/row_partition.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/trace/gather_sides.h"
 
 namespace luxel {
 
-// Which rank takes the samples of which receivers, where any rank can: units of neighbouring receivers, dealt
-// so that all ranks are done at once, by how long samples took before. Half of each rank's work is its first
-// part, a quarter the second; the rest is dealt anew once it is known when each was done with the first, so
-// what was foreseen wrongly is made good. Without ranks, all units are mine.
+// Partition of samples among processes: units of neighbouring receivers, assigned so that all processes
+// finish together, by the measured duration of earlier samples. Half of the work of each is its first part, a
+// quarter the second; the rest is assigned again once it is known when each has finished the first, which
+// corrects the estimate.
 class WorkUnits {
  public:
   static constexpr int parts = 3;
 
-  // Keeps references to both, whatever becomes of the sides. Pieces go round until they are dealt.
+  // Keeps references to both, whatever becomes of the sides. Units are dealt in turn at first.
   WorkUnits(const RowPartition& partition, const GatherSides& sides);
 
   bool is_mine(std::size_t receiver) const {
-    return !partition_.ranks() || owners_[unit_of(receiver)] == partition_.ranks()->rank();
+    return !partition_.is_shared() || owners_[unit_of(receiver)] == partition_.process();
   }
-  int part_of(std::size_t receiver) const { return partition_.ranks() ? parts_[unit_of(receiver)] : 0; }
+  int part_of(std::size_t receiver) const { return partition_.is_shared() ? parts_[unit_of(receiver)] : 0; }
 
-  // What this rank measured: [i], of receivers[i]; s of a thread for one sample, 0 where it took none.
+  // What this process measured: [i], of receivers[i]; s of a thread for one sample, 0 where it took none.
   void learn(std::span<const std::uint32_t> receivers, std::span<const double> seconds);
   // s of a thread that more samples, [receiver], will take.
   double expected_seconds(std::span<const double> more) const;
 
-  // Who takes so many more samples of each receiver. times: when each rank is free.
-  void deal(std::span<const double> more, const RankTimes& times);
-  // Who takes those of the last part; times: when each rank was done with the first.
-  void deal_rest(RankTimes times);
+  // Who takes so many more samples of each receiver. times: when each process is free.
+  void deal(std::span<const double> more, const ProcessTimes& times);
+  // Who takes those of the last part; times: when each process was done with the first.
+  void deal_rest(ProcessTimes times);
 
-  // What ranks have done with these receivers becomes known to all: `width` numbers per receiver, of each
-  // list.
+  // Gathers the results of processes for these receivers in all processes: `width` numbers per receiver, of
+  // each list.
   void all_gather(std::span<std::vector<float>> lists, std::size_t width,
                   std::span<const std::uint32_t> receivers);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
 #include "luxel/surface/flat_cover.h"
 #include "luxel/surface/flat_fragment.h"
@@ -29,12 +30,12 @@ Point on_chart(const Chart& chart, const Vec3& p) {
 
 EdgesOfSides::EdgesOfSides(std::size_t sides, const std::vector<SideEdge>& edges) : begin_(sides + 1, 0) {
   for (const auto& e : edges)
-    for (const auto& half : e.halves) ++begin_[half.side + 1];
+    for (const auto& half : e.halves) ++begin_[half.side.index() + 1];
   for (std::size_t s = 0; s < sides; ++s) begin_[s + 1] += begin_[s];
   edges_.resize(begin_[sides]);
   auto next = begin_;
   for (std::uint32_t i = 0; i < edges.size(); ++i)
-    for (const auto& half : edges[i].halves) edges_[next[half.side]++] = i;
+    for (const auto& half : edges[i].halves) edges_[next[half.side.index()]++] = i;
 }
 
 ChartCuts::ChartCuts(const PatchSet& patches, const std::vector<SideEdge>& edges,
@@ -43,10 +44,10 @@ ChartCuts::ChartCuts(const PatchSet& patches, const std::vector<SideEdge>& edges
       edges_(edges),
       of_sides_(of_sides),
       options_(options),
-      fragment_(2 * patches.size(), 0),
+      fragment_(side_count(patches.size()), 0),
       cut_in_vain_(edges.size(), false) {}
 
-std::vector<Chart> ChartCuts::cut(std::vector<std::uint32_t> sides, const Vec3d& direction) {
+std::vector<Chart> ChartCuts::cut(std::vector<SideId> sides, const Vec3d& direction) {
   std::vector<Chart> charts;
   auto open = connected(sides);
   while (!open.empty()) {
@@ -66,13 +67,13 @@ std::vector<Chart> ChartCuts::cut(std::vector<std::uint32_t> sides, const Vec3d&
   return charts;
 }
 
-bool ChartCuts::lies_left(const Chart& chart, const Line& line, std::uint32_t side) const {
-  return cross(line.along, on_chart(chart, patches_.centroid(side / 2)) - line.point) > 0.0;
+bool ChartCuts::lies_left(const Chart& chart, const Line& line, SideId side) const {
+  return cross(line.along, on_chart(chart, patches_.centroid(side.patch())) - line.point) > 0.0;
 }
 
 void ChartCuts::label(const Sides& sides) {
   ++fragments_;
-  for (const auto side : sides) fragment_[side] = fragments_;
+  for (const auto side : sides) fragment_[side.index()] = fragments_;
 }
 
 std::vector<ChartCuts::Sides> ChartCuts::connected(const Sides& sides) {
@@ -80,15 +81,15 @@ std::vector<ChartCuts::Sides> ChartCuts::connected(const Sides& sides) {
   const auto open = fragments_;
   std::vector<Sides> parts;
   for (const auto first : sides) {
-    if (fragment_[first] != open) continue;
+    if (fragment_[first.index()] != open) continue;
     Sides part = {first};
-    fragment_[first] = ++fragments_;
+    fragment_[first.index()] = ++fragments_;
     for (std::size_t i = 0; i < part.size(); ++i)
       for (const auto e : of_sides_.at(part[i])) {
         const auto& halves = edges_[e].halves;
         const auto other = halves[halves[0].side == part[i] ? 1 : 0].side;
-        if (!edges_[e].smooth || fragment_[other] != open) continue;
-        fragment_[other] = fragments_;
+        if (!edges_[e].smooth || fragment_[other.index()] != open) continue;
+        fragment_[other.index()] = fragments_;
         part.push_back(other);
       }
     parts.push_back(std::move(part));
@@ -108,9 +109,9 @@ ChartCuts::Cut ChartCuts::across_page(const Chart& chart) const {
   const Cut across{true, {{0.5 * chart.size[0], 0.0}, {0.0, 1.0}}};
   if (parts(chart, across.line)) return across;
   if (chart.sides.size() > 1) {  // all around one place: by their order, as nothing else tells them apart
-    const auto x = on_chart(chart, patches_.centroid(chart.sides[0] / 2)).x;
+    const auto x = on_chart(chart, patches_.centroid(chart.sides[0].patch())).x;
     for (const auto side : chart.sides)
-      if (const auto other = on_chart(chart, patches_.centroid(side / 2)).x; other != x)
+      if (const auto other = on_chart(chart, patches_.centroid(side.patch())).x; other != x)
         return {true, {{std::max(x, other), 0.0}, {0.0, 1.0}}};
   }
   throw InputError(fmt::format(
@@ -124,7 +125,8 @@ ChartCuts::Cut ChartCuts::at_contact(const Chart& chart) {
     for (const auto e : of_sides_.at(side)) {
       const auto& edge = edges_[e];
       const auto a = edge.halves[0].side, b = edge.halves[1].side;
-      if (edge.smooth || a != side || fragment_[b] != fragment_[a] || cut_in_vain_[e]) continue;
+      if (edge.smooth || a != side || fragment_[b.index()] != fragment_[a.index()] || cut_in_vain_[e])
+        continue;
       const auto p = on_chart(chart, patches_.vertices[edge.ends[0]]);
       const Line line{p, on_chart(chart, patches_.vertices[edge.ends[1]]) - p};
       if (lies_left(chart, line, a) != lies_left(chart, line, b)) return {true, line};
@@ -133,18 +135,19 @@ ChartCuts::Cut ChartCuts::at_contact(const Chart& chart) {
   return {};
 }
 
-bool ChartCuts::is_border(std::uint32_t side, std::uint32_t k) const {
+bool ChartCuts::is_border(SideId side, std::uint32_t k) const {
   for (const auto e : of_sides_.at(side)) {
     const auto& halves = edges_[e].halves;
     const auto own = halves[0].side == side ? 0 : 1;
-    if (halves[own].edge == k && edges_[e].smooth && fragment_[halves[1 - own].side] == fragment_[side])
+    if (halves[own].edge == k && edges_[e].smooth &&
+        fragment_[halves[1 - own].side.index()] == fragment_[side.index()])
       return false;
   }
   return true;
 }
 
 bool ChartCuts::parts(const Chart& chart, const Line& line) const {
-  const auto is_left = [&](std::uint32_t side) { return lies_left(chart, line, side); };
+  const auto is_left = [&](SideId side) { return lies_left(chart, line, side); };
   const auto first = is_left(chart.sides.front());
   return std::any_of(chart.sides.begin(), chart.sides.end(),
                      [&](auto side) { return is_left(side) != first; });
@@ -162,10 +165,10 @@ ChartCuts::Cut ChartCuts::at_thin_gap(const Chart& chart) const {
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (!is_border(side, k)) continue;
       // The side lies to the left.
-      const auto& corners = patches_.corners[side / 2];
+      const auto& corners = patches_.corners[side.patch()];
       auto a = on_chart(chart, patches_.vertices[corners[k]]);
       auto b = on_chart(chart, patches_.vertices[corners[(k + 1) % 3]]);
-      if (side % 2 == 1) std::swap(a, b);
+      if (side.is_back()) std::swap(a, b);
       if (const auto length = glm::length(b - a); length > 0.0) borders.push_back({a, b, length});
     }
 
@@ -173,7 +176,7 @@ ChartCuts::Cut ChartCuts::at_thin_gap(const Chart& chart) const {
   for (const auto side : chart.sides) {
     FlatCover::Triangle t;
     for (std::size_t k = 0; k < 3; ++k)
-      t[k] = on_chart(chart, patches_.vertices[patches_.corners[side / 2][side % 2 == 0 ? k : 2 - k]]);
+      t[k] = on_chart(chart, patches_.vertices[patches_.corners[side.patch()][!side.is_back() ? k : 2 - k]]);
     cover.put(t);
   }
   std::vector<Border> hits;

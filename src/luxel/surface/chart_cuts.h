@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/make_charts.h"
 #include "luxel/surface/side_edges.h"
 
@@ -15,8 +16,8 @@ namespace luxel {
 class EdgesOfSides {
  public:
   EdgesOfSides(std::size_t sides, const std::vector<SideEdge>& edges);
-  std::span<const std::uint32_t> at(std::size_t side) const {
-    return std::span(edges_).subspan(begin_[side], begin_[side + 1] - begin_[side]);
+  std::span<const std::uint32_t> at(SideId side) const {
+    return std::span(edges_).subspan(begin_[side.index()], begin_[side.index() + 1] - begin_[side.index()]);
   }
 
  private:
@@ -33,7 +34,7 @@ class ChartCuts {
             const ChartOptions& options);
 
   // sides: seen along `direction` none covers another. Throws InputError where one patch alone is too large.
-  std::vector<Chart> cut(std::vector<std::uint32_t> sides, const Vec3d& direction);
+  std::vector<Chart> cut(std::vector<SideId> sides, const Vec3d& direction);
 
  private:
   // A straight line across a chart's box: to its left the cross product is positive.
@@ -44,7 +45,7 @@ class ChartCuts {
     bool wanted = false;
     Line line;
   };
-  using Sides = std::vector<std::uint32_t>;
+  using Sides = std::vector<SideId>;
 
   std::vector<Sides> connected(const Sides& sides);
   Cut cut_of(const Chart& chart);
@@ -52,11 +53,11 @@ class ChartCuts {
   Cut at_contact(const Chart& chart);
   Cut at_thin_gap(const Chart& chart) const;
   // By its middle.
-  bool lies_left(const Chart& chart, const Line& line, std::uint32_t side) const;
+  bool lies_left(const Chart& chart, const Line& line, SideId side) const;
   // Whether some sides lie to the left and some do not.
   bool parts(const Chart& chart, const Line& line) const;
   // The edge k of a side, if it is a border: no side of the same fragment goes on there.
-  bool is_border(std::uint32_t side, std::uint32_t k) const;
+  bool is_border(SideId side, std::uint32_t k) const;
   void label(const Sides& sides);
 
   const PatchSet& patches_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
 #include "luxel/surface/flat_cover.h"
 
@@ -74,10 +75,11 @@ Point on_plane(const std::array<Vec3d, 2>& axes, const Vec3& v) {
   return {glm::dot(axes[0], Vec3d(v)), glm::dot(axes[1], Vec3d(v))};
 }
 
-Triangle on_plane(const PatchSet& patches, const std::array<Vec3d, 2>& axes, std::uint32_t side) {
+Triangle on_plane(const PatchSet& patches, const std::array<Vec3d, 2>& axes, SideId side) {
   Triangle t;
-  for (std::size_t k = 0; k < 3; ++k) t[k] = on_plane(axes, patches.vertices[patches.corners[side / 2][k]]);
-  if (side % 2 == 1) std::swap(t[1], t[2]);
+  for (std::size_t k = 0; k < 3; ++k)
+    t[k] = on_plane(axes, patches.vertices[patches.corners[side.patch()][k]]);
+  if (side.is_back()) std::swap(t[1], t[2]);
   return t;
 }
 
@@ -93,7 +95,7 @@ std::array<Vec3d, 2> axes_across(const Vec3d& direction) {
 
 }  // namespace
 
-Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, const Vec3d& direction) {
+Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d& direction) {
   const auto axes = axes_across(direction);
   std::vector<Point> points;
   for (const auto side : sides)
@@ -115,8 +117,7 @@ Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, cons
   return chart;
 }
 
-Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides,
-                        const Vec3d& direction) {
+Placed without_overlaps(const PatchSet& patches, std::span<const SideId> sides, const Vec3d& direction) {
   const auto axes = axes_across(direction);
   Box box;
   for (const auto side : sides)

@@ -6,26 +6,23 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/make_charts.h"
 
 namespace luxel {
 
-// The way a side looks: its normal, unit.
-inline Vec3d facing(const PatchSet& patches, std::uint32_t side) {
-  const Vec3d n(patches.normal[side / 2]);
-  return side % 2 == 0 ? n : -n;
-}
+// The normal of a side, unit.
+inline Vec3d facing(const PatchSet& patches, SideId side) { return Vec3d(patches.normal_of(side)); }
 
 // The sides as a chart, seen along `direction` (unit), which they all face: in the smallest of the boxes that
 // have an edge along their convex hull (Freeman and Shapira 1975).
-Chart flat_chart(const PatchSet& patches, std::vector<std::uint32_t> sides, const Vec3d& direction);
+Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d& direction);
 
 // Keeps those sides that cover none kept before, seen along `direction`; what is taken off is given back in
 // the second list. Overlaps of less than a hundred-thousandth of the whole are rounding.
 struct Placed {
-  std::vector<std::uint32_t> kept, over;
+  std::vector<SideId> kept, over;
 };
-Placed without_overlaps(const PatchSet& patches, std::span<const std::uint32_t> sides,
-                        const Vec3d& direction);
+Placed without_overlaps(const PatchSet& patches, std::span<const SideId> sides, const Vec3d& direction);
 
 }  // namespace luxel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +11,10 @@
 
 #include "luxel/core/barycentric.h"
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/trig.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
 #include "luxel/surface/side_nodes.h"
 
@@ -79,22 +82,25 @@ bool overlaps(const Scene& scene, const PatchSet& patches, const GivenLayout& gi
   return static_cast<double>(twice) > tolerated * static_cast<double>(all);
 }
 
-LaidOut lay_out(const Scene& scene, const PatchSet& patches, const GivenLayout& given, float crease_angle,
-                int page_size, int margin, const Workers& workers) {
+LaidOut lay_out(const Scene& scene, const PatchSet& patches, const GivenLayout& given,
+                const GivenPageOptions& options, const Context& context) {
+  assert(options.page_size > 0 && options.margin >= 0);
+  const auto page_size = options.page_size;
   check(scene, patches, given);
   LaidOut laid;
   laid.charts.edges =
-      find_side_edges(patches, make_side_nodes(patches, cosine_of_degrees(crease_angle), workers));
+      find_side_edges(patches, make_side_nodes(patches, cosine_of_degrees(options.crease_angle), context));
   laid.charts.charts.resize(given.pages);
-  laid.charts.of_side.assign(2 * patches.size(), Charts::none);
+  laid.charts.of_side.assign(side_count(patches.size()), none);
 
   auto& atlas = laid.atlas;
   atlas.page_size = page_size;
   atlas.pages = static_cast<int>(given.pages);
-  atlas.margin = margin;
+  atlas.margin = options.margin;
   for (std::uint32_t p = 0; p < given.pages; ++p) atlas.places.push_back({p, 0, 0, page_size, page_size});
-  atlas.corners.resize(2 * patches.size());
+  atlas.corners.resize(side_count(patches.size()));
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    const SideId front(p, false);
     const auto t = patches.triangle[p];
     const auto& of_scene = scene.triangles[t];
     const std::array whole = {scene.positions[of_scene[0]], scene.positions[of_scene[1]],
@@ -104,10 +110,10 @@ LaidOut lay_out(const Scene& scene, const PatchSet& patches, const GivenLayout& 
       const auto w = barycentric(whole, points[k]);
       Point at(0.0);
       for (std::size_t i = 0; i < 3; ++i) at += w[static_cast<int>(i)] * Point(given.uvs[t][i]);
-      atlas.corners[2 * p][k] = Vec2(static_cast<double>(page_size) * at);
+      atlas.corners[front.index()][k] = Vec2(static_cast<double>(page_size) * at);
     }
-    laid.charts.of_side[2 * p] = given.page[t];
-    laid.charts.charts[given.page[t]].sides.push_back(2 * p);
+    laid.charts.of_side[front.index()] = given.page[t];
+    laid.charts.charts[given.page[t]].sides.push_back(front);
   }
   atlas.chart_of = laid.charts.of_side;
   return laid;

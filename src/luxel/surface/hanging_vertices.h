@@ -20,8 +20,8 @@ struct HangingVertex {
 // sees, and the rounding of the coordinates.
 double line_tolerance(const Vec3& vertex, double length);
 
-// Of the edges that no other patch shares, the vertices of other such edges that hang on them; sorted by
-// vertex, patch and edge. Cost: a sort of the open edges.
+// Finds, for the edges that no other patch shares, the vertices of other such edges that hang on them; sorted
+// by vertex, patch and edge. Cost: a sort of the open edges.
 std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches);
 
 }  // namespace luxel

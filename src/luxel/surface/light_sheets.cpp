@@ -7,7 +7,9 @@
 #include <tuple>
 
 #include "luxel/core/disjoint_sets.h"
+#include "luxel/core/none.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
@@ -17,8 +19,6 @@ constexpr float min_edge_cosine = 0.866f;
 // A sheet is flat where normals are within 2.5 degrees of their mean and it is as thin as this.
 constexpr float min_flat_cosine = 0.999f;
 constexpr float max_flat_thickness = 0.01f;  // relative to the distance of its farthest point from its middle
-
-constexpr std::uint32_t fronts_and_backs = 2;
 
 struct EdgeUse {
   std::uint32_t low = 0, high = 0;  // vertices
@@ -54,8 +54,8 @@ void join_across_edges(const PatchSet& patches, DisjointSets& sheets) {
     const bool same_winding = a.is_forward != b.is_forward;
     const auto cosine = glm::dot(patches.normal[a.patch], patches.normal[b.patch]);
     if ((same_winding ? cosine : -cosine) < min_edge_cosine) continue;
-    for (std::uint32_t side = 0; side < fronts_and_backs; ++side)
-      sheets.join(2 * a.patch + side, 2 * b.patch + (same_winding ? side : 1 - side));
+    for (const bool back : {false, true})
+      sheets.join(SideId(a.patch, back).index(), SideId(b.patch, same_winding ? back : !back).index());
   }
 }
 
@@ -63,13 +63,9 @@ void join_planes(const PatchTree& tree, DisjointSets& sheets) {
   for (const auto region : tree.regions) {
     const auto& node = tree.nodes[region];
     for (auto i = node.first + 1; i < node.first + node.count; ++i)
-      for (std::uint32_t side = 0; side < fronts_and_backs; ++side)
-        sheets.join(2 * tree.order[node.first] + side, 2 * tree.order[i] + side);
+      for (const bool back : {false, true})
+        sheets.join(SideId(tree.order[node.first], back).index(), SideId(tree.order[i], back).index());
   }
-}
-
-Vec3 normal_of_side(const PatchSet& patches, std::uint32_t side) {
-  return side % 2 == 0 ? patches.normal[side / 2] : -patches.normal[side / 2];
 }
 
 // Puts the receivers of a sheet into its frame.
@@ -78,8 +74,8 @@ void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& 
   Vec3d normals(0.0);
   for (const auto receiver : sheet.receivers) {
     const auto side = sides.side[receiver];
-    centre += Vec3d(patches.centroid(side / 2));
-    normals += Vec3d(normal_of_side(patches, side)) * static_cast<double>(patches.area[side / 2]);
+    centre += Vec3d(patches.centroid(side.patch()));
+    normals += Vec3d(patches.normal_of(side)) * static_cast<double>(patches.area[side.patch()]);
   }
   const Vec3 origin(centre / static_cast<double>(sheet.size()));
   const auto length = glm::length(normals);
@@ -88,10 +84,10 @@ void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& 
   float thickness = 0.0f;
   float cosine = 1.0f;
   for (const auto receiver : sheet.receivers) {
-    const auto at = patches.centroid(sides.side[receiver] / 2) - origin;
+    const auto at = patches.centroid(sides.side[receiver].patch()) - origin;
     radius = std::max(radius, glm::length(at));
     thickness = std::max(thickness, std::abs(glm::dot(at, mean)));
-    cosine = std::min(cosine, glm::dot(normal_of_side(patches, sides.side[receiver]), mean));
+    cosine = std::min(cosine, glm::dot(patches.normal_of(sides.side[receiver]), mean));
   }
   const bool is_flat = cosine > min_flat_cosine && thickness <= max_flat_thickness * radius;
   const Frame frame(is_flat ? mean : Vec3(0.0f, 0.0f, 1.0f));
@@ -100,11 +96,11 @@ void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& 
   };
   for (const auto receiver : sheet.receivers) {
     const auto side = sides.side[receiver];
-    auto at = in_frame(patches.centroid(side / 2) - origin);
+    auto at = in_frame(patches.centroid(side.patch()) - origin);
     if (is_flat) at.z = 0.0f;
     sheet.place.push_back(at);
-    if (!is_flat) sheet.normal.push_back(in_frame(normal_of_side(patches, side)));
-    sheet.area.push_back(patches.area[side / 2]);
+    if (!is_flat) sheet.normal.push_back(in_frame(patches.normal_of(side)));
+    sheet.area.push_back(patches.area[side.patch()]);
   }
   sheet.low = sheet.place[0];
   auto high = sheet.low;
@@ -120,14 +116,13 @@ void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& 
 
 std::vector<LightSheet> make_light_sheets(const PatchSet& patches, const PatchTree& tree,
                                           const GatherSides& sides) {
-  DisjointSets joined(fronts_and_backs * patches.size());
+  DisjointSets joined(side_count(patches.size()));
   join_planes(tree, joined);
   join_across_edges(patches, joined);
-  constexpr auto none = GatherSides::none;
-  std::vector<std::uint32_t> sheet_of(fronts_and_backs * patches.size(), none);
+  std::vector<std::uint32_t> sheet_of(side_count(patches.size()), none);
   std::vector<LightSheet> sheets;
   for (std::uint32_t receiver = 0; receiver < sides.size(); ++receiver) {
-    auto& sheet = sheet_of[joined.of(sides.side[receiver])];
+    auto& sheet = sheet_of[joined.of(sides.side[receiver].index())];
     if (sheet == none) {
       sheet = static_cast<std::uint32_t>(sheets.size());
       sheets.emplace_back();

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/progress.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/side_edges.h"
 
@@ -20,17 +20,15 @@ struct ChartOptions {
   int max_texels = 1000;    // a chart is no wider and no higher: it must fit on a page
 };
 
-// Sides of patches that lie flat together: projected along one direction none covers another. Side 2 * patch
-// is a patch's front, 2 * patch + 1 its back.
+// Sides of patches that lie flat together: projected along one direction none covers another.
 struct Chart {
-  std::vector<std::uint32_t> sides;  // ascending
-  Vec3d origin{0.0};                 // m; a corner of the smallest box around it
-  std::array<Vec3d, 2> axes{};       // unit, at right angles; the box lies along them, the longer side first
-  std::array<double, 2> size{};      // m, of the box
+  std::vector<SideId> sides;     // ascending
+  Vec3d origin{0.0};             // m; a corner of the smallest box around it
+  std::array<Vec3d, 2> axes{};   // unit, at right angles; the box lies along them, the longer side first
+  std::array<double, 2> size{};  // m, of the box
 };
 
 struct Charts {
-  static constexpr std::uint32_t none = 0xffffffffu;
   std::vector<Chart> charts;
   std::vector<std::uint32_t> of_side;  // [side]: its chart, or none
   std::vector<SideEdge> edges;         // where sides meet; seams are those of two charts
@@ -55,6 +53,6 @@ struct Charts {
 // Throws MismatchError where the solution is not of these patches, InputError where an option is out of its
 // range.
 Charts make_charts(const PatchSet& patches, const Solution& solution, const ChartOptions& options,
-                   const Workers& workers, const Monitor& monitor = {});
+                   const Context& context = {});
 
 }  // namespace luxel

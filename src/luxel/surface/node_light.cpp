@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "luxel/patch/side.h"
 #include "luxel/surface/side_slopes.h"
 
 namespace luxel {
@@ -16,11 +17,11 @@ constexpr double reach = 1.5;
 
 class NodeFit {
  public:
-  NodeFit(const SideLight& light, const SideNodes& nodes, const SideSlopes& slopes, const Workers& workers)
+  NodeFit(const SideLight& light, const SideNodes& nodes, const SideSlopes& slopes, const Context& context)
       : light_(light),
         nodes_(nodes),
         slopes_(slopes),
-        workers_(workers),
+        context_(context),
         bands_(light.bands()),
         value_(nodes.size() * bands_, 0.0f),
         lack_(nodes.of_side.size() * bands_, 0.0f) {}
@@ -35,13 +36,13 @@ class NodeFit {
   }
 
   void sweep() {
-    workers_.for_chunks(nodes_.of_side.size(), elements_per_chunk,
+    context_.for_chunks(nodes_.of_side.size(), elements_per_chunk,
                         [this](std::size_t first, std::size_t last, int) {
-                          for (auto side = first; side < last; ++side) find_lack(side);
+                          for (auto i = first; i < last; ++i) find_lack(SideId::at(i));
                         });
     for_nodes([this](std::size_t node, std::vector<double>& mean) {
       mean_over_members(node, mean, [this](const SideNodes::Member& m, std::size_t b) {
-        return static_cast<double>(lack_[m.side * bands_ + b]);
+        return static_cast<double>(lack_[m.side.index() * bands_ + b]);
       });
       for (std::size_t b = 0; b < bands_; ++b)
         value_[node * bands_ + b] += static_cast<float>(reach * mean[b]);
@@ -71,7 +72,7 @@ class NodeFit {
   // body(node, scratch of a number a band)
   template <typename Body>
   void for_nodes(Body body) {
-    workers_.for_chunks(nodes_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, int) {
+    context_.for_chunks(nodes_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, int) {
       std::vector<double> scratch(bands_);
       for (auto node = first; node < last; ++node) body(node, scratch);
     });
@@ -92,7 +93,7 @@ class NodeFit {
       for (auto& x : mean) x /= whole;
   }
 
-  // What the side's linear function has at the member's place beyond the side's mean.
+  // The side's linear function at the member's place, less the side's mean.
   double rise_at(const SideNodes::Member& m, std::size_t b) const {
     if (m.place < 3) return slopes_.rise(m.side, m.place, b);
     const auto& h = nodes_.hanging[m.place - 3];
@@ -101,20 +102,21 @@ class NodeFit {
            fraction * slopes_.rise(m.side, (h.edge + 1) % 3, b);
   }
 
-  void find_lack(std::size_t side) {
+  void find_lack(SideId side) {
     if (!(light_.weight(side) > 0.0)) return;
-    const auto& corners = nodes_.of_side[side];
+    const auto& corners = nodes_.of_side[side.index()];
     for (std::size_t b = 0; b < bands_; ++b) {
       double sum = 0.0;
       for (const auto node : corners) sum += static_cast<double>(value_[node * bands_ + b]);
-      lack_[side * bands_ + b] = static_cast<float>(static_cast<double>(light_.at(side)[b]) - sum / 3.0);
+      lack_[side.index() * bands_ + b] =
+          static_cast<float>(static_cast<double>(light_.at(side)[b]) - sum / 3.0);
     }
   }
 
   const SideLight& light_;
   const SideNodes& nodes_;
   const SideSlopes& slopes_;
-  const Workers& workers_;
+  const Context& context_;
   std::size_t bands_;
   std::vector<float> value_;  // [node][band]
   std::vector<float> lack_;   // [side][band]: its value less the mean of what is drawn over it
@@ -133,7 +135,8 @@ void close_seams(const PatchSet& patches, const SideNodes& nodes, std::size_t ba
       const auto& h = nodes.hanging[m.place - 3];
       const auto from = h.edge, to = (h.edge + 1) % 3;
       if (hangs(patches.corners[h.patch][from]) || hangs(patches.corners[h.patch][to])) continue;
-      const auto a = nodes.of_side[m.side][from] * bands, b = nodes.of_side[m.side][to] * bands;
+      const auto a = nodes.of_side[m.side.index()][from] * bands,
+                 b = nodes.of_side[m.side.index()][to] * bands;
       for (std::size_t i = 0; i < bands; ++i)
         value[visit.node * bands + i] = (1.0f - h.fraction) * value[a + i] + h.fraction * value[b + i];
     }
@@ -142,9 +145,9 @@ void close_seams(const PatchSet& patches, const SideNodes& nodes, std::size_t ba
 }  // namespace
 
 std::vector<float> light_of_nodes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes,
-                                  const Workers& workers) {
-  const SideSlopes slopes(patches, light, nodes, workers);
-  NodeFit fit(light, nodes, slopes, workers);
+                                  const Context& context) {
+  const SideSlopes slopes(patches, light, nodes, context);
+  NodeFit fit(light, nodes, slopes, context);
   fit.begin();
   for (int i = 0; i < sweeps; ++i) fit.sweep();
   fit.limit();

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"
@@ -24,6 +24,6 @@ namespace luxel {
 //
 // Linear time; the same bits on any number of threads.
 std::vector<float> light_of_nodes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes,
-                                  const Workers& workers);
+                                  const Context& context);
 
 }  // namespace luxel

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 namespace {
 
@@ -118,7 +120,7 @@ void OneRing::join_around_edge(std::span<const Sector> sectors) {
     const std::array<std::uint32_t, 2> key = {std::min(vertex_, other), std::max(vertex_, other)};
     for (auto c = std::lower_bound(contacts.begin(), contacts.end(), key, before);
          c != contacts.end() && c->edge == key; ++c)
-      pages_.push_back({sectors[i].edge, other, no_member, false, angle_of(Vec3d(c->into))});
+      pages_.push_back({sectors[i].edge, other, none, false, angle_of(Vec3d(c->into))});
   }
 
   std::sort(pages_.begin(), pages_.end(), [](const Sector& a, const Sector& b) {
@@ -129,7 +131,7 @@ void OneRing::join_around_edge(std::span<const Sector> sectors) {
 
 // Turning around the edge, a front looks forwards if its winding runs outwards: e x (n x e) = n.
 void OneRing::join_facing(const Sector& from, const Sector& to) {
-  if (from.member == no_member || to.member == no_member) return;
+  if (from.member == none || to.member == none) return;
   const auto from_back = !from.outwards;
   const auto to_back = to.outwards;
   const auto n = Vec3d(patches_.normal[patch(from.member)]) * (from_back ? -1.0 : 1.0);

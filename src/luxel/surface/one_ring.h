@@ -46,11 +46,10 @@ class OneRing {
   struct Sector {
     std::uint32_t edge;    // name of the edge: the other end of one of the sectors along it
     std::uint32_t other;   // the sector's own other end, which may lie nearer or farther
-    std::uint32_t member;  // index into members_, or no_member
+    std::uint32_t member;  // index into members_, or none
     bool outwards;         // the patch's winding runs along the edge away from the vertex
     double angle;          // place around the edge, growing but not in proportion with the angle, [0, 4)
   };
-  static constexpr std::uint32_t no_member = 0xffffffffu;
 
   void list_sectors();
   bool join_open_edges();

@@ -9,6 +9,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/image/pack_rectangles.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
@@ -40,14 +41,14 @@ int pack(std::vector<Rectangle>& rectangles, int page_size, int margin) {
 }
 
 std::array<Vec2, 3> on_page(const PatchSet& patches, const Chart& chart, const Atlas::Place& place,
-                            std::uint32_t side) {
+                            SideId side) {
   std::array<Vec2, 3> corners;
   const auto along = [&](std::size_t axis, int first, int count, double at) {
     const auto fraction = chart.size[axis] > 0.0 ? std::clamp(at / chart.size[axis], 0.0, 1.0) : 0.0;
     return static_cast<float>(first + 0.5 + fraction * (count - 1));
   };
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = Charts::place(chart, patches.vertices[patches.corners[side / 2][k]]);
+    const auto at = Charts::place(chart, patches.vertices[patches.corners[side.patch()][k]]);
     corners[k] = {along(0, place.x, place.width, at[0]), along(1, place.y, place.height, at[1])};
   }
   return corners;
@@ -108,7 +109,7 @@ Atlas pack_charts(const PatchSet& patches, const Charts& charts, const PackOptio
   atlas.corners.resize(charts.of_side.size());
   for (std::size_t c = 0; c < charts.charts.size(); ++c)
     for (const auto side : charts.charts[c].sides)
-      atlas.corners[side] = on_page(patches, charts.charts[c], atlas.places[c], side);
+      atlas.corners[side.index()] = on_page(patches, charts.charts[c], atlas.places[c], side);
   return atlas;
 }
 

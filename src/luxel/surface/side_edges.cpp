@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "luxel/patch/side.h"
 #include "luxel/surface/side_nodes.h"
 
 namespace luxel {
@@ -49,11 +50,14 @@ class Parts {
     hanging_nodes_.resize(hanging.size());
     for (const auto& visit : nodes_.visits)
       for (const auto& m : nodes_.at(visit.node))
-        if (m.side == visit.side && m.place >= 3) hanging_nodes_[m.place - 3][m.side % 2] = visit.node;
+        if (m.side == visit.side && m.place >= 3)
+          hanging_nodes_[m.place - 3][m.side.is_back() ? 1 : 0] = visit.node;
   }
 
   Stop corner(std::uint32_t p, std::uint32_t k, float at) const {
-    return {patches_.corners[p][k], at, {nodes_.of_side[2 * p][k], nodes_.of_side[2 * p + 1][k]}};
+    return {patches_.corners[p][k],
+            at,
+            {nodes_.of_side[SideId(p, false).index()][k], nodes_.of_side[SideId(p, true).index()][k]}};
   }
 
   void add(std::uint32_t p, std::uint32_t k) {
@@ -88,14 +92,10 @@ class Parts {
   std::vector<Part> parts_;
 };
 
-Vec3 normal_of(const PatchSet& patches, std::uint32_t side) {
-  return side % 2 == 0 ? patches.normal[side / 2] : -patches.normal[side / 2];
-}
-
 // Whether something stands on the edge where these two sides look.
 bool is_touched(const PatchSet& patches, const SideEdge& e) {
   const auto before = [](const Contact& c, const auto& ends) { return c.edge < ends; };
-  const auto looks = normal_of(patches, e.halves[0].side) + normal_of(patches, e.halves[1].side);
+  const auto looks = patches.normal_of(e.halves[0].side) + patches.normal_of(e.halves[1].side);
   for (auto c = std::lower_bound(patches.contacts.begin(), patches.contacts.end(), e.ends, before);
        c != patches.contacts.end() && c->edge == e.ends; ++c)
     if (glm::dot(c->into, looks) > 0.0f) return true;
@@ -112,8 +112,8 @@ std::vector<SideEdge> find_side_edges(const PatchSet& patches, const SideNodes& 
       // Windings that run the same way along an edge face opposite ways.
       const auto other = a.upwards == b.upwards ? 1 - back : back;
       SideEdge e;
-      e.halves = {SideEdge::Half{2 * a.patch + back, a.edge, a.at[0], a.at[1]},
-                  SideEdge::Half{2 * b.patch + other, b.edge, b.at[0], b.at[1]}};
+      e.halves = {SideEdge::Half{{a.patch, back == 1}, a.edge, a.at[0], a.at[1]},
+                  SideEdge::Half{{b.patch, other == 1}, b.edge, b.at[0], b.at[1]}};
       e.ends = a.ends;
       e.smooth = a.nodes[back] == b.nodes[other] && !is_touched(patches, e);
       edges.push_back(e);

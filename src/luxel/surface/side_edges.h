@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 
 struct SideNodes;
 
-// An edge where two sides meet that face alike, or the part of one between vertices that hang on it. Side
-// 2 * patch is a patch's front, 2 * patch + 1 its back.
+// An edge where two sides meet that face alike, or the part of one between vertices that hang on it.
 struct SideEdge {
   // How one of the sides has it: an edge of the patch, from corner `edge` to the next, and where on it the
   // two ends lie, as shares of the way. Both halves name the ends in the same order.
   struct Half {
-    std::uint32_t side = 0;
+    SideId side;
     std::uint32_t edge = 0;
     float from = 0.0f, to = 1.0f;
   };

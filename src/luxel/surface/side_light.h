@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {
@@ -16,15 +17,15 @@ class SideLight {
 
   std::size_t bands() const { return solution_.bands.size(); }
   // [band], W/m².
-  const float* at(std::size_t side) const {
-    const auto& irradiance = side % 2 == 0 ? solution_.irradiance_front : solution_.irradiance_back;
-    return irradiance.data() + side / 2 * bands();
+  const float* at(SideId side) const {
+    const auto& irradiance = solution_.irradiance.of(side);
+    return irradiance.data() + side.patch() * bands();
   }
-  // What a side's value weighs, m². The back of a one-sided material holds no light because nothing was ever
-  // asked there: it has no say.
-  double weight(std::size_t side) const {
-    return side % 2 == 0 || patches_.material_of(side / 2).two_sided
-               ? static_cast<double>(patches_.area[side / 2])
+  // Returns the weight of a side's value, m². It is 0 for the back of a one-sided material, which has no
+  // light because none is computed there.
+  double weight(SideId side) const {
+    return !side.is_back() || patches_.material_of(side.patch()).two_sided
+               ? static_cast<double>(patches_.area[side.patch()])
                : 0.0;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "luxel/patch/side.h"
 #include "luxel/surface/one_ring.h"
 
 namespace luxel {
@@ -43,11 +44,12 @@ class Surfaces {
   std::uint32_t rank(const OneRing& ring) {
     rank_.resize(2 * ring.size());
     place_.clear();
-    for (std::size_t side = 0; side < rank_.size(); ++side) {
-      const auto name = ring.surface(side / 2, side % 2 == 1);
-      if (name == side) place_.push_back(0);
-      rank_[side] = name == side ? static_cast<std::uint32_t>(place_.size() - 1) : rank_[name];
-      ++place_[rank_[side]];
+    for (std::size_t i = 0; i < rank_.size(); ++i) {
+      const auto of_ring = SideId::at(i);
+      const auto name = ring.surface(of_ring.patch(), of_ring.is_back());
+      if (name == i) place_.push_back(0);
+      rank_[i] = name == i ? static_cast<std::uint32_t>(place_.size() - 1) : rank_[name];
+      ++place_[rank_[i]];
     }
     return static_cast<std::uint32_t>(place_.size());
   }
@@ -60,10 +62,11 @@ class Surfaces {
       next += count;
       out[place].place = begins_node;
     }
-    for (std::uint32_t side = 0; side < rank_.size(); ++side) {
-      const auto i = side / 2;
-      auto& member = out[place_[rank_[side]]++];
-      member.side = 2 * ring.patch(i) + side % 2;
+    for (std::size_t s = 0; s < rank_.size(); ++s) {
+      const auto of_ring = SideId::at(s);
+      const auto i = of_ring.patch();
+      auto& member = out[place_[rank_[s]]++];
+      member.side = {ring.patch(i), of_ring.is_back()};
       member.place |= ring.is_hanging(i)
                           ? static_cast<std::uint32_t>(3 + first_hanging + i - ring.corner_count())
                           : ring.corner(i);
@@ -71,26 +74,25 @@ class Surfaces {
   }
 
  private:
-  std::vector<std::uint32_t> rank_;   // [side of the ring]
+  std::vector<std::uint32_t> rank_;   // [side of a member of the ring]
   std::vector<std::uint32_t> place_;  // [rank]
 };
 
 }  // namespace
 
-std::span<const SideNodes::Visit> SideNodes::visited_by(std::size_t side) const {
-  const auto [a, b] =
-      std::equal_range(visits.begin(), visits.end(), Visit{static_cast<std::uint32_t>(side), 0},
-                       [](const Visit& x, const Visit& y) { return x.side < y.side; });
+std::span<const SideNodes::Visit> SideNodes::visited_by(SideId side) const {
+  const auto [a, b] = std::equal_range(visits.begin(), visits.end(), Visit{side, 0},
+                                       [](const Visit& x, const Visit& y) { return x.side < y.side; });
   return {a, b};
 }
 
-SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Workers& workers) {
+SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Context& context) {
   const auto vertices = patches.vertices.size();
   const auto rows = corners_of_vertices(patches);
   SideNodes nodes;
   nodes.hanging = find_hanging_vertices(patches);
   nodes.members.resize(2 * (rows.corners.size() + nodes.hanging.size()));
-  nodes.of_side.resize(2 * patches.size());
+  nodes.of_side.resize(side_count(patches.size()));
   nodes.first.assign(vertices + 1, 0);
   const auto hanging_before = [&](std::size_t vertex) {
     return static_cast<std::size_t>(
@@ -100,7 +102,7 @@ SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Worke
   };
 
   // 1. Each vertex for itself.
-  workers.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     OneRing ring(patches, cos_crease);
     Surfaces surfaces;
     auto h = hanging_before(begin);
@@ -116,14 +118,14 @@ SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Worke
   // 2. Numbers for all nodes.
   for (std::size_t v = 0; v < vertices; ++v) nodes.first[v + 1] += nodes.first[v];
   nodes.begin.assign(nodes.first[vertices] + std::size_t{1}, nodes.members.size());
-  workers.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     auto node = nodes.first[begin];
     const auto last = 2 * (rows.begin[end] + hanging_before(end));
     for (auto i = 2 * (rows.begin[begin] + hanging_before(begin)); i < last; ++i) {
       auto& member = nodes.members[i];
       if (member.place & begins_node) nodes.begin[node++] = i;
       member.place &= ~begins_node;
-      if (member.place < 3) nodes.of_side[member.side][member.place] = node - 1;
+      if (member.place < 3) nodes.of_side[member.side.index()][member.place] = node - 1;
     }
   });
 

@@ -7,22 +7,24 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/hanging_vertices.h"
 
 namespace luxel {
 
 // Where the light of patch sides runs together: a node for each vertex and each smooth surface that meets
-// there (see OneRing). Side 2 * patch is a patch's front, 2 * patch + 1 its back.
+// there (see OneRing).
 struct SideNodes {
   // A side at a node: with a corner of its patch (0 to 2), or with a place on an edge (3 + index in hanging).
   struct Member {
-    std::uint32_t side = 0;
+    SideId side;
     std::uint32_t place = 0;
   };
   struct Visit {
-    std::uint32_t side = 0, node = 0;
+    SideId side;
+    std::uint32_t node = 0;
   };
 
   std::vector<std::array<std::uint32_t, 3>> of_side;  // [side]: the nodes of its three corners
@@ -36,11 +38,11 @@ struct SideNodes {
   std::span<const Member> at(std::size_t node) const {
     return std::span(members).subspan(begin[node], begin[node + 1] - begin[node]);
   }
-  std::span<const Visit> visited_by(std::size_t side) const;
+  std::span<const Visit> visited_by(SideId side) const;
 };
 
 // Nodes stand in the order of their vertices. cos_crease: cosine of the crease angle. The same nodes on any
 // number of threads; linear but for a sort of the few patches at each vertex, and of T-junctions.
-SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Workers& workers);
+SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Context& context);
 
 }  // namespace luxel

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "luxel/core/triangle.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
@@ -39,7 +40,7 @@ class Fit {
       : patches_(patches), light_(light), nodes_(nodes), centroids_(centroids) {}
 
   // rise: [band][corner], zero before.
-  void fill(std::size_t side, float* rise) {
+  void fill(SideId side, float* rise) {
     if (!(light_.weight(side) > 0.0) || !list_sides(side)) return;
     lay_out(side);
     double xx = 0.0, xy = 0.0, yy = 0.0;
@@ -51,7 +52,7 @@ class Fit {
     const auto determinant = xx * yy - xy * xy;
     if (!(determinant > min_spread * (xx + yy) * (xx + yy))) return;
 
-    const auto points = patches_.points(side / 2);
+    const auto points = patches_.points(side.patch());
     for (std::size_t b = 0; b < light_.bands(); ++b) {
       const auto own = static_cast<double>(light_.at(side)[b]);
       double x = 0.0, y = 0.0, all = 0.0, explained = 0.0;
@@ -72,7 +73,7 @@ class Fit {
       }
       const auto trust = all > 0.0 ? trust_in(explained / all) : 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto way = Vec3d(points[k]) - centroids_[side / 2];
+        const auto way = Vec3d(points[k]) - centroids_[side.patch()];
         const auto more = slope_x * glm::dot(way, x_) + slope_y * glm::dot(way, y_);
         rise[3 * b + k] =
             static_cast<float>(std::clamp(more, met.low + trust * std::min(0.0, more - reached.low),
@@ -84,15 +85,15 @@ class Fit {
  private:
   // Another side on the plane of the one at hand, seen from that one's centroid.
   struct Neighbour {
-    std::uint32_t side;
+    SideId side;
     double x, y;    // m
     double weight;  // 1/m²
   };
 
-  // Fills sides_; one that shares an edge stands there twice and counts twice. Returns false where all is
+  // Fills sides_ with the lit sides that share a node with this one, each once. Returns false where all is
   // dark.
-  bool list_sides(std::size_t side) {
-    const auto is_bright = [&](std::size_t s) {
+  bool list_sides(SideId side) {
+    const auto is_bright = [&](SideId s) {
       return std::any_of(light_.at(s), light_.at(s) + light_.bands(), [](float h) { return h != 0.0f; });
     };
     bool bright = is_bright(side);
@@ -107,7 +108,7 @@ class Fit {
         sides_.push_back(m.side);
       }
     };
-    for (const auto node : nodes_.of_side[side]) add_node(node);
+    for (const auto node : nodes_.of_side[side.index()]) add_node(node);
     if (!nodes_.visits.empty())
       for (const auto& visit : nodes_.visited_by(side)) add_node(visit.node);
     return bright;
@@ -123,15 +124,15 @@ class Fit {
     return std::max(0.0, 1.0 - (1.0 - explained) * count / (count - 2.0) / (1.0 - min_explained));
   }
 
-  void lay_out(std::size_t side) {
+  void lay_out(SideId side) {
     constexpr double steepest =
         0.01;  // of the square of a way, along the plane: what folds back says nothing
-    const auto points = patches_.points(side / 2);
+    const auto points = patches_.points(side.patch());
     x_ = glm::normalize(Vec3d(points[1]) - Vec3d(points[0]));
     y_ = glm::normalize(glm::cross(area_vector2(points[0], points[1], points[2]), x_));
     neighbours_.clear();
     for (const auto other : sides_) {
-      const auto way = centroids_[other / 2] - centroids_[side / 2];
+      const auto way = centroids_[other.patch()] - centroids_[side.patch()];
       const auto x = glm::dot(way, x_), y = glm::dot(way, y_);
       const auto whole = glm::dot(way, way), flat = x * x + y * y;
       if (!(flat > steepest * whole)) continue;
@@ -145,23 +146,25 @@ class Fit {
   const SideNodes& nodes_;
   std::span<const Vec3d> centroids_;
   Vec3d x_{0.0}, y_{0.0};  // unit, along the plane of the side at hand
-  std::vector<std::uint32_t> sides_;
+  std::vector<SideId> sides_;
   std::vector<Neighbour> neighbours_;
 };
 
 }  // namespace
 
 SideSlopes::SideSlopes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes,
-                       const Workers& workers)
+                       const Context& context)
     : bands_(light.bands()), rise_(6 * patches.size() * bands_, 0.0f) {
   std::vector<Vec3d> centroids(patches.size());
-  workers.for_chunks(patches.size(), sides_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(patches.size(), sides_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto p = begin; p < end; ++p) centroids[p] = centroid(patches, p);
   });
-  workers.for_chunks(2 * patches.size(), sides_per_chunk, [&](std::size_t begin, std::size_t end, int) {
-    Fit fit(patches, light, nodes, centroids);
-    for (auto side = begin; side < end; ++side) fit.fill(side, rise_.data() + 3 * side * bands_);
-  });
+  context.for_chunks(side_count(patches.size()), sides_per_chunk,
+                     [&](std::size_t begin, std::size_t end, int) {
+                       Fit fit(patches, light, nodes, centroids);
+                       for (auto i = begin; i < end; ++i)
+                         fit.fill(SideId::at(i), rise_.data() + 3 * i * bands_);
+                     });
 }
 
 }  // namespace luxel

@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"
 
@@ -27,11 +28,11 @@ namespace luxel {
 // Cost: about a microsecond per side on one thread.
 class SideSlopes {
  public:
-  SideSlopes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes, const Workers& workers);
+  SideSlopes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes, const Context& context);
 
   // At a corner (0 to 2) less the mean, W/m².
-  double rise(std::size_t side, std::uint32_t corner, std::size_t band) const {
-    return static_cast<double>(rise_[3 * (side * bands_ + band) + corner]);
+  double rise(SideId side, std::uint32_t corner, std::size_t band) const {
+    return static_cast<double>(rise_[3 * (side.index() * bands_ + band) + corner]);
   }
 
  private:

@@ -9,6 +9,8 @@
 
 #include "luxel/core/error.h"
 #include "luxel/core/trig.h"
+#include "luxel/patch/colour_patches.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/node_light.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"
@@ -18,12 +20,12 @@ namespace {
 
 void check(const PatchSet& patches, const Solution& solution, const SmoothOptions& options) {
   const auto values = patches.size() * patches.band_count();
-  if (solution.bands != patches.bands || solution.irradiance_front.size() != values ||
-      solution.irradiance_back.size() != values)
+  if (solution.bands != patches.bands || solution.irradiance.front.size() != values ||
+      solution.irradiance.back.size() != values)
     throw MismatchError(
         fmt::format("the solution has {} irradiances but the patches need {}: it was not "
                     "made from this scene; solve it again",
-                    solution.irradiance_front.size(), values));
+                    solution.irradiance.front.size(), values));
   if (!(options.crease_angle >= 0.0f && options.crease_angle <= 180.0f))
     throw InputError(
         fmt::format("the crease angle must be from 0 to 180 degrees, but it is {}", options.crease_angle));
@@ -40,8 +42,8 @@ struct CornerNodes {
 Vec3 normal_at(const PatchSet& patches, const SideNodes& nodes, const CornerNodes& c) {
   Vec3d sum(0.0);
   for (const auto& m : nodes.at(c.front)) {
-    const auto area = static_cast<double>(patches.area[m.side / 2]);
-    sum += Vec3d(patches.normal[m.side / 2]) * (m.side % 2 == 0 ? area : -area);
+    const auto area = static_cast<double>(patches.area[m.side.patch()]);
+    sum += Vec3d(patches.normal[m.side.patch()]) * (m.side.is_back() ? -area : area);
   }
   const auto length = glm::length(sum);
   if (length > 0.0) return Vec3(sum / length);
@@ -62,8 +64,9 @@ SmoothLight smooth_vertices(const PatchSet& patches, const SideNodes& nodes,
     corners.clear();
     for (auto node = nodes.first[v]; node < nodes.first[v + 1]; ++node)
       for (const auto& m : nodes.at(node))
-        if (m.side % 2 == 0 && m.place < 3)
-          corners.push_back({node, nodes.of_side[m.side + 1][m.place], m.side / 2, m.place});
+        if (!m.side.is_back() && m.place < 3)
+          corners.push_back(
+              {node, nodes.of_side[m.side.opposite().index()][m.place], m.side.patch(), m.place});
     std::sort(corners.begin(), corners.end(),
               [](const auto& a, const auto& b) { return a.order() < b.order(); });
     const CornerNodes* previous = nullptr;
@@ -71,8 +74,8 @@ SmoothLight smooth_vertices(const PatchSet& patches, const SideNodes& nodes,
       if (previous == nullptr || c.front != previous->front || c.back != previous->back) {
         light.vertex.push_back(v);
         light.normal.push_back(normal_at(patches, nodes, c));
-        append(light.irradiance_front, c.front);
-        append(light.irradiance_back, c.back);
+        append(light.irradiance.front, c.front);
+        append(light.irradiance.back, c.back);
       }
       light.corners[c.patch][c.corner] = static_cast<std::uint32_t>(light.vertex.size() - 1);
       previous = &c;
@@ -84,16 +87,16 @@ SmoothLight smooth_vertices(const PatchSet& patches, const SideNodes& nodes,
 }  // namespace
 
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution, const SmoothOptions& options,
-                              const Workers& workers) {
+                              const Context& context) {
   check(patches, solution, options);
-  const auto nodes = make_side_nodes(patches, cosine_of_degrees(options.crease_angle), workers);
+  const auto nodes = make_side_nodes(patches, cosine_of_degrees(options.crease_angle), context);
   return smooth_vertices(patches, nodes,
-                         light_of_nodes(patches, SideLight(patches, solution), nodes, workers));
+                         light_of_nodes(patches, SideLight(patches, solution), nodes, context));
 }
 
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options) {
-  return make_smooth_light(patches, solution, options, Workers(1));
+  return make_smooth_light(patches, solution, options, Context(1));
 }
 
 TextureRatio texture_ratio_of_patch(const PatchSet& patches, std::size_t patch) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
+#include "luxel/core/none.h"
 #include "luxel/core/warp.h"
 #include "luxel/surface/window_grid.h"
 
@@ -35,7 +37,7 @@ constexpr float min_mean_normal = 0.3f;  // below this a window holds sides that
 // of 53,000 patches is stated up to 1.8 times too large. See FineChange.
 constexpr int first_seen_scale = 2;
 
-// What one window needs to know again when its receivers take their values.
+// Data of one window that is used again when its receivers take their values.
 struct Window {
   Vec3 normal{0.0f}, u{1.0f, 0.0f, 0.0f}, v{0.0f, 1.0f, 0.0f};
   std::size_t terms = 0;            // 0: no fit
@@ -145,7 +147,7 @@ class Scale {
     members.clear();
     for (std::size_t corner = 0; corner < grid_.corners(); ++corner) {
       const auto cell = grid_.cells_of_node(node)[corner];
-      if (cell == WindowGrid::none) continue;
+      if (cell == none) continue;
       for (const auto index : grid_.in_cell(cell))
         if (const auto m = member(node, index); m.weight > 0.0f) members.push_back(m);
     }
@@ -159,7 +161,7 @@ class Scale {
       float area = 0.0f;
       for (std::size_t corner = 0; corner < grid_.corners(); ++corner) {
         const auto cell = grid_.cells_of_node(node)[corner];
-        if (cell == WindowGrid::none) continue;
+        if (cell == none) continue;
         for (const auto index : grid_.in_cell(cell)) {
           const auto weight = WindowGrid::weight(grid_.from_node(node, index)) * sheet_.area[index];
           normal += weight * sheet_.normal[index];
@@ -285,14 +287,20 @@ ChangeSums change_sums(const float* now, const float* before, const float* first
   return sums;
 }
 
-// What the last scale adds to the squared bias: the square of its change, and twice the product with the
-// change of the scale before. Products are of different replicates, in which noise cancels: of the same half
-// where all are independent, for these were moved by fractions that no noise of theirs has chosen; else of
-// different halves. now, before, first: values after the last scale, before it, and before that one; [index *
-// bands + band].
-void write_added_bias(const std::vector<float>& now, const std::vector<float>& before,
-                      const std::vector<float>& first, WindowColumns columns, bool are_independent,
+// Values after the last scale, before it, and before the one before it.
+struct LastScales {
+  const std::vector<float>&now, &before, &first;
+};
+
+// The contribution of the last scale to the squared bias: the square of its change, and twice the product
+// with the change of the scale before. Products are of different replicates, in which noise cancels: of the
+// same half where all are independent, since these were moved by fractions that their own noise did not
+// choose; else of different halves. added: [index * bands + band].
+void write_added_bias(const LastScales& scales, WindowColumns columns, bool are_independent,
                       std::vector<float>& added, const LoopRunner& run) {
+  const auto& now = scales.now;
+  const auto& before = scales.before;
+  const auto& first = scales.first;
   const auto n = columns.size();
   const auto half = columns.replicates / 2;
   run(now.size() / n, [&](std::size_t begin, std::size_t end) {
@@ -319,7 +327,7 @@ void write_added_bias(const std::vector<float>& now, const std::vector<float>& b
   });
 }
 
-// What the finest scales change altogether.
+// The total change by the finest scales.
 void write_fine_change(const std::vector<float>& now, const std::vector<float>& first, WindowColumns columns,
                        FineChange& change, const LoopRunner& run) {
   const auto n = columns.size();
@@ -346,8 +354,13 @@ void write_fine_change(const std::vector<float>& now, const std::vector<float>& 
 }  // namespace
 
 void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
-                  std::vector<float>& values, std::vector<float>& squared_bias, FineChange* fine,
-                  const LoopRunner& run) {
+                  const SheetLight& light, const LoopRunner& run) {
+  auto& values = light.values;
+  auto& squared_bias = light.squared_bias;
+  auto* const fine = light.fine;
+  assert(columns.replicates >= 4);
+  assert(values.size() == sheet.size() * columns.size());
+  assert(squared_bias.size() == sheet.size() * columns.bands);
   std::fill(squared_bias.begin(), squared_bias.end(), 0.0f);
   if (fine) {
     fine->product.assign(squared_bias.size(), 0.0f);
@@ -369,7 +382,7 @@ void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const Smoothin
       if (fine && (is_last || number + 1 == first_seen_scale))
         write_fine_change(moved, number > 0 ? before : values, columns, *fine, run);
     } else {
-      write_added_bias(moved, values, number > first_seen_scale ? before : values, columns, fine != nullptr,
+      write_added_bias({moved, values, number > first_seen_scale ? before : values}, columns, fine != nullptr,
                        added, run);
       scale.add_smoothed(added, squared_bias, run);
     }

@@ -14,7 +14,7 @@ namespace luxel {
 using LoopRunner =
     std::function<void(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)>;
 
-// What the choices of smooth_sheet() go by. [index]
+// The input of the choices of smooth_sheet(). [index]
 struct SmoothingWeights {
   // 1 over the square of the light relative to which an error is seen, (m²/W)².
   std::vector<float> risk;
@@ -23,12 +23,19 @@ struct SmoothingWeights {
   std::vector<float> noise;
 };
 
-// What the two finest scales change, in the mean of the replicates: [index * bands + band]. Nearly all of it
-// is noise that they take off, so nothing can be said of their bias receiver by receiver. Summed over many
-// receivers there can.
+// The change by the two finest scales, in the mean of the replicates: [index * bands + band]. Nearly all of
+// it is removed noise, so that their bias cannot be estimated per receiver. It can be estimated from sums
+// over many receivers.
 struct FineChange {
   std::vector<float> product;   // of changes of different replicates, in which noise cancels: bias squared
   std::vector<float> variance;  // of the mean of half of the replicates
+};
+
+// What is smoothed.
+struct SheetLight {
+  std::vector<float>& values;        // [index * columns.size() + column], is replaced
+  std::vector<float>& squared_bias;  // [index * bands + band], is written
+  FineChange* fine = nullptr;        // is written; none where the replicates are not independent
 };
 
 // Local polynomial regression over one sheet, from fine windows to coarse ones.
@@ -51,12 +58,10 @@ struct FineChange {
 // to coarse, Lepski 1991 and Katkovnik 1999; partition of unity, Shepard 1968; unbiased risk, Mallows 1973;
 // choice by independent buffers, Rousselle, Knaus and Zwicker 2012.
 //
-// values: [index * columns.size() + column], is replaced; at least 4 replicates. squared_bias: [index * bands
-// + band], is written: an estimate of what all but the two finest scales get wrong, smoothed over the same
-// windows; it may be below 0. fine: is written; none where the replicates are not independent. Cost: 1 to 3
-// us per receiver of 8 replicates and 3 bands; about 500 bytes per receiver at a time.
+// At least 4 replicates. squared_bias: an estimate of what all but the two finest scales get wrong, smoothed
+// over the same windows; it may be below 0. Cost: 1 to 3 us per receiver of 8 replicates and 3 bands; about
+// 500 bytes per receiver at a time.
 void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
-                  std::vector<float>& values, std::vector<float>& squared_bias, FineChange* fine,
-                  const LoopRunner& run);
+                  const SheetLight& light, const LoopRunner& run);
 
 }  // namespace luxel

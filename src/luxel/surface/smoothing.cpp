@@ -2,6 +2,7 @@
 #include "luxel/surface/smoothing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "luxel/surface/smooth_sheet.h"
@@ -36,10 +37,15 @@ std::vector<float> noise_of(const LightSheet& sheet, Replicates replicates, std:
   return noise;
 }
 
-// fine: of all receivers, [receiver * bands + band]; or nothing, where replicates are not independent.
+// Of all receivers, [receiver * bands + band].
+struct BiasOfAll {
+  std::span<float> squared;
+  FineChange* fine;  // or nothing, where replicates are not independent
+};
+
 void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t bands,
-                   const SmoothingWeights& weights, std::span<float> squared_bias, FineChange* fine,
-                   const LoopRunner& run) {
+                   const SmoothingWeights& weights, const BiasOfAll& of_all, const LoopRunner& run) {
+  auto* const fine = of_all.fine;
   if (std::none_of(weights.noise.begin(), weights.noise.end(), [](float x) { return x > 0.0f; })) return;
   const WindowColumns columns{replicates.size(), bands};
   std::vector<float> values(sheet.size() * columns.size(), 0.0f);
@@ -53,30 +59,30 @@ void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t b
   for_values([](float& value, const float& of_receiver) { value = of_receiver; });
   std::vector<float> bias(sheet.size() * bands);
   FineChange change;
-  smooth_sheet(sheet, columns, weights, values, bias, fine ? &change : nullptr, run);
+  smooth_sheet(sheet, columns, weights, {values, bias, fine ? &change : nullptr}, run);
   for_values([](const float& value, float& of_receiver) { of_receiver = value; });
   for (std::size_t i = 0; i < bias.size(); ++i) {
     const auto at = sheet.receivers[i / bands] * bands + i % bands;
-    squared_bias[at] += bias[i];
+    of_all.squared[at] += bias[i];
     if (fine) fine->product[at] = change.product[i];
     if (fine) fine->variance[at] = change.variance[i];
   }
 }
 
-// Of the bias of the finest scales only its sum over all receivers, in the error that is seen, can be told
-// from noise. It is put where these scales took most noise off. Where replicates are not independent not even
-// that can be told: products of those of gathered light are 1 to 9 % of their variance, less with more rays,
-// as correlated noise is and bias is not.
-void add_fine_bias(FineChange& fine, std::span<const float> area, std::span<const float> risk_weight,
-                   std::size_t bands, std::span<float> squared_bias, const Workers& workers,
-                   const LoopPartition& mine) {
+// Only the sum of the bias of the finest scales over all receivers, in the error that is seen, can be
+// separated from noise. It is distributed to where these scales removed most noise. Where replicates are not
+// independent even the sum cannot be separated: products of those of gathered light are 1 to 9 % of their
+// variance, less with more rays, as correlated noise is and bias is not.
+// weight: area times risk weight, [receiver].
+void add_fine_bias(FineChange& fine, std::span<const float> weight, std::size_t bands,
+                   std::span<float> squared_bias, const Context& context, const LoopPartition& mine) {
   mine.all_gather(std::span(fine.product), bands);
   mine.all_gather(std::span(fine.variance), bands);
   const auto sum = [&](const std::vector<float>& numbers) {
-    return ordered_sum(workers, area.size(), [&](std::size_t s) {
+    return ordered_sum(context, weight.size(), [&](std::size_t s) {
       float of_receiver = 0.0f;
       for (std::size_t b = 0; b < bands; ++b) of_receiver += numbers[s * bands + b];
-      return static_cast<double>(area[s] * risk_weight[s] * of_receiver);
+      return static_cast<double>(weight[s] * of_receiver);
     });
   };
   const auto variance = sum(fine.variance);
@@ -85,10 +91,16 @@ void add_fine_bias(FineChange& fine, std::span<const float> area, std::span<cons
   for (std::size_t i = 0; i < squared_bias.size(); ++i) squared_bias[i] += part * fine.variance[i];
 }
 
-// risk_weight: [receiver].
-void smooth_both(const LightSheet& sheet, Replicates direct, Replicates gathered, std::size_t bands,
-                 std::span<const float> risk_weight, std::span<float> squared_bias, FineChange& fine,
+struct LightOfAll {
+  Replicates direct, gathered;
+  std::size_t bands;
+  std::span<const float> risk_weight;  // [receiver]
+};
+
+// bias.fine: of direct light.
+void smooth_both(const LightSheet& sheet, const LightOfAll& light, const BiasOfAll& bias,
                  const LoopRunner& run) {
+  const auto& [direct, gathered, bands, risk_weight] = light;
   auto direct_noise = noise_of(sheet, direct, bands);
   auto gathered_noise = noise_of(sheet, gathered, bands);
   SmoothingWeights weights;
@@ -100,9 +112,9 @@ void smooth_both(const LightSheet& sheet, Replicates direct, Replicates gathered
     gathered_noise[i] = risk * (gathered_noise[i] - quiet);
   }
   weights.noise = std::move(direct_noise);
-  smooth_values(sheet, direct, bands, weights, squared_bias, &fine, run);
+  smooth_values(sheet, direct, bands, weights, bias, run);
   weights.noise = std::move(gathered_noise);
-  smooth_values(sheet, gathered, bands, weights, squared_bias, nullptr, run);
+  smooth_values(sheet, gathered, bands, weights, {bias.squared, nullptr}, run);
 }
 
 }  // namespace
@@ -111,10 +123,12 @@ Smoothing::Smoothing(const PatchSet& patches, const PatchTree& tree, const Gathe
     : patches_(patches), sides_(sides), sheets_(make_light_sheets(patches, tree, sides)) {}
 
 void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-                       std::span<float> squared_bias, const Workers& workers,
+                       std::span<float> squared_bias, const Context& context,
                        const LoopPartition& mine) const {
+  assert(direct.size() >= 4 && gathered.size() == direct.size());
+  assert(squared_bias.size() == sides_.size() * patches_.band_count());
   const auto bands = patches_.band_count();
-  const auto weights = risk_weights(direct, gathered, workers);
+  const auto weights = risk_weights(direct, gathered, context);
   FineChange fine;  // of direct light
   fine.product.assign(squared_bias.size(), 0.0f);
   fine.variance.assign(squared_bias.size(), 0.0f);
@@ -123,10 +137,10 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
     return at != sheet.receivers.end() && *at < mine.end();
   };
   const auto smooth_one = [&](const LightSheet& sheet, const LoopRunner& run) {
-    smooth_both(sheet, direct, gathered, bands, weights, squared_bias, fine, run);
+    smooth_both(sheet, {direct, gathered, bands, weights}, {squared_bias, &fine}, run);
   };
   const LoopRunner on_all_threads = [&](std::size_t count, const auto& body) {
-    workers.for_chunks(count, window_grain,
+    context.for_chunks(count, window_grain,
                        [&](std::size_t begin, std::size_t end, int) { body(begin, end); });
   };
   const LoopRunner on_this_thread = [](std::size_t count, const auto& body) { body(0, count); };
@@ -145,24 +159,25 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
   std::size_t tiny = 0;
   while (tiny < small.size() && small[tiny]->size() >= receiver_grain / sheet_grain) ++tiny;
   const auto several = std::span(small).subspan(tiny);
-  workers.for_chunks(tiny, 1,
+  context.for_chunks(tiny, 1,
                      [&](std::size_t i, std::size_t, int) { smooth_one(*small[i], on_this_thread); });
-  workers.for_chunks(several.size(), sheet_grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(several.size(), sheet_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) smooth_one(*several[i], on_this_thread);
   });
-  std::vector<float> area;
-  for (const auto side : sides_.side) area.push_back(patches_.area[side / 2]);
-  add_fine_bias(fine, area, weights, bands, squared_bias, workers, mine);
+  std::vector<float> area_weight;
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    area_weight.push_back(patches_.area[sides_.side[s].patch()] * weights[s]);
+  add_fine_bias(fine, area_weight, bands, squared_bias, context, mine);
 }
 
 // 1 over the square of a receiver's light and a part of the mean: [receiver], (m²/W)².
 std::vector<float> Smoothing::risk_weights(std::span<const std::vector<float>> direct,
                                            std::span<const std::vector<float>> gathered,
-                                           const Workers& workers) const {
+                                           const Context& context) const {
   const auto bands = patches_.band_count();
   const auto receivers = sides_.size();
   std::vector<float> light(receivers);
-  workers.for_chunks(receivers, receiver_grain, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(receivers, receiver_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto s = begin; s < end; ++s) {
       float sum = 0.0f;
       for (std::size_t r = 0; r < direct.size(); ++r)
@@ -170,11 +185,11 @@ std::vector<float> Smoothing::risk_weights(std::span<const std::vector<float>> d
       light[s] = std::max(0.0f, sum / static_cast<float>(direct.size()));
     }
   });
-  const auto area = [&](std::size_t s) { return static_cast<double>(patches_.area[sides_.side[s] / 2]); };
+  const auto area = [&](std::size_t s) { return static_cast<double>(patches_.area[sides_.side[s].patch()]); };
   const auto areas =
-      ordered_sum(workers, receivers, [&](std::size_t s) { return light[s] > 0.0f ? area(s) : 0.0; });
+      ordered_sum(context, receivers, [&](std::size_t s) { return light[s] > 0.0f ? area(s) : 0.0; });
   const auto power =
-      ordered_sum(workers, receivers, [&](std::size_t s) { return area(s) * static_cast<double>(light[s]); });
+      ordered_sum(context, receivers, [&](std::size_t s) { return area(s) * static_cast<double>(light[s]); });
   const auto floor = areas > 0.0 ? static_cast<float>(dim_part * power / areas) : 0.0f;
   for (auto& x : light) x = floor > 0.0f ? 1.0f / ((x + floor) * (x + floor)) : 1.0f;
   return light;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "luxel/core/ranks.h"
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/surface/light_sheets.h"
@@ -23,15 +23,15 @@ class Smoothing {
 
   // direct, gathered: [replicate][receiver * bands + band], W/m², at least 4 replicates, are replaced.
   // squared_bias: [receiver * bands + band], W²/m⁴, what the smoothing of both is estimated to get wrong is
-  // added to it; it may be below 0 in places. The same bits on any number of threads. mine: of ranks that
-  // call with the same values and share the work, the receivers whose values this one needs: it gets those,
-  // and some others beside them. Cost: 2 to 6 us per receiver of 8 replicates and 3 bands, for both.
+  // added to it; it may be below 0 in places. The same bits on any number of threads. mine: of several
+  // processes, the receivers whose values this one needs: it gets those, and some others beside them. Cost: 2
+  // to 6 us per receiver of 8 replicates and 3 bands, for both.
   void smooth(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,
-              std::span<float> squared_bias, const Workers& workers, const LoopPartition& mine) const;
+              std::span<float> squared_bias, const Context& context, const LoopPartition& mine) const;
 
  private:
   std::vector<float> risk_weights(std::span<const std::vector<float>> direct,
-                                  std::span<const std::vector<float>> gathered, const Workers& workers) const;
+                                  std::span<const std::vector<float>> gathered, const Context& context) const;
 
   const PatchSet& patches_;
   const GatherSides& sides_;

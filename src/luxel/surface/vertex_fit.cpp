@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "luxel/core/barycentric.h"
+#include "luxel/core/conjugate_gradients.h"
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
 
 namespace luxel {
 namespace {
@@ -76,7 +80,6 @@ class Fit {
 
 // Vertices of the file at one place where smooth light goes on from one to the other are one unknown.
 void Fit::join_vertices() {
-  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   DisjointSets sets(scene_.positions.size());
   std::vector<std::uint32_t> vertex_of(light_.size(), none);  // [smooth vertex]
   for (std::size_t p = 0; p < patches_.size(); ++p)
@@ -134,37 +137,23 @@ void Fit::solve(const std::vector<float>& values, std::size_t band, std::vector<
   }
 
   // From the lumped matrix's answer on, preconditioned by the diagonal.
-  auto residual = wanted;
-  std::vector<double> scaled(n), along(n), product(n);
   for (std::size_t i = 0; i < n; ++i)
     if (diagonal_[i] > 0.0) x[i] = wanted[i] / (2.0 * diagonal_[i]);
-  multiply(x, product);
-  double start = 0.0, now = 0.0;
-  const auto scale = [&] {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      scaled[i] = diagonal_[i] > 0.0 ? residual[i] / diagonal_[i] : 0.0;
-      sum += scaled[i] * residual[i];
-    }
-    return sum;
+  const auto apply = [&](const auto& v, auto& product) { multiply(v, product); };
+  const auto precondition = [&](const auto& v, auto& scaled) {
+    for (std::size_t i = 0; i < n; ++i) scaled[i] = diagonal_[i] > 0.0 ? v[i] / diagonal_[i] : 0.0;
   };
-  start = scale();
+  const auto dot = [](const auto& a, const auto& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  std::vector<double> product(n);
+  precondition(wanted, product);
+  const auto of_no_light = dot(wanted, product);
+  multiply(x, product);
+  auto residual = wanted;
   for (std::size_t i = 0; i < n; ++i) residual[i] -= product[i];
-  now = scale();
-  along = scaled;
-  for (int step = 0; step < max_steps && now > enough * enough * start; ++step) {
-    multiply(along, product);
-    double curvature = 0.0;
-    for (std::size_t i = 0; i < n; ++i) curvature += along[i] * product[i];
-    const auto length = now / curvature;
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] += length * along[i];
-      residual[i] -= length * product[i];
-    }
-    const auto before = now;
-    now = scale();
-    for (std::size_t i = 0; i < n; ++i) along[i] = scaled[i] + now / before * along[i];
-  }
+  conjugate_gradients(x, std::move(residual), {max_steps, enough * enough, of_no_light},
+                      LinearSystem{apply, precondition, dot}, [](int, const auto&) { return true; });
 
   const auto bands = patches_.band_count();
   for (std::size_t v = 0; v < unknown_of_.size(); ++v) {
@@ -185,13 +174,13 @@ void Fit::solve(const std::vector<float>& values, std::size_t band, std::vector<
 VertexFit fit_vertices(const Scene& scene, const PatchSet& patches, const SmoothLight& light) {
   check(scene, patches, light);
   VertexFit fit;
-  fit.irradiance_front.resize(scene.positions.size() * patches.band_count());
-  fit.irradiance_back = fit.irradiance_front;
+  fit.irradiance.front.resize(scene.positions.size() * patches.band_count());
+  fit.irradiance.back = fit.irradiance.front;
   const Fit least(scene, patches, light);
   double all = 0.0, missed = 0.0;
   for (std::size_t band = 0; band < patches.band_count(); ++band) {
-    least.solve(light.irradiance_front, band, fit.irradiance_front, all, missed);
-    least.solve(light.irradiance_back, band, fit.irradiance_back, all, missed);
+    least.solve(light.irradiance.front, band, fit.irradiance.front, all, missed);
+    least.solve(light.irradiance.back, band, fit.irradiance.back, all, missed);
   }
   fit.difference = all > 0.0 ? std::sqrt(missed / all) : 0.0;
   return fit;

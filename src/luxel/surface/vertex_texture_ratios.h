@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// What a textured surface is at vertices: the mean, by area, of the patches that meet there. Nothing where no
+// Returns the texture ratio at vertices: the mean, by area, of the patches that meet there. Empty where no
 // patch differs from its material.
 class VertexTextureRatios {
  public:

@@ -69,7 +69,7 @@ using Group = std::array<float, 4>;
 struct HalfSums {
   Group bias{}, variance{}, covariance{};
 
-  // Adds what `replicates` replicates say of one member in four bands.
+  // Adds the values of `replicates` replicates of one member in four bands.
   LUXEL_INLINE void add(const float* __restrict value, const float* __restrict difference, std::size_t stride,
                         std::size_t replicates, float weight) {
     Group sum_d{}, sum_dd{}, sum_v{}, sum_vd{};

@@ -30,14 +30,15 @@ class WindowFit {
   static constexpr std::size_t max_terms = 6;  // 1; u, v; u², u v, v²
   using Powers = std::array<float, max_terms>;
 
-  // Terms that so many members carry, at most those of the degree (1 or 2).
+  // The number of terms that this many members determine, at most those of the degree (1 or 2).
   static std::size_t terms_for(std::size_t members, int degree) {
     return members >= 24 && degree >= 2 ? 6 : members >= 6 ? 3 : 1;
   }
   static Powers powers(const WindowMember& m) { return {1.0f, m.u, m.v, m.u * m.u, m.u * m.v, m.v * m.v}; }
 
   // values: [index * columns.size() + column]. coefficients: [term * columns.size() + column], is written. A
-  // term that the members cannot tell from those before it (all of them lie on a line, say) is left out.
+  // term that is linearly dependent on those before it (for example where all members lie on a line) is left
+  // out.
   static void fit(std::span<const WindowMember> members, std::size_t terms, const float* values,
                   WindowColumns columns, float* coefficients);
 
@@ -54,7 +55,7 @@ struct WindowRisk {
   double covariance = 0.0;  // of the mean of the value with that of fit - value
 };
 
-// Of the first replicates / 2 replicates, and of the others. risk_weight: [index].
+// Fits of the first replicates / 2 replicates, and of the others. risk_weight: [index].
 std::array<WindowRisk, 2> window_risk(std::span<const WindowMember> members, std::size_t terms,
                                       const float* values, WindowColumns columns, const float* coefficients,
                                       const float* risk_weight);

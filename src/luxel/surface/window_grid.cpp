@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
 namespace {
 

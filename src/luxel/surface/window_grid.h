@@ -19,7 +19,6 @@ namespace luxel {
 // two dimensions, any other one of three.
 class WindowGrid {
  public:
-  static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::size_t max_corners = 8;
 
   // spacing: m. offset: of the grid along each axis, in spacings. Keeps a reference to the sheet. Cost: about
@@ -40,7 +39,7 @@ class WindowGrid {
   const std::array<std::uint32_t, max_corners>& cells_of_node(std::size_t node) const {
     return cells_of_node_[node];
   }
-  // Of a receiver relative to a node, in spacings.
+  // Position of a receiver relative to a node, in spacings.
   Vec3 from_node(std::size_t node, std::uint32_t index) const { return scaled(index) - node_place_[node]; }
   // The weight of a receiver that is so far from a node.
   static float weight(const Vec3& from_node) {

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "luxel/patch/side.h"
+
 namespace luxel {
 
 Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight) {
-  const auto is_side = [](std::uint32_t s) { return s != Panorama::escaped && s != Panorama::absorbed; };
-  const auto is_focused = [&](std::uint32_t side) {
-    return patches.focus.empty() || patches.focus[side / 2] != 0;
+  const auto is_focused = [&](SideId side) {
+    return patches.focus.empty() || patches.focus[side.patch()] != 0;
   };
   Views views;
   views.first.push_back(0);
@@ -18,8 +19,8 @@ Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, st
     bool any = false;
     for (const auto side : looks[i].side) {
       if (side == Panorama::escaped && patches.has_sky()) views.seen.push_back(Views::sky);
-      if (!is_side(side)) continue;
-      views.seen.push_back(is_focused(side) ? side : side | Views::unfocused);
+      if (!Panorama::is_side(side)) continue;
+      views.seen.push_back(side.index() | (is_focused(side) ? 0 : Views::unfocused));
       any |= is_focused(side);
     }
     if (!any) {
@@ -34,12 +35,13 @@ Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, st
   for (auto& w : views.weight) w = static_cast<float>(w / sum);
   // Sides become indices into the list of those seen.
   for (const auto s : views.seen)
-    if (s != Views::sky) views.sides.push_back(s & ~Views::unfocused);
+    if (s != Views::sky) views.sides.push_back(SideId::at(s & ~Views::unfocused));
   std::sort(views.sides.begin(), views.sides.end());
   views.sides.erase(std::unique(views.sides.begin(), views.sides.end()), views.sides.end());
   for (auto& s : views.seen) {
     if (s == Views::sky) continue;
-    const auto at = std::lower_bound(views.sides.begin(), views.sides.end(), s & ~Views::unfocused);
+    const auto at =
+        std::lower_bound(views.sides.begin(), views.sides.end(), SideId::at(s & ~Views::unfocused));
     s = static_cast<std::uint32_t>(at - views.sides.begin()) | (s & Views::unfocused);
   }
   return views;

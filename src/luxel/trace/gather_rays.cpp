@@ -11,8 +11,6 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t purpose = 0x67617468u;  // keeps these streams apart from those of other stages
-
 // Point on the patch (two), direction (two): directions matter more, and the first two dimensions are the
 // best.
 constexpr std::array<int, 4> dimension = {2, 3, 0, 1};
@@ -72,7 +70,7 @@ GatherRays::GatherRays(const PatchSet& patches, const GatherSides& sides,
 
 std::uint64_t GatherRays::key_of(std::uint32_t replicate) const {
   const bool back = !receivers_.empty() && receivers_.front() >= sides_.fronts;
-  return mix64(stream_key(points_.seed, purpose, 2 * replicate + (back ? 1 : 0)) + level_);
+  return mix64(stream_key(points_.seed, RandomPurpose::gather_rays, 2 * replicate + (back ? 1 : 0)) + level_);
 }
 
 void GatherRays::make(std::span<const Row> rows) {
@@ -108,7 +106,7 @@ void GatherRays::draw(const Row& row, std::size_t at) {
     return;
   }
   for (std::size_t i = 0; i < receivers_.size(); ++i) {
-    const auto own = stream_key(key, 0, sides_.side[receivers_[i]]);
+    const auto own = stream_key(key, 0, sides_.side[receivers_[i]].index());
     const auto u = points_.low_discrepancy ? OwenSobol(own).first4(row.sample) : uniform4(own, row.sample);
     for (std::size_t d = 0; d < 4; ++d) numbers_[d][at + i] = u[static_cast<std::size_t>(dimension[d])];
   }

@@ -23,9 +23,9 @@ struct GatherPoints {
   bool stratified = true;       // one sequence over neighbouring patches; else each side has its own
 };
 
-// Rays of the sides of one block or a few neighbouring ones, traced in the order of their directions: those
-// that look the same way stand together, side by side. They meet the same things, so the tracer finds its
-// nodes in the cache. What a ray is does not depend on the order, nor on which others are traced with it.
+// Rays of the sides of one block or a few neighbouring ones, traced in the order of their directions. Rays of
+// similar directions are adjacent and meet the same surfaces, so that the tracer finds its nodes in the
+// cache. A ray does not depend on the order, nor on the other rays traced with it.
 class GatherRays {
  public:
   static constexpr std::size_t max_rows = 16;   // traced together

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/trace/gather_sides.h"
 
+#include <cassert>
+
+#include "luxel/core/none.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 namespace luxel {
 namespace {
 
-void add(GatherSides& sides, std::uint32_t side, std::uint32_t position) {
-  sides.receiver_of_side[side] = static_cast<std::uint32_t>(sides.side.size());
+void add(GatherSides& sides, SideId side, std::uint32_t position) {
+  sides.receiver_of_side[side.index()] = static_cast<std::uint32_t>(sides.side.size());
   sides.side.push_back(side);
   sides.position.push_back(position);
 }
@@ -16,13 +20,13 @@ void add(GatherSides& sides, std::uint32_t side, std::uint32_t position) {
 
 GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree) {
   GatherSides sides;
-  sides.receiver_of_side.assign(2 * patches.size(), GatherSides::none);
+  sides.receiver_of_side.assign(side_count(patches.size()), none);
   for (std::size_t i = 0; i < tree.order.size(); ++i)
-    add(sides, static_cast<std::uint32_t>(side_of(tree.order[i], false)), tree.position[i]);
+    add(sides, SideId(tree.order[i], false), tree.position[i]);
   sides.fronts = sides.size();
   for (std::size_t i = 0; i < tree.order.size(); ++i)
     if (patches.material_of(tree.order[i]).two_sided)
-      add(sides, static_cast<std::uint32_t>(side_of(tree.order[i], true)), tree.position[i]);
+      add(sides, SideId(tree.order[i], true), tree.position[i]);
   return sides;
 }
 
@@ -36,8 +40,9 @@ std::vector<std::uint32_t> neighbour_begins(const GatherSides& sides, std::uint3
 }
 
 GatherSides restored_gather_sides(const GatherSides& sides, const std::vector<std::uint8_t>& keep) {
+  assert(keep.size() == sides.size());
   GatherSides result;
-  result.receiver_of_side.assign(sides.receiver_of_side.size(), GatherSides::none);
+  result.receiver_of_side.assign(sides.receiver_of_side.size(), none);
   for (std::size_t receiver = 0; receiver < sides.size(); ++receiver) {
     if (receiver == sides.fronts) result.fronts = result.size();
     if (keep[receiver]) add(result, sides.side[receiver], sides.position[receiver]);

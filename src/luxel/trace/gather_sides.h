@@ -6,6 +6,7 @@
 
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 
@@ -17,9 +18,7 @@ inline constexpr std::uint32_t sequence_positions = 64;
 // The patch sides that gather light, each in its receiver: fronts in the tree's order, then backs in the
 // same.
 struct GatherSides {
-  static constexpr std::uint32_t none = 0xffffffffu;
-
-  std::vector<std::uint32_t> side;              // [receiver]
+  std::vector<SideId> side;                     // [receiver]
   std::vector<std::uint32_t> position;          // [receiver], see PatchTree
   std::vector<std::uint32_t> receiver_of_side;  // [side]; none: does not gather
   std::size_t fronts = 0;                       // receivers [0, fronts) are fronts
@@ -30,8 +29,8 @@ struct GatherSides {
 // Every front, and the back of every patch whose material is two-sided.
 GatherSides all_gather_sides(const PatchSet& patches, const PatchTree& tree);
 
-// Where groups of neighbouring receivers begin, and at the end the number of receivers: those of one block of
-// so many positions, and all fronts or all backs.
+// Begin of each group of neighbouring receivers, and at the end the number of receivers. A group holds the
+// receivers of one block of positions, all fronts or all backs.
 std::vector<std::uint32_t> neighbour_begins(const GatherSides& sides, std::uint32_t positions);
 
 // Those receivers of `sides` that are kept, closed up.

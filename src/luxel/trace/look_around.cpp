@@ -5,11 +5,12 @@
 
 #include "luxel/core/address.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
 
-double fraction(const Panorama& look, bool (*is_counted)(std::uint32_t)) {
+double fraction(const Panorama& look, bool (*is_counted)(SideId)) {
   const auto count = std::count_if(look.side.begin(), look.side.end(), is_counted);
   return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(1, look.side.size()));
 }
@@ -25,22 +26,20 @@ Vec3 LookGrid::direction(std::size_t cell, float u1, float u2) const {
   return d;
 }
 
-double Panorama::surface_fraction() const {
-  return fraction(*this, [](std::uint32_t s) { return s != escaped && s != absorbed; });
-}
+double Panorama::surface_fraction() const { return fraction(*this, is_side); }
 
 double Panorama::escaped_fraction() const {
-  return fraction(*this, [](std::uint32_t s) { return s == escaped; });
+  return fraction(*this, [](SideId s) { return s == escaped; });
 }
 
 float Panorama::clearance() const {
   return distance.empty() ? 0.0f : *std::min_element(distance.begin(), distance.end());
 }
 
-std::uint32_t side_met(const PatchSet& patches, const Hit& hit) {
+SideId side_met(const PatchSet& patches, const Hit& hit) {
   if (!hit) return Panorama::escaped;
   if (hit.back && !patches.material_of(hit.patch).two_sided) return Panorama::absorbed;
-  return 2 * hit.patch + (hit.back ? 1u : 0u);
+  return {hit.patch, hit.back};
 }
 
 Panorama look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye, const LookGrid& grid,

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/core/vector.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -24,14 +26,16 @@ class LookGrid {
   std::size_t n_;
 };
 
-// What an eye sees all around, one ray per cell of the grid.
+// The view from a point in all directions, one ray per cell of the grid.
 struct Panorama {
-  static constexpr std::uint32_t escaped = 0xffffffffu;
-  static constexpr std::uint32_t absorbed = 0xfffffffeu;  // the back of a one-sided surface
+  static constexpr SideId escaped{};
+  static constexpr SideId absorbed = SideId::at(none - 1);  // the back of a one-sided surface
 
-  Vec3 eye{0.0f};                   // m
-  std::vector<std::uint32_t> side;  // [cell]: 2 * patch, + 1 for the back; or one of the above
-  std::vector<float> distance;      // [cell], m; infinite where the ray escapes
+  static constexpr bool is_side(SideId s) { return s != escaped && s != absorbed; }
+
+  Vec3 eye{0.0f};               // m
+  std::vector<SideId> side;     // [cell], or one of the above
+  std::vector<float> distance;  // [cell], m; infinite where the ray escapes
 
   // Fraction of directions that meet a side which can receive light; and that escape.
   double surface_fraction() const;
@@ -43,7 +47,7 @@ struct Panorama {
 Panorama look_around(const PatchSet& patches, const Tracer& tracer, const Vec3& eye, const LookGrid& grid,
                      std::uint64_t key);
 
-// The side that a ray met, with the codes of Panorama.
-std::uint32_t side_met(const PatchSet& patches, const Hit& hit);
+// The side that a ray met, or one of the codes of Panorama.
+SideId side_met(const PatchSet& patches, const Hit& hit);
 
 }  // namespace luxel

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "luxel/core/address.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/start_sides.h"
 
 namespace luxel {
@@ -15,9 +16,9 @@ namespace {
 constexpr std::uint32_t paths = 24;
 constexpr std::uint32_t path_rays = 48;
 
-bool is_light(const PatchSet& patches, std::uint32_t side) {
+bool is_light(const PatchSet& patches, SideId side) {
   if (side == Panorama::escaped) return patches.has_sky();
-  return side != Panorama::absorbed && side % 2 == 0 && patches.material_of(side / 2).is_lamp();
+  return side != Panorama::absorbed && !side.is_back() && patches.material_of(side.patch()).is_lamp();
 }
 
 class Paths {
@@ -46,8 +47,8 @@ class Paths {
     });
   }
 
-  bool finds_light(std::uint32_t side, std::uint64_t key) const {
-    for (std::uint32_t i = 0; i < path_rays && side != Panorama::escaped && side != Panorama::absorbed; ++i) {
+  bool finds_light(SideId side, std::uint64_t key) const {
+    for (std::uint32_t i = 0; i < path_rays && Panorama::is_side(side); ++i) {
       const auto ray = ray_from_side(patches_, side, uniform4(key, i));
       if (has_points() && sees_point(ray.origin)) return true;
       side = side_met(patches_, tracer_.nearest(ray));

@@ -2,6 +2,9 @@
 #include "luxel/trace/patch_emitter.h"
 
 #include <algorithm>
+#include <cassert>
+
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
@@ -18,11 +21,11 @@ float draw_in(const std::array<Vec3, 3>& p, float area, float margin) {
 
 }  // namespace
 
-PatchEmitter::PatchEmitter(const PatchSet& patches, std::size_t side)
-    : frame_(side % 2 == 0 ? patches.normal[side / 2] : -patches.normal[side / 2]) {
-  auto p = patches.points(side / 2);
+PatchEmitter::PatchEmitter(const PatchSet& patches, SideId side) : frame_(patches.normal_of(side)) {
+  assert(side && side.patch() < patches.size());
+  auto p = patches.points(side.patch());
   const auto lift = origin_lift(p);
-  const auto fraction = draw_in(p, patches.area[side / 2], 2.0f * lift);
+  const auto fraction = draw_in(p, patches.area[side.patch()], 2.0f * lift);
   const auto centroid = (p[0] + p[1] + p[2]) / 3.0f;
   for (auto& corner : p) corner += fraction * (centroid - corner) + lift * frame_.n;
   base_ = p[0];

@@ -6,19 +6,17 @@
 
 #include "luxel/core/warp.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
-
-// The two sides of patch p are sides 2p (front) and 2p + 1 (back).
-constexpr std::size_t side_of(std::size_t patch, bool back) { return 2 * patch + (back ? 1 : 0); }
 
 // Rays that leave one side of a patch: a uniform point, a cosine direction. Together the density of diffuse
 // power, so that a ray carries the same power wherever it starts and goes. Points keep twice the origin's
 // lift away from the patch's edges, so that a lifted origin stays inside a corner between walls.
 class PatchEmitter {
  public:
-  PatchEmitter(const PatchSet& patches, std::size_t side);
+  PatchEmitter(const PatchSet& patches, SideId side);
 
   // u: four numbers uniform in [0, 1).
   Ray ray(const std::array<float, 4>& u) const {
@@ -28,7 +26,7 @@ class PatchEmitter {
   Ray ray(const Vec2& weights, const Vec3& local) const { return {point(weights), frame_.to_world(local)}; }
   // The origin of such a ray alone.
   Vec3 point(float u1, float u2) const { return point(uniform_triangle(u1, u2)); }
-  // What the origins fill, and where they look.
+  // The area that the origins cover, and the side that they face.
   std::array<Vec3, 3> corners() const { return {base_, base_ + edge_b_, base_ + edge_c_}; }
   const Vec3& normal() const { return frame_.n; }
 

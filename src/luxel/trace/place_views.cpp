@@ -9,6 +9,7 @@
 #include "luxel/core/address.h"
 #include "luxel/core/bounds.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/collect_views.h"
 #include "luxel/trace/look_around.h"
 #include "luxel/trace/open_space.h"
@@ -18,7 +19,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint64_t stream = 0x76696577u;  // of all random numbers here: views do not follow any seed
+constexpr auto seed = seed_of(RandomSeed::views);  // views do not follow the seed of a solve
 enum Stage : std::uint32_t { scout_start, scout_look, scout_path, view_start, view_look, eye_look };
 
 constexpr float clearance_of_extent = 0.03f;  // without it insides of furniture own the error: measured
@@ -29,10 +30,10 @@ constexpr int tries = 8;  // starts of a view before its scout gets none
 
 class Placing {
  public:
-  Placing(const PatchSet& patches, const Tracer& tracer, const Workers& workers, const ViewOptions& options)
+  Placing(const PatchSet& patches, const Tracer& tracer, const Context& context, const ViewOptions& options)
       : patches_(patches),
         tracer_(tracer),
-        workers_(workers),
+        context_(context),
         options_(options),
         grid_(options.grid),
         scout_grid_(options.scout_grid) {
@@ -45,7 +46,7 @@ class Placing {
 
   ViewSets place() {
     send_scouts();
-    const auto weights = place_weights(scouts_, tracer_, workers_);
+    const auto weights = place_weights(scouts_, tracer_, context_);
     ViewSets sets;
     sets.places = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (const auto is_stating : {0u, 1u}) {
@@ -61,15 +62,15 @@ class Placing {
     const StartSides starts(patches_, patches_.focus);
     if (starts.empty()) return;
     std::vector<std::optional<Panorama>> found(options_.scouts);
-    workers_.for_chunks(found.size(), 4, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(found.size(), 4, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto element = static_cast<std::uint32_t>(i);
-        const auto u = uniform4(stream_key(stream, scout_start, element), tries);
+        const auto u = uniform4(stream_key(seed, scout_start, element), tries);
         const auto side = starts.pick((static_cast<float>(i) + u[0]) / static_cast<float>(found.size()));
-        auto look = look_near(side, stream_key(stream, scout_start, element),
-                              stream_key(stream, scout_look, element), scout_grid_);
+        auto look = look_near(side, stream_key(seed, scout_start, element),
+                              stream_key(seed, scout_look, element), scout_grid_);
         if (look &&
-            is_open_space(patches_, tracer_, *look, patches_.eyes(), stream_key(stream, scout_path, element)))
+            is_open_space(patches_, tracer_, *look, patches_.eyes(), stream_key(seed, scout_path, element)))
           found[i] = std::move(look);
       }
     });
@@ -79,7 +80,7 @@ class Placing {
 
   // Looks around at a random point of a random cosine ray from the side; nothing if all tries end too near to
   // a surface or see too few.
-  std::optional<Panorama> look_near(std::uint32_t side, std::uint64_t start_key, std::uint64_t look_key,
+  std::optional<Panorama> look_near(SideId side, std::uint64_t start_key, std::uint64_t look_key,
                                     const LookGrid& grid) const {
     for (std::uint32_t t = 0; t < tries; ++t) {
       const auto ray = ray_from_side(patches_, side, uniform4(start_key, 2 * t + 100));
@@ -96,7 +97,7 @@ class Placing {
     return {};
   }
 
-  // A few rays that tell most places without clearance apart before the whole look is taken.
+  // Traces a few rays that separate most places without clearance before the whole view is traced.
   bool may_stand(const Vec3& eye) const {
     for (const auto& d :
          {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
@@ -106,8 +107,8 @@ class Placing {
 
   double focus_fraction(const Panorama& look) const {
     if (patches_.focus.empty()) return 1.0;
-    const auto count = std::count_if(look.side.begin(), look.side.end(), [&](std::uint32_t side) {
-      return side != Panorama::escaped && side != Panorama::absorbed && patches_.focus[side / 2] != 0;
+    const auto count = std::count_if(look.side.begin(), look.side.end(), [&](SideId side) {
+      return Panorama::is_side(side) && patches_.focus[side.patch()] != 0;
     });
     return static_cast<double>(count) / static_cast<double>(look.side.size());
   }
@@ -121,10 +122,10 @@ class Placing {
         static_cast<std::size_t>(std::max(0.0, places - 1.0) * static_cast<double>(options_.more_per_place));
     const auto count = scouts_.empty() ? 0 : std::min(options_.max_views, wanted);
     std::vector<std::optional<Panorama>> found(count);
-    workers_.for_chunks(count, 4, [&](std::size_t begin, std::size_t end, int) {
+    context_.for_chunks(count, 4, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         const auto element = 2 * static_cast<std::uint32_t>(i) + is_stating;
-        const auto key = stream_key(stream, view_start, element);
+        const auto key = stream_key(seed, view_start, element);
         const auto u = uniform4(key, 0);
         const auto at =
             (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count) * sum.back();
@@ -132,7 +133,7 @@ class Placing {
             std::min<std::ptrdiff_t>(std::upper_bound(sum.begin(), sum.end(), at) - sum.begin(),
                                      static_cast<std::ptrdiff_t>(sum.size()) - 1);
         const auto side = side_seen(scouts_[static_cast<std::size_t>(scout)], u[1]);
-        found[i] = look_near(side, key, stream_key(stream, view_look, element), grid_);
+        found[i] = look_near(side, key, stream_key(seed, view_look, element), grid_);
       }
     });
     std::vector<Panorama> looks;
@@ -140,16 +141,15 @@ class Placing {
       if (look) looks.push_back(std::move(*look));
     for (const auto& eye : patches_.eyes())
       looks.push_back(look_around(patches_, tracer_, eye, grid_,
-                                  stream_key(stream, eye_look, static_cast<std::uint32_t>(looks.size()))));
+                                  stream_key(seed, eye_look, static_cast<std::uint32_t>(looks.size()))));
     return looks;
   }
 
   // One of the sides that a look meets, in the focus where there is one.
-  std::uint32_t side_seen(const Panorama& look, float u) const {
-    std::vector<std::uint32_t> sides;
+  SideId side_seen(const Panorama& look, float u) const {
+    std::vector<SideId> sides;
     for (const auto side : look.side)
-      if (side != Panorama::escaped && side != Panorama::absorbed &&
-          (patches_.focus.empty() || patches_.focus[side / 2] != 0))
+      if (Panorama::is_side(side) && (patches_.focus.empty() || patches_.focus[side.patch()] != 0))
         sides.push_back(side);
     return sides[std::min(sides.size() - 1, static_cast<std::size_t>(u * static_cast<float>(sides.size())))];
   }
@@ -166,7 +166,7 @@ class Placing {
 
   const PatchSet& patches_;
   const Tracer& tracer_;
-  const Workers& workers_;
+  const Context& context_;
   const ViewOptions& options_;
   LookGrid grid_, scout_grid_;
   float extent_ = 0.0f, clearance_ = 0.0f;  // m
@@ -200,14 +200,14 @@ Panorama look_through(const PatchSet& patches, const Tracer& tracer, const Camer
 
 }  // namespace
 
-ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   ViewSets sets;
   sets.places = 1.0;
   for (const auto is_stating : {0u, 1u}) {
     std::vector<Panorama> looks(patches.cameras.size());
-    workers.for_chunks(looks.size(), 1, [&](std::size_t i, std::size_t, int) {
+    context.for_chunks(looks.size(), 1, [&](std::size_t i, std::size_t, int) {
       const auto element = 2 * static_cast<std::uint32_t>(i) + is_stating;
-      looks[i] = look_through(patches, tracer, patches.cameras[i], stream_key(stream, eye_look, element));
+      looks[i] = look_through(patches, tracer, patches.cameras[i], stream_key(seed, eye_look, element));
     });
     (is_stating ? sets.stating : sets.dealing) =
         collect_views(patches, looks, std::vector<float>(looks.size(), 1.0f));
@@ -215,10 +215,10 @@ ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Worke
   return sets;
 }
 
-ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Workers& workers,
+ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Context& context,
                      const ViewOptions& options) {
-  if (patches.focuses_on_cameras) return camera_views(patches, tracer, workers);
-  return Placing(patches, tracer, workers, options).place();
+  if (patches.focuses_on_cameras) return camera_views(patches, tracer, context);
+  return Placing(patches, tracer, context, options).place();
 }
 
 }  // namespace luxel

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "luxel/core/workers.h"
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/tracer.h"
 #include "luxel/trace/views.h"
@@ -21,14 +21,14 @@ struct ViewOptions {
   std::size_t max_views = 512;
   std::size_t grid = 16;  // directions of a view: 2 * grid², 512
 
-  std::size_t scouts = 384;    // looks by which the places are found
+  std::size_t scouts = 384;    // viewpoints by which the places are found
   std::size_t scout_grid = 8;  // directions of a scout: 128
 };
 
 // Two sets of views, each spread over the open space of the scene.
 struct ViewSets {
-  Views dealing;        // say which sides need more rays
-  Views stating;        // say how large the error is: other viewpoints, so that dealing does not flatter them
+  Views dealing;  // decide which sides need more rays
+  Views stating;  // estimate the error: other viewpoints, so that the choice of `dealing` does not bias it
   double places = 0.0;  // rooms and the outside, estimated; 0: no open space was found
 
   bool empty() const { return dealing.size() == 0 || stating.size() == 0; }
@@ -49,11 +49,11 @@ struct ViewSets {
 //
 // The result depends on patches alone: not on any seed, threads or ranks. Cost: about 0.1 us per ray in a
 // simple scene, 1 us in one of a million patches; 0.3 to 0.6 million rays.
-ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Workers& workers,
+ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Context& context,
                      const ViewOptions& options = {});
 
-// What the cameras see, as the views of both sets: for PatchSet::focus_cameras. Each camera is one view of
+// Returns the views of the cameras as both sets, for PatchSet::focus_cameras. Each camera is one view of
 // about four thousand directions, evenly spread over the picture (4:3).
-ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Workers& workers);
+ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
 }  // namespace luxel

@@ -18,12 +18,12 @@ bool sees(const Tracer& tracer, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 std::vector<float> place_weights(std::span<const Panorama> looks, const Tracer& tracer,
-                                 const Workers& workers) {
+                                 const Context& context) {
   const auto n = looks.size();
   std::vector<float> open(n);
   for (std::size_t v = 0; v < n; ++v) open[v] = static_cast<float>(looks[v].escaped_fraction());
   std::vector<float> together(n * n);
-  workers.for_chunks(n, 8, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(n, 8, [&](std::size_t begin, std::size_t end, int) {
     for (auto v = begin; v < end; ++v)
       for (std::size_t w = 0; w <= v; ++w) {
         const auto outside = std::min(1.0f, all_outside * std::min(open[v], open[w]));
@@ -35,7 +35,7 @@ std::vector<float> place_weights(std::span<const Panorama> looks, const Tracer& 
   std::vector<float> weight(n, 1.0f);
   std::vector<float> next(n);
   for (int i = 0; i < iterations; ++i) {
-    workers.for_chunks(n, 64, [&](std::size_t begin, std::size_t end, int) {
+    context.for_chunks(n, 64, [&](std::size_t begin, std::size_t end, int) {
       for (auto v = begin; v < end; ++v) {
         float sum = 0.0f;
         for (std::size_t w = 0; w < n; ++w) sum += together[v * n + w] * weight[w];

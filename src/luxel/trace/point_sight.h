@@ -13,12 +13,12 @@ struct PointSight {
   float distance = 0.0f;         // m, of where a shadow ray ends; infinite for directional lamps
 };
 
-// normal: unit, of the side that is lit. E = I cos / d² (inverse square law); a spot fades as
-// KHR_lights_punctual says. Nearer than a thousandth of a millimetre counts as that far.
+// normal: unit, of the side that is lit. E = I cos / d² (inverse square law); a spot fades as defined by
+// KHR_lights_punctual. Distances below a thousandth of a millimetre are clamped to it.
 PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& normal);
 
-// What it emits over what it is along its axis, sr: 4 pi of points, 0 of directional ones, whose power is not
-// finite.
+// Returns the ratio of emitted power to intensity along the axis, sr: 4 pi for points, 0 for directional
+// ones, whose power is not finite.
 double emitting_angle(const PointLight& light);
 
 }  // namespace luxel

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "luxel/patch/side.h"
+
 namespace luxel {
 namespace {
 
@@ -32,21 +34,21 @@ double sensitivity(double radiance, double adaptation) {
 }  // namespace
 
 bool reflects_nothing(const PatchSet& patches, const Views& views) {
-  return std::none_of(views.sides.begin(), views.sides.end(), [&](std::uint32_t side) {
+  return std::none_of(views.sides.begin(), views.sides.end(), [&](SideId side) {
     for (std::size_t b = 0; b < patches.band_count(); ++b)
-      if (patches.reflectance(side / 2, b) > 0.0f) return true;
+      if (patches.reflectance(side.patch(), b) > 0.0f) return true;
     return false;
   });
 }
 
-SeenSide light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
+SeenSide light_of_side(const PatchSet& patches, SideId side, std::span<const float> irradiance,
                        std::span<const double> squared_error, bool black) {
   const auto bands = patches.band_count();
   double squared_light = 0.0;
   double squared_error_sum = 0.0;
   for (std::size_t b = 0; b < bands; ++b) {
-    const auto rho = black ? 1.0 : static_cast<double>(patches.reflectance(side / 2, b));
-    const auto emitted = side % 2 == 0 ? static_cast<double>(patches.emittance(side / 2, b)) : 0.0;
+    const auto rho = black ? 1.0 : static_cast<double>(patches.reflectance(side.patch(), b));
+    const auto emitted = !side.is_back() ? static_cast<double>(patches.emittance(side.patch(), b)) : 0.0;
     squared_light += squared(emitted + rho * std::max(0.0, static_cast<double>(irradiance[b])));
     squared_error_sum += squared(rho) * squared_error[b];
   }

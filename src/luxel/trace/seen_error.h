@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/views.h"
 
 namespace luxel {
@@ -12,8 +13,8 @@ namespace luxel {
 // Light as an eye receives it: root mean squares over bands.
 struct SeenLight {
   std::vector<float> radiance;  // [index in Views::sides], W/(m² sr), emission included
-  // Likewise, of the radiance: spread and bias, not widened by Student's t. The bias is an estimate and may
-  // be below 0: what counts is the sum over a view.
+  // The same for the radiance: standard error and bias, not widened by Student's t. The bias is an estimate
+  // and may be below 0: only its sum over a view is meaningful.
   std::vector<float> squared_error;
   float sky = 0.0f;  // radiance of the sky
 };
@@ -29,7 +30,7 @@ struct SeenSide {
 bool reflects_nothing(const PatchSet& patches, const Views& views);
 
 // irradiance, squared_error: [band], of one side, W/m² and its square. black: see reflects_nothing().
-SeenSide light_of_side(const PatchSet& patches, std::uint32_t side, std::span<const float> irradiance,
+SeenSide light_of_side(const PatchSet& patches, SideId side, std::span<const float> irradiance,
                        std::span<const double> squared_error, bool black);
 
 // The root mean square over bands of the radiance of the sky.
@@ -55,11 +56,11 @@ class SeenError {
   // The same with other squared errors for the sides seen, by the same radiances.
   double percentile_95(std::span<const float> squared_error) const;
 
-  // What a squared error of 1 (W/(m² sr))² at each side does to the views, [index in Views::sides]: the sum
-  // over views of u (fraction of the view) / (L + 0.05 a)². u presses on the worst views: weight times the
-  // fourth power of the view's error, but for views beyond the 95 % no more than at those; scaled so that the
-  // sum over sides of importance times squared error is the square of percentile_95(). Importance of Smits,
-  // Arvo and Salesin 1992, with views in place of one picture.
+  // Returns the effect of a squared error of 1 (W/(m² sr))² at each side on the views, [index in
+  // Views::sides]: the sum over views of u (fraction of the view) / (L + 0.05 a)². u emphasises the worst
+  // views: weight times the fourth power of the view's error, capped beyond the 95th percentile at the value
+  // there; scaled so that the sum over sides of importance times squared error is the square of
+  // percentile_95(). Importance of Smits, Arvo and Salesin 1992, with views in place of one picture.
   std::vector<double> importance() const;
 
  private:

@@ -5,11 +5,12 @@
 #include <numeric>
 
 #include "luxel/core/warp.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 
 StartSides::StartSides(const PatchSet& patches, const std::vector<std::uint8_t>& may_start)
-    : patches_(patches), sum_(patches.size()) {
+    : patches_(patches) {
   const auto triangles = patches.triangle.empty()
                              ? 0u
                              : *std::max_element(patches.triangle.begin(), patches.triangle.end()) + 1u;
@@ -21,30 +22,29 @@ StartSides::StartSides(const PatchSet& patches, const std::vector<std::uint8_t>&
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const auto area = static_cast<double>(patches.area[p]);
     const auto of_triangle = std::max(1e-300, area_of[patches.triangle[p]]);
-    if (may_start.empty() || may_start[p] != 0) total_ += area / whole + area / of_triangle / count;
-    sum_[p] = total_;
+    const bool may = may_start.empty() || may_start[p] != 0;
+    by_weight_.add(may ? area / whole + area / of_triangle / count : 0.0);
   }
 }
 
-std::uint32_t StartSides::pick(float u) const {
-  const auto at = static_cast<double>(u) * total_;
-  const auto found = std::upper_bound(sum_.begin(), sum_.end(), at);
-  const auto patch = static_cast<std::uint32_t>(
-      std::min<std::ptrdiff_t>(found - sum_.begin(), static_cast<std::ptrdiff_t>(sum_.size()) - 1));
-  if (!patches_.material_of(patch).two_sided) return 2 * patch;
-  const auto before = patch == 0 ? 0.0 : sum_[patch - 1];
-  return 2 * patch + (at - before > 0.5 * (sum_[patch] - before) ? 1u : 0u);
+SideId StartSides::pick(float u) const {
+  const auto at = static_cast<double>(u) * by_weight_.total();
+  const auto patch = static_cast<std::uint32_t>(by_weight_.at(at));
+  if (!patches_.material_of(patch).two_sided) return {patch, false};
+  return {patch, at - by_weight_.before(patch) > 0.5 * by_weight_.weight(patch)};
 }
 
-Ray ray_from_side(const PatchSet& patches, std::uint32_t side, const std::array<float, 4>& u) {
-  constexpr float inwards = 1e-3f;  // of the way to the centroid: rounding takes no ray through a wall
-  const auto patch = side / 2;
-  const auto p = patches.points(patch);
-  const auto normal = side % 2 == 1 ? -patches.normal[patch] : patches.normal[patch];
-  const auto at_triangle = uniform_triangle(u[0], u[1]);
-  auto at = p[0] + at_triangle.x * (p[1] - p[0]) + at_triangle.y * (p[2] - p[0]);
+Ray ray_from_side(const PatchSet& patches, SideId side, const Vec2& weights, float u1, float u2) {
+  constexpr float inwards = 1e-3f;  // of the way to the centroid
+  const auto p = patches.points(side.patch());
+  const auto normal = patches.normal_of(side);
+  auto at = p[0] + weights.x * (p[1] - p[0]) + weights.y * (p[2] - p[0]);
   at += inwards * ((p[0] + p[1] + p[2]) / 3.0f - at) + origin_lift(p) * normal;
-  return {at, Frame(normal).to_world(cosine_hemisphere(u[2], u[3]))};
+  return {at, Frame(normal).to_world(cosine_hemisphere(u1, u2))};
+}
+
+Ray ray_from_side(const PatchSet& patches, SideId side, const std::array<float, 4>& u) {
+  return ray_from_side(patches, side, uniform_triangle(u[0], u[1]), u[2], u[3]);
 }
 
 }  // namespace luxel

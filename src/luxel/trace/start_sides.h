@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -18,17 +20,20 @@ class StartSides {
   // give both of their sides.
   StartSides(const PatchSet& patches, const std::vector<std::uint8_t>& may_start);
 
-  bool empty() const { return !(total_ > 0.0); }
-  // A side, 2 * patch + 1 for the back, from a uniform number.
-  std::uint32_t pick(float u) const;
+  bool empty() const { return !(by_weight_.total() > 0.0); }
+  // A side, from a uniform number.
+  SideId pick(float u) const;
 
  private:
   const PatchSet& patches_;
-  std::vector<double> sum_;  // [patch], inclusive
-  double total_ = 0.0;
+  DiscreteDistribution by_weight_;  // of patches
 };
 
-// A cosine ray from a uniform point of a side, lifted off the surface. u: uniform.
-Ray ray_from_side(const PatchSet& patches, std::uint32_t side, const std::array<float, 4>& u);
+// A cosine ray from a point of a side, given by the weights of its corners 1 and 2. The point moves by a
+// thousandth of the way to the centroid, away from the edges, and is lifted off the surface, so that rounding
+// takes no ray through a wall. u1, u2: uniform.
+Ray ray_from_side(const PatchSet& patches, SideId side, const Vec2& weights, float u1, float u2);
+// The same from a uniform point. u: uniform.
+Ray ray_from_side(const PatchSet& patches, SideId side, const std::array<float, 4>& u);
 
 }  // namespace luxel

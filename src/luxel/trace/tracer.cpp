@@ -9,11 +9,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <numeric>
 #include <string>
 #include <vector>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
+#include "luxel/core/unit_vector.h"
 
 namespace luxel {
 namespace {
@@ -24,9 +27,10 @@ constexpr const char* device_config = "max_isa=avx2";
 void throw_on_error(RTCDevice device, const char* what) {
   const auto error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return;
-  throw DeviceError(std::string("Embree ") + what + " failed: " +
-                    (error == RTC_ERROR_OUT_OF_MEMORY ? "out of memory; fewer patches are needed (--max-edge)"
-                                                      : "error " + std::to_string(static_cast<int>(error))));
+  const auto failed = std::string("Embree ") + what + " failed: ";
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    throw with_hints(DeviceError(failed + "out of memory; fewer patches are needed"), {{Setting::max_edge}});
+  throw DeviceError(failed + "error " + std::to_string(static_cast<int>(error)));
 }
 
 // Of one patch with holes.
@@ -48,7 +52,7 @@ struct Part {
   std::vector<Holes> holes;          // [triangle], or none
 };
 
-// Materials are asked only where there are holes: who traces bare geometry need not have any.
+// Materials are read only where there are holes: bare geometry need not have any.
 std::array<Part, 2> parts_of(const PatchSet& patches) {
   std::array<Part, 2> parts;
   if (std::none_of(patches.materials.begin(), patches.materials.end(),
@@ -69,7 +73,7 @@ std::array<Part, 2> parts_of(const PatchSet& patches) {
   return parts;
 }
 
-// A ray goes on through holes. Embree asks about each triangle it finds on the way, in any order.
+// A ray continues through holes. Embree calls this for each triangle on the way, in any order.
 void pass_holes(const RTCFilterFunctionNArguments* asked) {
   const auto& part = *static_cast<const Part*>(asked->geometryUserPtr);
   for (unsigned i = 0; i < asked->N; ++i) {
@@ -119,7 +123,7 @@ struct Tracer::State {
   }
 };
 
-Tracer::Tracer(const PatchSet& patches, const Workers& workers) : state_(std::make_unique<State>()) {
+Tracer::Tracer(const PatchSet& patches, const Context& context) : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice(device_config);
   if (!state_->device) {
     throw_on_error(nullptr, "start");
@@ -131,7 +135,7 @@ Tracer::Tracer(const PatchSet& patches, const Workers& workers) : state_(std::ma
   state_->parts = parts_of(patches);
   for (unsigned i = 0; i < 2; ++i) attach(state_->device, state_->scene, patches, state_->parts[i], i);
   if (state_->parts[1].patch.empty()) state_->parts[0].patch = {};
-  workers.run([this] { rtcJoinCommitScene(state_->scene); });
+  context.run([this] { rtcJoinCommitScene(state_->scene); });
   throw_on_error(state_->device, "build of the hierarchy");
 }
 
@@ -159,6 +163,7 @@ void set_ray(RTCRay& out, const Ray& ray, float max_distance) {
 }  // namespace
 
 Hit Tracer::nearest(const Ray& ray) const {
+  assert(is_unit(ray.direction));
   RTCRayHit query;
   set_ray(query.ray, ray, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -183,10 +188,12 @@ Hit Tracer::nearest(const Ray& ray) const {
 }
 
 void Tracer::nearest(std::span<const Ray> rays, std::span<Hit> hits) const {
+  assert(hits.size() == rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = nearest(rays[i]);
 }
 
 bool Tracer::occluded(const Ray& ray, float max_distance) const {
+  assert(is_unit(ray.direction) && max_distance >= 0.0f);
   RTCRay query;
   set_ray(query, ray, max_distance);
 #if RTC_VERSION_MAJOR >= 4

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "luxel/core/vector.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 
@@ -25,7 +26,7 @@ struct Views {
   std::vector<float> weight;         // [view], they add up to 1
   std::vector<std::uint32_t> first;  // [view], and the end: its directions are seen[first[v] .. first[v + 1])
   std::vector<std::uint32_t> seen;   // [direction]: index into `sides`, or sky; may have `unfocused` set
-  std::vector<std::uint32_t> sides;  // sides that are seen, ascending: 2 * patch, + 1 for the back
+  std::vector<SideId> sides;         // sides that are seen, ascending
 
   std::size_t size() const { return eye.size(); }
   std::span<const std::uint32_t> seen_by(std::size_t view) const {

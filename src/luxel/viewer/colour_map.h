@@ -26,9 +26,9 @@ struct ValueScale {
   float value_at(float fraction) const;
 };
 
-// A scale for these values with ends that are 1, 2 or 5 times a power of ten; those that are not finite have
-// no say. It holds 98 in 100 of them, so that a lone lamp does not darken the rest. difference: as much to
-// both sides of 0. Cost: a selection among at most 20,000 of them.
+// Returns a scale for these values with ends that are 1, 2 or 5 times a power of ten; values that are not
+// finite are ignored. It covers 98 in 100 of them, so that a lone lamp does not darken the rest. difference:
+// symmetric around 0. Cost: a selection among at most 20,000 of them.
 ValueScale automatic_value_scale(const std::vector<float>& values, bool logarithmic, ColourMap map);
 
 // 1, 2 or 5 times a power of ten, not below the value; for values above 0.

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "luxel/core/none.h"
+
 namespace luxel {
-namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
-
-}  // namespace
+namespace {}  // namespace
 
 DrawVertices::DrawVertices(const PatchSet& patches, const SmoothLight& light)
     : patches_(patches), light_(light), latest_(light.size(), none), ratios_(patches) {
@@ -41,8 +39,8 @@ void DrawVertices::go_on(std::size_t count) {
 TwoSides value_of(const DrawVertex& vertex, const TextureRatio& ratio, VertexValue what,
                   const PatchSet& patches, const BandColours& colours, const SmoothLight& light) {
   const auto bands = patches.band_count();
-  const float* front = light.irradiance_front.data() + vertex.smooth * bands;
-  const float* back = light.irradiance_back.data() + vertex.smooth * bands;
+  const float* front = light.irradiance.front.data() + vertex.smooth * bands;
+  const float* back = light.irradiance.back.data() + vertex.smooth * bands;
   if (what == VertexValue::radiance) {
     const auto& material = patches.materials[vertex.material];
     return {in_gamut(radiance_of(material, false, front, colours, ratio)),

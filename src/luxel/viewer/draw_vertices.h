@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/surface/vertex_texture_ratios.h"
 
 namespace luxel {
 
-// What is sent to the graphics card as one vertex: a smooth vertex with a material, as surface colours stay
-// sharp where two materials share the light.
+// A vertex on the graphics card: a smooth vertex with a material, as surface colours stay sharp where two
+// materials share the light.
 struct DrawVertex {
   std::uint32_t smooth = 0;
   std::uint32_t material = 0;

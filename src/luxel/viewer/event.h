@@ -18,7 +18,7 @@ inline constexpr int count = 349;  // keys are below
 
 enum class MouseButton { left, right, middle };
 
-// What a person does, wherever it comes from: a window of the system or a script.
+// Input of a user, from a window of the system or a script.
 struct Event {
   enum class Kind { key, text, move, button, wheel, resize, drop, close };
   Kind kind = Kind::move;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
@@ -13,7 +14,7 @@ constexpr int columns = 36, rows = 23;
 constexpr double reaction = 0.12;  // s, for two thirds of the way
 
 // What leaves the surfaces that are seen through a grid of the view, W/(m² sr), the sky where nothing is.
-std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Space& space, float aspect) {
+std::vector<Vec3> seen_light(const SessionLight& light, const Pose& pose, const Space& space, float aspect) {
   const auto& patches = *light.mesh.patches;
   const auto colours = patches.colours();
   const auto bands = patches.band_count();
@@ -30,7 +31,7 @@ std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Spa
         seen.push_back(sky);
         continue;
       }
-      const auto& irradiance = hit.back ? light.solution.irradiance_back : light.solution.irradiance_front;
+      const auto& irradiance = light.solution.irradiance.of(hit.side());
       seen.push_back(in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
                                           irradiance.data() + hit.patch * bands, colours,
                                           texture_ratio_of_patch(patches, hit.patch))));
@@ -42,8 +43,8 @@ std::vector<Vec3> seen_light(const LiveLight& light, const Pose& pose, const Spa
 
 void Exposure::forget() { base_.reset(); }
 
-ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const LiveLight* light,
-                          const Pose& pose, const Space& space, float aspect, double seconds) {
+ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const SessionLight* light,
+                          const SeenFrom& from, double seconds) {
   ToneCurve curve{.options = options};
   if (options.op == ToneOperator::clamp) {
     is_settled_ = true;
@@ -54,7 +55,7 @@ ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const Live
   if ((automatic || !base_ || is_other) && light != nullptr && light->mesh.tracer) {
     auto plain = options;
     plain.exposure = 0.0f;
-    const auto seen = seen_light(*light, pose, space, aspect);
+    const auto seen = seen_light(*light, from.pose, from.space, from.aspect);
     const std::vector<float> weights(seen.size(), 1.0f);
     const float goal = std::log(fit_curve(seen, weights, plain).scale);
     const auto fraction = static_cast<float>(1.0 - std::exp(-seconds / reaction));

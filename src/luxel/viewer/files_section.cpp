@@ -62,8 +62,8 @@ void files_section(Viewer& viewer) {
     viewer.compare(other.text.data());
     viewer.look.show = Show::difference;
   }
-  if (!viewer.compared_with().empty())
-    ImGui::TextDisabled("beside %s", viewer.compared_with().filename().string().c_str());
+  if (!viewer.queries.compared_with.empty())
+    ImGui::TextDisabled("beside %s", viewer.queries.compared_with.filename().string().c_str());
 }
 
 }  // namespace luxel

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "luxel/viewer/cover.h"
 #include "luxel/viewer/framebuffer.h"
+#include "luxel/viewer/full_screen_triangle.h"
 
 namespace luxel {
 namespace {
@@ -39,8 +39,8 @@ struct DrawnFrame::State {
   GlTexture pixels, mean;
   GlRenderbuffer depth;
   GlFramebuffer resolved, mean_frame;
-  Cover covers;
-  GlProgram copy{Cover::vertex_shader, copy_shader};
+  FullScreenTriangle covers;
+  GlProgram copy{FullScreenTriangle::vertex_shader, copy_shader};
   EdgeSmoothing edges = EdgeSmoothing::sampled;
 
   void resize(ScreenSize to);

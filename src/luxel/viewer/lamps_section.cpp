@@ -10,7 +10,7 @@
 namespace luxel {
 namespace {
 
-bool lamp_sliders(LampBoard& board) {
+bool lamp_sliders(LightMixer& board) {
   bool changed = false;
   for (auto& lamps : board.lamps) {
     ImGui::PushID(&lamps);
@@ -27,7 +27,7 @@ bool lamp_sliders(LampBoard& board) {
 }
 
 // The picker shows codes as a screen does; reflectances are linear.
-bool colour_pickers(LampBoard& board) {
+bool colour_pickers(LightMixer& board) {
   bool changed = false;
   for (auto& surface : board.materials) {
     ImGui::PushID(&surface);
@@ -49,7 +49,7 @@ void solve_button(Viewer& viewer, const std::string& method) {
   ImGui::TextWrapped(
       "Light of the method %s does not know its lamps apart: it is solved again for what is set here.",
       method.c_str());
-  const bool is_set = viewer.lamps == viewer.lamps_asked;
+  const bool is_set = viewer.light.mixer == viewer.light.sent;
   if (is_set) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4f);
   if (ImGui::Button("Solve with these") && !is_set) viewer.relight();
   if (is_set) ImGui::PopStyleVar();
@@ -60,19 +60,19 @@ void solve_button(Viewer& viewer, const std::string& method) {
 void lamps_section(Viewer& viewer) {
   if (!viewer.session.mesh() || !ImGui::CollapsingHeader("Lamps and colours")) return;
   const auto& status = viewer.session.status();
-  const bool is_coming = status.method == LightOptions::by_sampling && !status.is_idle;
+  const bool is_coming = status.method == name(Method::sampled) && !status.is_idle;
   if (!status.can_relight && (is_coming || !viewer.session.light())) {
     ImGui::TextWrapped(
         "Once the light is there, lamps and colours can be changed: sampled light without another ray.");
-    if (!viewer.lamps.is_untouched()) ImGui::TextWrapped("It will have those that were set.");
+    if (!viewer.light.mixer.is_untouched()) ImGui::TextWrapped("It will have those that were set.");
     return;
   }
   if (!status.can_relight) solve_button(viewer, status.method);
-  bool changed = lamp_sliders(viewer.lamps);
+  bool changed = lamp_sliders(viewer.light.mixer);
   ImGui::Separator();
-  changed |= colour_pickers(viewer.lamps);
-  if (!viewer.lamps.is_untouched() && ImGui::Button("As they were")) {
-    viewer.lamps = LampBoard(*viewer.session.mesh()->patches);
+  changed |= colour_pickers(viewer.light.mixer);
+  if (!viewer.light.mixer.is_untouched() && ImGui::Button("As they were")) {
+    viewer.light.mixer = LightMixer(*viewer.session.mesh()->patches);
     changed = true;
   }
   if (changed && status.can_relight) viewer.relight();

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "luxel/image/local_scales.h"
-#include "luxel/viewer/cover.h"
 #include "luxel/viewer/framebuffer.h"
+#include "luxel/viewer/full_screen_triangle.h"
 #include "luxel/viewer/local_tone_shaders.h"
 
 namespace luxel {
@@ -90,9 +90,11 @@ struct LocalTone::State {
   std::array<Level, groups.size()> levels;
   GlRenderbuffer depth;
   Target chosen;
-  Cover covers;
-  GlProgram halve{Cover::vertex_shader, halve_shader}, blur{Cover::vertex_shader, blur_shader},
-      choose{Cover::vertex_shader, choose_shader}, mapped{Cover::vertex_shader, mapped_shader};
+  FullScreenTriangle covers;
+  GlProgram halve{FullScreenTriangle::vertex_shader, halve_shader},
+      blur{FullScreenTriangle::vertex_shader, blur_shader},
+      choose{FullScreenTriangle::vertex_shader, choose_shader},
+      mapped{FullScreenTriangle::vertex_shader, mapped_shader};
 
   void resize(ScreenSize to);
   void run(const Target& source, const Target& target, ScreenSize its_size) const;

@@ -9,11 +9,11 @@
 
 namespace luxel {
 
-// What surfaces show. The order is that of the panel.
+// The quantity that surfaces show. The order is that of the panel.
 enum class Show { light, irradiance, standard_error, patch_size, level, difference, unshot, grey, sides };
 inline constexpr int show_count = 9;
 
-// What a person has chosen to see. Every choice has a name, by which a script makes it too.
+// The display settings. Every choice has a name, which scripts use.
 struct Look {
   Show show = Show::light;
   ToneOptions tone = {};

@@ -59,23 +59,23 @@ void look_section(Viewer& viewer) {
   show_choice(look);
   if (look.show == Show::light) tone_choice(look);
   if (viewer.painter().scale()) scale_choice(viewer, look);
-  if (look.show == Show::difference && viewer.compared_with().empty())
+  if (look.show == Show::difference && viewer.queries.compared_with.empty())
     ImGui::TextWrapped("There is no second solution yet: see Files.");
 }
 
 void views_section(Viewer& viewer) {
   if (!ImGui::CollapsingHeader("Views")) return;
-  if (ImGui::Button("Home")) viewer.navigator.home();
-  for (std::size_t i = 0; i < Navigator::views; ++i) {
+  if (ImGui::Button("Home")) viewer.camera.home();
+  for (std::size_t i = 0; i < CameraController::views; ++i) {
     const char label[] = {static_cast<char>('1' + i), '\0'};
     if (i > 0) ImGui::SameLine();
-    if (!viewer.navigator.has_view(i)) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4f);
-    const bool is_empty = !viewer.navigator.has_view(i);
+    if (!viewer.camera.has_view(i)) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4f);
+    const bool is_empty = !viewer.camera.has_view(i);
     if (ImGui::SmallButton(label)) {
       if (is_empty || ImGui::GetIO().KeyCtrl) {
-        viewer.navigator.save_view(i);
+        viewer.camera.save_view(i);
       } else {
-        viewer.navigator.recall_view(i);
+        viewer.camera.recall_view(i);
       }
     }
     if (is_empty) ImGui::PopStyleVar();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "luxel/patch/patch_set.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 #include "luxel/viewer/draw_vertices.h"
 #include "luxel/viewer/gl_object.h"

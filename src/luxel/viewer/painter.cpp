@@ -16,7 +16,7 @@ bool is_of_sides(Show show) {
 }
 
 // What the vertices show, of some of them: the brighter of both sides.
-std::vector<float> vertex_values(const LiveLight& light, bool lux) {
+std::vector<float> vertex_values(const SessionLight& light, bool lux) {
   const auto& patches = *light.mesh.patches;
   const auto colours = patches.colours();
   std::vector<float> values;
@@ -38,9 +38,9 @@ ValueScale chosen_scale(const Look& look, bool logarithmic, ColourMap map) {
 
 }  // namespace
 
-void Painter::update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
-                     const std::shared_ptr<const LiveLight>& light, const Look& look,
-                     const std::shared_ptr<const LiveDifference>& difference) {
+void Painter::update(std::uint64_t scene, const std::shared_ptr<const SessionMesh>& mesh,
+                     const std::shared_ptr<const SessionLight>& light, const Look& look,
+                     const std::shared_ptr<const LightDifference>& difference) {
   mesh_ = mesh;
   light_ = light;
   if (!mesh_) return;
@@ -70,7 +70,7 @@ void Painter::update_light(const Look& look) {
   vertex_value_ = what;
 }
 
-void Painter::update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference) {
+void Painter::update_side_values(const Look& look, const std::shared_ptr<const LightDifference>& difference) {
   if (auto done = values_.take(); done && done->patches == mesh_->patches.get()) {
     side_values_ = std::move(done->values);
     if (side_values_->empty()) side_values_.reset();
@@ -139,17 +139,18 @@ void Painter::look_around(Canvas& canvas, const Viewpoint& from, const PicturePa
   canvas.local->finish(from.tone, static_cast<float>(pixel_step(edges)));
 }
 
-void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,
-                   EdgeSmoothing edges, float point_size, const Tile& all) {
+void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, const DrawnPart& drawn) {
+  const auto& part = drawn.part;
+  const auto edges = drawn.edges;
   const auto painted = paint(look);
   const bool is_local = from.tone.options.op == ToneOperator::reinhard_local && painted == Paint::light &&
                         surfaces_.shows_radiance();
   const auto around = with_margin(part, LocalTone::reach);
   const PixelOffset offset{part.begin.left - around.begin.left, part.begin.bottom - around.begin.bottom};
-  if (is_local) look_around(canvas, from, around, edges, all);
+  if (is_local) look_around(canvas, from, around, edges, drawn.all);
   canvas.frame.begin(part.size, background(from.tone), edges);
   if (is_local && sky() != Vec3(0.0f)) canvas.local->cover(from.tone, sky(), offset);
-  const auto to_screen = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all));
+  const auto to_screen = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, drawn.all));
   surfaces_.draw({.projection = to_screen,
                   .eye = from.pose.eye,
                   .paint = painted,
@@ -158,7 +159,7 @@ void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, cons
                   .from = offset,
                   .scale = scale_.value_or(ValueScale()),
                   .wires = look.wires});
-  marks_.draw(to_screen, point_size, true);
+  marks_.draw(to_screen, drawn.point_size, true);
 }
 
 Vec3 Painter::sky() const {

@@ -6,9 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "luxel/session/live_answers.h"
-#include "luxel/session/live_state.h"
-#include "luxel/viewer/background.h"
+#include "luxel/session/session_snapshot.h"
+#include "luxel/viewer/background_task.h"
 #include "luxel/viewer/frame.h"
 #include "luxel/viewer/lines.h"
 #include "luxel/viewer/local_tone.h"
@@ -32,19 +31,26 @@ struct Canvas {
   std::unique_ptr<LocalTone> local;  // once it was needed
 };
 
+// One part of a picture, and how fine it is drawn.
+struct DrawnPart {
+  PicturePart part;
+  EdgeSmoothing edges;
+  float point_size;  // pixels
+  Tile all = {};     // the whole picture that the part is of, see shifted_tile()
+};
+
 // Brings what is looked at to the graphics card, as it was chosen to be seen, and draws it.
 class Painter {
  public:
   // scene: its number; another one is another scene. difference: from a second solution, or null.
-  void update(std::uint64_t scene, const std::shared_ptr<const LiveMesh>& mesh,
-              const std::shared_ptr<const LiveLight>& light, const Look& look,
-              const std::shared_ptr<const LiveDifference>& difference);
+  void update(std::uint64_t scene, const std::shared_ptr<const SessionMesh>& mesh,
+              const std::shared_ptr<const SessionLight>& light, const Look& look,
+              const std::shared_ptr<const LightDifference>& difference);
   // For about so many seconds. True where everything is there and shown.
   bool upload(double seconds);
 
-  // Into the canvas, to be resolved there. all: the whole picture that the part is of, see shifted_tile().
-  void draw(Canvas& canvas, const Look& look, const Viewpoint& from, const PicturePart& part,
-            EdgeSmoothing edges, float point_size, const Tile& all = {});
+  // Into the canvas, to be resolved there.
+  void draw(Canvas& canvas, const Look& look, const Viewpoint& from, const DrawnPart& drawn);
 
   // What no frame should wait for later, see Surfaces.
   void try_programs() const { surfaces_.try_programs(); }
@@ -54,7 +60,7 @@ class Painter {
 
  private:
   void update_light(const Look& look);
-  void update_side_values(const Look& look, const std::shared_ptr<const LiveDifference>& difference);
+  void update_side_values(const Look& look, const std::shared_ptr<const LightDifference>& difference);
   void update_scale(const Look& look);
   Paint paint(const Look& look) const;
   Vec3 sky() const;                              // W/(m² sr)
@@ -64,8 +70,8 @@ class Painter {
 
   Surfaces surfaces_;
   MarkBuffer marks_;
-  std::shared_ptr<const LiveMesh> mesh_;
-  std::shared_ptr<const LiveLight> light_;
+  std::shared_ptr<const SessionMesh> mesh_;
+  std::shared_ptr<const SessionLight> light_;
   std::uint64_t scene_ = 0, geometry_ = 0;
 
   std::uint64_t light_number_ = 0;
@@ -82,7 +88,7 @@ class Painter {
     const void* patches;  // that they are of
     std::shared_ptr<const std::vector<float>> values;
   };
-  Background<FoundValues> values_;
+  BackgroundTask<FoundValues> values_;
   std::shared_ptr<const std::vector<float>> side_values_;
   // What the scale was made for.
   struct Scaled {

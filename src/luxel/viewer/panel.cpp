@@ -17,7 +17,7 @@ void panel(Viewer& viewer) {
   solver_section(viewer);
   look_section(viewer);
   lamps_section(viewer);
-  instruments_section(viewer);
+  overlays_section(viewer);
   views_section(viewer);
   files_section(viewer);
   ImGui::PopItemWidth();
@@ -25,18 +25,18 @@ void panel(Viewer& viewer) {
 }
 
 void dialogs(Viewer& viewer) {
-  if (viewer.dialogs.empty()) return;
+  if (viewer.notices.dialog() == nullptr) return;
   if (!ImGui::IsPopupOpen("That did not work")) ImGui::OpenPopup("That did not work");
   const auto& display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(display.x * 0.5f, display.y * 0.5f), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(460.0f, 0.0f));
   if (!ImGui::BeginPopupModal("That did not work", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextWrapped("%s", viewer.dialogs.front().c_str());
+  ImGui::TextWrapped("%s", viewer.notices.dialog()->c_str());
   ImGui::Spacing();
   if (ImGui::Button("Go on", ImVec2(100.0f, 0.0f)) ||
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
-    viewer.dialogs.pop_front();
+    viewer.notices.close_dialog();
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

@@ -11,7 +11,7 @@ void panel(Viewer& viewer);           // all of the panel: the sections below
 void solver_section(Viewer& viewer);  // stage, error, plot, pause, methods
 void look_section(Viewer& viewer);    // what is shown, tone, exposure
 void lamps_section(Viewer& viewer);   // light groups, surface colours
-void instruments_section(Viewer& viewer);
+void overlays_section(Viewer& viewer);
 void files_section(Viewer& viewer);
 void views_section(Viewer& viewer);
 

@@ -54,7 +54,8 @@ void PictureMaker::draw_some(Painter& painter) {
   const auto part = next_part();
   auto& frame = canvas_.frame;
   if (is_software_) {
-    painter.draw(canvas_, look_, from_, part, EdgeSmoothing::rough, point_size, shifted_tile(joined_, size_));
+    painter.draw(canvas_, look_, from_,
+                 {part, EdgeSmoothing::rough, point_size, shifted_tile(joined_, size_)});
     frame.resolve();
     frame.join(joined_++);
     frame.wait();
@@ -62,7 +63,7 @@ void PictureMaker::draw_some(Painter& painter) {
     frame.show_joined();
     joined_ = 0;
   } else {
-    painter.draw(canvas_, look_, from_, part, EdgeSmoothing::sampled, point_size);
+    painter.draw(canvas_, look_, from_, {part, EdgeSmoothing::sampled, point_size});
     frame.resolve();
   }
   tiles_.push_back(

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "luxel/image/screen_image.h"
-#include "luxel/viewer/background.h"
+#include "luxel/viewer/background_task.h"
 #include "luxel/viewer/painter.h"
 
 namespace luxel {
@@ -34,7 +34,7 @@ class PictureMaker {
   // Once it has begun: draws for about so many seconds, a part of a tile at least. True once the file is
   // there. Throws DeviceError where it cannot be drawn or written.
   bool go_on(Painter& painter, double seconds);
-  // Likewise, but returns once the file is there.
+  // The same, but returns once the file is there.
   void finish(Painter& painter);
 
  private:
@@ -57,7 +57,7 @@ class PictureMaker {
   int joined_ = 0;                // rough ones, of the next
   Canvas canvas_;
   std::vector<Piece> tiles_;
-  Background<bool> writing_;
+  BackgroundTask<bool> writing_;
 };
 
 }  // namespace luxel

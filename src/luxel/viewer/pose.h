@@ -14,7 +14,7 @@ struct Space {
   Vec3 up, ahead, right;
 };
 
-// Where the eye is and where it looks, the horizon level.
+// Position and direction of the eye, the horizon level.
 struct Pose {
   Vec3 eye = Vec3(0.0f);       // m
   float turn = 0.0f;           // radians around up from Space::ahead to the right
@@ -40,7 +40,7 @@ Pose look(Pose pose, float turn, float pitch);                                  
 Pose fly(Pose pose, const Space& space, const Vec3& right_up_ahead, float metres);  // the way may be 0
 // Around a point, which stays where it is on the screen.
 Pose orbit(const Pose& pose, const Space& space, const Vec3& pivot, float turn, float pitch);
-// The distance to the point becomes so many times what it is; the point stays where it is on the screen.
+// Scales the distance to the point by this factor; the point stays where it is on the screen.
 Pose approach(Pose pose, const Vec3& point, float factor);
 // Looks at the point from `distance` (m), in the direction it has from here.
 Pose focus(const Pose& pose, const Space& space, const Vec3& point, float distance);
@@ -49,7 +49,7 @@ Pose overview(const Bounds& box, const Space& space, float aspect, float vertica
 // On the way from one pose to another, share 0 to 1, the shorter way round.
 Pose between(const Pose& from, const Pose& to, float fraction);
 
-// What a pixel sees: origin and unit direction. x, y: in [-1, 1] from the left and from the bottom.
+// The ray of a pixel: origin and unit direction. x, y: in [-1, 1] from the left and from the bottom.
 struct Sight {
   Vec3 origin, direction;
 };

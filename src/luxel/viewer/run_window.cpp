@@ -97,12 +97,12 @@ class WindowLoop {
   // Off screen nobody reads a dialog.
   void refuse_what_failed() const {
     const auto& session = viewer_.session;
-    if (settings_.off_screen && !settings_.script && !session.mesh() && !viewer_.errors().empty())
-      throw InputError(viewer_.errors().back());
+    if (settings_.off_screen && !settings_.script && !session.mesh() && !viewer_.notices.errors().empty())
+      throw InputError(viewer_.notices.errors().back());
   }
 
   void end() {
-    if (!report_.interrupted) viewer_.go_on_with_picture(true);
+    if (!report_.interrupted) viewer_.continue_picture(true);
     if (settings_.snapshot && !report_.interrupted) {
       viewer_.frame(ScriptPlayer::frame_seconds, true);
       screen_->present();

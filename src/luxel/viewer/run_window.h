@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "luxel/image/tone.h"
-#include "luxel/session/live_settings.h"
+#include "luxel/session/session_settings.h"
 #include "luxel/viewer/screen.h"
 #include "luxel/viewer/script.h"
 
@@ -17,7 +17,7 @@ namespace luxel {
 struct WindowSettings {
   std::filesystem::path file = {};  // scene or solution; empty: one is to be dropped on the window
   // How a file is read and solved: the one above, and those that are dropped.
-  std::function<LiveSettings(const std::filesystem::path&)> live = {};
+  std::function<SessionSettings(const std::filesystem::path&)> live = {};
   ScreenSize size = {};
   float pixel_ratio = 1.0f;                    // off screen: pixels per unit
   std::optional<Vec3d> eye = {}, target = {};  // m, in the file's coordinates; none: found

@@ -31,7 +31,7 @@ class Screen {
   virtual ScreenSize pixels() const = 0;  // more where pixels are small
   virtual float text_scale() const = 0;   // how much larger text is to be, 1 on an ordinary screen
 
-  // What happened since the last call. Waits up to so many seconds for something to happen; 0: does not.
+  // Returns the events since the last call. Waits up to this many seconds for one; 0: does not wait.
   virtual std::vector<Event> poll(double seconds) = 0;
   // While captured the cursor is hidden, and moves without end.
   virtual void capture_cursor(bool captured) = 0;

@@ -14,8 +14,8 @@ struct ScriptAction {
   std::vector<std::string> words;
 };
 
-// What is done in a window, written down: docs/viewer.md lists the verbs. Every verb and the number of its
-// words is checked; what they mean is looked at when it is done.
+// A script of actions in a window: docs/viewer.md lists the verbs. Every verb and the number of its words is
+// checked when it is read; arguments are checked when it is executed.
 struct Script {
   std::string file;  // for messages
   std::vector<ScriptAction> actions;

@@ -134,7 +134,7 @@ void ScriptPlayer::wait(const Words& words) {
   // What cannot come any more ends the wait: the script's next words say what is missing.
   const auto& session = viewer_.session;
   const auto is_over = [this, &session] {
-    return !viewer_.errors().empty() &&
+    return !viewer_.notices.errors().empty() &&
            (!session.has_scene() || (session.status().is_idle && !session.mesh()));
   };
   if (words[1] == "mesh") {
@@ -142,18 +142,18 @@ void ScriptPlayer::wait(const Words& words) {
   } else if (words[1] == "light") {
     waits_ = [=, &session] { return session.light() != nullptr || is_over(); };
   } else if (words[1] == "view") {
-    waits_ = [=, this] { return (viewer_.has_view() && !viewer_.navigator.is_moving()) || is_over(); };
+    waits_ = [=, this] { return (viewer_.has_view() && !viewer_.camera.is_moving()) || is_over(); };
   } else if (words[1] == "finished") {
     waits_ = [=, this] { return (viewer_.has_view() && viewer_.is_at_rest()) || is_over(); };
   } else if (words[1] == "error") {
-    waits_ = [this] { return !viewer_.errors().empty(); };
+    waits_ = [this] { return !viewer_.notices.errors().empty(); };
   } else {
     throw InputError(fmt::format("there is no waiting for '{}'", words[1]));
   }
 }
 
 void ScriptPlayer::expect(const Words& words) {
-  const auto& errors = viewer_.errors();
+  const auto& errors = viewer_.notices.errors();
   const auto said = errors.empty() ? std::string("nothing went wrong") : fmt::format("'{}'", errors.back());
   if (words[1] == "mesh" && !viewer_.session.mesh())
     throw InputError(fmt::format("there is no mesh: {}", said));
@@ -174,12 +174,12 @@ void ScriptPlayer::set_view(const Words& words) {
   const Camera camera{.eye = point(1),
                       .target = point(2),
                       .vertical_fov = words.size() > 3 ? script_number("the field of view", words[3])
-                                                       : viewer_.navigator.pose().vertical_fov};
-  viewer_.navigator.go_to(pose_of(camera, viewer_.navigator.space()));
+                                                       : viewer_.camera.pose().vertical_fov};
+  viewer_.camera.go_to(pose_of(camera, viewer_.camera.space()));
 }
 
 void ScriptPlayer::change_lamp(const Words& words) {
-  for (auto& lamps : viewer_.lamps.lamps)
+  for (auto& lamps : viewer_.light.mixer.lamps)
     if (lamps.name == words[1]) {
       lamps.factor = script_number("a factor", words[2]);
       if (words.size() > 3) {
@@ -192,7 +192,7 @@ void ScriptPlayer::change_lamp(const Words& words) {
 }
 
 void ScriptPlayer::paint(const Words& words) {
-  for (auto& surface : viewer_.lamps.materials)
+  for (auto& surface : viewer_.light.mixer.materials)
     if (surface.name == words[1]) {
       const auto colour = three("a colour", words[2]);
       surface.colour = Vec3(colour[0], colour[1], colour[2]);
@@ -206,7 +206,7 @@ void ScriptPlayer::act(const ScriptAction& action) {
   const auto& verb = words[0];
   const auto needs_scene = [&] {
     if (!viewer_.session.has_scene()) throw InputError("there is no scene");
-    return &viewer_.session.live();
+    return &*viewer_.session;
   };
   if (verb == "wait") return wait(words);
   if (verb == "key") {
@@ -258,9 +258,13 @@ void ScriptPlayer::act(const ScriptAction& action) {
   if (verb == "bounces")
     return viewer_.show_bounces(words[1] == "all" ? std::nullopt : std::optional(whole("bounces", words[1])));
   if (verb == "expect") return expect(words);
-  if (verb == "method") return viewer_.solve_by(words[1]);
+  if (verb == "method") {
+    const auto method = method_named(words[1]);
+    if (!method) throw InputError(fmt::format("there is no method '{}'", words[1]));
+    return viewer_.solve_by(*method);
+  }
   if (verb == "error")
-    return needs_scene()->ask_error(static_cast<double>(script_number("an error", words[1])));
+    return needs_scene()->set_error(static_cast<double>(script_number("an error", words[1])));
   if (verb == "pause") return needs_scene()->pause();
   if (verb == "resume") return needs_scene()->resume();
   if (verb == "stop") return needs_scene()->stop();

@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// Does what a script says, as a person would: between frames, one thing after another.
+// Executes a script as user input: between frames, one command after another.
 class ScriptPlayer {
  public:
   // Keeps references. Frames of a script are a sixtieth of a second, however long they take.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "luxel/patch/side.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/session/patch_levels.h"
 
 namespace luxel {
@@ -25,28 +27,28 @@ std::vector<float> per_cent(std::vector<float> fractions) {
   return fractions;
 }
 
-// Of [patch][band] arrays, W/m² or lux; nothing at the back of a one-sided material.
-std::vector<float> band_values(const PatchSet& patches, bool lux, const std::vector<float>& front,
-                               const std::vector<float>& back) {
-  if (front.empty()) return {};
+// Sums over bands, W/m², or lux; nothing at the back of a one-sided material.
+std::vector<float> band_values(const PatchSet& patches, bool lux, const SideValues& values) {
+  if (values.front.empty()) return {};
   const auto bands = patches.band_count();
   const auto colours = patches.colours();
-  const auto one = [&](const std::vector<float>& values, std::size_t patch) {
-    const float* const first = values.data() + patch * bands;
+  const auto one = [&](SideId side) {
+    const float* const first = values.of(side).data() + side.patch() * bands;
     return lux ? static_cast<float>(colours.lumens(first)) : std::accumulate(first, first + bands, 0.0f);
   };
-  std::vector<float> sides(2 * patches.size(), unknown);
+  std::vector<float> sides(side_count(patches.size()), unknown);
   for (std::size_t patch = 0; patch < patches.size(); ++patch) {
-    sides[2 * patch] = one(front, patch);
-    if (patches.material_of(patch).two_sided && !back.empty()) sides[2 * patch + 1] = one(back, patch);
+    const SideId front(patch, false), back(patch, true);
+    sides[front.index()] = one(front);
+    if (patches.material_of(patch).two_sided && !values.back.empty()) sides[back.index()] = one(back);
   }
   return sides;
 }
 
 }  // namespace
 
-std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const LiveLight* light,
-                               const LiveDifference* difference) {
+std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const SessionLight* light,
+                               const LightDifference* difference) {
   switch (show) {
     case Show::patch_size:
       return on_both_sides(patch_sizes(patches));
@@ -56,11 +58,10 @@ std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, con
       return difference == nullptr ? std::vector<float>() : per_cent(difference->relative);
     case Show::standard_error:
       if (light == nullptr) return {};
-      return band_values(patches, lux, light->solution.standard_error_front,
-                         light->solution.standard_error_back);
+      return band_values(patches, lux, light->solution.standard_error);
     case Show::unshot:
       if (light == nullptr) return {};
-      return band_values(patches, lux, light->unshot_front, light->unshot_back);
+      return band_values(patches, lux, light->unshot);
     default:
       return {};
   }

@@ -4,17 +4,16 @@
 #include <memory>
 #include <vector>
 
-#include "luxel/session/live_answers.h"
-#include "luxel/session/live_state.h"
+#include "luxel/session/session_snapshot.h"
 #include "luxel/viewer/look.h"
 
 namespace luxel {
 
-// What surfaces show that is one number a patch side: [2 * patch + 1 for the back]. NaN where there is none.
-// light: may be null where the number is of the mesh alone. difference: from a second solution, or null.
-// Empty where nothing is known. Cost: linear.
-std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const LiveLight* light,
-                               const LiveDifference* difference);
+// Returns the values that surfaces show as one number per patch side: [2 * patch + 1 for the back]. NaN where
+// there is none. light: may be null where the number is of the mesh alone. difference: from a second
+// solution, or null. Empty where no values are available. Cost: linear.
+std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const SessionLight* light,
+                               const LightDifference* difference);
 
 // Whether the numbers change with the light.
 bool is_of_light(Show show);

@@ -27,7 +27,7 @@ std::string short_count(double count) {
   return fmt::format("{:.1f} G", count * 1e-9);
 }
 
-void progress(const LiveStatus& status) {
+void progress(const SessionStatus& status) {
   const auto stage = status.is_paused       ? std::string("paused")
                      : status.stage.empty() ? std::string(status.stop ? description(*status.stop) : "ready")
                                             : status.stage;
@@ -51,7 +51,7 @@ void progress(const LiveStatus& status) {
     ImGui::Text("about %s left", short_time(*status.seconds_left).c_str());
 }
 
-void convergence(const LiveStatus& status) {
+void convergence(const SessionStatus& status) {
   std::vector<PlotPoint> points;
   for (const auto& p : status.history)
     if (p.error > 0.0) points.push_back({p.seconds, p.error});
@@ -60,8 +60,8 @@ void convergence(const LiveStatus& status) {
        {.logarithmic = true, .line = status.error_asked, .x_unit = "s", .y_unit = " %", .percent = true});
 }
 
-void buttons(Viewer& viewer, const LiveStatus& status) {
-  auto& live = viewer.session.live();
+void buttons(Viewer& viewer, const SessionStatus& status) {
+  auto& live = *viewer.session;
   if (ImGui::Button(status.is_paused ? "Resume" : "Pause", ImVec2(66.0f, 0.0f)))
     status.is_paused ? live.resume() : live.pause();
   ImGui::SameLine();
@@ -74,20 +74,20 @@ void buttons(Viewer& viewer, const LiveStatus& status) {
   if (ImGui::Button("Step")) live.step();
 }
 
-void method(Viewer& viewer, const LiveStatus& status) {
-  constexpr std::array<const char*, 5> methods = {LightOptions::by_sampling, LightOptions::by_shooting,
-                                                  LightOptions::by_dense, LightOptions::by_hemicube,
-                                                  LightOptions::by_lines};
+void method(Viewer& viewer, const SessionStatus& status) {
   if (ImGui::BeginCombo("method", status.method.c_str())) {
-    for (const char* each : methods)
-      if (ImGui::Selectable(each, status.method == each)) viewer.solve_by(each);
+    for (const auto each : all_methods()) {
+      if (ImGui::Selectable(std::string(name(each)).c_str(), status.method == name(each)))
+        viewer.solve_by(each);
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(description(each)).c_str());
+    }
     ImGui::EndCombo();
   }
-  if (status.method != LightOptions::by_sampling) return;
+  if (status.method != name(Method::sampled)) return;
   auto per_cent = static_cast<float>(100.0 * status.error_asked);
   ImGui::InputFloat("error asked, %", &per_cent, 0.0f, 0.0f, "%.3g");
   if (ImGui::IsItemDeactivatedAfterEdit() && per_cent > 0.0f && per_cent < 100.0f)
-    viewer.session.live().ask_error(0.01 * static_cast<double>(per_cent));
+    viewer.session->set_error(0.01 * static_cast<double>(per_cent));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// The room's own. Which paint a program is for is a define: LIGHT, LIGHT and LOCAL, LIGHT and INPUT, SMOOTH,
-// PATCHES, SIDES, WIRES; none: grey.
+// Private to this module. Defines select the paint of a program: LIGHT, LIGHT and LOCAL, LIGHT and INPUT,
+// SMOOTH, PATCHES, SIDES, WIRES; none: grey.
 
 inline constexpr std::string_view surface_vertex_shader = R"(
 layout(location = 0) in vec3 place;

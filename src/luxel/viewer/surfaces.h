@@ -14,7 +14,7 @@
 
 namespace luxel {
 
-// How surfaces are painted. What lies off to the side of the light, as there is none yet, is grey.
+// How surfaces are painted. Surfaces without a solution are drawn grey.
 enum class Paint {
   grey,         // 0.6, a little darker where the surface turns away, so that shapes are seen
   light,        // through the tone curve
@@ -55,7 +55,7 @@ class Surfaces {
   // [2 * patch + 1 for the back]; NaN is drawn grey.
   void set_side_values(std::shared_ptr<const std::vector<float>> values);
 
-  // Goes on for about so many seconds. True where nothing is left to do.
+  // Continues for about this many seconds. Returns true where nothing is left to do.
   bool upload(double seconds);
   // What is drawn now: none of it before it is whole.
   bool has_light() const;

@@ -16,8 +16,8 @@ constexpr double picture_seconds = 0.005;  // of a frame, for tiles of a picture
 }  // namespace
 
 void Viewer::handle(const Event& event) {
-  unchanged_frames_ = 0;
-  gui_.handle(event, !navigator.is_flying());
+  renderer_.note_event();
+  gui_.handle(event, !camera.is_flying());
   switch (event.kind) {
     case Event::Kind::close:
       close();
@@ -26,26 +26,26 @@ void Viewer::handle(const Event& event) {
       open(event.text);
       return;
     case Event::Kind::resize:
-      navigator.set_screen(screen_.size());
+      camera.set_screen(screen_.size());
       return;
     case Event::Kind::key:
       if (gui_.wants_keys() && event.down) return;
-      if (!navigator.handle(event) && event.down && !event.repeat) handle_key(event.key);
+      if (!camera.handle(event) && event.down && !event.repeat) handle_key(event.key);
       return;
     case Event::Kind::button:
       // A drag that began on a panel stays there, and one that began on the scene likewise.
-      if (event.down) mouse_is_for_panels_ = !navigator.is_flying() && gui_.wants_mouse();
+      if (event.down) mouse_is_for_panels_ = !camera.is_flying() && gui_.wants_mouse();
       if (mouse_is_for_panels_) return;
       handle_line(event);
-      if (!line) navigator.handle(event);
+      if (!line) camera.handle(event);
       return;
     case Event::Kind::move:
-      navigator.handle(event);
-      if (line) line->second = navigator.aim();
+      camera.handle(event);
+      if (line) line->second = camera.aim();
       return;
     case Event::Kind::wheel:
-      if (!navigator.is_flying() && gui_.wants_mouse()) return;
-      if (!navigator.handle(event))
+      if (!camera.is_flying() && gui_.wants_mouse()) return;
+      if (!camera.handle(event))
         look.tone.exposure = std::clamp(look.tone.exposure + 0.25f * event.at.y, -20.0f, 20.0f);
       return;
     default:
@@ -54,8 +54,8 @@ void Viewer::handle(const Event& event) {
 }
 
 void Viewer::toggle_flying() {
-  navigator.set_flying(!navigator.is_flying());
-  screen_.capture_cursor(navigator.is_flying());
+  camera.set_flying(!camera.is_flying());
+  screen_.capture_cursor(camera.is_flying());
 }
 
 void Viewer::handle_key(Key key) {
@@ -65,10 +65,10 @@ void Viewer::handle_key(Key key) {
       toggle_flying();
       return;
     case key::escape:
-      if (navigator.is_flying()) toggle_flying();
+      if (camera.is_flying()) toggle_flying();
       look.help = false;
-      inquiry.unpin();
-      inquiry.clear_line();
+      light_probe.unpin();
+      light_probe.clear_line();
       return;
     case key::f1:
       flip(look.help);
@@ -107,7 +107,7 @@ void Viewer::handle_key(Key key) {
       look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % 4);
       return;
     case ' ':
-      if (session.has_scene()) session.status().is_paused ? session.live().resume() : session.live().pause();
+      if (session.has_scene()) session.status().is_paused ? session->resume() : session->pause();
       return;
     default:
       return;
@@ -116,76 +116,76 @@ void Viewer::handle_key(Key key) {
 
 // Shift and drag: a line whose profile is asked for. A click that does not drag pins the probe.
 void Viewer::handle_line(const Event& event) {
-  if (navigator.is_flying() || event.button != MouseButton::left) return;
-  if (event.down && navigator.is_shifted()) {
-    line = {navigator.aim(), navigator.aim()};
+  if (camera.is_flying() || event.button != MouseButton::left) return;
+  if (event.down && camera.is_shifted()) {
+    line = {camera.aim(), camera.aim()};
   } else if (!event.down && line) {
-    inquiry.draw_line(navigator.pose(), navigator.space(), navigator.aspect(), line->first, line->second);
+    light_probe.draw_line(camera.pose(), camera.space(), camera.aspect(), line->first, line->second);
     line.reset();
-  } else if (!event.down && navigator.is_click()) {
-    inquiry.is_pinned() ? inquiry.unpin() : inquiry.pin();
+  } else if (!event.down && camera.is_click()) {
+    light_probe.is_pinned() ? light_probe.unpin() : light_probe.pin();
   }
 }
 
 void Viewer::relight() {
   if (!session.has_scene() || !session.mesh()) return;
-  session.live().relight(lamps.lighting(*session.mesh()->patches));
-  lamps_asked = lamps;
+  session->relight(light.mixer.lighting(*session.mesh()->patches));
+  light.sent = light.mixer;
 }
 
 void Viewer::save_picture(const std::filesystem::path& file, ScreenSize size) {
-  if (picture_) return say(fmt::format("{} is still being made", picture_->file().string()));
+  if (picture_) return notices.say(fmt::format("{} is still being made", picture_->file().string()));
   try {
-    picture_ = std::make_unique<PictureMaker>(file, size, look, viewpoint(), driver_.is_software);
+    picture_ = std::make_unique<PictureMaker>(file, size, look, viewpoint(), renderer_.is_software());
   } catch (const InputError& error) {
-    complain(error.what());
+    notices.complain(error.what());
   }
 }
 
-void Viewer::go_on_with_picture(bool to_the_end) {
+void Viewer::continue_picture(bool to_the_end) {
   if (!picture_) return;
   if (!picture_->has_begun()) picture_->begin(curve_);
   try {
     if (to_the_end) {
-      picture_->finish(painter_);
-    } else if (!picture_->go_on(painter_, picture_seconds)) {
+      picture_->finish(renderer_.painter());
+    } else if (!picture_->go_on(renderer_.painter(), picture_seconds)) {
       return;
     }
     const auto [width, height] = picture_->size();
-    say(fmt::format("{} is written, {} x {} pixels", picture_->file().string(), width, height));
+    notices.say(fmt::format("{} is written, {} x {} pixels", picture_->file().string(), width, height));
   } catch (const std::exception& error) {
-    complain(error.what());
+    notices.complain(error.what());
   }
   picture_.reset();
 }
 
 void Viewer::compare(const std::filesystem::path& file) {
   if (!session.has_scene()) return;
-  compared_with_ = file;
-  session.live().compare_with(file);
+  queries.compared_with = file;
+  session->compare_with(file);
 }
 
 void Viewer::show_bounces(std::optional<int> count) {
   if (!session.has_scene()) return;
-  bounces = count;
-  session.live().show_bounces(count);
+  light.bounces = count;
+  session->show_bounces(count);
 }
 
 void Viewer::save_solution(const std::filesystem::path& file) {
-  if (session.has_scene()) session.live().save_solution(file);
+  if (session.has_scene()) session->save_solution(file);
 }
 
 void Viewer::export_glb(const std::filesystem::path& file) {
-  if (session.has_scene()) session.live().export_glb(file, navigator.space().up, look.tone);
+  if (session.has_scene()) session->export_glb(file, camera.space().up, look.tone);
 }
 
-void Viewer::solve_by(const std::string& method) {
+void Viewer::solve_by(Method method) {
   if (!session.has_scene()) return;
-  auto light = session.live().options();
-  light.method = method;
-  bounces.reset();
-  if (lamps != lamps_asked) relight();
-  session.live().solve(light);
+  auto options = *session.snapshot().options;
+  options.method = method;
+  light.bounces.reset();
+  if (light.mixer != light.sent) relight();
+  session->solve(options);
 }
 
 }  // namespace luxel

@@ -14,16 +14,16 @@ namespace {
 
 std::vector<float> solved(const test::RandomMatrix& matrix, int threads = 0) {
   std::vector<float> radiosity(matrix.emittance.size());
-  const Workers workers(threads);
-  EXPECT_TRUE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, radiosity, workers));
+  const Context context(threads);
+  EXPECT_TRUE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, radiosity, context));
   return radiosity;
 }
 
 // Of B = E + rho F B, over B.
 double worst_residual(const test::RandomMatrix& matrix, const std::vector<float>& radiosity) {
   std::vector<float> gathered(radiosity.size());
-  const Workers workers;
-  matrix.apply(radiosity, gathered, 0, matrix.size(), workers);
+  const Context context;
+  matrix.apply(radiosity, gathered, 0, matrix.size(), context);
   double worst = 0.0;
   for (std::size_t i = 0; i < radiosity.size(); ++i) {
     const auto B = matrix.emittance[i] + matrix.reflectance[i] * gathered[i];
@@ -51,7 +51,7 @@ TEST(DirectSolve, picks_pivots) {
   const std::vector<float> factors = {1.0f, -1.0f, -1.0f, 1.0f};  // I - F = [0 1; 1 0]
   const std::vector<float> right = {2.0f, 3.0f}, one = {1.0f, 1.0f};
   std::vector<float> x(2);
-  ASSERT_TRUE(solve_directly(factors, right, one, x, Workers(1)));
+  ASSERT_TRUE(solve_directly(factors, right, one, x, Context(1)));
   EXPECT_EQ(x, (std::vector<float>{3.0f, 2.0f}));
 }
 
@@ -59,7 +59,7 @@ TEST(DirectSolve, refuses_what_has_no_single_answer) {
   const std::vector<float> factors = {0.0f, 1.0f, 1.0f, 0.0f};  // two white plates that face each other alone
   const std::vector<float> right = {1.0f, 0.0f}, one = {1.0f, 1.0f};
   std::vector<float> x(2);
-  EXPECT_THROW(solve_directly(factors, right, one, x, Workers(1)), InputError);
+  EXPECT_THROW(solve_directly(factors, right, one, x, Context(1)), InputError);
 }
 
 TEST(DirectSolve, is_the_same_on_any_number_of_threads) {
@@ -70,8 +70,8 @@ TEST(DirectSolve, is_the_same_on_any_number_of_threads) {
 TEST(DirectSolve, that_is_stopped_leaves_the_lamps) {
   const test::RandomMatrix matrix(60);
   std::vector<float> radiosity(matrix.emittance.size());
-  EXPECT_FALSE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, radiosity, Workers(1),
-                              [](const Progress&) { return Next::stop; }));
+  EXPECT_FALSE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, radiosity,
+                              Context(1).with_monitor([](const Progress&) { return Next::stop; })));
   EXPECT_EQ(radiosity, matrix.emittance);
 }
 

@@ -34,7 +34,7 @@ class Dense final : public TransportOperator {
   std::size_t bands() const override { return luxel::bands; }
   std::span<const std::uint32_t> row_begins() const override { return begins_; }
   void apply(std::span<const float> radiosity, std::span<float> irradiance, std::size_t begin,
-             std::size_t end, const Workers&) const override {
+             std::size_t end, const Context&) const override {
     for (auto i = begin; i < end; ++i)
       for (std::size_t b = 0; b < luxel::bands; ++b) {
         double sum = 0.0;
@@ -92,8 +92,8 @@ struct Solved {
 Solved solve(const Room& room, const GaussSeidelOptions& options, int threads = 2, float start = 0.0f) {
   Solved s;
   std::fill_n(s.radiosity.begin(), rows * bands, start);
-  s.report = gauss_seidel(room.transport, room.direct, room.reflectance, s.radiosity, s.irradiance, options,
-                          Workers(threads));
+  s.report = gauss_seidel(room.transport, {room.direct, room.reflectance, s.radiosity, s.irradiance}, options,
+                          Context(threads));
   return s;
 }
 
@@ -189,8 +189,8 @@ TEST(GaussSeidel, finds_the_same_from_wherever_it_starts_and_sooner_from_near) {
   const auto from_dark = solve(room, {});
   EXPECT_LT(distance(room, solve(room, {}, 2, 7.0f)), 2e-6);
   auto again = from_dark;
-  again.report = gauss_seidel(room.transport, room.direct, room.reflectance, again.radiosity,
-                              again.irradiance, {}, Workers(2));
+  again.report = gauss_seidel(
+      room.transport, {room.direct, room.reflectance, again.radiosity, again.irradiance}, {}, Context(2));
   EXPECT_LT(again.report.change.size(), from_dark.report.change.size());
 }
 
@@ -205,7 +205,7 @@ TEST(GaussSeidel, leaves_what_stands_behind_the_rows_alone_though_it_shines) {
   const Room room(0.5f);
   Solved s;
   s.radiosity[rows * bands] = 3.0f;
-  gauss_seidel(room.transport, room.direct, room.reflectance, s.radiosity, s.irradiance, {}, Workers(2));
+  gauss_seidel(room.transport, {room.direct, room.reflectance, s.radiosity, s.irradiance}, {}, Context(2));
   EXPECT_EQ(s.radiosity[rows * bands], 3.0f);
   EXPECT_GT(s.radiosity[(rows - 1) * bands], solve(room, {}).radiosity[(rows - 1) * bands]);
 }

@@ -13,6 +13,7 @@
 #include "luxel/core/error.h"
 #include "luxel/lamps/polygon_irradiance.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 
 #include "support/truth_scenes.h"
 
@@ -29,7 +30,7 @@ double sum_of(const FormFactorRow& row) {
 std::map<std::string, double> by_material(const PatchSet& patches, const FormFactorRow& row) {
   std::map<std::string, double> sums;
   for (const auto& entry : row.entries)
-    sums[patches.material_of(entry.side / 2).name + (entry.side % 2 == 0 ? "" : " back")] +=
+    sums[patches.material_of(entry.side.patch()).name + (!entry.side.is_back() ? "" : " back")] +=
         static_cast<double>(entry.factor);
   return sums;
 }
@@ -66,12 +67,12 @@ TEST(Hemicube, nothing_escapes_a_closed_room_and_rows_sum_to_one) {
     Hemicube hemicube(patches, {.resolution = 64});
     FormFactorRow row;
     for (std::size_t p = 0; p < patches.size(); p += 7) {
-      hemicube.row(2 * p, row);
+      hemicube.row(SideId(p, false), row);
       EXPECT_EQ(row.escaped, 0.0) << p;
       EXPECT_NEAR(sum_of(row), 1.0, 1e-6);
       for (std::size_t k = 0; k < row.entries.size(); ++k) {
-        EXPECT_EQ(row.entries[k].side % 2, 0u);  // backs are outside
-        EXPECT_NE(row.entries[k].side, 2 * p);
+        EXPECT_EQ(row.entries[k].side.is_back(), 0u);  // backs are outside
+        EXPECT_NE(row.entries[k].side, SideId(p, false));
         EXPECT_TRUE(k == 0 || row.entries[k - 1].side < row.entries[k].side);
       }
     }
@@ -85,17 +86,17 @@ TEST(Hemicube, a_point_under_a_plate_sees_what_the_closed_form_says) {
   b.material("above", 0.5f, 0.0f).quad({-4, -4, 1}, {-4, 5, 1}, {5, 5, 1}, {5, -4, 1});
   const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge});
   FormFactorRow row;
-  Hemicube(patches, {.resolution = 512}).row(0, row);
+  Hemicube(patches, {.resolution = 512}).row(SideId(0, false), row);
   auto factors = by_material(patches, row);
   EXPECT_NEAR(factors["plate"], 0.8310285001567376, 2e-3);  // hides the other from the middle
   EXPECT_EQ(factors.count("plate back"), 0u);
   EXPECT_GT(factors["above"], 0.05);
   EXPECT_NEAR(sum_of(row), 1.0, 1e-6);
   EXPECT_GT(row.escaped, 0.0);
-  Hemicube(patches).row(1, row);  // downwards is nothing
+  Hemicube(patches).row(SideId(0, true), row);  // downwards is nothing
   EXPECT_TRUE(row.entries.empty());
   EXPECT_NEAR(row.escaped, 1.0, 1e-12);
-  Hemicube(patches).row(2 * 3, row);  // the plate before `above` looks down past it, from behind
+  Hemicube(patches).row(SideId(3, false), row);  // the plate before `above` looks down past it, from behind
   factors = by_material(patches, row);
   EXPECT_GT(factors["plate back"], 0.002);
 }
@@ -105,7 +106,7 @@ TEST(Hemicube, more_points_tell_near_patches_better) {
   const auto floor_to_wall = [&](int points, int resolution) {
     Hemicube hemicube(patches, {.resolution = resolution, .points = points});
     double sum = 0.0;
-    for (const std::size_t side : {0u, 2u}) {
+    for (const auto side : {SideId(0, false), SideId(1, false)}) {
       FormFactorRow row;
       hemicube.row(side, row);
       sum += 0.5 * by_material(patches, row)["wall_x0"];
@@ -125,7 +126,7 @@ TEST(Hemicube, patches_that_cross_the_horizon_or_the_eye_s_plane_are_drawn) {
   b.material("wall", 0.5f, 0.0f).triangle({1, 1000, -1000}, {1, 0, 3000}, {1, -1000, -1000});
   const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge});
   FormFactorRow row;
-  Hemicube(patches, {.resolution = 256}).row(0, row);
+  Hemicube(patches, {.resolution = 256}).row(SideId(0, false), row);
   ASSERT_EQ(row.entries.size(), 1u);
   EXPECT_NEAR(row.entries[0].factor, 0.5, 3e-3);  // half of all that it sees
   EXPECT_NEAR(row.escaped, 0.5, 3e-3);
@@ -136,11 +137,11 @@ TEST(Hemicube, what_has_no_area_sees_nothing_and_bad_options_are_refused) {
   patches.vertices[patches.corners[0][2]] = patches.vertices[patches.corners[0][0]];
   FormFactorRow row;
   Hemicube hemicube(patches, {.resolution = 32});
-  hemicube.row(0, row);
+  hemicube.row(SideId(0, false), row);
   EXPECT_TRUE(row.entries.empty());
   EXPECT_EQ(row.escaped, 1.0);
-  hemicube.row(4, row);
-  for (const auto& entry : row.entries) EXPECT_GT(entry.side, 1u);
+  hemicube.row(SideId(2, false), row);
+  for (const auto& entry : row.entries) EXPECT_GT(entry.side.patch(), 0u);
   EXPECT_THROW(Hemicube(patches, {.resolution = 0}), InputError);
   EXPECT_THROW(Hemicube(patches, {.resolution = 63}), InputError);
   EXPECT_THROW(Hemicube(patches, {.resolution = 8192}), InputError);
@@ -151,9 +152,9 @@ TEST(Hemicube, a_row_does_not_depend_on_the_rows_before) {
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.5f});
   Hemicube used(patches, {.resolution = 32});
   FormFactorRow row, again;
-  for (std::size_t side = 0; side < 40; ++side) used.row(side, row);
-  used.row(10, row);
-  Hemicube(patches, {.resolution = 32}).row(10, again);
+  for (std::size_t side = 0; side < 40; ++side) used.row(SideId::at(side), row);
+  used.row(SideId(5, false), row);
+  Hemicube(patches, {.resolution = 32}).row(SideId(5, false), again);
   ASSERT_EQ(row.entries.size(), again.entries.size());
   for (std::size_t k = 0; k < row.entries.size(); ++k) {
     EXPECT_EQ(row.entries[k].side, again.entries[k].side);

@@ -22,9 +22,16 @@ Light iterate(const test::RandomMatrix& matrix, const JacobiOptions& options, in
   Light light;
   for (auto* array : {&light.before, &light.irradiance, &light.radiosity})
     array->assign(matrix.emittance.size(), -1.0f);
-  const Workers workers(threads);
-  light.report = jacobi(matrix, matrix.area, matrix.emittance, {}, matrix.reflectance, light.before,
-                        light.irradiance, light.radiosity, options, workers, monitor, each_step);
+  const auto context = Context(threads).with_monitor(monitor);
+  light.report = jacobi(matrix,
+                        {matrix.area,
+                         matrix.emittance,
+                         {},
+                         matrix.reflectance,
+                         light.before,
+                         light.irradiance,
+                         light.radiosity},
+                        options, context, each_step);
   return light;
 }
 
@@ -33,22 +40,23 @@ TEST(Jacobi, converges_to_the_solution) {
   const auto light = iterate(matrix, {.tolerance = 1e-9});
   EXPECT_EQ(light.report.end, JacobiEnd::converged);
   std::vector<float> exact(light.radiosity.size());
-  const Workers workers;
-  ASSERT_TRUE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, exact, workers));
+  const Context context;
+  ASSERT_TRUE(solve_directly(matrix.factors, matrix.emittance, matrix.reflectance, exact, context));
   for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(light.radiosity[i] / exact[i], 1.0, 1e-6) << i;
 }
 
 // What comes from outside is light of the first step, as that of lamps is.
 TEST(Jacobi, light_from_outside_is_as_good_as_lamps_that_send_it) {
   const test::RandomMatrix matrix(60);
-  const Workers workers;
+  const Context context;
   const std::vector<float> dark(matrix.emittance.size(), 0.0f);
   std::vector<float> outside(dark.size()), before(dark.size()), irradiance(dark.size()),
       radiosity(dark.size());
-  matrix.apply(matrix.emittance, outside, 0, matrix.size(), workers);
+  matrix.apply(matrix.emittance, outside, 0, matrix.size(), context);
   const auto lit = iterate(matrix, {.tolerance = 1e-9});
-  const auto report = jacobi(matrix, matrix.area, dark, outside, matrix.reflectance, before, irradiance,
-                             radiosity, {.tolerance = 1e-9}, workers);
+  const auto report =
+      jacobi(matrix, {matrix.area, dark, outside, matrix.reflectance, before, irradiance, radiosity},
+             {.tolerance = 1e-9}, context);
   EXPECT_EQ(report.end, JacobiEnd::converged);
   for (std::size_t i = 0; i < dark.size(); ++i)
     EXPECT_NEAR(irradiance[i] / lit.irradiance[i], 1.0, 1e-6) << i;
@@ -57,12 +65,12 @@ TEST(Jacobi, light_from_outside_is_as_good_as_lamps_that_send_it) {
 TEST(Jacobi, a_step_is_a_bounce) {
   const test::RandomMatrix matrix(60);
   std::vector<float> expected = matrix.emittance, gathered(expected.size());
-  const Workers workers;
+  const Context context;
   int steps = 0;
   const auto light = iterate(matrix, {.steps = 3}, 0, {}, [&](const JacobiStep& step) {
     EXPECT_EQ(step.step, ++steps);
     EXPECT_EQ(std::vector<float>(step.before.begin(), step.before.end()), expected);
-    matrix.apply(expected, gathered, 0, matrix.size(), workers);
+    matrix.apply(expected, gathered, 0, matrix.size(), context);
     EXPECT_EQ(std::vector<float>(step.irradiance.begin(), step.irradiance.end()), gathered);
     for (std::size_t i = 0; i < expected.size(); ++i)
       expected[i] = matrix.emittance[i] + matrix.reflectance[i] * gathered[i];

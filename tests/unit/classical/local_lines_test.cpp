@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 
 #include "support/truth_scenes.h"
 
@@ -14,16 +15,15 @@ namespace luxel {
 namespace {
 
 struct Shot {
-  Workers workers{1};
+  Context context{1};
   PatchSet patches;
   Tracer tracer;
 
   explicit Shot(const Scene& scene)
-      : patches(make_patches(scene, {.max_edge = no_max_edge})), tracer(patches, workers) {}
-  LineCounts counts(std::size_t side, std::uint32_t lines, std::uint64_t seed = 1,
-                    std::uint32_t step = 0) const {
+      : patches(make_patches(scene, {.max_edge = no_max_edge})), tracer(patches, context) {}
+  LineCounts counts(SideId side, std::uint32_t lines, std::uint64_t seed = 1, std::uint32_t step = 0) const {
     LineCounts counts;
-    count_local_lines(patches, tracer, side, lines, seed, step, counts);
+    count_local_lines(patches, tracer, side, {lines, seed, step}, counts);
     return counts;
   }
 };
@@ -35,14 +35,14 @@ std::uint64_t met(const LineCounts& counts) {
 
 TEST(LocalLines, every_line_ends_somewhere_and_is_counted_once) {
   const Shot shot(truth::cube_a());
-  const auto counts = shot.counts(0, 10'001);
+  const auto counts = shot.counts(SideId(0, false), 10'001);
   EXPECT_EQ(counts.lines, 10'001u);
   EXPECT_EQ(counts.escaped, 0u);
   EXPECT_EQ(met(counts), 10'001u);
   for (std::size_t k = 0; k < counts.entries.size(); ++k) {
     EXPECT_GT(counts.entries[k].lines, 0u);
-    EXPECT_EQ(counts.entries[k].side % 2, 0u);
-    EXPECT_GT(counts.entries[k].side, 3u);  // none ends on the floor it came from
+    EXPECT_FALSE(counts.entries[k].side.is_back());
+    EXPECT_GT(counts.entries[k].side.patch(), 1u);  // none ends on the floor it came from
     EXPECT_TRUE(k == 0 || counts.entries[k - 1].side < counts.entries[k].side);
   }
 }
@@ -54,30 +54,30 @@ TEST(LocalLines, a_row_has_an_address) {
            std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(),
                       [](const auto& x, const auto& y) { return x.side == y.side && x.lines == y.lines; });
   };
-  const auto counts = shot.counts(0, 5000);
-  EXPECT_TRUE(same(counts, shot.counts(0, 5000)));
-  EXPECT_FALSE(same(counts, shot.counts(0, 5000, 2)));
-  EXPECT_FALSE(same(counts, shot.counts(0, 5000, 1, 1)));
+  const auto counts = shot.counts(SideId(0, false), 5000);
+  EXPECT_TRUE(same(counts, shot.counts(SideId(0, false), 5000)));
+  EXPECT_FALSE(same(counts, shot.counts(SideId(0, false), 5000, 2)));
+  EXPECT_FALSE(same(counts, shot.counts(SideId(0, false), 5000, 1, 1)));
 }
 
 TEST(LocalLines, what_meets_nothing_has_escaped_and_backs_are_told_from_fronts) {
   const Shot shot(truth::plates());  // two squares of two triangles, the upper looks down
-  const auto up = shot.counts(0, 20'000), out = shot.counts(1, 100);
+  const auto up = shot.counts(SideId(0, false), 20'000), out = shot.counts(SideId(0, true), 100);
   EXPECT_EQ(met(up) + up.escaped, 20'000u);
   EXPECT_EQ(out.escaped, 100u);
   EXPECT_TRUE(out.entries.empty());
   const auto row = row_of(up);
   double sum = row.escaped;
   for (const auto& entry : row.entries) {
-    EXPECT_EQ(entry.side % 2, 0u);
-    EXPECT_GE(entry.side, 4u);
+    EXPECT_FALSE(entry.side.is_back());
+    EXPECT_GE(entry.side.patch(), 2u);
     sum += static_cast<double>(entry.factor);
   }
   EXPECT_NEAR(sum, 1.0, 1e-6);
   // Four triangle pairs make the plates' factor; by symmetry two rows of them are alike. Five standard
   // errors.
   EXPECT_NEAR(1.0 - row.escaped, 0.19982489569838746, 5.0 * line_standard_error(up.escaped, up.lines));
-  EXPECT_EQ(row_of(shot.counts(0, 0)).entries.size(), 0u);
+  EXPECT_EQ(row_of(shot.counts(SideId(0, false), 0)).entries.size(), 0u);
 }
 
 TEST(LocalLines, the_error_bar_is_that_of_a_fraction) {

@@ -30,12 +30,12 @@ struct Made {
   explicit Made(PatchSet set) : patches(std::move(set)) {}
 
   PatchSet patches;
-  Workers workers;
-  Tracer tracer{patches, workers};
-  std::optional<DenseOperator> dense = DenseOperator::make(patches, tracer, {}, workers);
+  Context context;
+  Tracer tracer{patches, context};
+  std::optional<DenseOperator> dense = DenseOperator::make(patches, tracer, {}, context);
   std::optional<HemicubeOperator> hemicube =
-      HemicubeOperator::make(patches, {.resolution = 64, .points = 4}, workers);
-  std::optional<LinesOperator> lines = LinesOperator::make(patches, tracer, {.lines = 4096}, workers);
+      HemicubeOperator::make(patches, {.resolution = 64, .points = 4}, context);
+  std::optional<LinesOperator> lines = LinesOperator::make(patches, tracer, {.lines = 4096}, context);
 
   std::vector<const RowOperator*> all() const { return {&*dense, &*hemicube, &*lines}; }
 };
@@ -78,7 +78,7 @@ TEST(RowOperators, what_meets_a_black_back_is_lost_there) {
   for (const auto* transport : plates.all()) {
     double lost = 0.0;
     for (std::size_t receiver = 0; receiver < transport->size(); ++receiver) {
-      const auto patch = transport->sides().side[receiver] / 2;
+      const auto patch = transport->sides().side[receiver].patch();
       lost +=
           static_cast<double>(plates.patches.area[patch]) * transport->losses().at_backs[receiver * 2 + 1];
       EXPECT_EQ(transport->losses().at_backs[receiver * 2], 0.0) << "the floor's back is turned from all";
@@ -94,7 +94,7 @@ TEST(RowOperators, apply_is_the_product_with_the_rows) {
     std::vector<float> radiosity(3 * n), irradiance(3 * n, -1.0f);
     for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i] = static_cast<float>(i % 7);
     const std::size_t end = transport->row_begins()[1];
-    transport->apply(radiosity, irradiance, 0, end, made().workers);
+    transport->apply(radiosity, irradiance, 0, end, made().context);
     transport->for_rows(0, n, [&](std::size_t receiver, std::span<const RowOperator::Factor> row) {
       double sum = 0.0;
       for (const auto& factor : row)
@@ -108,7 +108,7 @@ TEST(RowOperators, dense_is_reciprocal_and_the_others_come_near_it) {
   const auto& dense = *made().dense;
   const auto n = dense.size();
   const auto area = [&](std::size_t receiver) {
-    return static_cast<double>(made().patches.area[dense.sides().side[receiver] / 2]);
+    return static_cast<double>(made().patches.area[dense.sides().side[receiver].patch()]);
   };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
@@ -131,12 +131,12 @@ TEST(RowOperators, joined_faces_receive_alike_and_no_power_is_lost) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const auto side = dense.sides().side[i];
-      const double area = made().patches.area[side / 2];
+      const double area = made().patches.area[side.patch()];
       power[j] += area * static_cast<double>(dense.factors()[i * n + j]);
       power_before[j] += area * static_cast<double>(made().dense->factors()[i * n + j]);
       for (std::size_t k = 0; k < n; ++k) {
         const auto other = dense.sides().side[k];
-        if (face[side / 2] == face[other / 2] && side % 2 == other % 2) {
+        if (face[side.patch()] == face[other.patch()] && side.is_back() == other.is_back()) {
           EXPECT_EQ(dense.factors()[i * n + j], dense.factors()[k * n + j]);
         }
       }
@@ -150,9 +150,9 @@ TEST(RowOperators, are_not_made_where_the_monitor_says_stop) {
     return Next::stop;
   };
   const auto& m = made();
-  EXPECT_FALSE(DenseOperator::make(m.patches, m.tracer, {}, m.workers, stop));
-  EXPECT_FALSE(HemicubeOperator::make(m.patches, {}, m.workers, stop));
-  EXPECT_FALSE(LinesOperator::make(m.patches, m.tracer, {}, m.workers, stop));
+  EXPECT_FALSE(DenseOperator::make(m.patches, m.tracer, {}, m.context.with_monitor(stop)));
+  EXPECT_FALSE(HemicubeOperator::make(m.patches, {}, m.context.with_monitor(stop)));
+  EXPECT_FALSE(LinesOperator::make(m.patches, m.tracer, {}, m.context.with_monitor(stop)));
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include "luxel/export/export_coloured.h"
 
 #include <gtest/gtest.h>
-#include <tiny_gltf.h>
 
 #include "luxel/session/diagnostic_mesh.h"
 
+#include "support/glb_file.h"
 #include "support/truth_scenes.h"
 
 namespace luxel {
@@ -21,31 +21,28 @@ TEST(ExportColoured, writes_a_node_and_a_material_for_each_mesh_that_has_triangl
        {{0, 1, 2}, {1, 3, 2}}}};
   const auto path = std::filesystem::path(testing::TempDir()) / "export_coloured.glb";
   export_coloured(path, "faults of room.obj", meshes, {0, 0, 1}, {100.0, 200.0, 300.0});
-  tinygltf::Model model;
-  std::string error, warning;
-  ASSERT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, path.string())) << error;
-  EXPECT_EQ(error + warning, "");
-  ASSERT_EQ(model.materials.size(), 2u);
-  EXPECT_EQ(model.materials[1].name, "sliver (olive)");
-  EXPECT_EQ(model.materials[1].pbrMetallicRoughness.baseColorFactor,
+  const test::GlbFile model(path);
+  const auto& json = model.json;
+  ASSERT_EQ(json["materials"].size(), 2u);
+  EXPECT_EQ(json["materials"][1]["name"], "sliver (olive)");
+  EXPECT_EQ(json["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"],
             (std::vector<double>{0.25, 0.5, 0.0, 1.0}));
-  ASSERT_EQ(model.scenes.at(0).nodes.size(), 1u);
-  const auto& root = model.nodes.at(model.scenes[0].nodes[0]);
-  EXPECT_EQ(root.name, "faults of room.obj");
-  EXPECT_EQ(root.children, (std::vector<int>{0, 1}));
+  ASSERT_EQ(json["scenes"][0]["nodes"].size(), 1u);
+  const auto& root = json["nodes"].at(json["scenes"][0]["nodes"][0].get<std::size_t>());
+  EXPECT_EQ(root["name"], "faults of room.obj");
+  EXPECT_EQ(root["children"], (std::vector<int>{0, 1}));
   // Up is turned from z to y: (x, y, z) lies at (x, z, -y).
-  ASSERT_EQ(root.translation.size(), 3u);
-  EXPECT_NEAR(root.translation[1], 300.0, 1e-9);
-  EXPECT_NEAR(root.translation[2], -200.0, 1e-9);
-  const auto& primitive = model.meshes.at(model.nodes[1].mesh).primitives.at(0);
-  EXPECT_EQ(model.accessors.at(primitive.indices).count, 6u);
-  EXPECT_EQ(model.accessors.at(primitive.attributes.at("POSITION")).maxValues,
-            (std::vector<double>{1, 1, 0}));
+  ASSERT_EQ(root["translation"].size(), 3u);
+  EXPECT_NEAR(root["translation"][1].get<double>(), 300.0, 1e-9);
+  EXPECT_NEAR(root["translation"][2].get<double>(), -200.0, 1e-9);
+  const auto& primitive = json["meshes"].at(json["nodes"][1]["mesh"].get<std::size_t>())["primitives"][0];
+  EXPECT_EQ(model.accessor(primitive["indices"])["count"], 6u);
+  EXPECT_EQ(model.accessor(primitive["attributes"]["POSITION"])["max"], (std::vector<double>{1, 1, 0}));
 }
 
 TEST(FaultParts, colour_each_face_once_and_draw_a_rod_for_each_edge) {
   const auto scene = truth::plates();  // two squares: eight open edges
-  const auto report = diagnose(scene, {}, Workers(1));
+  const auto report = diagnose(scene, {}, Context(1));
   std::size_t triangles = 0;
   bool has_rods = false;
   for (const auto& part : fault_parts(scene, report)) {

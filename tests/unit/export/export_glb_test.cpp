@@ -5,18 +5,19 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <tiny_gltf.h>
 
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/image/image.h"
 
+#include "support/glb_file.h"
 #include "support/lit_patches.h"
 
 namespace luxel {
 namespace {
 
+using test::GlbFile;
 using test::LitPatches;
 using test::plain_material;
 
@@ -27,30 +28,21 @@ std::filesystem::path file(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("export_glb_" + name + ".glb");
 }
 
-tinygltf::Model exported(const LitPatches& lit, const Vec3& up = Vec3(0, 1, 0),
-                         const ExportOptions& options = clamped) {
+GlbFile exported(const LitPatches& lit, const Vec3& up = Vec3(0, 1, 0),
+                 const ExportOptions& options = clamped) {
   const auto path = file(testing::UnitTest::GetInstance()->current_test_info()->name());
   export_glb(path, lit.patches, lit.solution, make_smooth_light(lit.patches, lit.solution), up, options);
-  tinygltf::Model model;
-  std::string error, warning;
-  EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, path.string())) << error;
-  EXPECT_EQ(error + warning, "");
-  return model;
+  return GlbFile(path);
 }
 
 template <typename T>
-std::vector<T> values(const tinygltf::Model& model, int index) {
-  const auto& accessor = model.accessors.at(index);
-  const auto& view = model.bufferViews.at(accessor.bufferView);
-  const auto components = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(accessor.type));
-  EXPECT_EQ(tinygltf::GetComponentSizeInBytes(accessor.componentType), static_cast<int>(sizeof(T)));
-  EXPECT_EQ(view.byteOffset % 4, 0u);
-  std::vector<T> result(accessor.count * components);
-  const auto begin = view.byteOffset + accessor.byteOffset, bytes = result.size() * sizeof(T);
-  EXPECT_LE(accessor.byteOffset + bytes, view.byteLength);
-  if (begin + bytes > model.buffers.at(view.buffer).data.size()) throw std::out_of_range("accessor");
-  std::memcpy(result.data(), model.buffers[view.buffer].data.data() + begin, bytes);
-  return result;
+std::vector<T> values(const GlbFile& model, std::size_t primitive, const char* attribute) {
+  return model.values<T>(model.attribute(primitive, attribute));
+}
+
+template <typename T>
+std::vector<T> indices(const GlbFile& model, std::size_t primitive) {
+  return model.values<T>(model.accessor(model.primitive(primitive).at("indices")));
 }
 
 // Two triangles of one square, red below the diagonal and lamp above it, lit by 0.5 pi and 0.25 pi W/m².
@@ -66,8 +58,8 @@ LitPatches two_colours() {
 
 TEST(ExportGlb, colours_are_radiance_and_sharp_at_a_material_border) {
   const auto model = exported(two_colours());
-  ASSERT_EQ(model.meshes.size(), 1u);
-  ASSERT_EQ(model.meshes[0].primitives.size(), 2u);
+  ASSERT_EQ(model.json["meshes"].size(), 1u);
+  ASSERT_EQ(model.primitives(), 2u);
 
   // Irradiance is 0.5 pi at the red one's own corner, 0.25 pi at the lamp's, the mean of both between them.
   // radiance = (E + rho H) / pi
@@ -75,10 +67,9 @@ TEST(ExportGlb, colours_are_radiance_and_sharp_at_a_material_border) {
   const std::array<std::array<float, 3>, 2> irradiance_over_pi = {
       {{0.375f, 0.5f, 0.375f}, {0.375f, 0.375f, 0.25f}}};
   for (std::size_t m = 0; m < 2; ++m) {
-    const auto& primitive = model.meshes[0].primitives[m];
     const auto emitted = m == 1 ? 0.5f : 0.0f;
-    EXPECT_TRUE(model.accessors[primitive.attributes.at("COLOR_0")].normalized);
-    const auto colours = values<std::uint16_t>(model, primitive.attributes.at("COLOR_0"));
+    EXPECT_TRUE(model.attribute(m, "COLOR_0")["normalized"].get<bool>());
+    const auto colours = values<std::uint16_t>(model, m, "COLOR_0");
     ASSERT_EQ(colours.size(), 12u);
     for (std::size_t v = 0; v < 3; ++v) {
       for (std::size_t c = 0; c < 3; ++c)
@@ -96,29 +87,26 @@ TEST(ExportGlb, colours_are_those_of_one_curve_fitted_to_all_areas) {
   const std::array<Vec3, 2> radiance = {Vec3(0.25f, 0.125f, 0.0f), Vec3(0.625f)};
   const auto curve = fit_curve(radiance, lit.patches.area, {});
   const auto expected = curve(Vec3(0.5f) * Vec3(0.5f, 0.25f, 0.0f));  // the red one's own corner
-  const auto colours = values<std::uint16_t>(model, model.meshes[0].primitives[0].attributes.at("COLOR_0"));
+  const auto colours = values<std::uint16_t>(model, 0, "COLOR_0");
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(colours[4 + c], 65535.0f * expected[c], 1.0f);
 }
 
 TEST(ExportGlb, positions_normals_and_bounds_are_exact) {
   const auto model = exported(two_colours());
-  const auto& red = model.meshes[0].primitives[0];
-  EXPECT_EQ(values<float>(model, red.attributes.at("POSITION")),
-            (std::vector<float>{0, 0, 2, 1, 0, 2, 1, 3, 2}));
-  EXPECT_EQ(values<float>(model, red.attributes.at("NORMAL")),
-            (std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}));
-  EXPECT_EQ(values<std::uint16_t>(model, red.indices), (std::vector<std::uint16_t>{0, 1, 2}));
-  const auto& position = model.accessors[red.attributes.at("POSITION")];
-  EXPECT_EQ(position.minValues, (std::vector<double>{0, 0, 2}));
-  EXPECT_EQ(position.maxValues, (std::vector<double>{1, 3, 2}));
+  EXPECT_EQ(values<float>(model, 0, "POSITION"), (std::vector<float>{0, 0, 2, 1, 0, 2, 1, 3, 2}));
+  EXPECT_EQ(values<float>(model, 0, "NORMAL"), (std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(indices<std::uint16_t>(model, 0), (std::vector<std::uint16_t>{0, 1, 2}));
+  const auto& position = model.attribute(0, "POSITION");
+  EXPECT_EQ(position["min"].get<std::vector<double>>(), (std::vector<double>{0, 0, 2}));
+  EXPECT_EQ(position["max"].get<std::vector<double>>(), (std::vector<double>{1, 3, 2}));
 }
 
 TEST(ExportGlb, bounds_of_odd_floats_survive_the_text) {
   auto lit = two_colours();
   lit.patches.vertices[0] = Vec3(-0.1f, 1.0f / 3.0f, 1e-7f);
   const auto model = exported(lit);
-  const auto& position = model.accessors[model.meshes[0].primitives[0].attributes.at("POSITION")];
-  EXPECT_EQ(position.minValues,
+  const auto& position = model.attribute(0, "POSITION");
+  EXPECT_EQ(position["min"].get<std::vector<double>>(),
             (std::vector<double>{static_cast<double>(-0.1f), 0.0, static_cast<double>(1e-7f)}));
 }
 
@@ -126,13 +114,14 @@ TEST(ExportGlb, materials_are_unlit_one_sided_and_named_as_in_the_scene) {
   auto lit = two_colours();
   lit.patches.materials[0].name = "W\xE4nde";  // Latin-1, as found in the wild
   const auto model = exported(lit);
-  EXPECT_EQ(model.extensionsUsed, std::vector<std::string>{"KHR_materials_unlit"});
-  ASSERT_EQ(model.materials.size(), 2u);
-  EXPECT_EQ(model.materials[0].name, "W?nde");
-  EXPECT_EQ(model.materials[1].name, "lamp");
-  for (const auto& material : model.materials) {
-    EXPECT_TRUE(material.extensions.contains("KHR_materials_unlit"));
-    EXPECT_FALSE(material.doubleSided);
+  const auto& materials = model.json["materials"];
+  EXPECT_EQ(model.json["extensionsUsed"], nlohmann::json::array({"KHR_materials_unlit"}));
+  ASSERT_EQ(materials.size(), 2u);
+  EXPECT_EQ(materials[0]["name"], "W?nde");
+  EXPECT_EQ(materials[1]["name"], "lamp");
+  for (const auto& material : materials) {
+    EXPECT_TRUE(material["extensions"].contains("KHR_materials_unlit"));
+    EXPECT_FALSE(material.value("doubleSided", false));
   }
 }
 
@@ -143,18 +132,17 @@ TEST(ExportGlb, a_back_is_written_only_where_light_fell_on_it) {
   lit.patch({a, b, c}, 0.0f, pi_f);  // lit from behind alone: its front is there, and black
   lit.patch({d, e, f}, pi_f, 0.0f);
   const auto model = exported(lit);
-  ASSERT_EQ(model.meshes[0].primitives.size(), 2u);
-  EXPECT_EQ(model.materials.size(), 1u);
-  const auto &front = model.meshes[0].primitives[0], &back = model.meshes[0].primitives[1];
-  EXPECT_EQ(values<std::uint16_t>(model, front.indices), (std::vector<std::uint16_t>{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(values<std::uint16_t>(model, back.indices), (std::vector<std::uint16_t>{0, 2, 1}));
-  EXPECT_EQ(values<float>(model, back.attributes.at("POSITION")),
-            (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
-  const auto normals = values<float>(model, back.attributes.at("NORMAL"));
+  ASSERT_EQ(model.primitives(), 2u);
+  EXPECT_EQ(model.json["materials"].size(), 1u);
+  constexpr std::size_t front = 0, back = 1;
+  EXPECT_EQ(indices<std::uint16_t>(model, front), (std::vector<std::uint16_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(indices<std::uint16_t>(model, back), (std::vector<std::uint16_t>{0, 2, 1}));
+  EXPECT_EQ(values<float>(model, back, "POSITION"), (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  const auto normals = values<float>(model, back, "NORMAL");
   for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(normals[3 * v + 2], -1.0f);
-  EXPECT_EQ(values<std::uint16_t>(model, front.attributes.at("COLOR_0"))[0], 0);
-  EXPECT_NEAR(values<std::uint16_t>(model, front.attributes.at("COLOR_0"))[12], 32767.5f, 1.0f);
-  EXPECT_NEAR(values<std::uint16_t>(model, back.attributes.at("COLOR_0"))[0], 32767.5f, 1.0f);
+  EXPECT_EQ(values<std::uint16_t>(model, front, "COLOR_0")[0], 0);
+  EXPECT_NEAR(values<std::uint16_t>(model, front, "COLOR_0")[12], 32767.5f, 1.0f);
+  EXPECT_NEAR(values<std::uint16_t>(model, back, "COLOR_0")[0], 32767.5f, 1.0f);
 }
 
 TEST(ExportGlb, neighbours_of_one_material_share_vertices) {
@@ -164,9 +152,8 @@ TEST(ExportGlb, neighbours_of_one_material_share_vertices) {
   lit.patch({a, b, c}, 1.0f);
   lit.patch({a, c, d}, 1.0f);
   const auto model = exported(lit);
-  EXPECT_EQ(model.accessors[model.meshes[0].primitives[0].attributes.at("POSITION")].count, 4u);
-  EXPECT_EQ(values<std::uint16_t>(model, model.meshes[0].primitives[0].indices),
-            (std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(model.attribute(0, "POSITION")["count"], 4u);
+  EXPECT_EQ(indices<std::uint16_t>(model, 0), (std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}));
 }
 
 TEST(ExportGlb, many_vertices_get_long_indices) {
@@ -177,26 +164,30 @@ TEST(ExportGlb, many_vertices_get_long_indices) {
     lit.patch({a, b, c}, 1.0f);
   }
   const auto model = exported(lit);
-  const auto indices = values<std::uint32_t>(model, model.meshes[0].primitives[0].indices);
-  ASSERT_EQ(indices.size(), 65538u);
-  EXPECT_EQ(indices.back(), 65537u);
+  const auto corners = indices<std::uint32_t>(model, 0);
+  ASSERT_EQ(corners.size(), 65538u);
+  EXPECT_EQ(corners.back(), 65537u);
 }
 
 // Turns v by the root node's quaternion.
-Vec3d turned(const tinygltf::Model& model, const Vec3d& v) {
-  const auto& q = model.nodes.at(0).rotation;
+std::vector<double> rotation(const GlbFile& model) {
+  return model.json.at("nodes").at(0).value("rotation", std::vector<double>());
+}
+
+Vec3d turned(const GlbFile& model, const Vec3d& v) {
+  const auto q = rotation(model);
   if (q.empty()) return v;
   const Vec3d axis(q[0], q[1], q[2]);
   return v + 2.0 * glm::cross(axis, glm::cross(axis, v) + q[3] * v);
 }
 
 TEST(ExportGlb, what_is_up_becomes_y_up) {
-  EXPECT_TRUE(exported(two_colours(), Vec3(0, 2, 0)).nodes.at(0).rotation.empty());
+  EXPECT_TRUE(rotation(exported(two_colours(), Vec3(0, 2, 0))).empty());
   for (const auto& up : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -3), Vec3(1, 2, 3)}) {
     const auto model = exported(two_colours(), up);
     const auto result = turned(model, glm::normalize(Vec3d(up)));
     EXPECT_NEAR(result.y, 1.0, 1e-12);
-    const auto& q = model.nodes.at(0).rotation;
+    const auto q = rotation(model);
     EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1.0, 1e-12);
   }
   const auto from_z = turned(exported(two_colours(), Vec3(0, 0, 1)), Vec3d(1, 2, 3));  // the usual (x, z, -y)
@@ -214,14 +205,15 @@ TEST(ExportGlb, the_asset_says_where_the_light_came_from) {
   lit.solution.provenance.scene_fingerprint = 0xABCDEF;
   lit.solution.unshot_fraction = 0.25;
   lit.solution.predicted_error = 0.125;
-  const auto asset = exported(lit).asset;
-  EXPECT_EQ(asset.version, "2.0");
-  EXPECT_EQ(asset.generator, "Luxel 1.2.3");
-  EXPECT_EQ(asset.extras.Get("method").Get<std::string>(), "stochastic-jacobi");
-  EXPECT_EQ(asset.extras.Get("rays").GetNumberAsDouble(), 5e7);
-  EXPECT_EQ(asset.extras.Get("unshot_fraction").GetNumberAsDouble(), 0.25);
-  EXPECT_EQ(asset.extras.Get("predicted_error").GetNumberAsDouble(), 0.125);
-  EXPECT_EQ(asset.extras.Get("scene_fingerprint").Get<std::string>(), "0000000000abcdef");
+  auto asset = exported(lit).json["asset"];
+  EXPECT_EQ(asset["version"], "2.0");
+  EXPECT_EQ(asset["generator"], "Luxel 1.2.3");
+  const auto& luxel = asset["extras"]["luxel"];
+  EXPECT_EQ(luxel["method"], "stochastic-jacobi");
+  EXPECT_EQ(luxel["rays"], 5e7);
+  EXPECT_EQ(luxel["unshot_fraction"], 0.25);
+  EXPECT_EQ(luxel["predicted_error"], 0.125);
+  EXPECT_EQ(luxel["scene_fingerprint"], "0000000000abcdef");
 }
 
 TEST(ExportGlb, the_same_light_gives_the_same_bytes_and_honest_lengths) {
@@ -250,9 +242,9 @@ TEST(ExportGlb, the_same_light_gives_the_same_bytes_and_honest_lengths) {
 
 TEST(ExportGlb, a_scene_without_patches_is_a_valid_file_without_a_mesh) {
   const auto model = exported(LitPatches());
-  EXPECT_TRUE(model.meshes.empty());
-  EXPECT_TRUE(model.buffers.empty());
-  EXPECT_EQ(model.asset.version, "2.0");
+  EXPECT_FALSE(model.json.contains("meshes"));
+  EXPECT_FALSE(model.json.contains("buffers"));
+  EXPECT_EQ(model.json["asset"]["version"], "2.0");
 }
 
 TEST(ExportGlb, light_that_is_not_plain_colour_is_refused) {
@@ -282,15 +274,15 @@ TEST(ExportGlb, a_place_that_cannot_be_written_is_a_device_error) {
 // The irradiance of the first material of two_colours(), by linear sRGB.
 TEST(ExportGlb, irradiance_goes_with_the_colours) {
   const auto model = exported(two_colours());
-  const auto irradiance = values<float>(model, model.meshes[0].primitives[0].attributes.at("_IRRADIANCE"));
+  const auto irradiance = values<float>(model, 0, "_IRRADIANCE");
   ASSERT_EQ(irradiance.size(), 9u);
   for (std::size_t v = 0; v < 3; ++v)
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_NEAR(irradiance[3 * v + c], (v == 1 ? 0.5f : 0.375f) * pi_f, 1e-5f);
-  const auto& light = model.asset.extras.Get("light");
-  EXPECT_EQ(light.Get("as").Get<std::string>(), "vertex");
-  EXPECT_EQ(light.Get("attributes").Get("_IRRADIANCE").Get("unit").Get<std::string>(), "W/m2 by linear sRGB");
-  EXPECT_EQ(light.Get("attributes").Get("COLOR_0").Get("scale").GetNumberAsDouble(), 1.0);
+  const auto& luxel = model.json["asset"]["extras"]["luxel"];
+  EXPECT_EQ(luxel["as"], "vertex");
+  EXPECT_EQ(luxel["light"]["_IRRADIANCE"]["unit"], "W/m2 by linear sRGB");
+  EXPECT_EQ(luxel["light"]["COLOR_0"]["scale"], 1.0);
 }
 
 TEST(ExportGlb, godot_gets_codes_that_its_importer_decodes) {
@@ -298,11 +290,9 @@ TEST(ExportGlb, godot_gets_codes_that_its_importer_decodes) {
   const auto linear = exported(two_colours(), Vec3(0, 1, 0), options);
   options.program = TargetApplication::godot;
   const auto coded = exported(two_colours(), Vec3(0, 1, 0), options);
-  EXPECT_EQ(coded.materials[0].name, "red-vcol");
-  EXPECT_FALSE(coded.meshes[0].primitives[0].attributes.contains("_IRRADIANCE"));
-  const auto at = [](const tinygltf::Model& model) {
-    return values<std::uint16_t>(model, model.meshes[0].primitives[0].attributes.at("COLOR_0"));
-  };
+  EXPECT_EQ(coded.json["materials"][0]["name"], "red-vcol");
+  EXPECT_FALSE(coded.primitive(0)["attributes"].contains("_IRRADIANCE"));
+  const auto at = [](const GlbFile& model) { return values<std::uint16_t>(model, 0, "COLOR_0"); };
   const auto a = at(linear), b = at(coded);
   for (std::size_t i = 0; i < a.size(); ++i)
     EXPECT_NEAR(b[i] / 65535.0f, i % 4 == 3 ? 1.0f : srgb_encode(a[i] / 65535.0f), 1e-4f);

@@ -22,18 +22,18 @@ using namespace test;
 // New charts of the patches, packed.
 Atlas new_atlas(const PatchSet& patches, const Solution& solution, const PackOptions& pack) {
   const auto charts =
-      make_charts(patches, solution, {.texel = pack.texel, .max_texels = max_texels(pack)}, Workers(2));
+      make_charts(patches, solution, {.texel = pack.texel, .max_texels = max_texels(pack)}, Context(2));
   return pack_charts(patches, charts, pack);
 }
 
 // Pages whose texels hold the place that they are of, so that what is looked up at a corner is known.
 std::vector<Image> pages_of_places(const PatchSet& patches, const Atlas& atlas) {
   std::vector<Image> pages;
-  for (const auto& of_page : find_texel_places(atlas, Workers(2))) {
+  for (const auto& of_page : find_texel_places(atlas, Context(2))) {
     auto& page = pages.emplace_back(atlas.page_size, atlas.page_size);
     for (std::size_t i = 0; i < of_page.size(); ++i) {
       if (of_page[i].kind == Texel::empty) continue;
-      const auto p = patches.points(of_page[i].side / 2);
+      const auto p = patches.points(of_page[i].side.patch());
       const auto& w = of_page[i].weights;
       page.pixels[i] = p[0] + w.x * (p[1] - p[0]) + w.y * (p[2] - p[0]);
     }
@@ -179,7 +179,7 @@ TEST_F(ExportRoundTripPages, a_files_own_coordinates_are_used_as_they_are) {
     ASSERT_TRUE(given) << why;
     EXPECT_EQ(given->pages, pages_wanted);
     EXPECT_EQ(page_size_for(scene_, *given, 40.0, 1024), 128) << "40 / 0.4 = 100 texels";
-    const auto laid = lay_out(scene_, patches_, *given, 30.0f, 128, 2, Workers(2));
+    const auto laid = lay_out(scene_, patches_, *given, {30.0f, 128, 2}, Context(2));
     const auto pages = pages_of_places(patches_, laid.atlas);
     ASSERT_EQ(pages.size(), pages_wanted);
     export_round_trip_lightmap(out(), input(), {laid.atlas, pages, 1.0f, true}, {});
@@ -346,14 +346,13 @@ TEST_F(ExportRoundTripPages, what_is_stopped_writes_no_file) {
   const auto atlas = new_atlas(patches_, solution_, {.texel = 0.1f, .page_size = 256});
   const std::vector<Image> pages(1, Image(atlas.page_size, atlas.page_size));
   for (const auto* stage : {"pictures", "write"}) {
-    const Monitor monitor = [&](const Progress& progress) {
-      return progress.stage == stage ? Next::stop : Next::go_on;
-    };
-    EXPECT_FALSE(export_round_trip_lightmap(out(), input(), {atlas, pages, 1.0f}, {}, monitor));
-    EXPECT_FALSE(export_round_trip_emissive(out(), input(), {atlas, pages}, {}, monitor));
+    const auto context = Context().with_monitor(
+        [&](const Progress& progress) { return progress.stage == stage ? Next::stop : Next::go_on; });
+    EXPECT_FALSE(export_round_trip_lightmap(out(), input(), {atlas, pages, 1.0f}, {}, context));
+    EXPECT_FALSE(export_round_trip_emissive(out(), input(), {atlas, pages}, {}, context));
     EXPECT_FALSE(std::filesystem::exists(out())) << stage;
   }
-  const Monitor go_on = [](const Progress&) { return Next::go_on; };
+  const auto go_on = Context().with_monitor([](const Progress&) { return Next::go_on; });
   EXPECT_TRUE(export_round_trip_lightmap(out(), input(), {atlas, pages, 1.0f}, {}, go_on));
 }
 

@@ -35,8 +35,8 @@ LitPatches square() {
 // Its light times so much.
 GroupLight times(const LitPatches& lit, float front, float back) {
   GroupLight group{lit.solution, make_smooth_light(lit.patches, lit.solution)};
-  for (auto& h : group.light.irradiance_front) h *= front;
-  for (auto& h : group.light.irradiance_back) h *= back;
+  for (auto& h : group.light.irradiance.front) h *= front;
+  for (auto& h : group.light.irradiance.back) h *= back;
   return group;
 }
 
@@ -70,14 +70,14 @@ TEST(PageData, groups_sum_up_to_the_solution_whatever_their_smoothing_did) {
       const auto at = 3 * v + b;
       const auto first = page.unit * value_of(page.halves[at]);
       const auto second = page.unit * value_of(page.halves[2 * side + at]);
-      EXPECT_NEAR(first + second, light.irradiance_front[3 * mesh.vertices[v].smooth + b], 2e-3f);
+      EXPECT_NEAR(first + second, light.irradiance.front[3 * mesh.vertices[v].smooth + b], 2e-3f);
       EXPECT_NEAR(first / (first + second), 0.25 / 1.03, 1e-3);
     }
 }
 
 TEST(PageData, the_brightest_light_is_far_from_a_halfs_end) {
   auto lit = square();
-  for (auto& h : lit.solution.irradiance_front) h *= 1e9f;
+  for (auto& h : lit.solution.irradiance.front) h *= 1e9f;
   const auto light = make_smooth_light(lit.patches, lit.solution);
   const auto page = make_page_light(lit.patches, make_page_mesh(lit.patches, lit.solution, light), light, {});
   float largest = 0.0f;
@@ -88,8 +88,8 @@ TEST(PageData, the_brightest_light_is_far_from_a_halfs_end) {
 
 TEST(PageData, errors_keep_their_size_to_a_twenty_fourth_of_an_octave) {
   auto lit = square();
-  lit.solution.standard_error_front = {0.3f, 0.3f, 0.3f, 0.0f, 0.01f, 0.0f};
-  lit.solution.standard_error_back.assign(6, 0.0f);
+  lit.solution.standard_error.front = {0.3f, 0.3f, 0.3f, 0.0f, 0.01f, 0.0f};
+  lit.solution.standard_error.back.assign(6, 0.0f);
   const auto light = make_smooth_light(lit.patches, lit.solution);
   const auto mesh = make_page_mesh(lit.patches, lit.solution, light);
   const auto page = make_page_errors(lit.patches, mesh, lit.solution, {});
@@ -114,13 +114,14 @@ TEST(PageData, first_bytes_come_first) {
   arrays.add("a", std::vector<std::uint16_t>{0x0102, 0x0304});
   arrays.add("b", std::vector<std::uint8_t>{7});
   EXPECT_EQ(arrays.bytes(), std::string("\x02\x04\x01\x03\x07", 5));
-  EXPECT_EQ(arrays.list(), R"({"name":"a","type":"f16","count":2},{"name":"b","type":"u8","count":1})");
+  EXPECT_EQ(json_text(arrays.list()),
+            R"([{"name":"a","type":"f16","count":2},{"name":"b","type":"u8","count":1}])");
 }
 
 TEST(PageData, no_text_ends_the_script_it_stands_in) {
-  EXPECT_EQ(page_string("a</script>\"\\\n"), R"("a\u003c/script\u003e\u0022\u005c\u000a")");
-  EXPECT_EQ(page_string("Wand gr\xc3\xbcn"), "\"Wand gr\xc3\xbcn\"");
-  EXPECT_EQ(page_string("\xff"), "\"?\"");
+  EXPECT_EQ(page_json("a</script>\"\\\n"), R"("a\u003c/script\u003e\"\\\n")");
+  EXPECT_EQ(page_json("Wand gr\xc3\xbcn"), "\"Wand gr\xc3\xbcn\"");
+  EXPECT_EQ(page_json("\xff"), "\"\xef\xbf\xbd\"");
 }
 
 }  // namespace

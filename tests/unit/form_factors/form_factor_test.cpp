@@ -15,6 +15,7 @@
 #include "luxel/form_factors/ray_exchange.h"
 #include "luxel/form_factors/visible_irradiance.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 
 #include "support/truth_scenes.h"
 
@@ -26,15 +27,15 @@ using Screens = std::vector<Triangle>;
 
 // A scene as it comes, with all that asks for its factors.
 struct Asked {
-  Workers workers{1};
+  Context context{1};
   PatchSet patches;
   Tracer tracer;
   FormFactors factors;
 
   explicit Asked(const Scene& scene, float max_edge = no_max_edge)
       : patches(make_patches(scene, {.max_edge = max_edge})),
-        tracer(patches, workers),
-        factors(patches, tracer, workers) {}
+        tracer(patches, context),
+        factors(patches, tracer, context) {}
 
   // From all fronts (or backs) of one material to those of another.
   FormFactor between(const std::string& from, bool from_back, const std::string& to, bool to_back,
@@ -46,7 +47,7 @@ struct Asked {
       area += static_cast<double>(patches.area[p]);
       for (std::size_t q = 0; q < patches.size(); ++q) {
         if (patches.material_of(q).name != to) continue;
-        const auto one = factors.between(2 * p + (from_back ? 1 : 0), 2 * q + (to_back ? 1 : 0), tolerance);
+        const auto one = factors.between(SideId(p, from_back), SideId(q, to_back), tolerance);
         sum.value += static_cast<double>(patches.area[p]) * one.value;
         sum.error += static_cast<double>(patches.area[p]) * one.error;
         sum.exact = sum.exact && one.exact;
@@ -131,11 +132,11 @@ TEST(FormFactors, all_rows_of_a_convex_room_are_exact) {
     const auto step = 1 + asked.patches.size() / 12;
     for (std::size_t p = 0; p < asked.patches.size(); p += step) {
       double front = 0.0, back = 0.0;
-      for (std::size_t side = 0; side < 2 * asked.patches.size(); ++side) {
-        const auto factor = asked.factors.between(2 * p, side, 1e-9);
+      for (std::size_t side = 0; side < side_count(asked.patches.size()); ++side) {
+        const auto factor = asked.factors.between(SideId(p, false), SideId::at(side), 1e-9);
         EXPECT_TRUE(factor.exact);
         front += factor.value;
-        back += asked.factors.between(2 * p + 1, side, 1e-9).value;
+        back += asked.factors.between(SideId(p, true), SideId::at(side), 1e-9).value;
       }
       EXPECT_NEAR(front, 1.0, 1e-12);
       EXPECT_NEAR(back, 0.0, 1e-12);
@@ -186,14 +187,14 @@ TEST(FormFactors, what_was_asked_for_is_what_comes) {
   for (std::size_t p = 0; p < asked.patches.size(); p += 7)
     for (std::size_t q = 0; q < asked.patches.size(); q += 3) {
       if (p == q) continue;
-      const auto best = asked.factors.between(2 * p, 2 * q, 1e-5);
+      const auto best = asked.factors.between(SideId(p, false), SideId(q, false), 1e-5);
       if (best.exact) continue;
       ++integrated;
-      const auto rough = asked.factors.between(2 * p, 2 * q, 1e-3);
+      const auto rough = asked.factors.between(SideId(p, false), SideId(q, false), 1e-3);
       EXPECT_LE(rough.error, 1.01e-3);
       EXPECT_NEAR(rough.value, best.value, rough.error + best.error) << p << ", " << q;
       // Reciprocity.
-      const auto back = asked.factors.between(2 * q, 2 * p, 1e-5);
+      const auto back = asked.factors.between(SideId(q, false), SideId(p, false), 1e-5);
       const auto area = asked.patches.area[p], other = asked.patches.area[q];
       EXPECT_NEAR(area * best.value, other * back.value, area * best.error + other * back.error);
     }
@@ -204,8 +205,8 @@ TEST(FormFactors, rows_of_a_room_with_a_block_sum_to_one) {
   const Asked asked(truth::furnace(Vec3(0.5f), Vec3(0.5f)), 0.6f);
   for (std::size_t p = 0; p < asked.patches.size(); p += 23) {
     double sum = 0.0, error = 0.0;
-    for (std::size_t side = 0; side < 2 * asked.patches.size(); ++side) {
-      const auto factor = asked.factors.between(2 * p, side, 1e-5);
+    for (std::size_t side = 0; side < side_count(asked.patches.size()); ++side) {
+      const auto factor = asked.factors.between(SideId(p, false), SideId::at(side), 1e-5);
       sum += factor.value;
       error += factor.error;
     }
@@ -227,8 +228,8 @@ TEST(FormFactors, shadow_rays_and_exact_shadows_agree) {
   const auto open = polygon_exchange_area(lower, upper);
   const auto exact = obstructed_exchange(lower, upper, screens, open, {.tolerance = 1e-6});
   ASSERT_EQ(asked.patches.normal[0].z, 1.0f);
-  const auto rays = ray_exchange(asked.tracer, PatchEmitter(asked.patches, 0), 0.5, upper, open,
-                                 {.tolerance = 1e-4, .key = 1});
+  const auto rays = ray_exchange(asked.tracer, PatchEmitter(asked.patches, SideId(0, false)), 0.5, upper,
+                                 open, {.tolerance = 1e-4, .key = 1});
   EXPECT_LT(rays.error, 1e-4);
   EXPECT_LT(exact.error, 1.01e-6);
   EXPECT_NEAR(rays.value, exact.value, 1.7 * rays.error);  // five standard errors: one in two million
@@ -247,17 +248,17 @@ TEST(FormFactors, behind_beside_and_without_area_there_is_nothing) {
   EXPECT_EQ(asked.between("one", true, "below", true, 1e-6).value, 0.0);
   EXPECT_NEAR(asked.between("one", true, "below", false, 1e-6).value, 0.19982489569838746, 1e-12);
   for (std::size_t side = 0; side < 4; ++side)
-    EXPECT_EQ(asked.factors.between(0, side, 1e-6).value,
+    EXPECT_EQ(asked.factors.between(SideId(0, false), SideId::at(side), 1e-6).value,
               0.0);  // itself, its back, its neighbour in the plane
 
   auto flat = asked.patches;  // a patch that shrank to a line
   flat.vertices[flat.corners[0][2]] = flat.vertices[flat.corners[0][0]];
-  const Workers workers(1);
-  const Tracer tracer(flat, workers);
-  const FormFactors factors(flat, tracer, workers);
+  const Context context(1);
+  const Tracer tracer(flat, context);
+  const FormFactors factors(flat, tracer, context);
   for (std::size_t side = 0; side < 2 * flat.size(); ++side) {
-    EXPECT_EQ(factors.between(1, side, 1e-6).value, 0.0);
-    EXPECT_EQ(factors.between(side, 1, 1e-6).value, 0.0);
+    EXPECT_EQ(factors.between(SideId(0, true), SideId::at(side), 1e-6).value, 0.0);
+    EXPECT_EQ(factors.between(SideId::at(side), SideId(0, true), 1e-6).value, 0.0);
   }
 }
 

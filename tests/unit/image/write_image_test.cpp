@@ -89,9 +89,10 @@ TEST(WriteImage, can_be_stopped_on_the_way) {
   for (const bool as_png : {true, false}) {
     int asked = 0;
     const auto made = [&](int last) {
-      const Monitor monitor = [&](const Progress&) { return ++asked < last ? Next::go_on : Next::stop; };
+      const auto context =
+          Context().with_monitor([&](const Progress&) { return ++asked < last ? Next::go_on : Next::stop; });
       asked = 0;
-      return as_png ? png_of(image, {}, monitor) : exr_of(image, monitor);
+      return as_png ? png_of(image, {}, context) : exr_of(image, context);
     };
     EXPECT_FALSE(made(1000).empty());
     EXPECT_GE(asked, 3);

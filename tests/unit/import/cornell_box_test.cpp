@@ -32,9 +32,10 @@ TEST(CornellBox, has_its_measured_size_in_metres) {
 
 TEST(CornellBox, loads_without_a_warning) {
   auto warnings = std::string{};
-  load_scene(LUXEL_SOURCE_DIR "/scenes/cornell-box.obj", {}, [&](const Message& message) {
+  const auto log = [&](const Message& message) {
     if (message.severity == Severity::warning) warnings += message.text + "\n";
-  });
+  };
+  load_scene(LUXEL_SOURCE_DIR "/scenes/cornell-box.obj", {}, Context().with_log(log));
   EXPECT_EQ(warnings, "");
 }
 

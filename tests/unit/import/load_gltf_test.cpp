@@ -277,7 +277,8 @@ TEST_F(LoadGltf, skins_and_morphs_are_taken_at_rest) {
 
 TEST_F(LoadGltf, loading_can_be_stopped) {
   files_.write("room.gltf", one_triangle().text());
-  const auto scene = load_scene(files_.path("room.gltf"), {}, {}, [](const Progress&) { return Next::stop; });
+  const auto scene = load_scene(files_.path("room.gltf"), {},
+                                Context().with_monitor([](const Progress&) { return Next::stop; }));
   EXPECT_TRUE(scene.triangles.empty());
 }
 

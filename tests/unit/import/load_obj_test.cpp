@@ -287,9 +287,10 @@ TEST(LoadObj, loading_can_be_stopped) {
   SceneFiles files;
   files.write("room.obj", square + "f 1 2 3\n");
   for (const std::string stage : {"load", "triangles"}) {
-    const auto scene = load_scene(files.path("room.obj"), {}, {}, [&](const Progress& progress) {
+    const auto stop_there = [&](const Progress& progress) {
       return progress.stage == stage ? Next::stop : Next::go_on;
-    });
+    };
+    const auto scene = load_scene(files.path("room.obj"), {}, Context().with_monitor(stop_there));
     EXPECT_TRUE(scene.triangles.empty()) << stage;
   }
 }

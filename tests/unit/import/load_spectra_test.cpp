@@ -86,7 +86,7 @@ TEST_F(Spectra, the_sky_is_measured_too) {
   const auto csv = header + ",sky,400,1\n,sky,700,2\n";
   EXPECT_EQ(load(csv).sky_spectrum.back().value, 2.0);
   EXPECT_EQ(refusal(csv, {.sky = Vec3(1.0f)}),
-            "room.csv:2: the sky is given by --sky as well: leave one of the two away");
+            "room.csv:2: the sky is given twice: leave one of the two away");
 }
 
 TEST_F(Spectra, other_spectra_are_another_scene) {

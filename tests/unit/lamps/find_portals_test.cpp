@@ -28,7 +28,7 @@ double total_area(const std::vector<Portal>& portals) {
 
 std::vector<Portal> portals_of(const Scene& scene) {
   auto patches = make_patches(scene, {.max_edge = no_max_edge});
-  set_portals(scene, patches, Workers(2));
+  set_portals(scene, patches, Context(2));
   return patches.portals;
 }
 

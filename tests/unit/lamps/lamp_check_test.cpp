@@ -24,20 +24,22 @@ Scene room_with_lamp(float height, bool faces_down) {
   return b.scene();
 }
 
-std::string fault_of(const Scene& scene) {
+LampWarning fault_of(const Scene& scene) {
   const auto patches = make_patches(scene, {.max_edge = no_max_edge});
-  const Workers workers(1);
-  const Tracer tracer(patches, workers);
-  const auto views = view_from_lamps(patches, tracer, workers);
+  const Context context(1);
+  const Tracer tracer(patches, context);
+  const auto views = view_from_lamps(patches, tracer, context);
   EXPECT_EQ(views.size(), 1u);
-  return lamp_fault(patches, views.at(0));
+  return lamp_warning(patches, views.at(0));
 }
 
-TEST(LampCheck, a_lamp_that_faces_the_room_is_fine) { EXPECT_EQ(fault_of(room_with_lamp(0.995f, true)), ""); }
+TEST(LampCheck, a_lamp_that_faces_the_room_is_fine) {
+  EXPECT_EQ(fault_of(room_with_lamp(0.995f, true)).text, "");
+}
 
-TEST(LampCheck, a_lamp_that_faces_the_ceiling_is_reported_with_the_flag_that_turns_it) {
+TEST(LampCheck, a_lamp_that_faces_the_ceiling_is_reported_with_the_setting_that_turns_it) {
   const auto fault = fault_of(room_with_lamp(0.998f, false));
-  EXPECT_NE(fault.find("--flip lamp"), std::string::npos) << fault;
+  EXPECT_EQ(fault.hints, (std::vector<Hint>{{Setting::flip, "lamp"}})) << fault.text;
 }
 
 TEST(LampCheck, a_lamp_that_shines_out_of_the_scene_lights_nothing) {
@@ -45,14 +47,14 @@ TEST(LampCheck, a_lamp_that_shines_out_of_the_scene_lights_nothing) {
   std::swap(scene.triangles[0][0], scene.triangles[0][1]);
   std::swap(scene.triangles[1][0], scene.triangles[1][1]);
   const auto fault = fault_of(scene);
-  EXPECT_NE(fault.find("lights nothing"), std::string::npos) << fault;
+  EXPECT_NE(fault.text.find("lights nothing"), std::string::npos) << fault.text;
 }
 
 TEST(LampCheck, the_power_of_a_lamp_is_its_area_times_its_emittance) {
   const auto patches = make_patches(room_with_lamp(0.9f, true), {.max_edge = 0.05f});
-  const Workers workers(1);
-  const Tracer tracer(patches, workers);
-  const auto views = view_from_lamps(patches, tracer, workers);
+  const Context context(1);
+  const Tracer tracer(patches, context);
+  const auto views = view_from_lamps(patches, tracer, context);
   ASSERT_EQ(views.size(), 1u);
   EXPECT_NEAR(views[0].power[1], 0.04, 1e-6);
   EXPECT_EQ(views[0].front.escaped, 0.0);

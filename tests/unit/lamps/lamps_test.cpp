@@ -63,7 +63,7 @@ TEST(Lamps, patches_of_one_triangle_are_joined_again) {
   EXPECT_FLOAT_EQ(lamps.radiance(1)[2], static_cast<float>(3.0 / M_PI));
   for (std::size_t p = 0; p < patches.size(); ++p)
     EXPECT_EQ(lamps.lamp_at(p, patches.points(p)[0]),
-              patches.triangle[p] == 0 ? Lamps::no_lamp : patches.triangle[p] - 1);
+              patches.triangle[p] == 0 ? none : patches.triangle[p] - 1);
 }
 
 TEST(Lamps, two_colours_are_noticed) {

@@ -348,7 +348,7 @@ TEST(Contacts, are_the_same_for_any_number_of_threads) {
     wall(b, Vec3(x, 0.4f, 0), Vec3(x + 5.1f, 69.7f, 0), -0.5f, 2.0f);
   }
   const auto scene = b.scene();
-  const Workers one(1), five(5);
+  const Context one(1), five(5);
   const auto a = make_patches(scene, {.max_edge = no_max_edge}, one);
   const auto z = make_patches(scene, {.max_edge = no_max_edge}, five);
   EXPECT_GT(a.contacts.size(), 1000u);

@@ -102,15 +102,15 @@ TEST(PatchTree, is_sound_and_the_same_on_any_number_of_threads) {
   for (const auto& patches :
        {cut(truth::cube_a(), 0.05f), cut(truth::l_room(), 0.1f), cut(truth::sphere(40, 0.8f), no_max_edge),
         cut(truth::furnace(Vec3(0.5f), Vec3(0.3f)), 0.1f), coincident(1001)}) {
-    const auto one = make_patch_tree(patches, Workers(1));
+    const auto one = make_patch_tree(patches, Context(1));
     expect_sound(one, patches.size());
-    for (const int threads : {2, 5}) expect_same(one, make_patch_tree(patches, Workers(threads)));
+    for (const int threads : {2, 5}) expect_same(one, make_patch_tree(patches, Context(threads)));
   }
 }
 
 TEST(PatchTree, regions_of_a_box_lie_in_one_wall_each) {
   const auto patches = cut(truth::cube_a(), 0.1f);
-  const auto tree = make_patch_tree(patches, Workers(2));
+  const auto tree = make_patch_tree(patches, Context(2));
   for (const auto r : tree.regions) {
     const auto& node = tree.nodes[r];
     EXPECT_TRUE(node.is_flat);
@@ -126,7 +126,7 @@ TEST(PatchTree, regions_of_a_box_lie_in_one_wall_each) {
 // What is flat bends gently: the normals of a region stay near one another, and the region is thin.
 TEST(PatchTree, parts_a_sphere_into_sheets_that_bend_gently) {
   const auto patches = cut(truth::sphere(60, 0.8f), no_max_edge);
-  const auto tree = make_patch_tree(patches, Workers(2));
+  const auto tree = make_patch_tree(patches, Context(2));
   EXPECT_GT(tree.regions.size(), 20u);
   EXPECT_LT(tree.regions.size(), patches.size() / 8);
   for (const auto r : tree.regions) {
@@ -143,7 +143,7 @@ TEST(PatchTree, parts_a_sphere_into_sheets_that_bend_gently) {
 // along the positions is spread evenly over both.
 TEST(PatchTree, halves_begin_at_round_positions) {
   const auto patches = cut(truth::cube_a(), 0.05f);
-  const auto tree = make_patch_tree(patches, Workers(2));
+  const auto tree = make_patch_tree(patches, Context(2));
   for (const auto& node : tree.nodes) {
     if (!node.is_flat || node.child == 0) continue;
     const auto left = tree.nodes[node.child].count;
@@ -155,7 +155,7 @@ TEST(PatchTree, halves_begin_at_round_positions) {
 }
 
 TEST(PatchTree, of_one_patch_is_one_leaf) {
-  const auto tree = make_patch_tree(coincident(1), Workers(2));
+  const auto tree = make_patch_tree(coincident(1), Context(2));
   expect_sound(tree, 1);
   ASSERT_EQ(tree.nodes.size(), 1u);
   EXPECT_TRUE(tree.nodes[0].is_flat);

@@ -32,8 +32,8 @@ double total_area(const PatchSet& patches) {
 // Collects warnings.
 struct Ear {
   std::vector<std::string> heard;
-  LogSink sink() {
-    return [this](const Message& m) { heard.push_back(m.text); };
+  Context context() {
+    return Context().with_log([this](const Message& m) { heard.push_back(m.text); });
   }
 };
 
@@ -94,7 +94,7 @@ TEST(Patches, the_input_triangle_of_a_patch_counts_dropped_ones_too) {
       .triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0})
       .triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   Ear ear;
-  const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge}, ear.sink());
+  const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge}, ear.context());
   ASSERT_EQ(patches.size(), 1u);
   EXPECT_EQ(patches.triangle[0], 1u);
   ASSERT_EQ(ear.heard.size(), 1u);
@@ -108,7 +108,7 @@ TEST(Patches, of_two_triangles_in_one_place_one_stays_lit_on_both_sides) {
       .triangle({0, 1, 0}, {1, 0, 0}, {0, 0, 0});
   b.material("lamp", 0.0f, 1.0f).triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
   Ear ear;
-  const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge}, ear.sink());
+  const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge}, ear.context());
   ASSERT_EQ(patches.size(), 2u);
   EXPECT_TRUE(patches.material_of(0).two_sided);
   EXPECT_EQ(patches.material_of(0).name, "sheet");

@@ -48,10 +48,10 @@ NumberPairs of_part(const OverlappingPairs& pairs, std::size_t part) {
 }
 
 TEST(OverlappingPairs, are_those_that_trying_all_of_them_finds) {
-  const Workers workers(2);
+  const Context context(2);
   for (const std::uint32_t count : {0u, 1u, 2u, 5u, 9u, 100u, 20'000u}) {
     const auto boxes = boxes_in_a_cube(count);
-    const OverlappingPairs pairs(boxes, workers);
+    const OverlappingPairs pairs(boxes, context);
     NumberPairs found;
     for (std::size_t part = 0; part < pairs.parts(); ++part) {
       const auto some = of_part(pairs, part);
@@ -64,7 +64,7 @@ TEST(OverlappingPairs, are_those_that_trying_all_of_them_finds) {
 
 TEST(OverlappingPairs, parts_are_the_same_for_any_number_of_threads) {
   const auto boxes = boxes_in_a_cube(30'000);
-  const Workers one(1), five(5);
+  const Context one(1), five(5);
   const OverlappingPairs a(boxes, one);
   const OverlappingPairs b(boxes, five);
   EXPECT_GT(a.parts(), 4u);

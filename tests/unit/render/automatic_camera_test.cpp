@@ -20,16 +20,16 @@ using test::plain_material;
 constexpr Vec3 y_up(0.0f, 1.0f, 0.0f);
 
 Camera camera_for(const LitPatches& lit, int threads = 2, float aspect = 4.0f / 3.0f) {
-  const Workers workers(threads);
-  const Tracer tracer(lit.patches, workers);
-  return automatic_camera(lit.patches, lit.solution, tracer, workers, y_up, aspect);
+  const Context context(threads);
+  const Tracer tracer(lit.patches, context);
+  return automatic_camera(lit.patches, lit.solution, tracer, y_up, aspect, context);
 }
 
 double lit_fraction(const LitPatches& lit, const Camera& camera) {
-  const Workers workers(2);
-  const Tracer tracer(lit.patches, workers);
+  const Context context(2);
+  const Tracer tracer(lit.patches, context);
   const auto image = render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera,
-                            {.width = 80, .height = 60, .samples_per_side = 1}, workers);
+                            {.width = 80, .height = 60, .samples_per_side = 1}, context);
   double lit_pixels = 0.0;
   for (const auto& pixel : image.pixels) lit_pixels += pixel.g > 0.0f ? 1.0 : 0.0;
   return lit_pixels / static_cast<double>(image.pixels.size());
@@ -47,7 +47,7 @@ std::string as_text(const Vec3& v) {
 LitPatches room(const Vec3& size, bool open = false) {
   LitPatches lit;
   test::add_box(lit, Vec3(0.0f), size, Facing::inwards, 1.0f, open);
-  auto& irradiance = lit.solution.irradiance_front;
+  auto& irradiance = lit.solution.irradiance.front;
   for (std::size_t i = 0; i < lit.patches.size(); ++i) {
     const auto p = lit.patches.points(i);
     const auto middle = (p[0] + p[1] + p[2]) / (3.0f * size);
@@ -89,14 +89,14 @@ TEST(AutomaticCamera, an_open_box_is_seen_through_its_opening) {
 
 // The sky lights the box from outside first.
 TEST(AutomaticCamera, under_a_sky_it_looks_into_a_box_and_at_a_thing_alone) {
-  const Workers workers(2);
+  const Context context(2);
   auto box = room({4.0f, 2.5f, 3.0f}, true);
   LitPatches thing;
   test::add_box(thing, Vec3(0.0f), Vec3(1.0f), Facing::outwards, 1.0f);
   for (auto* lit : {&box, &thing}) {
     lit->patches.sky = {1.0f, 1.0f, 1.0f};
     const auto camera = camera_for(*lit);
-    const Tracer tracer(lit->patches, workers);
+    const Tracer tracer(lit->patches, context);
     const auto seen = tracer.nearest({camera.eye, glm::normalize(camera.target - camera.eye)});
     ASSERT_TRUE(seen);
     EXPECT_FALSE(seen.back) << "the outside of a box, or the inside of a thing";
@@ -165,11 +165,11 @@ TEST(AutomaticCamera, a_scene_not_solved_yet_has_a_view_too) {
 
 TEST(AutomaticCamera, wrong_requests_are_refused) {
   const auto lit = room(Vec3(1.0f));
-  const Workers workers(1);
-  const Tracer tracer(lit.patches, workers);
-  EXPECT_THROW(automatic_camera(lit.patches, lit.solution, tracer, workers, Vec3(0.0f)), InputError);
-  EXPECT_THROW(automatic_camera(lit.patches, lit.solution, tracer, workers, y_up, 0.0f), InputError);
-  EXPECT_THROW(automatic_camera({}, {}, tracer, workers, y_up), InputError);
+  const Context context(1);
+  const Tracer tracer(lit.patches, context);
+  EXPECT_THROW(automatic_camera(lit.patches, lit.solution, tracer, Vec3(0.0f), 1.0f, context), InputError);
+  EXPECT_THROW(automatic_camera(lit.patches, lit.solution, tracer, y_up, 0.0f, context), InputError);
+  EXPECT_THROW(automatic_camera({}, {}, tracer, y_up, 1.0f, context), InputError);
 }
 
 TEST(AutomaticUp, floor_and_ceiling_say_it) {

@@ -27,8 +27,8 @@ Baked two_patches(float first, float second, float second_back = 0.0f) {
 }
 
 void set_errors(Baked& baked, float error) {
-  baked.solution.standard_error_front.assign(6, error);
-  baked.solution.standard_error_back.assign(6, 0.0f);
+  baked.solution.standard_error.front.assign(6, error);
+  baked.solution.standard_error.back.assign(6, 0.0f);
 }
 
 TEST(CompareSolutions, weighs_by_area_and_signs_the_bias) {

@@ -7,6 +7,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 #include "luxel/render/batch_means.h"
 #include "luxel/render/lamp_table.h"
 #include "luxel/render/strata.h"
@@ -67,7 +68,7 @@ TEST(SurfacePoint, lies_before_its_side_and_inside_its_patch) {
 }
 
 TEST(Strata, have_one_sample_in_each_cell_and_orders_of_their_own) {
-  for (const std::uint32_t side : {1u, 4u, 7u}) {
+  for (const auto side : {1u, 4u, 7u}) {
     const Strata pairs(99, 1, side), others(99, 2, side);
     std::vector<int> count(side * side, 0);
     bool differ = side == 1;
@@ -97,9 +98,9 @@ TEST(BatchMeans, have_the_mean_and_the_variance_of_what_was_drawn) {
     sums[0] = static_cast<double>(BatchMeans::batch_paths) * static_cast<double>(element + batch % 2);
     return std::uint64_t{2};
   };
-  const Workers workers;
+  const Context context;
   const auto stop = means.run(
-      {.samples = 130}, draw, [](const BatchMeans&) { return 1.0; }, workers, {}, "light");
+      {.samples = 130}, draw, [](const BatchMeans&) { return 1.0; }, context, "light");
   EXPECT_EQ(stop, StopReason::ray_limit);
   EXPECT_EQ(means.rays(), 3u * 2u * 9u) << "130 paths are nine batches";
   EXPECT_TRUE(means.complete());
@@ -113,11 +114,11 @@ TEST(BatchMeans, go_on_until_the_error_is_reached_and_not_far_beyond) {
   BatchMeans means(1, 1);
   const auto draw = [](std::size_t, std::uint64_t, std::span<double>) { return std::uint64_t{1}; };
   const auto error = [](const BatchMeans& m) { return 1.0 / std::sqrt(static_cast<double>(m.batches(0))); };
-  const Workers workers;
-  EXPECT_EQ(means.run({.error = 0.1}, draw, error, workers, {}, "light"), StopReason::error_reached);
+  const Context context;
+  EXPECT_EQ(means.run({.error = 0.1}, draw, error, context, "light"), StopReason::error_reached);
   EXPECT_GE(means.batches(0), 100u);
   EXPECT_LE(means.batches(0), 110u);
-  EXPECT_THROW(means.run({.error = 0.0}, draw, error, workers, {}, "light"), InputError);
+  EXPECT_THROW(means.run({.error = 0.0}, draw, error, context, "light"), InputError);
 }
 
 }  // namespace

@@ -19,10 +19,9 @@ using test::plain_material;
 
 Image picture(const LitPatches& lit, const Camera& camera, const RenderOptions& options, int threads = 2,
               const Monitor& monitor = {}) {
-  const Workers workers(threads);
-  const Tracer tracer(lit.patches, workers);
-  return render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera, options, workers,
-                monitor);
+  const auto context = Context(threads).with_monitor(monitor);
+  const Tracer tracer(lit.patches, context);
+  return render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera, options, context);
 }
 
 // A lit box open to nobody, with the eye inside.
@@ -106,22 +105,22 @@ TEST(Render, irradiance_runs_linearly_between_the_corners) {
   auto light = make_smooth_light(lit.patches, lit.solution);
   for (std::size_t i = 0; i < light.size(); ++i)
     for (std::size_t band = 0; band < 3; ++band)
-      light.irradiance_front[3 * i + band] = lit.patches.vertices[light.vertex[i]].x + 0.5f;
+      light.irradiance.front[3 * i + band] = lit.patches.vertices[light.vertex[i]].x + 0.5f;
 
-  const Workers workers(2);
-  const Tracer tracer(lit.patches, workers);
+  const Context context(2);
+  const Tracer tracer(lit.patches, context);
   // The picture's sides are the square's.
   const auto image = render(lit.patches, light, tracer,
                             {.eye = {0.0f, 0.0f, 0.5f}, .target = Vec3(0.0f), .vertical_fov = 90.0f},
-                            {.width = 50, .height = 50, .samples_per_side = 4}, workers);
+                            {.width = 50, .height = 50, .samples_per_side = 4}, context);
   for (int x = 0; x < 50; ++x)
     EXPECT_NEAR(image.at(x, 20).b * pi / 0.5f, (static_cast<float>(x) + 0.5f) / 50.0f, 0.25f / 50.0f);
 }
 
 TEST(Render, the_same_bytes_on_one_two_and_seven_threads) {
   auto lit = lit_box();
-  for (std::size_t i = 0; i < lit.solution.irradiance_front.size(); ++i)
-    lit.solution.irradiance_front[i] += static_cast<float>(i % 7);
+  for (std::size_t i = 0; i < lit.solution.irradiance.front.size(); ++i)
+    lit.solution.irradiance.front[i] += static_cast<float>(i % 7);
   const Camera camera = {.eye = {0.3f, 0.1f, 0.2f}, .target = {-1.0f, -0.4f, -1.0f}};
   const auto one = picture(lit, camera, {.width = 160, .height = 120}, 1);
   for (const auto threads : {2, 7}) {
@@ -177,9 +176,9 @@ TEST(Render, a_camera_that_sees_nothing_definite_is_refused_with_the_reason) {
 
 TEST(Render, light_of_another_scene_is_refused) {
   const auto lit = lit_box();
-  const Workers workers(1);
-  const Tracer tracer(lit.patches, workers);
-  EXPECT_THROW(render(lit.patches, SmoothLight{}, tracer, {}, small, workers), MismatchError);
+  const Context context(1);
+  const Tracer tracer(lit.patches, context);
+  EXPECT_THROW(render(lit.patches, SmoothLight{}, tracer, {}, small, context), MismatchError);
 }
 
 TEST(Render, up_may_have_any_length) {

@@ -25,7 +25,7 @@ class Diagnose : public testing::Test {
  protected:
   CheckReport of(const std::string& obj, const LoadOptions& options = {}, int threads = 2) {
     files_.write("room.mtl", mtl_);
-    return diagnose(files_.load_text(obj, options), {}, Workers(threads));
+    return diagnose(files_.load_text(obj, options), {}, Context(threads));
   }
   std::string mtl_ = "newmtl wall\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n";
   SceneFiles files_;
@@ -140,7 +140,8 @@ TEST_F(Diagnose, says_which_weld_closes_a_gap) {
   const auto& open = found(report, DiagnosticKind::open_edge);
   EXPECT_EQ(open.count, 8u);
   EXPECT_EQ(open.severity, Severity::warning);
-  EXPECT_EQ(open.remedy, "--weld 0.0002 closes 8 of them");
+  EXPECT_EQ(open.remedy, "welding closes 8 of them");
+  EXPECT_EQ(open.hints, (std::vector<Hint>{{Setting::weld, "0.0002"}}));
 }
 
 TEST_F(Diagnose, tells_what_the_file_said_of_a_reflectance_above_one) {
@@ -152,9 +153,9 @@ TEST_F(Diagnose, tells_what_the_file_said_of_a_reflectance_above_one) {
 }
 
 TEST_F(Diagnose, doubts_units_of_a_room_of_kilometres_or_millimetres) {
-  EXPECT_NE(found(of(room, {.scale = 1000.0f}), DiagnosticKind::units).remedy.find("--scale 0.001"),
+  EXPECT_NE(found(of(room, {.scale = 1000.0f}), DiagnosticKind::units).remedy.find("scale of 0.001"),
             std::string::npos);
-  EXPECT_NE(found(of(room, {.scale = 0.001f}), DiagnosticKind::units).remedy.find("--scale 1000"),
+  EXPECT_NE(found(of(room, {.scale = 0.001f}), DiagnosticKind::units).remedy.find("scale of 1000"),
             std::string::npos);
 }
 
@@ -167,7 +168,9 @@ TEST_F(Diagnose, finds_lamps_that_face_a_wall_and_lamps_that_are_shut_in) {
   report = of(dark_room +
               "usemtl lamp\nv 0.5 1.999 0.5\nv 1.5 1.999 0.5\nv 1.5 1.999 1.5\nv 0.5 1.999 1.5\n"
               "f 12 11 10 9\n");
-  EXPECT_EQ(found(report, DiagnosticKind::lamp_faces_wall).remedy, "--flip lamp turns its faces round");
+  EXPECT_EQ(found(report, DiagnosticKind::lamp_faces_wall).remedy, "turn its faces round");
+  EXPECT_EQ(found(report, DiagnosticKind::lamp_faces_wall).hints,
+            (std::vector<Hint>{{Setting::flip, "lamp"}}));
 
   // A lamp in a closed box of 4 cm.
   std::string box;
@@ -208,15 +211,15 @@ TEST_F(Diagnose, gives_the_same_report_on_any_number_of_threads) {
 
 TEST_F(Diagnose, ends_where_the_monitor_says_stop) {
   files_.write("room.mtl", mtl_);
-  const auto report =
-      diagnose(files_.load_text(room), {}, Workers(1), [](const Progress&) { return Next::stop; });
+  const auto report = diagnose(files_.load_text(room), {},
+                               Context(1).with_monitor([](const Progress&) { return Next::stop; }));
   EXPECT_FALSE(report.is_whole);
 }
 
 TEST(DiagnoseFromTheWild, knows_the_faults_of_the_corner_cases) {
   const std::filesystem::path folder = LUXEL_SOURCE_DIR "/../shared/scenes/corner-cases";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "there are no shared corner cases beside the sources";
-  const auto of = [&](const char* file) { return diagnose(load_scene(folder / file), {}, Workers(1)); };
+  const auto of = [&](const char* file) { return diagnose(load_scene(folder / file), {}, Context(1)); };
   EXPECT_EQ(found(of("xatlas/double_sided.obj"), DiagnosticKind::opposite).count, 2u);
   EXPECT_EQ(found(of("xatlas/zero_area_face.obj"), DiagnosticKind::no_area).count, 1u);
   EXPECT_EQ(found(of("xatlas/degenerate_edge.obj"), DiagnosticKind::no_area).count, 1u);

@@ -12,11 +12,11 @@ Solution ramp() {
   Solution s;
   s.bands = {"grey"};
   for (int i = 1; i <= 1000; ++i) {
-    s.irradiance_front.push_back(2.0f);
-    s.standard_error_front.push_back(2.0f * 1e-3f * static_cast<float>(i));
+    s.irradiance.front.push_back(2.0f);
+    s.standard_error.front.push_back(2.0f * 1e-3f * static_cast<float>(i));
   }
-  s.irradiance_back.assign(1000, 0.0f);
-  s.standard_error_back.assign(1000, 0.0f);
+  s.irradiance.back.assign(1000, 0.0f);
+  s.standard_error.back.assign(1000, 0.0f);
   return s;
 }
 
@@ -24,28 +24,28 @@ TEST(Error95th, is_the_percentile_over_lit_sides) { EXPECT_NEAR(error_95th_of(ra
 
 TEST(Error95th, leaks_of_light_do_not_count) {
   auto s = ramp();
-  s.irradiance_back.assign(1000, 1e-9f);
-  s.standard_error_back.assign(1000, 0.1f);
+  s.irradiance.back.assign(1000, 1e-9f);
+  s.standard_error.back.assign(1000, 0.1f);
   EXPECT_NEAR(error_95th_of(s), 0.95, 1e-3);
 }
 
 TEST(Error95th, takes_the_root_mean_square_over_bands) {
   Solution s;
   s.bands = {"red", "green"};
-  s.irradiance_front = {3.0f, 4.0f};
-  s.irradiance_back = {0.0f, 0.0f};
-  s.standard_error_front = {0.6f, 0.8f};
-  s.standard_error_back = {0.0f, 0.0f};
+  s.irradiance.front = {3.0f, 4.0f};
+  s.irradiance.back = {0.0f, 0.0f};
+  s.standard_error.front = {0.6f, 0.8f};
+  s.standard_error.back = {0.0f, 0.0f};
   EXPECT_NEAR(error_95th_of(s), 0.2, 1e-6);
 }
 
 TEST(Error95th, of_the_dark_or_of_no_standard_errors_is_0) {
   auto dark = ramp();
-  dark.irradiance_front.assign(1000, 0.0f);
+  dark.irradiance.front.assign(1000, 0.0f);
   EXPECT_EQ(error_95th_of(dark), 0.0);
   auto exact = ramp();
-  exact.standard_error_front.clear();
-  exact.standard_error_back.clear();
+  exact.standard_error.front.clear();
+  exact.standard_error.back.clear();
   EXPECT_EQ(error_95th_of(exact), 0.0);
 }
 

@@ -189,7 +189,7 @@ TEST(SolutionFile, a_refused_write_leaves_the_old_file) {
   auto sample = sample::baked(4, 3);
   const auto path = write("old.vtkhdf", sample);
   const auto before = read_file(path);
-  sample.solution.radiosity_front[0] = std::nanf("");
+  sample.solution.radiosity.front[0] = std::nanf("");
   EXPECT_THROW(write_solution(path, sample.patches, sample.solution), MismatchError);
   EXPECT_TRUE(read_file(path) == before);
 }
@@ -246,9 +246,9 @@ TEST(SolutionFile, what_could_not_be_read_back_is_not_written) {
   EXPECT_NE(with_contacts({{{1, 2}, {0, 0, 2}}}).find("contact 0 has a direction"), std::string::npos);
   EXPECT_NE(with_contacts({{{1, 2}, {0, 0, 1}}, {{0, 2}, {0, 0, 1}}}).find("contact 1 is not in the order"),
             std::string::npos);
-  EXPECT_NE(with([](auto&, auto& s) { s.irradiance_back.pop_back(); }).find("holds 11 numbers, expected 12"),
+  EXPECT_NE(with([](auto&, auto& s) { s.irradiance.back.pop_back(); }).find("holds 11 numbers, expected 12"),
             std::string::npos);
-  EXPECT_NE(with([&](auto&, auto& s) { s.irradiance_front[3] = -infinity; }).find("not finite"),
+  EXPECT_NE(with([&](auto&, auto& s) { s.irradiance.front[3] = -infinity; }).find("not finite"),
             std::string::npos);
 }
 
@@ -259,13 +259,13 @@ TEST(SolutionFile, standard_errors_that_cannot_be_are_not_written) {
     return refusal_to_write(sample);
   };
   const auto infinity = std::numeric_limits<float>::infinity();
-  EXPECT_NE(with([](auto& s) { s.standard_error_front[5] = -1.0f; }).find("standard_error_front"),
+  EXPECT_NE(with([](auto& s) { s.standard_error.front[5] = -1.0f; }).find("standard_error_front"),
             std::string::npos);
-  EXPECT_NE(with([&](auto& s) { s.standard_error_back[0] = infinity; }).find("standard_error_back"),
+  EXPECT_NE(with([&](auto& s) { s.standard_error.back[0] = infinity; }).find("standard_error_back"),
             std::string::npos);
-  EXPECT_NE(with([](auto& s) { s.standard_error_back.clear(); }).find("holds 0 numbers, expected 12"),
+  EXPECT_NE(with([](auto& s) { s.standard_error.back.clear(); }).find("holds 0 numbers, expected 12"),
             std::string::npos);
-  EXPECT_NE(with([](auto& s) { s.standard_error_front.pop_back(); }).find("holds 11 numbers, expected 12"),
+  EXPECT_NE(with([](auto& s) { s.standard_error.front.pop_back(); }).find("holds 11 numbers, expected 12"),
             std::string::npos);
   EXPECT_NE(with([](auto& s) { s.error_95th = -0.1; }).find("error_95th is -0.1"), std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include "luxel/core/sobol.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/patch/side.h"
 
 #include "support/truth_scenes.h"
 
@@ -31,7 +32,7 @@ class HitStoreTest : public testing::Test {
     return hits;
   }
 
-  Workers one_{1}, five_{5};
+  Context one_{1}, five_{5};
   PatchSet patches_ = make_patches(truth::l_room(), {.max_edge = 0.2f});
   Tracer tracer_{patches_, one_};
 };
@@ -53,8 +54,8 @@ TEST_F(HitStoreTest, a_hit_is_that_of_the_ray_made_and_traced_alone) {
       const auto x = points.first4(sides.position[receiver] * n + static_cast<std::uint32_t>(i % n));
       const std::array<float, 4> u = {x[2], x[3], x[0], x[1]};
       const auto hit = tracer_.nearest(PatchEmitter(patches_, sides.side[receiver]).ray(u));
-      if (hit && sides.receiver_of_side[side_of(hit.patch, hit.back)] != GatherSides::none)
-        ASSERT_EQ(met[i], sides.receiver_of_side[side_of(hit.patch, hit.back)]) << i;
+      if (hit && sides.receiver_of_side[SideId(hit.patch, hit.back).index()] != none)
+        ASSERT_EQ(met[i], sides.receiver_of_side[SideId(hit.patch, hit.back).index()]) << i;
       else
         ASSERT_GE(met[i], sides.size()) << i;
     }

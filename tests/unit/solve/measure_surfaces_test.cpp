@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/solve/measure_surfaces.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -9,6 +7,7 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/solve/sampled.h"
+#include "luxel/solve/sampled_light.h"
 
 #include "support/truth_scenes.h"
 
@@ -24,23 +23,23 @@ float light(std::size_t r, std::size_t s, std::size_t b) {
 }
 
 TEST(MeasureSurfaces, means_and_errors_are_those_of_the_replicates_means) {
-  const Workers workers(2);
+  const Context context(2);
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.3f});
   const auto bands = patches.band_count();
-  const auto sides = all_gather_sides(patches, make_patch_tree(patches, workers));
+  const auto sides = all_gather_sides(patches, make_patch_tree(patches, context));
   std::vector<std::vector<float>> direct(replicates, std::vector<float>(sides.size() * bands, 0.25f));
   auto gathered = direct;
   for (std::size_t r = 0; r < replicates; ++r)
     for (std::size_t s = 0; s < sides.size(); ++s)
       for (std::size_t b = 0; b < bands; ++b) gathered[r][s * bands + b] = light(r, s, b);
-  const auto means = measure_surfaces(patches, sides, direct, gathered, workers);
+  const auto means = measure_surfaces(patches, sides, direct, gathered, context);
 
   ASSERT_EQ(means.received.power.size(), bands);
   for (std::size_t b = 0; b < bands; ++b) {
     std::vector<double> power(replicates, 0.0);
     double area = 0.0;
     for (std::size_t s = 0; s < sides.size(); ++s) {
-      const auto of_side = static_cast<double>(patches.area[sides.side[s] / 2]);
+      const auto of_side = static_cast<double>(patches.area[sides.side[s].patch()]);
       area += of_side;
       for (std::size_t r = 0; r < replicates; ++r)
         power[r] += of_side * (0.25 + static_cast<double>(light(r, s, b)));
@@ -65,15 +64,15 @@ TEST(MeasureSurfaces, means_and_errors_are_those_of_the_replicates_means) {
 }
 
 TEST(MeasureSurfaces, of_a_solve_are_the_area_means_of_its_solution) {
-  const Workers workers(2);
+  const Context context(2);
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.3f});
-  const Tracer tracer(patches, workers);
+  const Tracer tracer(patches, context);
   Solution solution;
-  const auto report = solve_sampled(patches, tracer, solution, {.error = 0.05, .smoothing = false}, workers);
+  const auto report = solve_sampled(patches, tracer, solution, {.error = 0.05, .smoothing = false}, context);
   const auto bands = patches.band_count();
   ASSERT_FALSE(report.means.surfaces.empty());
   for (const auto& s : report.means.surfaces) {
-    const auto& light_of_side = s.is_back ? solution.irradiance_back : solution.irradiance_front;
+    const auto& light_of_side = solution.irradiance.of(s.is_back);
     for (std::size_t b = 0; b < bands; ++b) {
       double power = 0.0;
       for (std::size_t p = 0; p < patches.size(); ++p)

@@ -10,6 +10,7 @@
 #include "luxel/classical/shooting.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
+#include "luxel/patch/side.h"
 #include "luxel/solve/sampled_operator.h"
 #include "luxel/solve/work_units.h"
 
@@ -69,7 +70,7 @@ TEST(Balance, work_that_anybody_can_do_takes_the_place_of_blocks_that_would_move
 }
 
 TEST(Balance, pieces_go_to_who_is_free_first_as_fast_as_each_is) {
-  const RankTimes times{{1.0, 2.0, 1.0}, {0.0, 10.0, 40.0}};
+  const ProcessTimes times{{1.0, 2.0, 1.0}, {0.0, 10.0, 40.0}};
   std::vector<double> load;
   for (int i = 0; i < 100; ++i) load.push_back(0.1 + 0.01 * (i * 37 % 100));
   const auto owners = dealt_units(load, times);
@@ -84,11 +85,12 @@ TEST(Balance, pieces_go_to_who_is_free_first_as_fast_as_each_is) {
 
 class RanksTest : public testing::Test {
  protected:
-  HitStore make(const Ranks* ranks) const {
+  HitStore make(const SharedWork& work) const {
     return {patches_,
             all_gather_sides(patches_, make_patch_tree(patches_, one_)),
             tracer_,
-            {.replicates = 4, .ranks = ranks}};
+            {.replicates = 4},
+            work};
   }
   static std::vector<std::uint32_t> all_receivers(const HitStore& hits) {
     std::vector<std::uint32_t> receivers(hits.sides().size());
@@ -101,20 +103,20 @@ class RanksTest : public testing::Test {
     return receivers;
   }
 
-  Workers one_{1};
+  Context one_{1};
   PatchSet patches_ = make_patches(truth::l_room(), {.max_edge = 0.05f});
   Tracer tracer_{patches_, one_};
 };
 
 // The second rank sleeps whenever its monitor is asked, a hundred times as long as its rays take.
 TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
-  auto alone = make(nullptr);
+  auto alone = make({});
   for (int round = 0; round < 3; ++round) alone.double_rays(all_receivers(alone), 1, one_);
   alone.double_rays(every_third(alone), 8, one_);
   const auto truth = alone.rounds();
   ThreadRanks::run(3, [&](const Ranks& ranks) {
-    const Workers workers(1);
-    auto shared = make(&ranks);
+    const Context context({.threads = 1, .ranks = &ranks});
+    auto shared = make(SharedWork(context));
     const auto is_slow = ranks.rank() == 1;
     const auto monitor = [&](const Progress&) {
       if (is_slow) std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -131,7 +133,7 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
       for (const auto s : receivers) more[s] = shared.rays_per_receiver()[s];
       const auto times = shared.balance(more, 0.0);
       EXPECT_EQ(times.speed.size(), 3u);
-      shared.double_rays(receivers, 1, workers, monitor);
+      shared.double_rays(receivers, 1, context.with_monitor(monitor));
     };
     for (int round = 0; round < 3; ++round) double_rays(all_receivers(shared));
     double_rays(every_third(shared));
@@ -160,17 +162,17 @@ TEST_F(RanksTest, rows_that_count_both_ways_have_the_bits_of_one_rank) {
       for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i] = 0.01f * static_cast<float>(i % 89);
       return radiosity;
     };
-    auto alone = make(nullptr);
+    auto alone = make({});
     prepare(alone);
     std::vector<float> expected(alone.sides().size() * patches_.band_count());
     SampledOperator(patches_, alone, {}, one_).apply(1, patches_.band_count(), light(alone), expected, one_);
     ThreadRanks::run(3, [&](const Ranks& ranks) {
-      const Workers workers(2);
-      auto shared = make(&ranks);
+      const Context context({.threads = 2, .ranks = &ranks});
+      auto shared = make(SharedWork(context));
       prepare(shared);
       std::vector<float> irradiance(expected.size());
-      SampledOperator(patches_, shared, {}, workers)
-          .apply(1, patches_.band_count(), light(shared), irradiance, workers);
+      SampledOperator(patches_, shared, {}, context)
+          .apply(1, patches_.band_count(), light(shared), irradiance, context);
       EXPECT_EQ(irradiance, expected) << (is_streamed ? "streamed" : "stored");
     });
   }
@@ -182,7 +184,7 @@ TEST_F(RanksTest, the_last_part_goes_to_who_was_done_with_the_first) {
   const auto sides = all_gather_sides(patches_, make_patch_tree(patches_, one_));
   const std::vector<double> more(sides.size(), 8.0);
   ThreadRanks::run(2, [&](const Ranks& ranks) {
-    const RowPartition partition(&ranks, 1024, sides.position);
+    const RowPartition partition(SharedWork(Context({.threads = 1, .ranks = &ranks})), 1024, sides.position);
     WorkUnits pieces(partition, sides);
     pieces.deal(more, {{1.0, 1.0}, {0.0, 0.0}});
     const auto count_mine = [&](int part) {
@@ -202,18 +204,16 @@ TEST_F(RanksTest, the_last_part_goes_to_who_was_done_with_the_first) {
 
 TEST_F(RanksTest, shot_power_arrives_as_that_of_one_to_the_last_unit) {
   SidePower leaving;
-  for (std::uint32_t side = 0; side < 2 * patches_.size(); side += 5) {
-    leaving.side.push_back(side);
+  for (std::uint32_t side = 0; side < side_count(patches_.size()); side += 5) {
+    leaving.side.push_back(SideId::at(side));
     for (std::size_t b = 0; b < patches_.band_count(); ++b)
       leaving.watts.push_back(static_cast<double>(1 + side % 7 + b));
   }
   const ShootingOptions options{.rays = 50'000, .batch = 20'000};
   const auto alone = shoot(patches_, tracer_, leaving, options, one_);
   ThreadRanks::run(3, [&](const Ranks& ranks) {
-    auto shared_options = options;
-    shared_options.ranks = &ranks;
-    const Workers workers(1);
-    const auto shared = shoot(patches_, tracer_, leaving, shared_options, workers);
+    const Context context({.threads = 1, .ranks = &ranks});
+    const auto shared = shoot(patches_, tracer_, leaving, options, context);
     EXPECT_EQ(shared.side, alone.side);
     EXPECT_EQ(shared.arrived, alone.arrived);
     EXPECT_EQ(shared.shot, alone.shot);
@@ -226,7 +226,7 @@ TEST_F(RanksTest, shot_power_arrives_as_that_of_one_to_the_last_unit) {
 TEST(LoopPartition, chunks_of_ranks_make_up_the_loop_and_all_know_all) {
   for (const std::size_t count : {0, 1, 9, 10, 11, 95, 100}) {
     ThreadRanks::run(4, [&](const Ranks& ranks) {
-      const LoopPartition mine(&ranks, count, 10);
+      const LoopPartition mine(SharedWork(Context({.threads = 1, .ranks = &ranks})), count, 10);
       std::vector<int> values(2 * count, -1), chunks((count + 9) / 10, -1);
       EXPECT_EQ(mine.begin() % 10, 0u);
       for (auto i = mine.begin(); i < mine.end(); ++i) {

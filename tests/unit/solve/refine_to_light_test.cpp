@@ -49,10 +49,10 @@ double irradiance_at(const Vec3& place, const Tracer& tracer) {
 }
 
 // Area-weighted relative RMS of the light reconstructed on the floor against the truth, by random places.
-double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& workers) {
+double true_error(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   Solution solution;
-  solve_sampled(patches, tracer, solution, {.error = 0.002, .error_measure = ErrorMeasure::power}, workers);
-  const auto smooth = make_smooth_light(patches, solution, {}, workers);
+  solve_sampled(patches, tracer, solution, {.error = 0.002, .error_measure = ErrorMeasure::power}, context);
+  const auto smooth = make_smooth_light(patches, solution, {}, context);
   double squared_error = 0.0;
   double squared_light = 0.0;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
@@ -64,7 +64,7 @@ double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& 
       const auto q = patches.points(p);
       const auto truth = irradiance_at((1.0f - u[0] - u[1]) * q[0] + u[0] * q[1] + u[1] * q[2], tracer);
       const auto& c = smooth.corners[p];
-      const auto at = [&](std::size_t i) { return static_cast<double>(smooth.irradiance_front[3 * c[i]]); };
+      const auto at = [&](std::size_t i) { return static_cast<double>(smooth.irradiance.front[3 * c[i]]); };
       const auto found = (1.0 - static_cast<double>(u[0] + u[1])) * at(0) +
                          static_cast<double>(u[0]) * at(1) + static_cast<double>(u[1]) * at(2);
       const auto weight = static_cast<double>(patches.area[p]) / places;
@@ -76,15 +76,15 @@ double true_error(const PatchSet& patches, const Tracer& tracer, const Workers& 
 }
 
 TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {
-  const Workers workers(2);
+  const Context context(2);
   const auto scene = shadowed_floor();
   RefineReport report;
   const auto patches =
-      refine_to_light(make_patches(scene, {.max_edge = 0.3f}), {.mesh_error = 0.04}, report, workers);
+      refine_to_light(make_patches(scene, {.max_edge = 0.3f}), {.mesh_error = 0.04}, report, context);
   EXPECT_EQ(report.stop, RefineStop::mesh_error_reached);
   EXPECT_LE(report.mesh_error, 0.04);
-  const Tracer tracer(patches, workers);
-  const auto error = true_error(patches, tracer, workers);
+  const Tracer tracer(patches, context);
+  const auto error = true_error(patches, tracer, context);
   // What is stated bounds the truth where light jumps, and where it is smooth is above it.
   EXPECT_LE(error, 1.15 * report.mesh_error);
   EXPECT_GE(error, 0.4 * report.mesh_error);
@@ -96,25 +96,25 @@ TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {
     edge *= 0.7f;
     uniform = make_patches(scene, {.max_edge = edge});
   } while (uniform.size() <= patches.size());
-  const Tracer through(uniform, workers);
-  EXPECT_GT(true_error(uniform, through, workers), 1.2 * error);
+  const Tracer through(uniform, context);
+  EXPECT_GT(true_error(uniform, through, context), 1.2 * error);
 }
 
 TEST(RefineToLight, light_that_is_the_same_everywhere_needs_no_more_patches) {
-  const Workers workers(2);
+  const Context context(2);
   const auto patches = make_patches(truth::furnace(Vec3(0.5f), Vec3(0.5f)), {.max_edge = 0.25f});
   RefineReport report;
-  const auto refined = refine_to_light(patches, {.mesh_error = 0.01}, report, workers);
+  const auto refined = refine_to_light(patches, {.mesh_error = 0.01}, report, context);
   EXPECT_NE(report.stop, RefineStop::patch_limit);
   EXPECT_LE(report.mesh_error, 0.01);
   EXPECT_LE(report.levels.size(), 2u);
 }
 
 TEST(RefineToLight, it_never_makes_more_patches_than_allowed) {
-  const Workers workers(2);
+  const Context context(2);
   RefineReport report;
   const auto patches = refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
-                                       {.mesh_error = 0.001, .max_patches = 700}, report, workers);
+                                       {.mesh_error = 0.001, .max_patches = 700}, report, context);
   EXPECT_LE(patches.size(), 700u);
   EXPECT_EQ(report.stop, RefineStop::patch_limit);
 }
@@ -123,8 +123,8 @@ TEST(RefineToLight, the_same_patches_on_any_number_of_threads) {
   const auto base = make_patches(shadowed_floor(), {.max_edge = 0.3f});
   const RefineOptions options{.mesh_error = 0.1};
   RefineReport report;
-  const auto one = refine_to_light(base, options, report, Workers(1));
-  const auto three = refine_to_light(base, options, report, Workers(3));
+  const auto one = refine_to_light(base, options, report, Context(1));
+  const auto three = refine_to_light(base, options, report, Context(3));
   EXPECT_EQ(one.corners, three.corners);
   EXPECT_EQ(one.vertices, three.vertices);
 }

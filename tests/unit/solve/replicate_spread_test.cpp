@@ -28,7 +28,7 @@ TEST(ReplicateSpread, of_known_numbers_is_known) {
   for (int r = 1; r <= 8; ++r) values.push_back({static_cast<float>(r), 2.0f});
   const std::vector<float> bias = {0.25f, -0.01f};
   const std::vector<float> area = {0.5f};
-  const auto spread = spread_of(values, bias, 2, area, Workers(2));
+  const auto spread = spread_of(values, {bias, 2, area}, Context(2));
   EXPECT_EQ(spread.mean, (std::vector<float>{4.5f, 2.0f}));
   // Student's t with 7 degrees of freedom: 2.36462 for 1.95996.
   EXPECT_NEAR(spread.standard_error[0], std::sqrt(0.75 + 0.25) * 2.36462 / 1.95996, 2e-3);
@@ -39,14 +39,14 @@ TEST(ReplicateSpread, of_known_numbers_is_known) {
 
 TEST(ReplicateSpread, a_bias_below_nothing_takes_nothing_off_the_noise) {
   const Values values = {{1.0f}, {2.0f}, {3.0f}, {4.0f}};
-  const auto spread = spread_of(values, std::vector<float>{-5.0f}, 1, std::vector<float>{2.0f}, Workers(1));
+  const auto spread = spread_of(values, {std::vector<float>{-5.0f}, 1, std::vector<float>{2.0f}}, Context(1));
   EXPECT_NEAR(spread.total_squared_error, 2.0 * (5.0 / 3.0) / 4.0, 1e-7);
 }
 
 TEST(ReplicateSpread, of_the_dark_is_nothing) {
   const Values values(4, std::vector<float>(30, 0.0f));
   const auto spread =
-      spread_of(values, std::vector<float>(30, 0.0f), 3, std::vector<float>(10, 1.0f), Workers(2));
+      spread_of(values, {std::vector<float>(30, 0.0f), 3, std::vector<float>(10, 1.0f)}, Context(2));
   EXPECT_EQ(spread.total_squared_error, 0.0);
   EXPECT_EQ(spread.total_squared_light, 0.0);
 }
@@ -60,9 +60,9 @@ TEST(ReplicateSpread, of_a_sum_is_that_of_the_numbers_added) {
     for (std::size_t i = 0; i < 3 * receivers; ++i) sum[r][i] += second[r][i];
   const std::vector<float> bias(3 * receivers, 1e-3f);
   const std::vector<float> area(receivers, 0.1f);
-  const Workers workers(2);
-  const auto expected = spread_of(sum, bias, 3, area, workers);
-  const auto spread = spread_of_sum(first, second, bias, 3, area, workers);
+  const Context context(2);
+  const auto expected = spread_of(sum, {bias, 3, area}, context);
+  const auto spread = spread_of_sum(first, second, {bias, 3, area}, context);
   EXPECT_EQ(spread.mean, expected.mean);
   EXPECT_EQ(spread.standard_error, expected.standard_error);
   EXPECT_EQ(spread.total_squared_error, expected.total_squared_error);
@@ -72,9 +72,9 @@ TEST(ReplicateSpread, squared_errors_alone_are_those_of_the_whole) {
   constexpr std::size_t receivers = 5000;
   const auto values = random_values(8, 3 * receivers, 1);
   const std::vector<float> area(receivers, 0.1f);
-  const Workers workers(2);
-  const auto spread = spread_of(values, std::vector<float>(3 * receivers, 0.0f), 3, area, workers);
-  const auto total_squared_error = squared_errors(values, 3, workers);
+  const Context context(2);
+  const auto spread = spread_of(values, {std::vector<float>(3 * receivers, 0.0f), 3, area}, context);
+  const auto total_squared_error = squared_errors(values, 3, context);
   EXPECT_NEAR(0.1f * std::accumulate(total_squared_error.begin(), total_squared_error.end(), 0.0),
               spread.total_squared_error, 1e-9 * receivers);
 }
@@ -84,9 +84,9 @@ TEST(ReplicateSpread, has_the_same_bits_on_any_number_of_threads) {
   const auto values = random_values(4, receivers, 1);
   const std::vector<float> bias(receivers, 1e-3f);
   const std::vector<float> area(receivers, 0.1f);
-  const auto one = spread_of(values, bias, 1, area, Workers(1));
+  const auto one = spread_of(values, {bias, 1, area}, Context(1));
   for (const int threads : {2, 5}) {
-    const auto spread = spread_of(values, bias, 1, area, Workers(threads));
+    const auto spread = spread_of(values, {bias, 1, area}, Context(threads));
     EXPECT_EQ(spread.standard_error, one.standard_error);
     EXPECT_EQ(spread.total_squared_error, one.total_squared_error);
     EXPECT_EQ(spread.total_squared_light, one.total_squared_light);

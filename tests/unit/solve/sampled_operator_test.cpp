@@ -16,7 +16,7 @@
 namespace luxel {
 namespace {
 
-const Workers one(1), five(5);
+const Context one(1), five(5);
 
 struct Room {
   PatchSet patches;
@@ -41,21 +41,21 @@ std::vector<float> some_light(const HitStore& hits, std::size_t bands) {
 }
 
 // All that an operator computes, one after the other.
-std::vector<float> everything(const PatchSet& patches, const HitStore& hits, const Workers& workers) {
+std::vector<float> everything(const PatchSet& patches, const HitStore& hits, const Context& context) {
   const auto bands = patches.band_count();
-  const SampledOperator transport(patches, hits, {}, workers);
+  const SampledOperator transport(patches, hits, {}, context);
   const auto light = some_light(hits, bands);
   const auto numbers = hits.sides().size() * bands;
   std::vector<float> all, irradiance(numbers);
   for (const std::size_t half : {0, 1}) {
-    transport.apply(half, bands, light, irradiance, workers);
+    transport.apply(half, bands, light, irradiance, context);
     all.insert(all.end(), irradiance.begin(), irradiance.end());
-    for (const auto& rows : transport.replicate_rows(half, light, workers))
+    for (const auto& rows : transport.replicate_rows(half, light, context))
       all.insert(all.end(), rows.begin(), rows.end());
   }
   const std::vector<double> importance(hits.sides().size(), 1.0);
   const std::vector<float> level(numbers, 0.3f);
-  const auto worth = transport.ray_worth(importance, light, level, workers);
+  const auto worth = transport.ray_worth(importance, light, level, context);
   all.insert(all.end(), worth.own.begin(), worth.own.end());
   all.insert(all.end(), worth.given.begin(), worth.given.end());
   return all;
@@ -110,7 +110,7 @@ TEST(SampledOperator, the_mean_over_seeds_is_the_form_factor_whatever_the_counts
       std::vector<float> light(hits.elements(), 0.0f);
       double area = 0.0;
       for (std::uint32_t s = 0; s < hits.sides().size(); ++s) {
-        const auto patch = hits.sides().side[s] / 2;
+        const auto patch = hits.sides().side[s].patch();
         if (room.patches.points(patch)[0].z > 0.5f)
           upper.push_back(s);
         else
@@ -122,7 +122,7 @@ TEST(SampledOperator, the_mean_over_seeds_is_the_form_factor_whatever_the_counts
       transport.apply(seed % 2, 1, light, irradiance, one);
       double factor = 0.0;
       for (const auto s : upper) {
-        const double a = room.patches.area[hits.sides().side[s] / 2];
+        const double a = room.patches.area[hits.sides().side[s].patch()];
         factor += a * static_cast<double>(irradiance[s]);
         area += a;
       }
@@ -193,8 +193,8 @@ TEST(SampledOperator, at_reflectance_098_and_8_rays_per_side_the_iteration_conve
   std::vector<float> irradiance(crossed.size());
   // What escapes through the seams of this room would be missing from its light: it shines as much.
   std::fill(radiosity.begin() + static_cast<std::ptrdiff_t>(crossed.size()), radiosity.end(), 49.0f);
-  const auto report =
-      gauss_seidel(crossed, direct, reflectance, radiosity, irradiance, {.tolerance = 1e-6, .parts = 2}, one);
+  const auto report = gauss_seidel(crossed, {direct, reflectance, radiosity, irradiance},
+                                   {.tolerance = 1e-6, .parts = 2}, one);
   EXPECT_TRUE(report.converged);
   EXPECT_LT(report.change.size(), 200u);
   for (const auto H : irradiance) ASSERT_NEAR(H, 50.0f, 0.05f);

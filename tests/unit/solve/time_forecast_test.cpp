@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/solve/time_forecast.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/time_left.h"
+#include "luxel/solve/run_progress.h"
 
 namespace luxel {
 namespace {

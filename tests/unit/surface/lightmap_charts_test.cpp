@@ -9,6 +9,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/image/pack_rectangles.h"
+#include "luxel/patch/side.h"
 #include "luxel/surface/flat_cover.h"
 #include "luxel/surface/make_charts.h"
 #include "luxel/surface/pack_charts.h"
@@ -24,7 +25,7 @@ using test::even_light;
 
 Charts charts_of(const PatchSet& patches, float texel, float back = 0.0f, int max_texels = 1000) {
   return make_charts(patches, even_light(patches, 1.0f, back), {.texel = texel, .max_texels = max_texels},
-                     Workers(2));
+                     Context(2));
 }
 
 // The charts that have fronts of this material.
@@ -40,7 +41,7 @@ void expect_every_front_once(const PatchSet& patches, const Charts& charts) {
   std::size_t sides = 0;
   for (const auto& chart : charts.charts) sides += chart.sides.size();
   EXPECT_EQ(sides, patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_NE(charts.of_side[2 * p], Charts::none);
+  for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_NE(charts.of_side[2 * p], none);
 }
 
 // Of what is projected, no side covers another of its chart.
@@ -50,7 +51,7 @@ void expect_no_overlap(const PatchSet& patches, const Charts& charts) {
     for (const auto side : chart.sides) {
       FlatCover::Triangle t;
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = Charts::place(chart, patches.points(side / 2)[side % 2 == 0 ? k : 2 - k]);
+        const auto at = Charts::place(chart, patches.points(side.patch())[!side.is_back() ? k : 2 - k]);
         t[k] = {at[0], at[1]};
         EXPECT_GE(std::min(at[0], at[1]), -1e-5);
         EXPECT_LE(at[0], chart.size[0] + 1e-5);
@@ -92,7 +93,7 @@ TEST(LightmapCharts, a_tower_is_a_few_charts_that_each_see_no_steep_side) {
   expect_no_overlap(patches, charts);
   for (const auto& chart : charts.charts)
     for (const auto side : chart.sides)
-      EXPECT_GT(glm::dot(glm::cross(chart.axes[0], chart.axes[1]), Vec3d(patches.normal[side / 2])), 0.7);
+      EXPECT_GT(glm::dot(glm::cross(chart.axes[0], chart.axes[1]), Vec3d(patches.normal[side.patch()])), 0.7);
 }
 
 TEST(LightmapCharts, a_ramp_above_itself_is_not_one_chart) {
@@ -110,11 +111,11 @@ TEST(LightmapCharts, backs_are_laid_out_where_light_fell_and_then_all_of_their_p
   b.material("other", 0.5f, 0.0f).quad({0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.3f});
   auto light = even_light(patches, 1.0f);
-  light.irradiance_back[0] = 1.0f;
-  const auto charts = make_charts(patches, light, {.texel = 0.1f}, Workers(1));
+  light.irradiance.back[0] = 1.0f;
+  const auto charts = make_charts(patches, light, {.texel = 0.1f}, Context(1));
   EXPECT_EQ(charts.charts.size(), 3u);
   for (std::size_t p = 0; p < patches.size(); ++p)
-    EXPECT_EQ(charts.of_side[2 * p + 1] != Charts::none, patches.material_of(p).name == "one");
+    EXPECT_EQ(charts.of_side[2 * p + 1] != none, patches.material_of(p).name == "one");
 }
 
 TEST(LightmapCharts, the_floor_under_a_box_is_a_chart_of_its_own) {
@@ -187,19 +188,19 @@ TEST(LightmapCharts, what_is_larger_than_a_page_is_cut) {
 TEST(LightmapCharts, the_same_on_any_number_of_threads) {
   const auto patches = make_patches(test::tower(48, 2.0f), {.max_edge = 0.3f});
   const auto light = even_light(patches, 1.0f);
-  const auto one = make_charts(patches, light, {}, Workers(1)),
-             five = make_charts(patches, light, {}, Workers(5));
+  const auto one = make_charts(patches, light, {}, Context(1)),
+             five = make_charts(patches, light, {}, Context(5));
   EXPECT_EQ(one.of_side, five.of_side);
   EXPECT_EQ(pack_charts(patches, one, {}).corners, pack_charts(patches, five, {}).corners);
 }
 
 TEST(LightmapCharts, light_of_other_patches_and_senseless_options_are_refused) {
   const auto patches = make_patches(truth::cube({}), {.max_edge = 0.5f});
-  EXPECT_THROW(make_charts(patches, {}, {}, Workers(1)), MismatchError);
+  EXPECT_THROW(make_charts(patches, {}, {}, Context(1)), MismatchError);
   const auto light = even_light(patches, 1.0f);
-  EXPECT_THROW(make_charts(patches, light, {.texel = 0.0f}, Workers(1)), InputError);
-  EXPECT_THROW(make_charts(patches, light, {.max_angle = 80.0f}, Workers(1)), InputError);
-  const auto charts = make_charts(patches, light, {}, Workers(1));
+  EXPECT_THROW(make_charts(patches, light, {.texel = 0.0f}, Context(1)), InputError);
+  EXPECT_THROW(make_charts(patches, light, {.max_angle = 80.0f}, Context(1)), InputError);
+  const auto charts = make_charts(patches, light, {}, Context(1));
   EXPECT_THROW(pack_charts(patches, charts, {.page_size = 4}), InputError);
   EXPECT_THROW(pack_charts(patches, charts, {.page_size = 16, .margin = 8}), InputError);
   EXPECT_THROW(pack_charts(patches, charts, {.texel = 0.001f, .page_size = 64}), InputError);
@@ -246,7 +247,7 @@ TEST(LightmapPages, hold_charts_apart_and_to_the_scale_asked_for) {
       texels += own;
       area += needed;
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto uv = atlas.uv(2 * p, k);
+        const auto uv = atlas.uv(SideId(p, false), k);
         EXPECT_TRUE(uv.x > 0.0f && uv.y > 0.0f && uv.x < 1.0f && uv.y < 1.0f);
       }
     }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/error.h"
+#include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {

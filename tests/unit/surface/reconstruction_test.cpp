@@ -65,9 +65,9 @@ void expect_linear(const LitPatches& lit, const std::function<double(const Vec3d
   const auto light = make_smooth_light(lit.patches, lit.solution);
   ASSERT_EQ(light.size(), lit.patches.vertices.size());
   double largest = 0.0;
-  for (const auto h : lit.solution.irradiance_front) largest = std::max(largest, std::abs(double{h}));
+  for (const auto h : lit.solution.irradiance.front) largest = std::max(largest, std::abs(double{h}));
   for (std::size_t s = 0; s < light.size(); ++s)
-    EXPECT_NEAR(light.irradiance_front[3 * s], field(Vec3d(lit.patches.vertices[light.vertex[s]])),
+    EXPECT_NEAR(light.irradiance.front[3 * s], field(Vec3d(lit.patches.vertices[light.vertex[s]])),
                 3e-6 * largest)
         << "vertex " << light.vertex[s];
 }
@@ -100,7 +100,7 @@ TEST(Reconstruction, light_linear_along_a_bent_sheet_is_met_along_it) {
   const auto light = make_smooth_light(lit.patches, lit.solution);
   ASSERT_EQ(light.size(), lit.patches.vertices.size());
   for (std::size_t s = 0; s < light.size(); ++s)
-    EXPECT_NEAR(light.irradiance_front[3 * s], 2.0 + arc(Vec3d(lit.patches.vertices[light.vertex[s]])), 0.01);
+    EXPECT_NEAR(light.irradiance.front[3 * s], 2.0 + arc(Vec3d(lit.patches.vertices[light.vertex[s]])), 0.01);
 }
 
 // At a border one cannot quite tell a step from a slope: two in a hundred of it.
@@ -110,8 +110,8 @@ TEST(Reconstruction, a_step_makes_no_new_extremes_to_speak_of) {
     const auto lit = lattice.lit([&](const Vec3d& p) { return p.x + turn * p.y > 7.3 ? 5.0 : 1.0; });
     const auto light = make_smooth_light(lit.patches, lit.solution);
     for (std::size_t s = 0; s < light.size(); ++s) {
-      EXPECT_GE(light.irradiance_front[3 * s], 1.0f - 0.08f);
-      EXPECT_LE(light.irradiance_front[3 * s], 5.0f + 0.08f);
+      EXPECT_GE(light.irradiance.front[3 * s], 1.0f - 0.08f);
+      EXPECT_LE(light.irradiance.front[3 * s], 5.0f + 0.08f);
     }
   }
 }
@@ -126,7 +126,7 @@ TEST(Reconstruction, inside_a_surface_nothing_is_beyond_the_patches_of_two_rings
     });
     const auto light = make_smooth_light(lit.patches, lit.solution);
     for (std::size_t s = 0; s < light.size(); ++s) {
-      const auto h = light.irradiance_front[3 * s];
+      const auto h = light.irradiance.front[3 * s];
       EXPECT_GE(h, 0.0f);
       const auto vertex = light.vertex[s];
       if (!lattice.is_inside(vertex, 2)) continue;
@@ -137,8 +137,8 @@ TEST(Reconstruction, inside_a_surface_nothing_is_beyond_the_patches_of_two_rings
         if (std::abs(c.x - static_cast<float>(column)) > 2.0f ||
             std::abs(c.y - static_cast<float>(row)) > 2.0f)
           continue;
-        low = std::min(low, lit.solution.irradiance_front[3 * p]);
-        high = std::max(high, lit.solution.irradiance_front[3 * p]);
+        low = std::min(low, lit.solution.irradiance.front[3 * p]);
+        high = std::max(high, lit.solution.irradiance.front[3 * p]);
       }
       EXPECT_GE(h, low - 1e-6f);
       EXPECT_LE(h, high + 1e-6f);
@@ -172,9 +172,9 @@ TEST(Reconstruction, light_jumps_where_a_wall_touches_the_floor_and_runs_on_belo
   for (std::size_t p = 0; p < lit.patches.size(); ++p)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto s = light.corners[p][k];
-      EXPECT_EQ(light.irradiance_front[3 * s], lit.solution.irradiance_front[3 * p]);
+      EXPECT_EQ(light.irradiance.front[3 * s], lit.solution.irradiance.front[3 * p]);
       if (lit.patches.vertices[light.vertex[s]].x == 4.0f) {
-        EXPECT_NEAR(light.irradiance_back[3 * s], 5.0f, 1.0f);
+        EXPECT_NEAR(light.irradiance.back[3 * s], 5.0f, 1.0f);
       }
     }
 }
@@ -186,7 +186,7 @@ TEST(Reconstruction, the_jump_closes_where_the_wall_ends) {
   for (std::size_t s = 0; s < light.size(); ++s) {
     const auto& p = lit.patches.vertices[light.vertex[s]];
     if (p.x != 4.0f) continue;
-    const auto h = light.irradiance_front[3 * s];
+    const auto h = light.irradiance.front[3 * s];
     if (p.y < 2.0f) {
       EXPECT_TRUE(std::abs(h - 8.0f) < 0.5f || std::abs(h - 2.0f) < 0.5f) << h;
     } else {
@@ -222,7 +222,7 @@ TEST(Reconstruction, no_seam_shows_where_small_cells_stand_on_large_ones) {
   std::array<float, 2 * n + 1> seam{};
   for (std::size_t s = 0; s < light.size(); ++s) {
     const auto& p = lit.patches.vertices[light.vertex[s]];
-    if (p.y == 0.0f) seam[static_cast<std::size_t>(2.0f * p.x)] = light.irradiance_front[3 * s];
+    if (p.y == 0.0f) seam[static_cast<std::size_t>(2.0f * p.x)] = light.irradiance.front[3 * s];
   }
   for (std::size_t i = 0; i < n; ++i) {
     EXPECT_NEAR(seam[2 * i + 1], 0.5f * (seam[2 * i] + seam[2 * i + 2]), 1e-5f);
@@ -233,9 +233,9 @@ TEST(Reconstruction, no_seam_shows_where_small_cells_stand_on_large_ones) {
 TEST(Reconstruction, any_number_of_threads_gives_the_same_bytes) {
   const Lattice lattice{.n = 80};  // more than one chunk of vertices, sides and nodes
   const auto lit = lattice.lit([](const Vec3d& p) { return 1.0 / (1.0 + p.x * p.y); });
-  const auto one = make_smooth_light(lit.patches, lit.solution, {}, Workers(1));
-  const auto three = make_smooth_light(lit.patches, lit.solution, {}, Workers(3));
-  EXPECT_EQ(one.irradiance_front, three.irradiance_front);
+  const auto one = make_smooth_light(lit.patches, lit.solution, {}, Context(1));
+  const auto three = make_smooth_light(lit.patches, lit.solution, {}, Context(3));
+  EXPECT_EQ(one.irradiance.front, three.irradiance.front);
   EXPECT_EQ(one.corners, three.corners);
 }
 
@@ -253,7 +253,7 @@ TEST(Reconstruction, noise_is_less_inside_than_on_a_patch_and_a_fifth_more_at_a_
     });
     const auto light = make_smooth_light(lit.patches, lit.solution);
     for (std::size_t s = 0; s < light.size(); ++s) {
-      const auto off = double{light.irradiance_front[3 * s]} - 100.0;
+      const auto off = double{light.irradiance.front[3 * s]} - 100.0;
       (lattice.is_inside(light.vertex[s]) ? inside : border) += off * off;
       ++(lattice.is_inside(light.vertex[s]) ? inside_count : border_count);
     }

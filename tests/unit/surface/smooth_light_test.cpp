@@ -41,9 +41,9 @@ TEST(SmoothLight, constant_light_stays_constant) {
   const auto lit = grid(4, [](float, float) { return 0.7f; });
   const auto light = make_smooth_light(lit.patches, lit.solution);
   ASSERT_EQ(light.size(), 25u);
-  ASSERT_EQ(light.irradiance_front.size(), 75u);
-  for (const auto h : light.irradiance_front) EXPECT_EQ(h, 0.7f);
-  for (const auto h : light.irradiance_back) EXPECT_EQ(h, 0.0f);
+  ASSERT_EQ(light.irradiance.front.size(), 75u);
+  for (const auto h : light.irradiance.front) EXPECT_EQ(h, 0.7f);
+  for (const auto h : light.irradiance.back) EXPECT_EQ(h, 0.0f);
   for (const auto& n : light.normal) EXPECT_EQ(n, Vec3(0.0f, 0.0f, 1.0f));
 }
 
@@ -55,7 +55,7 @@ TEST(SmoothLight, linear_light_is_met_exactly_inside_a_regular_grid) {
   for (std::size_t s = 0; s < light.size(); ++s) {
     const auto& p = lit.patches.vertices[light.vertex[s]];
     if (p.x < 0.5f || p.y < 0.5f || p.x > 3.5f || p.y > 3.5f) continue;
-    EXPECT_NEAR(light.irradiance_front[3 * s], field(p.x, p.y), 1e-5f);
+    EXPECT_NEAR(light.irradiance.front[3 * s], field(p.x, p.y), 1e-5f);
     ++inside;
   }
   EXPECT_EQ(inside, 9u);
@@ -70,7 +70,7 @@ TEST(SmoothLight, larger_neighbours_weigh_more) {
   const auto light = make_smooth_light(lit.patches, lit.solution);
   ASSERT_EQ(light.size(), 4u);
   const auto at = [&](std::size_t patch, std::size_t corner) {
-    return light.irradiance_front[3 * light.corners[patch][corner]];
+    return light.irradiance.front[3 * light.corners[patch][corner]];
   };
   EXPECT_EQ(at(0, 0), 5.0f);  // (0.5 * 8 + 1.5 * 4) / 2
   EXPECT_EQ(at(0, 1), 8.0f);
@@ -86,16 +86,16 @@ TEST(SmoothLight, each_band_has_its_own_mean) {
              d = lit.vertex({-1, 0, 0});
   lit.patch({a, b, c}, 0.0f);
   lit.patch({a, c, d}, 0.0f);
-  lit.solution.irradiance_front = {1, 2, 3, 3, 6, 9};
-  lit.solution.irradiance_back = {0, 0, 4, 0, 8, 0};
+  lit.solution.irradiance.front = {1, 2, 3, 3, 6, 9};
+  lit.solution.irradiance.back = {0, 0, 4, 0, 8, 0};
   const auto light = make_smooth_light(lit.patches, lit.solution);
   const auto s = 3 * light.corners[0][0];
-  EXPECT_EQ(light.irradiance_front[s], 2.0f);
-  EXPECT_EQ(light.irradiance_front[s + 1], 4.0f);
-  EXPECT_EQ(light.irradiance_front[s + 2], 6.0f);
-  EXPECT_EQ(light.irradiance_back[s], 0.0f);
-  EXPECT_EQ(light.irradiance_back[s + 1], 4.0f);
-  EXPECT_EQ(light.irradiance_back[s + 2], 2.0f);
+  EXPECT_EQ(light.irradiance.front[s], 2.0f);
+  EXPECT_EQ(light.irradiance.front[s + 1], 4.0f);
+  EXPECT_EQ(light.irradiance.front[s + 2], 6.0f);
+  EXPECT_EQ(light.irradiance.back[s], 0.0f);
+  EXPECT_EQ(light.irradiance.back[s + 1], 4.0f);
+  EXPECT_EQ(light.irradiance.back[s + 2], 2.0f);
 }
 
 TEST(SmoothLight, colour_borders_and_lamps_do_not_cut_the_light) {
@@ -106,7 +106,7 @@ TEST(SmoothLight, colour_borders_and_lamps_do_not_cut_the_light) {
   lit.patch({a, c, d}, 4.0f, 0.0f, 1);
   const auto light = make_smooth_light(lit.patches, lit.solution);
   EXPECT_EQ(light.corners[0][0], light.corners[1][0]);
-  EXPECT_EQ(light.irradiance_front[3 * light.corners[0][0]], 3.0f);
+  EXPECT_EQ(light.irradiance.front[3 * light.corners[0][0]], 3.0f);
 }
 
 TEST(SmoothLight, a_single_triangle_keeps_its_light) {
@@ -114,8 +114,8 @@ TEST(SmoothLight, a_single_triangle_keeps_its_light) {
   lit.patch({lit.vertex({0, 0, 0}), lit.vertex({1, 0, 0}), lit.vertex({0, 1, 0})}, 2.0f, 3.0f);
   const auto light = make_smooth_light(lit.patches, lit.solution);
   ASSERT_EQ(light.size(), 3u);
-  for (const auto h : light.irradiance_front) EXPECT_EQ(h, 2.0f);
-  for (const auto h : light.irradiance_back) EXPECT_EQ(h, 3.0f);
+  for (const auto h : light.irradiance.front) EXPECT_EQ(h, 2.0f);
+  for (const auto h : light.irradiance.back) EXPECT_EQ(h, 3.0f);
 }
 
 TEST(SmoothLight, a_triangle_without_area_gives_numbers) {
@@ -123,7 +123,7 @@ TEST(SmoothLight, a_triangle_without_area_gives_numbers) {
   lit.patch({lit.vertex({0, 0, 0}), lit.vertex({1, 0, 0}), lit.vertex({2, 0, 0})}, 2.0f);
   const auto light = make_smooth_light(lit.patches, lit.solution);
   ASSERT_EQ(light.size(), 3u);
-  for (const auto h : light.irradiance_front) EXPECT_EQ(h, 0.0f);
+  for (const auto h : light.irradiance.front) EXPECT_EQ(h, 0.0f);
   for (const auto& n : light.normal) EXPECT_EQ(glm::length(n), 1.0f);
 }
 
@@ -134,9 +134,9 @@ TEST(SmoothLight, nothing_gives_nothing) {
 
 TEST(SmoothLight, the_light_of_another_scene_is_refused) {
   auto lit = grid(1, [](float, float) { return 1.0f; });
-  lit.solution.irradiance_front.pop_back();
+  lit.solution.irradiance.front.pop_back();
   EXPECT_THROW(make_smooth_light(lit.patches, lit.solution), MismatchError);
-  lit.solution.irradiance_front.push_back(1.0f);
+  lit.solution.irradiance.front.push_back(1.0f);
   lit.solution.bands = {"a", "b", "c"};
   EXPECT_THROW(make_smooth_light(lit.patches, lit.solution), MismatchError);
 }
@@ -157,7 +157,7 @@ TEST(SmoothLight, crease_angle_zero_leaves_every_patch_its_own_value) {
   ASSERT_EQ(light.size(), 3 * lit.patches.size());
   for (std::size_t p = 0; p < lit.patches.size(); ++p)
     for (const auto s : light.corners[p])
-      EXPECT_EQ(light.irradiance_front[3 * s], lit.solution.irradiance_front[3 * p]);
+      EXPECT_EQ(light.irradiance.front[3 * s], lit.solution.irradiance.front[3 * p]);
 }
 
 }  // namespace

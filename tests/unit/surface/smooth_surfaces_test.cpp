@@ -17,10 +17,10 @@ using test::LitPatches;
 using test::plain_material;
 
 float front(const SmoothLight& light, std::size_t patch, std::size_t corner) {
-  return light.irradiance_front[3 * light.corners[patch][corner]];
+  return light.irradiance.front[3 * light.corners[patch][corner]];
 }
 float back(const SmoothLight& light, std::size_t patch, std::size_t corner) {
-  return light.irradiance_back[3 * light.corners[patch][corner]];
+  return light.irradiance.back[3 * light.corners[patch][corner]];
 }
 
 // A unit cube, outward; face f has light f + 1 on both its triangles.
@@ -110,7 +110,7 @@ TEST(SmoothSurfaces, a_flipped_neighbour_goes_on_with_its_back) {
 
 TEST(SmoothSurfaces, the_back_of_a_one_sided_neighbour_has_no_say) {
   auto lit = flipped_strip({plain_material("grey", 0.5f), plain_material("sheet", 0.5f, false)}, 1);
-  for (std::size_t band = 0; band < 3; ++band) lit.solution.irradiance_back[3 + band] = 0.0f;
+  for (std::size_t band = 0; band < 3; ++band) lit.solution.irradiance.back[3 + band] = 0.0f;
   const auto light = make_smooth_light(lit.patches, lit.solution);
   EXPECT_EQ(front(light, 0, 0), 2.0f);  // not (2 + 0) / 2
   EXPECT_EQ(back(light, 0, 0), 15.0f);

@@ -23,7 +23,7 @@ constexpr std::size_t bands = 3;
 // One-sided squares of 4 x 4 m, 1024 patches each.
 struct Floor {
   PatchSet patches;
-  Workers workers;
+  Context context;
   PatchTree tree;
   GatherSides sides;
   std::vector<float> area;  // [receiver]
@@ -34,13 +34,13 @@ struct Floor {
                                  .quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0})
                                  .scene(),
                              {.max_edge = max_edge})),
-        workers(threads),
-        tree(make_patch_tree(patches, workers)),
+        context(threads),
+        tree(make_patch_tree(patches, context)),
         sides(all_gather_sides(patches, tree)) {
-    for (const auto s : sides.side) area.push_back(patches.area[s / 2]);
+    for (const auto s : sides.side) area.push_back(patches.area[s.patch()]);
   }
   Vec3 centroid(std::size_t receiver) const {
-    const auto [a, b, c] = patches.points(sides.side[receiver] / 2);
+    const auto [a, b, c] = patches.points(sides.side[receiver].patch());
     return (a + b + c) / 3.0f;
   }
 };
@@ -70,7 +70,7 @@ struct Smooth {
 Smooth smooth(const Floor& f, std::vector<std::vector<float>> values) {
   std::vector<float> bias(values[0].size(), 0.0f);
   std::vector<std::vector<float>> direct(values.size(), std::vector<float>(values[0].size(), 0.0f));
-  Smoothing(f.patches, f.tree, f.sides).smooth(direct, values, bias, f.workers, {nullptr, f.sides.size(), 1});
+  Smoothing(f.patches, f.tree, f.sides).smooth(direct, values, bias, f.context, {{}, f.sides.size(), 1});
   return {std::move(values), std::move(bias)};
 }
 
@@ -99,7 +99,7 @@ void expect_noise_of(double numbers, const Field& field) {
     const auto smoothed = smooth(f, noisy(f, field, sigma, static_cast<std::uint64_t>(run)));
     total_squared_error += true_squared_error(f, smoothed.values, field);
     const std::vector<float> none(smoothed.bias.size(), 0.0f);
-    spread += spread_of(smoothed.values, none, bands, f.area, f.workers).total_squared_error;
+    spread += spread_of(smoothed.values, {none, bands, f.area}, f.context).total_squared_error;
     for (std::size_t i = 0; i < smoothed.bias.size(); ++i)
       bias += static_cast<double>(f.area[i / bands] * smoothed.bias[i]);
   }
@@ -131,7 +131,7 @@ TEST(Smoothing, leaves_a_step_where_it_is) {
   const Field step = [](const Vec3& p) { return p.x < 1.7f ? 1.0f : 3.0f; };
   constexpr float sigma = 0.1f;
   const auto smoothed = smooth(f, noisy(f, step, sigma, 1));
-  const auto spread = spread_of(smoothed.values, smoothed.bias, bands, f.area, f.workers);
+  const auto spread = spread_of(smoothed.values, {smoothed.bias, bands, f.area}, f.context);
   // Six standard errors of a patch's own mean; risk: 3072 times two in a thousand million.
   for (std::size_t i = 0; i < spread.mean.size(); ++i)
     ASSERT_NEAR(spread.mean[i], step(f.centroid(i / bands)), 6.0f * sigma / std::sqrt(8.0f));
@@ -150,7 +150,7 @@ TEST(Smoothing, counts_the_bias_of_light_that_is_almost_a_plane) {
     const auto smoothed = smooth(f, noisy(f, bent, 0.5f, run));
     total_squared_error += true_squared_error(f, smoothed.values, bent);
     const std::vector<float> none(smoothed.bias.size(), 0.0f);
-    variance += spread_of(smoothed.values, none, bands, f.area, f.workers).total_squared_error;
+    variance += spread_of(smoothed.values, {none, bands, f.area}, f.context).total_squared_error;
     for (std::size_t i = 0; i < smoothed.bias.size(); ++i)
       bias += static_cast<double>(f.area[i / bands] * smoothed.bias[i]);
   }
@@ -189,12 +189,12 @@ TEST(Smoothing, ranks_get_for_their_receivers_the_bits_of_one) {
   ASSERT_NE(alone.values, noise);
   for (const std::size_t count : {2u, 5u})
     ThreadRanks::run(count, [&](const Ranks& ranks) {
-      const Workers workers(1);
+      const Context context({.threads = 1, .ranks = &ranks});
       auto values = noise;
       std::vector<std::vector<float>> direct(values.size(), std::vector<float>(values[0].size(), 0.0f));
       std::vector<float> own_bias(alone.bias.size(), 0.0f);
-      const auto mine = spread_partition(&ranks, f.sides.size());
-      Smoothing(f.patches, f.tree, f.sides).smooth(direct, values, own_bias, workers, mine);
+      const auto mine = spread_partition(SharedWork(context), f.sides.size());
+      Smoothing(f.patches, f.tree, f.sides).smooth(direct, values, own_bias, context, mine);
       const auto is_same = [&](const std::vector<float>& a, const std::vector<float>& b) {
         const auto at = [&](std::size_t receiver) { return static_cast<std::ptrdiff_t>(receiver * bands); };
         return std::equal(a.begin() + at(mine.begin()), a.begin() + at(mine.end()),
@@ -258,23 +258,23 @@ TEST(Smoothing, goes_on_round_curved_surfaces) {
     };
     builder.quad(at(i, 0.0f), at(i + 1, 0.0f), at(i + 1, 4.0f), at(i, 4.0f));
   }
-  const Workers workers(2);
+  const Context context(2);
   const auto patches = make_patches(builder.scene(), {.max_edge = 0.3f});
-  const auto tree = make_patch_tree(patches, workers);
+  const auto tree = make_patch_tree(patches, context);
   const auto sides = all_gather_sides(patches, tree);
   const auto sheets = make_light_sheets(patches, tree, sides);
   ASSERT_EQ(sheets.size(), 1u);
   ASSERT_FALSE(sheets[0].is_flat());
   std::vector<std::vector<float>> direct(8, std::vector<float>(sides.size() * bands, 0.0f));
   auto values = direct;
-  const auto light = [&](std::size_t s) { return 2.0f + patches.normal[sides.side[s] / 2].x; };
+  const auto light = [&](std::size_t s) { return 2.0f + patches.normal[sides.side[s].patch()].x; };
   constexpr float sigma = 0.5f;
   for (std::uint32_t r = 0; r < values.size(); ++r)
     for (std::uint32_t s = 0; s < sides.size(); ++s)
       for (std::uint32_t b = 0; b < bands; ++b)
         values[r][s * bands + b] = light(s) + sigma * std::sqrt(12.0f) * (uniform4({1, r, s, b})[0] - 0.5f);
   std::vector<float> bias(sides.size() * bands, 0.0f);
-  Smoothing(patches, tree, sides).smooth(direct, values, bias, workers, {nullptr, sides.size(), 1});
+  Smoothing(patches, tree, sides).smooth(direct, values, bias, context, {{}, sides.size(), 1});
   double total_squared_error = 0.0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     double mean = 0.0;

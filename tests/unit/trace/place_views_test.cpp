@@ -53,8 +53,8 @@ struct Placed {
 
 Placed place(const Scene& scene, int threads = 2) {
   Placed placed{make_patches(scene, {.max_edge = no_max_edge}), {}};
-  const Workers workers(threads);
-  placed.views = place_views(placed.patches, Tracer(placed.patches, workers), workers);
+  const Context context(threads);
+  placed.views = place_views(placed.patches, Tracer(placed.patches, context), context);
   return placed;
 }
 
@@ -185,13 +185,13 @@ TEST(PlaceViews, with_a_focus_only_named_surfaces_count) {
   const auto scene = b.scene();
   auto patches = make_patches(scene, {.max_edge = no_max_edge});
   set_focus(scene, "pict*", patches);
-  const Workers workers(2);
-  const Tracer tracer(patches, workers);
-  const auto views = place_views(patches, tracer, workers).stating;
+  const Context context(2);
+  const Tracer tracer(patches, context);
+  const auto views = place_views(patches, tracer, context).stating;
   ASSERT_GT(views.size(), 50u);
   for (const auto s : views.seen) {
     if (s >= Views::sky) continue;
-    EXPECT_EQ(patches.material_of(views.sides[s] / 2).name, "picture");
+    EXPECT_EQ(patches.material_of(views.sides[s].patch()).name, "picture");
   }
   EXPECT_THROW(set_focus(scene, "sofa", patches), InputError);
   EXPECT_THROW(set_focus(scene, "camera", patches), InputError);
@@ -206,11 +206,12 @@ TEST(PlaceViews, with_the_focus_on_cameras_views_are_what_they_see) {
   scene.cameras.push_back({.eye = {5, 5, 2}, .target = {0, 5, 2}, .up = {0, 0, 1}, .vertical_fov = 20.0f});
   auto patches = make_patches(scene, {.max_edge = no_max_edge});
   set_focus(scene, "camera", patches);
-  const Workers workers(2);
-  const Tracer tracer(patches, workers);
-  const auto views = place_views(patches, tracer, workers).stating;
+  const Context context(2);
+  const Tracer tracer(patches, context);
+  const auto views = place_views(patches, tracer, context).stating;
   ASSERT_EQ(views.size(), 1u);
-  for (const auto side : views.sides) EXPECT_LT(patches.centroid(side / 2).x, 1.0f) << "the wall in front";
+  for (const auto side : views.sides)
+    EXPECT_LT(patches.centroid(side.patch()).x, 1.0f) << "the wall in front";
 }
 
 }  // namespace

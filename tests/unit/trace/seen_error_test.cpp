@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/look_around.h"
 
 #include "support/truth_scenes.h"
@@ -25,8 +25,7 @@ Views views_of(const std::vector<std::vector<std::uint32_t>>& seen, std::uint32_
     views.eye.push_back(Vec3(0.0f));
     views.weight.push_back(1.0f / static_cast<float>(seen.size()));
   }
-  views.sides.resize(sides);
-  std::iota(views.sides.begin(), views.sides.end(), 0u);
+  for (std::uint32_t s = 0; s < sides; ++s) views.sides.push_back(SideId::at(s));
   return views;
 }
 
@@ -86,12 +85,12 @@ TEST(SeenError, light_of_a_side_is_radiance_with_its_own_emission) {
   const auto patches = make_patches(truth::cube({truth::Wall{0.5f, 2.0f}}), {.max_edge = no_max_edge});
   const std::vector<float> irradiance = {4.0f, 4.0f, 4.0f};
   const std::vector<double> squared_error = {0.04, 0.04, 0.04};
-  const auto front = light_of_side(patches, 0, irradiance, squared_error, false);
+  const auto front = light_of_side(patches, SideId(0, false), irradiance, squared_error, false);
   EXPECT_NEAR(front.radiance, 4.0 / std::numbers::pi, 1e-6) << "2 emitted and half of 4";
   EXPECT_NEAR(std::sqrt(front.squared_error), 0.1 / std::numbers::pi, 1e-6);
-  const auto back = light_of_side(patches, 1, irradiance, squared_error, false);
+  const auto back = light_of_side(patches, SideId(0, true), irradiance, squared_error, false);
   EXPECT_NEAR(back.radiance, 2.0 / std::numbers::pi, 1e-6);
-  const auto as_irradiance = light_of_side(patches, 1, irradiance, squared_error, true);
+  const auto as_irradiance = light_of_side(patches, SideId(0, true), irradiance, squared_error, true);
   EXPECT_NEAR(as_irradiance.radiance, 4.0 / std::numbers::pi, 1e-6);
 }
 

@@ -5,6 +5,7 @@
 
 #include "luxel/core/address.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
 
 #include "support/truth_scenes.h"
@@ -14,8 +15,8 @@ namespace {
 
 TEST(Tracer, says_what_is_hit_where_and_from_which_side) {
   const auto patches = make_patches(truth::plates(), {.max_edge = no_max_edge});
-  const Workers workers(1);
-  const Tracer tracer(patches, workers);
+  const Context context(1);
+  const Tracer tracer(patches, context);
   const auto up = tracer.nearest({{0.75f, 0.25f, 0.5f}, {0, 0, 1}});
   ASSERT_TRUE(up);
   EXPECT_EQ(patches.material_of(up.patch).name, "upper");
@@ -33,8 +34,8 @@ TEST(Tracer, says_what_is_hit_where_and_from_which_side) {
 
 TEST(Tracer, knows_what_stands_in_the_way) {
   const auto patches = make_patches(truth::plates(), {.max_edge = no_max_edge});
-  const Workers workers(1);
-  const Tracer tracer(patches, workers);
+  const Context context(1);
+  const Tracer tracer(patches, context);
   const Ray ray{{0.3f, 0.6f, 0.5f}, {0, 0, 1}};
   EXPECT_TRUE(tracer.occluded(ray, 0.6f));
   EXPECT_FALSE(tracer.occluded(ray, 0.4f));
@@ -46,12 +47,12 @@ TEST(Tracer, behaves_alike_at_every_scale) {
   for (const float size : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f}) {
     auto scene = truth::cube({}, size);
     const auto patches = make_patches(scene, {.max_edge = 0.15f * size});
-    const Workers workers(1);
-    const Tracer tracer(patches, workers);
+    const Context context(1);
+    const Tracer tracer(patches, context);
     std::size_t escaped = 0;
     std::size_t own_wall = 0;
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      const PatchEmitter emitter(patches, side_of(p, false));
+      const PatchEmitter emitter(patches, SideId(p, false));
       for (std::size_t i = 0; i < 500; ++i) {
         const auto hit =
             tracer.nearest(emitter.ray(uniform4(stream_key(1, 0, static_cast<std::uint32_t>(p)), i)));
@@ -66,11 +67,11 @@ TEST(Tracer, behaves_alike_at_every_scale) {
 
 TEST(Tracer, many_rays_get_the_hits_of_each_one_alone) {
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.1f});
-  const Workers workers(1);
-  const Tracer tracer(patches, workers);
+  const Context context(1);
+  const Tracer tracer(patches, context);
   std::vector<Ray> rays;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    rays.push_back(PatchEmitter(patches, side_of(p, p % 3 == 0)).ray(uniform4(stream_key(1, 0, 0), p)));
+    rays.push_back(PatchEmitter(patches, SideId(p, p % 3 == 0)).ray(uniform4(stream_key(1, 0, 0), p)));
   std::vector<Hit> hits(rays.size());
   tracer.nearest(rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/error.h"
-#include "luxel/viewer/instruments.h"
-#include "luxel/viewer/lamp_board.h"
+#include "luxel/viewer/camera_controller.h"
+#include "luxel/viewer/light_mixer.h"
 #include "luxel/viewer/look.h"
-#include "luxel/viewer/navigator.h"
+#include "luxel/viewer/overlays.h"
 #include "luxel/viewer/script.h"
 
 #include "support/lit_patches.h"
@@ -52,49 +52,47 @@ TEST(Look, choices_are_made_by_name_and_wrong_ones_are_said) {
 class Flight : public testing::Test {
  protected:
   Flight()
-      : navigator_([this](float x, float y) -> std::optional<Vec3> {
-          const auto seen = sight(navigator_.pose(), navigator_.space(), navigator_.aspect(), x, y);
+      : camera_([this](float x, float y) -> std::optional<Vec3> {
+          const auto seen = sight(camera_.pose(), camera_.space(), camera_.aspect(), x, y);
           if (!(seen.direction.z < 0.0f)) return std::nullopt;
           return seen.origin - seen.origin.z / seen.direction.z * seen.direction;
         }) {
-    navigator_.set_screen({800, 600});
-    navigator_.set_space(Space(Vec3(0.0f, 0.0f, 1.0f)), {Vec3(-4, -4, 0), Vec3(4, 4, 3)});
-    navigator_.set_home({.eye = Vec3(0, -3, 2), .pitch = -0.5f}, false);
+    camera_.set_screen({800, 600});
+    camera_.set_space(Space(Vec3(0.0f, 0.0f, 1.0f)), {Vec3(-4, -4, 0), Vec3(4, 4, 3)});
+    camera_.set_home({.eye = Vec3(0, -3, 2), .pitch = -0.5f}, false);
   }
-  void key(Key which, bool down) {
-    navigator_.handle({.kind = Event::Kind::key, .key = which, .down = down});
-  }
-  void move(float x, float y) { navigator_.handle({.kind = Event::Kind::move, .at = Vec2(x, y)}); }
-  void button(bool down) { navigator_.handle({.kind = Event::Kind::button, .down = down}); }
+  void key(Key which, bool down) { camera_.handle({.kind = Event::Kind::key, .key = which, .down = down}); }
+  void move(float x, float y) { camera_.handle({.kind = Event::Kind::move, .at = Vec2(x, y)}); }
+  void button(bool down) { camera_.handle({.kind = Event::Kind::button, .down = down}); }
 
-  Navigator navigator_;
+  CameraController camera_;
 };
 
 TEST_F(Flight, keys_move_the_eye_and_shift_is_faster) {
-  const auto begin = navigator_.pose().eye;
+  const auto begin = camera_.pose().eye;
   key('W', true);
-  navigator_.advance(0.5);
-  const auto slow = glm::length(navigator_.pose().eye - begin);
-  EXPECT_NEAR(slow, 0.5f * navigator_.speed(), 1e-4f);
+  camera_.advance(0.5);
+  const auto slow = glm::length(camera_.pose().eye - begin);
+  EXPECT_NEAR(slow, 0.5f * camera_.speed(), 1e-4f);
   key(key::shift, true);
-  navigator_.advance(0.5);
-  EXPECT_NEAR(glm::length(navigator_.pose().eye - begin), 5.0f * slow, 1e-3f);
+  camera_.advance(0.5);
+  EXPECT_NEAR(glm::length(camera_.pose().eye - begin), 5.0f * slow, 1e-3f);
   key('W', false);
-  const auto end = navigator_.pose();
-  navigator_.advance(0.5);
-  EXPECT_EQ(navigator_.pose(), end);
+  const auto end = camera_.pose();
+  camera_.advance(0.5);
+  EXPECT_EQ(camera_.pose(), end);
 }
 
 TEST_F(Flight, a_drag_turns_about_what_is_under_the_cursor) {
   move(500, 350);
-  const auto aim = navigator_.aim();
-  const auto seen = sight(navigator_.pose(), navigator_.space(), navigator_.aspect(), aim.x, aim.y);
+  const auto aim = camera_.aim();
+  const auto seen = sight(camera_.pose(), camera_.space(), camera_.aspect(), aim.x, aim.y);
   const auto held = seen.origin - seen.origin.z / seen.direction.z * seen.direction;
   button(true);
   move(560, 330);
   button(false);
-  EXPECT_FALSE(navigator_.is_click());
-  const auto after = sight(navigator_.pose(), navigator_.space(), navigator_.aspect(), aim.x, aim.y);
+  EXPECT_FALSE(camera_.is_click());
+  const auto after = sight(camera_.pose(), camera_.space(), camera_.aspect(), aim.x, aim.y);
   const auto way = glm::normalize(held - after.origin);
   EXPECT_LT(glm::length(way - after.direction), 1e-4f);
   EXPECT_GT(glm::length(after.origin - seen.origin), 0.1f);
@@ -103,31 +101,31 @@ TEST_F(Flight, a_drag_turns_about_what_is_under_the_cursor) {
 TEST_F(Flight, the_mouse_looks_around_only_while_flying) {
   move(400, 300);
   move(500, 300);
-  EXPECT_EQ(navigator_.pose().turn, 0.0f);
-  navigator_.set_flying(true);
+  EXPECT_EQ(camera_.pose().turn, 0.0f);
+  camera_.set_flying(true);
   move(400, 300);
   move(500, 300);
-  EXPECT_GT(navigator_.pose().turn, 0.1f);
+  EXPECT_GT(camera_.pose().turn, 0.1f);
 }
 
 TEST_F(Flight, views_are_kept_and_home_is_found_again) {
-  const auto begin = navigator_.pose();
+  const auto begin = camera_.pose();
   key(key::control, true);
   key('1', true);
   key('1', false);
   key(key::control, false);
-  ASSERT_TRUE(navigator_.has_view(0));
+  ASSERT_TRUE(camera_.has_view(0));
   move(400, 500);
   key('F', true);
-  navigator_.advance(1.0);
-  EXPECT_NE(navigator_.pose(), begin);
+  camera_.advance(1.0);
+  EXPECT_NE(camera_.pose(), begin);
   key('1', true);
-  navigator_.advance(1.0);
-  EXPECT_LT(glm::length(navigator_.pose().eye - begin.eye), 1e-5f);
-  navigator_.go_to({});
+  camera_.advance(1.0);
+  EXPECT_LT(glm::length(camera_.pose().eye - begin.eye), 1e-5f);
+  camera_.go_to({});
   key('H', true);
-  navigator_.advance(1.0);
-  EXPECT_LT(glm::length(navigator_.pose().eye - begin.eye), 1e-5f);
+  camera_.advance(1.0);
+  EXPECT_LT(glm::length(camera_.pose().eye - begin.eye), 1e-5f);
 }
 
 // A square floor of 4 m at z = 0 with a tracer, and an eye above it.
@@ -138,46 +136,46 @@ class DrawnLine : public testing::Test {
     for (const auto& p : {Vec3(-2, -2, 0), Vec3(2, -2, 0), Vec3(2, 2, 0), Vec3(-2, 2, 0)}) lit.vertex(p);
     lit.patch({0, 1, 2}, 1.0f);
     lit.patch({0, 2, 3}, 1.0f);
-    auto mesh = std::make_shared<LiveMesh>();
+    auto mesh = std::make_shared<SessionMesh>();
     mesh->patches = std::make_shared<const PatchSet>(lit.patches);
-    mesh->tracer = std::make_shared<const Tracer>(lit.patches, Workers(1));
+    mesh->tracer = std::make_shared<const Tracer>(lit.patches, Context(1));
     mesh->geometry = 1;
     mesh_ = mesh;
   }
   void frame() {
-    inquiry_.update_profile(*mesh_, nullptr);
-    instruments_.update({}, mesh_, nullptr, inquiry_, nullptr);
+    light_probe_.update_profile(*mesh_, nullptr);
+    overlays_.update({}, mesh_, nullptr, light_probe_, nullptr);
   }
 
-  std::shared_ptr<const LiveMesh> mesh_;
-  Inquiry inquiry_;
-  Instruments instruments_;
+  std::shared_ptr<const SessionMesh> mesh_;
+  LightProbe light_probe_;
+  Overlays overlays_;
 };
 
 TEST_F(DrawnLine, lies_on_the_scene_while_its_plot_is_there) {
   const Space space(Vec3(0, 0, 1));
   const Pose above{.eye = Vec3(0, 0, 3), .pitch = -steepest};
   frame();
-  EXPECT_TRUE(instruments_.marks().empty());
-  inquiry_.draw_line(above, space, 1.0f, Vec2(-0.5f, 0.0f), Vec2(0.5f, 0.0f));
+  EXPECT_TRUE(overlays_.marks().empty());
+  light_probe_.draw_line(above, space, 1.0f, Vec2(-0.5f, 0.0f), Vec2(0.5f, 0.0f));
   frame();
-  EXPECT_GT(instruments_.marks().segments.size(), 100u);
-  for (const auto& mark : instruments_.marks().segments) EXPECT_NEAR(mark.place.z, 0.0f, 1e-5f);
-  const auto before = instruments_.marks().segments.front().place;
+  EXPECT_GT(overlays_.marks().segments.size(), 100u);
+  for (const auto& mark : overlays_.marks().segments) EXPECT_NEAR(mark.place.z, 0.0f, 1e-5f);
+  const auto before = overlays_.marks().segments.front().place;
   // One looks at something else, from elsewhere: it stays where it lies.
-  inquiry_.look_at(*mesh_, nullptr, {.eye = Vec3(1, 1, 1), .pitch = -steepest}, space, 1.0f, Vec2(0.1f));
+  light_probe_.look_at(*mesh_, nullptr, {.eye = Vec3(1, 1, 1), .pitch = -steepest}, space, 1.0f, Vec2(0.1f));
   frame();
-  ASSERT_FALSE(instruments_.marks().segments.empty());
-  EXPECT_EQ(instruments_.marks().segments.front().place, before);
-  inquiry_.clear_line();
+  ASSERT_FALSE(overlays_.marks().segments.empty());
+  EXPECT_EQ(overlays_.marks().segments.front().place, before);
+  light_probe_.clear_line();
   frame();
-  EXPECT_TRUE(instruments_.marks().empty());
+  EXPECT_TRUE(overlays_.marks().empty());
 }
 
-TEST(LampBoard, untouched_it_changes_nothing_and_a_slider_changes_its_own_group_alone) {
+TEST(LightMixer, untouched_it_changes_nothing_and_a_slider_changes_its_own_group_alone) {
   test::LitPatches lit({test::plain_material("wall", 0.5f), test::plain_material("lamp", 0.0f, true, 9.0f)});
   lit.patches.light_groups = {"desk", "sky"};
-  LampBoard board(lit.patches);
+  LightMixer board(lit.patches);
   EXPECT_TRUE(board.lighting(lit.patches).lamps.empty());
   board.lamps[0].factor = 0.5f;
   board.materials[0].colour = Vec3(0.2f, 0.3f, 0.4f);

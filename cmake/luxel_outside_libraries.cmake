@@ -1,0 +1,40 @@
+# Finds the outside libraries that a build of Luxel needs.
+
+set(luxel_uses_mpi OFF)
+if(LUXEL_MPI)
+  # The compiler wrapper may be installed without the headers; CMake's own search stops with an error then.
+  find_program(LUXEL_MPI_COMPILER mpicxx)
+  mark_as_advanced(LUXEL_MPI_COMPILER)
+  if(LUXEL_MPI_COMPILER)
+    execute_process(COMMAND ${LUXEL_MPI_COMPILER} -x c++ -include mpi.h -fsyntax-only /dev/null
+                    RESULT_VARIABLE luxel_mpi_fails OUTPUT_QUIET ERROR_QUIET)
+    if(NOT luxel_mpi_fails)
+      find_package(MPI QUIET COMPONENTS CXX)
+      set(luxel_uses_mpi ${MPI_CXX_FOUND})
+    endif()
+  endif()
+endif()
+if(LUXEL_MPI STREQUAL "REQUIRED" AND NOT luxel_uses_mpi)
+  message(FATAL_ERROR "LUXEL_MPI is REQUIRED, but MPI with its headers was not found; set it to ON to build without")
+endif()
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(embree 3.13 REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
+
+# Headers alone: a user of the built library does without it.
+find_package(nlohmann_json REQUIRED)
+
+# Of the command alone.
+if(LUXEL_PROGRAM)
+  find_package(CLI11 REQUIRED)
+endif()
+if(LUXEL_VIEWER)
+  pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+  find_package(glfw3 3.3 REQUIRED)
+  pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+endif()

@@ -1,0 +1,35 @@
+# Targets for outside libraries that bring none of their own everywhere: luxel::hdf5, luxel::openexr, luxel::stb and
+# luxel::mpi. Our own build includes this file, and so does the installed package. luxel_uses_mpi: whether Luxel is built with MPI.
+
+# HDF5 by pkg-config, since CMake's search needs C enabled in the project; by that search where pkg-config has none.
+if(NOT TARGET luxel::hdf5)
+  add_library(luxel::hdf5 INTERFACE IMPORTED)
+  pkg_search_module(luxel_hdf5 QUIET IMPORTED_TARGET hdf5 hdf5-serial)
+  if(luxel_hdf5_FOUND)
+    target_link_libraries(luxel::hdf5 INTERFACE PkgConfig::luxel_hdf5)
+  else()
+    enable_language(C)
+    find_package(HDF5 REQUIRED COMPONENTS C)
+    target_include_directories(luxel::hdf5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
+    target_compile_definitions(luxel::hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
+    target_link_libraries(luxel::hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+  endif()
+endif()
+
+foreach(luxel_library OpenEXR stb)
+  string(TOLOWER luxel::${luxel_library} luxel_target)
+  if(NOT TARGET ${luxel_target})
+    add_library(${luxel_target} INTERFACE IMPORTED)
+    pkg_check_modules(luxel_${luxel_library} REQUIRED QUIET IMPORTED_TARGET ${luxel_library})
+    target_link_libraries(${luxel_target} INTERFACE PkgConfig::luxel_${luxel_library})
+  endif()
+endforeach()
+
+# Without MPI the target is empty: a run is one process.
+if(NOT TARGET luxel::mpi)
+  add_library(luxel::mpi INTERFACE IMPORTED)
+  if(luxel_uses_mpi)
+    target_link_libraries(luxel::mpi INTERFACE MPI::MPI_CXX)
+    target_compile_definitions(luxel::mpi INTERFACE LUXEL_HAS_MPI OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+  endif()
+endif()

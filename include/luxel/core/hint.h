@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "luxel/core/error.h"
+
+namespace luxel {
+
+/// \file
+/// What may help against an error, as data: the library names settings, a program says how its users change
+/// them (the command luxel names its options).
+
+enum class Setting {
+  bands,
+  contacts,
+  eye,
+  flip,
+  focus,
+  force,
+  light_group,
+  max_edge,
+  reflectance_limit,
+  memory,
+  method,
+  min_factor,
+  one_sided,
+  orient,
+  rays,
+  scale,
+  seed,
+  sky,
+  spectral,
+  target,
+  weld
+};
+
+/// A setting to change, and the value it should get; empty: the user's choice.
+struct Hint {
+  Setting setting;
+  std::string value = {};
+
+  bool operator==(const Hint&) const = default;
+};
+
+/// An error with hints is caught as the error that it is; hints_of() finds them.
+class HintCarrier {
+ public:
+  explicit HintCarrier(std::vector<Hint> own) : hints(std::move(own)) {}
+  virtual ~HintCarrier() = default;
+  std::vector<Hint> hints;
+};
+
+template <typename E>
+struct Hinted : E, HintCarrier {
+  Hinted(const E& error, std::vector<Hint> own) : E(error), HintCarrier(std::move(own)) {}
+};
+
+template <typename E>
+Hinted<E> with_hints(const E& error, std::vector<Hint> hints) {
+  return {error, std::move(hints)};
+}
+
+/// Those of an error; none where it has none.
+inline std::vector<Hint> hints_of(const std::exception& error) {
+  const auto* carrier = dynamic_cast<const HintCarrier*>(&error);
+  return carrier ? carrier->hints : std::vector<Hint>{};
+}
+
+/// The same error, with the file that it is about before its message.
+inline Hinted<InputError> with_file(const std::string& file, const InputError& error) {
+  return {InputError(file, error.what()), hints_of(error)};
+}
+
+}  // namespace luxel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "luxel/export/target_application.h"
+#include "luxel/image/tone.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+struct Baked;
+
+struct ExportOptions {
+  ToneOptions tone;
+  TargetApplication program = TargetApplication::any;  ///< of a GLB
+};
+
+/// A lit mesh anyone can look at: one primitive a material and side, POSITION, NORMAL and COLOR_0
+/// (tone-mapped light, linear, 16-bit normalised RGBA), KHR_materials_unlit; and, where the program keeps it,
+/// _IRRADIANCE: what arrives, W/m² by linear sRGB, as floats. The asset's extras say what both are, in which
+/// unit, and where pi comes in. What differs for a program, see ExportProfile. A back side is written, as
+/// triangles of its own, only where light fell on it. glTF is Y up: a scene whose up is Z is turned by its
+/// root node. Valid by the Khronos validator. A scene far from its file's zero is put there by the same node,
+/// and its accessors stay as exact as near zero. The same input gives the same bytes. Whole or not at all;
+/// throws DeviceError. Throws MismatchError where the light is not of these patches or not plain colour,
+/// InputError where up has no length or the mesh is beyond the 4 GiB of a GLB. A front without light is
+/// written black, so that nothing disappears. The asset's extras say how the light was made. Cost: linear;
+/// the file is made in memory.
+void export_glb(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
+                const SmoothLight& light, const Vec3& up, const ExportOptions& options = {});
+
+/// The same of a scene baked in one call (solve/bake.h), Y up, its light smoothed as SmoothOptions has it.
+void export_glb(const std::filesystem::path& path, const Baked& baked, const ExportOptions& options = {});
+
+/// Binary PLY with the same triangles: x y z, nx ny nz, red green blue (8-bit sRGB), and `irradiance_<band>`
+/// as float. x y z are doubles where the patches have an origin.
+void export_ply(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
+                const SmoothLight& light, const ExportOptions& options = {});
+
+}  // namespace luxel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/export/target_application.h"
+#include "luxel/image/image.h"
+#include "luxel/image/tone.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/scene.h"
+#include "luxel/solution/solution.h"
+#include "luxel/surface/atlas.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+struct VertexFit;
+
+struct RoundTripOptions {
+  ToneOptions tone;
+  TargetApplication program = TargetApplication::any;
+  double metres_per_unit = 1.0;      ///< as the scene was loaded
+  Vec3 up = Vec3(0.0f, 1.0f, 0.0f);  ///< of a scene that was not glTF
+};
+
+/// What light was found for, and the light.
+struct RoundTripInput {
+  const Scene& scene;
+  const PatchSet& patches;
+  const Solution& solution;
+};
+
+/// Patches as if a file had them so, for where their scene is not at hand. PatchSet::triangle of theirs must
+/// be each its own number.
+Scene scene_of(const PatchSet& patches);
+
+/// \file
+/// A scene with light on it, as one GLB. Where it was read from a glTF file (Scene::source, is_gltf()) that
+/// file is preserved: its nodes, names, hierarchy, textures, extensions and whatever else it says stay.
+/// Another scene becomes what it would be as glTF, see gltf_of(). A mesh that several nodes show becomes one
+/// for each, for each has light of its own. A back gets triangles of its own where light fell on it. Textures
+/// and base colours go on colouring the surfaces: the light is what a surface of the factor's colour sends
+/// back, and where there is no texture also what it emits. What is not opaque stays as it is. Valid where the
+/// file is. Whole or not at all.
+///
+/// All throw MismatchError where scene, file, patches and solution do not belong together, InputError where
+/// the file is damaged or the GLB would be beyond 4 GiB, DeviceError.
+
+/// COLOR_0, tone-mapped, and _IRRADIANCE as in export_glb(), materials unlit. The surfaces are cut into
+/// patches as the light is; a new vertex has the mean of what those around it have.
+void export_round_trip_cut(const std::filesystem::path& path, const RoundTripInput& input,
+                           const SmoothLight& light, const RoundTripOptions& options);
+/// The same on the file's own triangles, where `fit` has the light.
+void export_round_trip_uncut(const std::filesystem::path& path, const RoundTripInput& input,
+                             const VertexFit& fit, const RoundTripOptions& options);
+
+/// Pages of a lightmap, for a texture each.
+struct RoundTripPages {
+  const Atlas& atlas;
+  const std::vector<Image>& pages;  ///< [page]; irradiance, W/m², or radiance, W/(m² sr)
+  float white = 1.0f;               ///< what a texel of 1 stands for
+  bool as_file_has_it = false;      ///< the file's own coordinates (round_trip_layout()), not new ones
+};
+
+/// Both write nothing, and answer false, where the monitor says stop before all is ready.
+///
+/// Further texture coordinates where the pages show each surface; triangles stay as they are but where charts
+/// are cut. Pages become 8-bit sRGB textures. Irradiance: glTF has no place of its own for it, so materials
+/// name their page as MOZ_lightmap has it.
+bool export_round_trip_lightmap(const std::filesystem::path& path, const RoundTripInput& input,
+                                const RoundTripPages& pages, const RoundTripOptions& options,
+                                const Context& context = {});
+/// Radiance: as what black surfaces emit, so that every program shows it without a lamp.
+bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTripInput& input,
+                                const RoundTripPages& pages, const RoundTripOptions& options,
+                                const Context& context = {});
+
+}  // namespace luxel

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "luxel/core/vector.h"
+#include "luxel/form_factors/view_factors.h"
+#include "luxel/solution/solution.h"
+
+namespace luxel {
+
+inline constexpr std::uint32_t view_factors_format_version = 1;
+
+/// What a file says of its factors beside the numbers.
+struct ViewFactorsNote {
+  std::string between;    ///< "groups", "objects", "materials", "patches"
+  std::string sides;      ///< "front", "both"
+  bool enforced = false;  ///< the laws were enforced
+  Provenance provenance;  ///< method: "counted" or "exact"
+  /// Of elements that are patches; else empty.
+  std::vector<std::uint32_t> triangle;  ///< [element]: of the scene file
+  std::vector<Vec3> centre;             ///< [element], m, counted from the origin of the patches
+  Vec3d origin = Vec3d(0.0);
+};
+
+/// HDF5, whole or not at all; docs/view-factors.md is the layout. The same input gives the same bytes. Made
+/// in memory, so it costs the file's size there: about 16 bytes a listed factor, less and slower where it is
+/// compressed. Throws DeviceError where the disk fails.
+void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactors& factors,
+                             const ViewFactorsNote& note, bool is_compressed = false);
+
+/// What that wrote, to the bit, with all that can be checked checked: lengths, indices, finite numbers.
+/// Throws InputError where there is no such file, FormatError where it is damaged, something else or newer.
+struct StoredViewFactors {
+  ViewFactors factors;
+  ViewFactorsNote note;
+};
+StoredViewFactors read_view_factors_hdf5(const std::filesystem::path& path);
+
+/// One line per factor: from,to,factor,standard_error (RFC 4180: names that need it in quotes). Sinks stand
+/// as "(environment)", "(backs)", "(dropped)" where they are not 0. Whole or not at all.
+void write_view_factors_csv(const std::filesystem::path& path, const ViewFactors& factors);
+
+/// Matrix Market, "coordinate real general": line i, column j, F_ij, counted from 1, with names and areas as
+/// comments. Whole or not at all.
+void write_view_factors_matrix_market(const std::filesystem::path& path, const ViewFactors& factors,
+                                      const ViewFactorsNote& note);
+
+}  // namespace luxel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "luxel/image/image.h"
+
+namespace luxel {
+
+/// Pixels as a file holds them, row by row from the top left: 8-bit codes, or numbers where the file has
+/// such.
+struct Raster {
+  using Code = std::array<std::uint8_t, 4>;  ///< red, green, blue by sRGB; alpha, linear
+
+  int width = 0;
+  int height = 0;
+  std::vector<Code> codes;   ///< width * height, or none where there is `linear`
+  std::vector<Vec3> linear;  ///< width * height: of EXR and HDR files, finite, opaque
+
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
+  /// Linear sRGB; of the file's colour, whatever its alpha.
+  Vec3 colour(std::size_t pixel) const;
+  /// [0, 1]
+  float alpha(std::size_t pixel) const {
+    return codes.empty() ? 1.0f : static_cast<float>(codes[pixel][3]) / 255.0f;
+  }
+};
+
+/// PNG, JPEG, BMP, Radiance HDR, OpenEXR (told by their first bytes) or TGA (told by its ending). Deeper PNG
+/// files are reduced to 8 bits, grey becomes RGB; a file without alpha is opaque, and so are those of linear
+/// values. In these NaN becomes 0 and infinity 65504. Throws InputError naming the file where it is missing,
+/// damaged, of another format, larger than 512 MiB or than 16384 pixels per side.
+Raster read_raster(const std::filesystem::path& path);
+
+/// The same from a file in memory, which errors call `name`; its ending tells TGA.
+Raster decode_raster(std::string_view bytes, const std::string& name);
+
+/// All of it, without alpha.
+Image as_image(const Raster& raster);
+
+}  // namespace luxel

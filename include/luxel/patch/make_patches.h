@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "luxel/core/context.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+inline constexpr float no_max_edge = 0.0f;      ///< triangles as they come
+inline constexpr float automatic_edge = -1.0f;  ///< from the scene: about PatchOptions::target_count patches
+
+struct PatchOptions {
+  float max_edge = automatic_edge;  ///< m; longer edges are split in halves; or one of the two words above
+  /// patches that the automatic edge aims at (more where triangles are finer)
+  std::size_t target_count = 50'000;
+  std::size_t max_count = 20'000'000;  ///< more is an InputError that says which max_edge would fit
+  bool contacts = true;                ///< cut where surfaces touch or pass through each other
+  float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
+};
+
+/// Splits every edge longer than max_edge in halves, and those again. Whether an edge is split depends on its
+/// own two ends only, so neighbours split a shared edge alike and no cracks appear. Each step bisects a
+/// triangle's longest edge: no angle gets smaller than half the smallest of the input triangle (Rosenberg and
+/// Stenger 1975; Rivara 1984), and slivers become short fragments as wide as they were. Triangles without
+/// area, and triangles that lie exactly on another one, are left out and counted in a warning; of two that
+/// coincide the lamp, else the first, stays, two-sided if they face opposite ways.
+///
+/// Then the patches are cut along the lines where other surfaces touch or pass through theirs
+/// (contact_lines.h), which become edges and PatchSet::contacts; see cut_contacts.h. Patches that no such
+/// line meets stay as they are. About two seconds of processor time for a million triangles, most of it
+/// shared by the threads, and 20 us per line. The same bits for any number of threads.
+///
+/// The monitor receives the stage "patches"; after its stop the set is empty.
+PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
+
+/// The edge that automatic_edge stands for in this scene, m.
+float automatic_max_edge(const Scene& scene, std::size_t target_count);
+
+}  // namespace luxel

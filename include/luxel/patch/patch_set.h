@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "luxel/core/vector.h"
+#include "luxel/patch/side.h"
+#include "luxel/scene/camera.h"
+#include "luxel/scene/material.h"
+#include "luxel/scene/point_light.h"
+#include "luxel/scene/texture.h"
+#include "luxel/scene/waveband.h"
+
+namespace luxel {
+
+class BandColours;
+
+/// What no patch reflects more than, whatever its texture and its material are changed to.
+inline constexpr float max_reflectance = 0.999f;
+
+/// A material as the transport sees it: one number a band.
+struct BandMaterial {
+  std::string name;
+  bool two_sided = true;
+  std::vector<float> reflectance;  ///< [band], [0, 1)
+  std::vector<float> emittance;    ///< [band], W/m² in the band, front side
+  std::uint32_t light_group = 0;   ///< of PatchSet::light_groups; counts for lamps only
+  MaterialTextures textures = {};
+
+  bool is_lamp() const;
+};
+
+/// A lamp without a surface, as the transport sees it.
+struct BandPointLight {
+  PointLight light;              ///< what it says of colour counts no more
+  std::vector<float> intensity;  ///< [band]: W/sr in the band, or W/m² of a directional one
+  std::uint32_t light_group = 0;
+};
+
+/// Another surface touches this one along an edge of its patches, or passes through it there: on the side
+/// that the other one stands on, light may jump across the edge though the surface goes on.
+struct Contact {
+  std::array<std::uint32_t, 2> edge{};  ///< vertices, the lower first
+  Vec3 into{0.0f};                      ///< unit, at right angles to the edge: where the other surface goes
+
+  bool operator==(const Contact&) const = default;
+};
+
+/// A triangle of open space through which the sky lights a dim place: a part of a window, a door, a pane of
+/// glass. It is no surface. Rays towards it are shadow rays whose light is the sky's, see lamps/portals.h.
+struct Portal {
+  std::array<Vec3, 3> corner{};  ///< m; counter-clockwise seen from the place that it lights
+  bool both_ways = false;        ///< lights what lies behind it, too
+
+  bool operator==(const Portal&) const = default;
+};
+
+/// The surfaces cut into patches of constant radiosity. Parallel arrays: entry i of each is patch i. Patches
+/// stand in the order of their input triangles. Vertices at the same place are one vertex, so neighbours
+/// share indices.
+struct PatchSet {
+  std::vector<Vec3> vertices;                         ///< m, counted from `origin`
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< counter-clockwise seen from the front
+  std::vector<Vec3> normal;                           ///< unit, front side
+  std::vector<float> area;                            ///< m²
+  std::vector<MaterialId> material;
+  std::vector<std::uint32_t> triangle;  ///< index of the input triangle, see Scene
+  std::vector<Contact> contacts;        ///< sorted by edge; a wall through a floor makes two, above and below
+
+  std::vector<std::string> bands;   ///< names: "red", "green", "blue", or "400 nm", "404 nm" and so on
+  std::vector<Waveband> wavebands;  ///< [band], where light is solved by wavelength; else empty
+  std::vector<BandMaterial> materials;
+  std::vector<BandPointLight> point_lights;
+  std::vector<float> sky;  ///< [band], W/(m² sr): radiance of what lies around the scene; empty: dark
+  /// Any set of triangles gives the same light; a good one gives it with less noise. Without a sky they have
+  /// no effect. The samples of a run belong to its portals, so a solution file keeps them.
+  std::vector<Portal> portals;
+  /// Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
+  /// sky. Empty: all light is one.
+  std::vector<std::string> light_groups;
+  std::uint64_t scene_fingerprint = 0;
+  Vec3d origin = Vec3d(0.0);  ///< m, as in Scene
+
+  /// Where textures, or the colours of corners, colour surfaces; else all of these are empty.
+  std::vector<Texture> textures;
+  std::vector<UvSet> uv_sets;                       ///< [set], of the patches' corners
+  std::vector<std::array<Vec3, 3>> corner_colours;  ///< [patch][corner], linear
+  /// Over what the patch's material reflects, and emits: in the mean over the patch, of what holes leave of
+  /// it. `area` is that of what they leave.
+  std::vector<float> reflectance_ratio, emittance_ratio;  ///< [patch][band]
+
+  /// Where the error of the light matters beside the open space, see trace/place_views.h. None of these
+  /// changes what the light converges to.
+  std::vector<Camera> cameras;      ///< as in Scene, or those that a person gave; often none
+  bool focuses_on_cameras = false;  ///< what these see is all that matters
+  std::vector<std::uint8_t> focus;  ///< [patch], 1 where it matters; empty: everywhere
+
+  std::size_t size() const { return corners.size(); }
+  std::vector<Vec3> eyes() const;  ///< of the cameras
+  std::size_t band_count() const { return bands.size(); }
+  std::size_t group_count() const { return light_groups.empty() ? 1 : light_groups.size(); }
+  bool has_sky() const;
+  /// Irradiance of what sees nothing but the sky, W/m²: pi times its radiance, as if it were a surface.
+  double sky_radiosity(std::size_t band) const {
+    assert(sky.empty() || band < sky.size());
+    return sky.empty() ? 0.0 : std::numbers::pi * static_cast<double>(sky[band]);
+  }
+  const BandMaterial& material_of(std::size_t patch) const {
+    assert(patch < material.size());
+    return materials[static_cast<std::size_t>(material[patch])];
+  }
+  /// Of a patch, in the mean over its area: [0, 1).
+  float reflectance(std::size_t patch, std::size_t band) const {
+    assert(band < material_of(patch).reflectance.size());
+    const auto of_material = material_of(patch).reflectance[band];
+    return reflectance_ratio.empty()
+               ? of_material
+               : std::min(max_reflectance, of_material * reflectance_ratio[patch * bands.size() + band]);
+  }
+  /// Likewise, W/m² in the band, of its front.
+  float emittance(std::size_t patch, std::size_t band) const {
+    assert(band < material_of(patch).emittance.size());
+    const auto of_material = material_of(patch).emittance[band];
+    return emittance_ratio.empty() ? of_material : of_material * emittance_ratio[patch * bands.size() + band];
+  }
+  std::array<Vec3, 3> points(std::size_t patch) const {
+    assert(patch < corners.size());
+    const auto& c = corners[patch];
+    return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
+  }
+  Vec3 normal_of(SideId side) const { return side.is_back() ? -normal[side.patch()] : normal[side.patch()]; }
+  Vec3 centroid(std::size_t patch) const {
+    const auto p = points(patch);
+    return (p[0] + p[1] + p[2]) / 3.0f;
+  }
+  /// Whether they are plain colour, or wavebands.
+  bool has_colours() const;
+  /// What light of these bands looks like. Throws MismatchError where they are neither plain colour (red,
+  /// green and blue in this order) nor wavebands.
+  BandColours colours() const;
+  /// A point in the file's coordinates, for a person to read.
+  Vec3d in_file(const Vec3& point) const { return origin + Vec3d(point); }
+};
+
+}  // namespace luxel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/core/context.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/camera.h"
+#include "luxel/solution/solution.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+/// Which way is up: the axis more surfaces are level about; where they do not decide, the one lamps shine
+/// down along; else Y. Result: (0,1,0) or (0,0,1). Windows that are lamps shine sideways, so surfaces come
+/// first.
+Vec3 automatic_up(const PatchSet& patches);
+
+/// The pictures automatic_camera() can judge, as width / height.
+inline constexpr float smallest_aspect = 0.01f;
+inline constexpr float max_aspect = 100.0f;
+
+/// A view that shows much lit surface, for a scene nobody gave a camera for: candidate views from inside and
+/// from outside are traced at thumbnail size, the best are moved a little, and the best of all is kept
+/// (bright, much of the light in view, furnished, little emptiness, no surface in front of the nose, the
+/// horizon level). Where the solution has no light, or is empty because nothing was solved yet, every side
+/// counts as lit; under a sky sides count by how far they are shut in (indoor_light). The target is as far as
+/// what is seen. Deterministic, and the same in any unit of length.
+///
+/// up: any length, not zero. aspect: width / height, within the bounds above. Throws InputError where they
+/// are not, or where there are no patches. Cost: a million rays.
+Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
+                        const Vec3& up, float aspect = 4.0f / 3.0f, const Context& context = {});
+
+}  // namespace luxel

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "luxel/core/bounds.h"
+#include "luxel/core/vector.h"
+#include "luxel/scene/camera.h"
+#include "luxel/scene/material.h"
+#include "luxel/scene/point_light.h"
+#include "luxel/scene/texture.h"
+
+namespace luxel {
+
+/// m; no coordinate lies beyond. Areas, and the distances that rays travel, stay finite in floats.
+inline constexpr float farthest = 1e12f;
+
+/// What the user described: a mesh with materials. Parallel arrays: entry i of every triangle_* array is
+/// triangle i, and triangles stand in the order of the file, even those without area (so that an index is a
+/// promise); a polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite,
+/// no position is beyond `farthest`, and every index is in range: load checks, and check_scene() says so.
+struct Scene {
+  std::string source;  ///< the file, as the user named it
+
+  std::vector<Vec3> positions;                          ///< m, counted from `origin`
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
+  std::vector<MaterialId> triangle_material;
+  std::vector<std::uint32_t> triangle_line;    ///< line in the source file, from 1; 0 where unknown
+  std::vector<std::uint32_t> triangle_group;   ///< index into groups
+  std::vector<std::uint32_t> triangle_object;  ///< index into objects; empty where there are none
+
+  std::vector<std::string> groups;   ///< names of groups or objects; at least one ("default")
+  std::vector<std::string> objects;  ///< names of objects alone; empty where the file names none
+  std::vector<Material> materials;   ///< at least one
+  std::vector<Camera> cameras;       ///< as the file gave them; often none
+
+  std::vector<Texture> textures;                    ///< those that materials use
+  std::vector<UvSet> uv_sets;                       ///< those that materials use; each for all triangles
+  std::vector<std::array<Vec3, 3>> corner_colours;  ///< [triangle][corner], linear, [0, 1]: reflectance is
+                                                    ///< times these; empty where the file has none
+  std::vector<PointLight> point_lights;             ///< lamps without a surface; often none
+
+  /// m, in the file's coordinates: what positions and cameras are counted from. 0 but in a scene so far from
+  /// the file's zero that floats would round its surfaces, see load_scene(). What a person gives or reads
+  /// stays in the file's coordinates, origin + position.
+  Vec3d origin = Vec3d(0.0);
+
+  Vec3 sky = Vec3(0.0f);  ///< radiance of what lies around the scene, the same all over, W/(m² sr)
+
+  /// Of a scene that is solved by wavelength; else there are none, and it is solved in plain colour.
+  /// Materials, and a sky, that were not measured get spectra that look like their colours (ColourSpectra).
+  std::vector<double> wavelengths;  ///< nm, ascending, first_visible to last_visible
+  bool averages_spectra = false;    ///< around each wavelength, not read at it: where these are few
+  Spectrum sky_spectrum;            ///< W/(m² sr nm), instead of `sky`; empty: nothing measured
+};
+
+/// Turns a triangle round: its front becomes its back; what belongs to its corners goes with them.
+void turn_triangle(Scene& scene, std::size_t triangle);
+
+/// The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
+Bounds bounds(const Scene& scene);
+
+/// Throws InputError naming the source where an array's length, an index or a number breaks the promise
+/// above; reflectances must lie in [0, 1), light is not negative, and a scene has at least one triangle.
+void check_scene(const Scene& scene);
+
+/// 64 bits of what the light depends on: positions, triangles, materials, and the sky, the origin and the
+/// wavelengths with what was measured at them where there are such (not names, groups, objects, lines,
+/// cameras), in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
+std::uint64_t fingerprint(const Scene& scene);
+
+}  // namespace luxel

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "luxel/core/vector.h"
+#include "luxel/image/tone.h"
+#include "luxel/session/session_settings.h"
+#include "luxel/session/session_snapshot.h"
+
+namespace luxel {
+
+/// A scene whose light is solved in a thread of its own, while other threads read its state.
+///
+/// Opened with a scene (OBJ, glTF) it reads, meshes and solves it; opened with a solution (.vtkhdf) it shows
+/// that light. Once a solve has ended its light is, to the bit, that of a `luxel bake` with the same options
+/// (--store-transport where stores_transport is set).
+///
+/// Commands return at once and throw nothing: they wait in a queue until the solver's thread takes them,
+/// within a fraction of a second. What failed becomes a sentence in the status; earlier results stay visible.
+/// Any one thread at a time may call these functions. The destructor closes.
+class ProgressiveSession {
+ public:
+  ProgressiveSession(std::filesystem::path file, SessionSettings settings);
+  ~ProgressiveSession();
+  ProgressiveSession(const ProgressiveSession&) = delete;
+  ProgressiveSession& operator=(const ProgressiveSession&) = delete;
+
+  const std::filesystem::path& file() const;
+
+  /// The state at this moment, with what the commands given so far are going to change: is_idle is false as
+  /// long as one of them waits. Cost: that of copying the status.
+  SessionSnapshot snapshot() const;
+
+  // ---- The solver ----
+
+  /// Holds and continues, between two components of work of a fraction of a second.
+  void pause();
+  void resume();
+  /// Pauses after every light: a bounce of the iterations, a doubling of the sampled method. step() continues
+  /// to the next, and begins a new solve where none is in progress.
+  void set_stepping(bool on);
+  void step();
+  /// Ends the solve: the light so far stays. resume() has nothing to continue then; solve() has.
+  void stop();
+  /// Solves by that method and its options, with the latest lamps and colours. A sampled run continues from
+  /// its samples; with another seed, number of replicates or switch, and with any other method, the light
+  /// begins anew. A solve that would take more than an hour or more than the available memory fails with a
+  /// sentence, unless force is set.
+  void solve(const LightOptions& light, bool force = false);
+  /// The same with another target error, a fraction. No samples are lost.
+  void set_error(double error);
+
+  // ---- The light ----
+
+  /// Sets lamp weights and reflectances. The latest call wins and persists across solves, whatever the
+  /// method. Where the light has its samples it is relit from the newest of these, without a ray; a sampled
+  /// solve in progress waits, and each of its answers is relit too. Cost: as that of Relighter; where a solve
+  /// continues, that of each group's light per answer. Else it is solved anew with these lamps and colours,
+  /// by the method of the light.
+  void relight(const Lighting& lighting);
+
+  /// Shows the light after so many bounces, at least 0, of the newest samples and without a ray (see
+  /// Bounces): with the scene's own lamps and colours, once no solve is in progress. Nothing, or a new solve:
+  /// all of it.
+  void show_bounces(std::optional<int> bounces);
+
+  // ---- Questions, answered in a thread of their own while the solver continues ----
+
+  /// Looks for what is wrong with the scene, as `luxel check` does. A solution has no scene to check. Seconds
+  /// for a large scene, on a quarter of the cores. The answer comes once, and stays.
+  void request_diagnostics();
+
+  /// Compares each light from now on with a solution on the same patches; nothing: with none. Where lights
+  /// come faster than they can be compared, some are left out.
+  void compare_with(const std::optional<std::filesystem::path>& solution);
+
+  // ---- Files: whole or not at all; the status says what became of them ----
+
+  /// The newest light as a solution, with its samples where they are stored and not relit.
+  void save_solution(const std::filesystem::path& file);
+  /// up: unit.
+  void export_glb(const std::filesystem::path& file, const Vec3& up, const ToneOptions& tone);
+
+  // ---- The end ----
+
+  /// Stops all work, saves the newest light if requested, and waits for the threads: a fraction of a second,
+  /// and as long as the file takes. Afterwards only the snapshot may be read.
+  void close(const std::optional<std::filesystem::path>& save = {});
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/core/context.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/scene/scene.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/solve/sampled.h"
+
+namespace luxel {
+
+struct BakeOptions {
+  PatchOptions patches = {};
+  SampledOptions light = {};
+};
+
+/// Bakes a scene in one call: cuts it into patches, builds a tracer, and solves the light by the sampled
+/// method. The result is what write_solution() writes, and what export_glb() and render() show. Programs that
+/// solve the same patches more than once, use another method or print a report call the stages themselves:
+/// make_patches(), Tracer, solve_light().
+///
+/// The same scene, options and seed give the same bits on any number of threads, as long as time does not end
+/// the solve. Throws what check_scene(), make_patches() and solve_sampled() throw: InputError where the scene
+/// is wrong or has no lamp. After the monitor's stop in the stage "patches" the result has no patches; in the
+/// stage "light" it is the light so far. Cost: that of solve_sampled(), nearly all of it.
+Baked bake(const Scene& scene, const BakeOptions& options = {}, const Context& context = {});
+
+}  // namespace luxel

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solve/sampled.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+struct RefineOptions {
+  /// Patches to begin with, if no edge was given: enough to see where to look.
+  static constexpr std::size_t coarse_patches = 800;
+  double mesh_error = 0.02;  ///< asked for: area-weighted relative RMS of what the size of patches does
+  std::size_t max_patches = 1'000'000;
+  int max_levels = 12;
+  /// How the light is solved that decides. Its error: as large as the mesh error that is still there, or
+  /// twice the one asked for, but no more than 3 %; or the one here where that is larger.
+  SampledOptions light = {};
+  SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
+};
+
+enum class RefineStop {
+  mesh_error_reached,
+  patch_limit,
+  level_limit,
+  drowned_in_noise,  ///< what is left of the error cannot be told from noise
+  stopped_by_user
+};
+
+/// One mesh on the way.
+struct RefineLevel {
+  std::size_t patches = 0;
+  double mesh_error = 0.0;      ///< as estimated for this mesh
+  double sampling_error = 0.0;  ///< of the light that decided, both answers together
+  std::uint64_t rays = 0;       ///< traced for it
+};
+
+struct RefineReport {
+  RefineStop stop = RefineStop::stopped_by_user;
+  double mesh_error = 0.0;  ///< of the mesh that is the result; a solution's own error is apart from it
+  std::vector<RefineLevel> levels;
+};
+
+/// Puts patches where the light needs them. Patches that are large beside the scene are cut once, and the
+/// light is solved coarsely. The means of the parts make the light of the whole as it would be known without
+/// them; how the parts differ from the field reconstructed from that (surface/smooth_light.h) is what it had
+/// wrong, d² in squares. Where light jumps, halving leaves a half of a squared error, and less where it is
+/// smooth: so the parts still have d² wrong, or less, and this is the mesh error that is stated. What differs
+/// most is cut in four, and the light is solved again.
+///
+/// Each light is solved twice, independently: d² is the product of both answers' differences, in which the
+/// noise of neither is, so that rough answers will do. Their streams are apart from those of other levels and
+/// of a later solve.
+///
+/// The same bits on any number of threads. Cost: two coarse solves a level; levels grow about as the jumps
+/// get longer in patches.
+PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
+                         const Context& context = {});
+
+}  // namespace luxel

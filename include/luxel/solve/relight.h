@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solution/solution.h"
+#include "luxel/solve/sampled.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+struct SampleState;
+
+/// What each light group's lamps give, once the light is solved for it alone: the part `gathered` of a state.
+/// Cost: a solve for each group, some ten look-ups a ray; memory: one number a receiver, band, group and
+/// replicate. The same bits on any number of threads. Nothing where the monitor said stop.
+std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
+                                                    std::shared_ptr<const SampleState> state,
+                                                    const SampledOptions& options,
+                                                    const Context& context = {});
+
+/// Lights a scene anew from the samples of a run that kept them, without tracing a ray (but where hits were
+/// streamed): what arrives is linear in what lamps emit, and the light of other reflectances is solved from
+/// the hits there are. Every replicate goes the same way, so the errors are those of the new light.
+///
+/// Not for several threads at once; the calls themselves use those of the context.
+class Relighter {
+ public:
+  /// Keeps a reference to the tracer; the context's log and monitor are not used. patches, options: of the
+  /// run. Without group light in the state, that is solved for first. Throws MismatchError where the state is
+  /// not of these patches.
+  Relighter(PatchSet patches, const Tracer& tracer, std::shared_ptr<const SampleState> state,
+            const SampledOptions& options, const Context& context = {});
+  ~Relighter();
+  Relighter(const Relighter&) = delete;
+  Relighter& operator=(const Relighter&) = delete;
+
+  /// As they are now: with the emittances, the reflectances and the fingerprint of the scene so changed.
+  const PatchSet& patches() const;
+
+  /// How much brighter each light group is than in the run, at least 0: [group * bands + band]. Cost at
+  /// 50,000 patches: tens of milliseconds.
+  void set_lamps(std::vector<float> weight);
+  /// [material * bands + band], in [0, 1). Costs a solve for each light() from then on: as many look-ups as
+  /// there are rays, some ten times. The run's own cost nothing again.
+  void set_reflectance(const std::vector<float>& reflectance);
+
+  /// The light as it is now, with its errors. method, options and command line are the caller's.
+  Solution light() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace luxel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
+#include "luxel/solution/solution.h"
+
+namespace luxel {
+
+class BandColours;
+class FineColours;
+
+struct SmoothOptions {
+  float crease_angle = 30.0f;  ///< degrees, 0 to 180; neighbours that meet at a sharper angle are different
+                               ///< surfaces. 0: every patch is, and keeps its own value
+};
+
+/// Light that runs smoothly over each surface: values at the vertices such that what runs linearly between
+/// them comes near the patches' means (node_light.h), exactly so where light is linear, at borders too. Only
+/// patches of one smooth surface have a say in each other's light, so that a corner between walls does not
+/// smear. It is the irradiance, not the radiosity: surface colour and emission are put on afterwards, per
+/// patch, and stay sharp at material borders. One smooth vertex for each vertex and each smooth surface that
+/// meets there.
+///
+/// Sides are joined, not patches: a neighbour that is wound the other way goes on with its back, and a wall
+/// that stands on a floor parts the light in front of the floor but not behind it. So where windings differ
+/// two smooth vertices mirror each other, each with the front of its own patches. The back of a one-sided
+/// material has no light of its own and no say in others'.
+struct SmoothLight {
+  std::vector<std::uint32_t> vertex;                  ///< [smooth vertex]: index into PatchSet::vertices
+  std::vector<Vec3> normal;                           ///< [smooth vertex]: unit, front side, area-weighted
+  SideValues irradiance;                              ///< [smooth vertex][band], W/m²
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< [patch]: its three smooth vertices
+
+  std::size_t size() const { return vertex.size(); }
+};
+
+/// Cost: linear in the number of patches but for sorts of the few that meet at each vertex and of the edges
+/// that no other patch shares. The same on any number of threads.
+/// Throws MismatchError where the solution is not of these patches, InputError for a senseless crease angle.
+SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution, const SmoothOptions& options,
+                              const Context& context);
+/// On the calling thread.
+SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
+                              const SmoothOptions& options = {});
+
+/// How a place's surface differs from what its material is in the mean (PatchSet::reflectance_ratio).
+struct TextureRatio {
+  const float* reflectance = nullptr;  ///< [band], of the patch; none: 1
+  const float* emittance = nullptr;
+  Vec3 fine_reflectance = Vec3(1.0f);  ///< of the place, over the patch (FineColours)
+  Vec3 fine_emittance = Vec3(1.0f);
+};
+/// What a material reflects there in a band, in the mean over the patch: [0, 1).
+inline float reflectance_at(const BandMaterial& material, const TextureRatio& ratio, std::size_t band) {
+  const auto of_material = material.reflectance[band];
+  return ratio.reflectance ? std::min(max_reflectance, of_material * ratio.reflectance[band]) : of_material;
+}
+TextureRatio texture_ratio_of_patch(const PatchSet& patches, std::size_t patch);
+/// At (1-u-v) a + u b + v c of the patch.
+TextureRatio texture_ratio_at(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
+                              float v);
+
+/// The colour, W/(m² sr) by linear sRGB, of what leaves a side of a patch where its irradiance is the given
+/// one: (E + rho H) / pi, band by band, and then what these look like. So a wavelength that a surface does
+/// not reflect has no say in its colour, however bright it arrives. A back does not emit, and the back of a
+/// one-sided material is black. irradiance: [band].
+Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
+                  const BandColours& colours, const TextureRatio& ratio = {});
+
+}  // namespace luxel

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "luxel/core/vector.h"
+#include "luxel/patch/side.h"
+#include "luxel/surface/smooth_light.h"
+
+namespace luxel {
+
+// The smooth irradiance of one band at a point of a side, W/m². weights: barycentric, of the corners 1 and 2.
+// Number: of the sum; pictures of many pixels add floats.
+template <typename Number = double>
+Number smooth_irradiance(const SmoothLight& light, SideId side, const Vec2& weights, std::size_t band,
+                         std::size_t bands) {
+  const auto& values = light.irradiance.of(side);
+  const auto& corners = light.corners[side.patch()];
+  const float weight[] = {1.0f - weights.x - weights.y, weights.x, weights.y};
+  Number sum = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    sum += static_cast<Number>(weight[k]) * static_cast<Number>(values[corners[k] * bands + band]);
+  return sum;
+}
+
+}  // namespace luxel

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/viewer/scene_renderer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace luxel {
+namespace {
+
+constexpr double upload_seconds = 0.005;  // of a frame, for what goes to the card
+// Where a processor draws, while something moves: each where a frame took longer than that of late, s, by the
+// one before. Then a single long one may be seen.
+constexpr std::array moving_edges = {EdgeSmoothing::rough, EdgeSmoothing::coarse, EdgeSmoothing::coarsest};
+constexpr std::array slow_frame = {0.020, 0.022};
+constexpr double longest_counted = 0.05;  // s: one frame in which the driver compiles says nothing
+constexpr float mark_size = 4.0f;         // points
+
+}  // namespace
+
+void SceneRenderer::upload(bool fine) { is_uploaded_ = painter_.upload(fine ? 1.0 : upload_seconds); }
+
+void SceneRenderer::note_changes(const Shown& now, bool is_dragging) {
+  const auto size = screen_.pixels();
+  if (now == shown_ && size == size_ && is_uploaded_ && !is_dragging) {
+    ++unchanged_frames_;
+    return;
+  }
+  shown_ = now;
+  size_ = size;
+  unchanged_frames_ = 0;
+  joined_ = 0;
+}
+
+// Where a processor draws, four samples per pixel take longer than a frame may: there edges are rough while
+// something moves, and coarse where even that is slow, and afterwards rough pictures are joined, one per
+// frame.
+void SceneRenderer::draw(const Shown& now, const Look& look, const Viewpoint& from, bool is_dragging,
+                         bool fine) {
+  note_changes(now, is_dragging);
+  const bool is_rough = driver_.is_software && !fine;
+  if (is_rough && !has_compiled_) compile_programs(look, from);
+  const bool is_moving = unchanged_frames_ == 0;
+  // It stays so for this scene: quick coarse frames say nothing of what fine ones would take.
+  if (slow_scene_ != now.scene) slow_scene_ = now.scene, coarseness_ = 0;
+  if (is_rough && is_moving && coarseness_ < slow_frame.size() && frame_seconds_ > slow_frame[coarseness_]) {
+    ++coarseness_;
+    frame_seconds_ = 0.0;
+  }
+  const auto pixels = screen_.pixels();
+  const bool joins = is_rough && unchanged_frames_ > 3;
+  auto& frame = canvas_.frame;
+  if (joins && joined_ >= shifts) return frame.show_joined();
+  const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
+  const auto edges = !is_rough   ? EdgeSmoothing::sampled
+                     : is_moving ? moving_edges[coarseness_]
+                                 : EdgeSmoothing::rough;
+  painter_.draw(canvas_, look, from, {{pixels, {}, pixels}, edges, mark_size * screen_.text_scale(), tile});
+  frame.resolve();
+  if (joins) frame.join(joined_++);
+}
+
+// What is drawn into for the first time is made then, and its programs compiled: not while somebody moves.
+void SceneRenderer::compile_programs(const Look& look, const Viewpoint& from) {
+  has_compiled_ = true;
+  const auto pixels = screen_.pixels();
+  for (const auto edges : moving_edges) {
+    painter_.draw(canvas_, look, from, {{pixels, {}, pixels}, edges, mark_size * screen_.text_scale()});
+    painter_.try_programs();
+    canvas_.frame.resolve();
+  }
+}
+
+void SceneRenderer::note_frame(double seconds) {
+  frame_seconds_ += 0.2 * (std::min(seconds, longest_counted) - frame_seconds_);
+}
+
+}  // namespace luxel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "luxel/viewer/painter.h"
+#include "luxel/viewer/screen.h"
+
+namespace luxel {
+
+// Draws the scene behind the panels, frame by frame: edges get smoother while nothing changes, and where a
+// processor draws they are as rough as the frame rate needs while something moves.
+class SceneRenderer {
+ public:
+  explicit SceneRenderer(Screen& screen) : screen_(screen) {}
+
+  // What a frame shows. While it stays, edges get smoother, and then frames may wait.
+  struct Shown {
+    std::uint64_t scene = 0;
+    Pose pose = {};
+    Look look = {};
+    float scale = 0.0f;  // of the tone curve
+    std::uint64_t light = 0, marks = 0;
+    bool operator==(const Shown&) const = default;
+  };
+
+  Painter& painter() { return painter_; }
+  const Painter& painter() const { return painter_; }
+  bool is_software() const { return driver_.is_software; }  // a processor draws
+
+  // Brings to the graphics card what the painter was given: a part of it, for a part of a frame, unless fine.
+  void upload(bool fine);
+  // While a picture is drawn nothing newer is brought.
+  void hold_upload() { is_uploaded_ = true; }
+  bool is_uploaded() const { return is_uploaded_; }  // all of it
+
+  // is_dragging: something is drawn by hand over the scene. fine: smooth edges whatever they cost.
+  void draw(const Shown& now, const Look& look, const Viewpoint& from, bool is_dragging, bool fine);
+  // How long the frame took as it was seen, s.
+  void note_frame(double seconds);
+  // An event came: the next frame may differ.
+  void note_event() { unchanged_frames_ = 0; }
+  // Frames may wait for a person: another would be the same.
+  bool may_sleep() const { return unchanged_frames_ > 12; }
+  // The last frame's pixels.
+  Image snapshot() const { return canvas_.frame.read(); }
+
+ private:
+  void note_changes(const Shown& now, bool is_dragging);
+  void compile_programs(const Look& look, const Viewpoint& from);
+
+  Screen& screen_;
+  Driver driver_ = current_driver();
+  Painter painter_;
+  Canvas canvas_;
+  bool is_uploaded_ = false, has_compiled_ = false;
+  Shown shown_;
+  ScreenSize size_;
+  int unchanged_frames_ = 0;      // since the scene, the view or an event changed
+  std::uint64_t slow_scene_ = 0;  // whose frames took too long
+  std::size_t coarseness_ = 0;    // and what they are drawn by while something moves
+  int joined_ = 0;                // rough pictures joined into the one that is seen
+  double frame_seconds_ = 0.0;    // lately
+};
+
+}  // namespace luxel

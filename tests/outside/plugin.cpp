@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a plug-in of another program would hold of Luxel: all of a bake.
+#include <luxel/luxel.h>
+
+extern "C" std::size_t patches_of(const char* path) {
+  return luxel::bake(luxel::load_scene(path)).patches.size();
+}
