@@ -30,6 +30,19 @@ if(LUXEL_FUZZ)
                                                -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
 endif()
 
+# Headers that most files of the modules include are compiled once: this saves a third of their time. Only with gcc, for
+# which it is measured; not under ccache, which cannot cache with them; not in another project's build. clang-tidy and the
+# test of single headers read without them, and so find an include that is missing.
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/common_headers.cpp CONTENT "")
+  add_library(luxel_common_headers STATIC ${PROJECT_BINARY_DIR}/common_headers.cpp)
+  set_target_properties(luxel_common_headers PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(luxel_common_headers PRIVATE -fno-semantic-interposition)
+  target_link_libraries(luxel_common_headers PRIVATE luxel_flags fmt::fmt glm::glm)
+  target_precompile_headers(luxel_common_headers PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <memory>
+                            <optional> <span> <string> <string_view> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
+endif()
+
 # fmt formats text, glm gives the vectors in signatures, and core/json.h is JSON for all modules.
 function(luxel_module name)
   cmake_parse_arguments(MODULE "" "" "DEPENDS;LIBRARIES" ${ARGN})
@@ -44,6 +57,9 @@ function(luxel_module name)
     target_compile_options(luxel_${name} PRIVATE -fno-semantic-interposition)
     target_link_libraries(luxel_${name} PRIVATE luxel_flags ${MODULE_LIBRARIES} nlohmann_json::nlohmann_json
                           PUBLIC fmt::fmt glm::glm)
+    if(TARGET luxel_common_headers)
+      target_precompile_headers(luxel_${name} REUSE_FROM luxel_common_headers)
+    endif()
     set(visibility PUBLIC)
   else()
     add_library(luxel_${name} INTERFACE)
