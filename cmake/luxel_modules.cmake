@@ -39,6 +39,7 @@ if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_C
   set_target_properties(luxel_common_headers PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(luxel_common_headers PRIVATE -fno-semantic-interposition)
   target_link_libraries(luxel_common_headers PRIVATE luxel_flags fmt::fmt glm::glm)
+  target_compile_options(luxel_flags INTERFACE -pthread)  # as OpenEXR asks for: the flags must be the same everywhere
   target_precompile_headers(luxel_common_headers PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <memory>
                             <optional> <span> <string> <string_view> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
 endif()
