@@ -30,6 +30,7 @@
 #include "luxel/image/image_file.h"
 #include "luxel/image/tone.h"
 #include "luxel/render/automatic_camera.h"
+#include "luxel/render/default_light.h"
 #include "luxel/render/make_lightmap.h"
 #include "luxel/render/render.h"
 

@@ -860,8 +860,8 @@ class Bake:
             words += ["--max-edge", f"{settings.max_edge:.6g}"]
         if settings.mesh_error > 0.0:
             words += ["--mesh-error", f"{settings.mesh_error:.6g}%"]
-        if exporter.sky.max() > 0.0:
-            words += ["--sky", ",".join(f"{part:.6g}" for part in exporter.sky)]
+        has_sky = exporter.sky.max() > 0.0
+        words += ["--sky", ",".join(f"{part:.6g}" for part in exporter.sky) if has_sky else "none"]
         if abs(exporter.unit - 1.0) > 1e-6:
             words += ["--contact-gap", f"{1e-4 * exporter.unit:.6g}"]
         return words

@@ -234,16 +234,41 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj -o nowhere/a.glb", 1, "nowhere"},
         Misuse{"$LUXEL bake missing.obj -o a.glb", 1, "missing.obj"},
         Misuse{"$LUXEL bake bad.obj -o a.glb", 1, "bad.obj:4"},
-        Misuse{"$LUXEL bake no-lamp.obj -o a.glb", 1, "no-lamp.obj: the scene has no lamp"},
+        Misuse{"$LUXEL bake no-lamp.obj -o a.glb --sky none", 1, "no-lamp.obj: the scene has no lamp"},
         Misuse{"$LUXEL bake no-lamp.obj -o a.glb --sky 0", 1, "--sky 1"},
-        Misuse{"$LUXEL bake no-lamp.obj -o a.glb --sky blue", 2, "--sky: expected a number"},
-        Misuse{"$LUXEL bake no-lamp.obj -o a.glb --sky 1,-1,1", 2, "--sky: expected a number"},
+        Misuse{"$LUXEL bake no-lamp.obj -o a.glb --sky blue", 2, "--sky: expected auto, none, a number"},
+        Misuse{"$LUXEL bake no-lamp.obj -o a.glb --sky 1,-1,1", 2, "--sky: expected auto, none, a number"},
         Misuse{"$LUXEL bake . -o a.glb", 1, "."},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --flip nothing", 1, "nothing"},
         Misuse{"$LUXEL bake cornell-box.obj -o a.glb --max-edge 0.000001", 1, "would fit"},
         Misuse{"$LUXEL render junk.vtkhdf -o a.png", 1, "junk.vtkhdf"},
         Misuse{"$LUXEL render cornell-box.obj -o a.png", 1, "cornell-box.obj"},
         Misuse{"$LUXEL export none.vtkhdf -o a.glb", 1, "none.vtkhdf"}));
+
+TEST(Program, lights_a_scene_without_a_lamp_and_finds_the_same_light_again) {
+  const auto folder = fresh_folder("no_lamp");
+  write_file(folder / "plate.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
+  auto run = cli::run(folder, "$LUXEL bake plate.obj --error 5% --max-edge 0.5 -o a.vtkhdf");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("plate.obj: no lamp in the scene: lit by daylight, a uniform sky of 10000 lx"),
+            std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("--sky"), std::string::npos) << run.err;
+  EXPECT_EQ(value_of("sky", cli::run(folder, "$LUXEL bake plate.obj --print-config").out), "auto");
+  EXPECT_EQ(value_of("sky", cli::run(folder, "$LUXEL bake plate.obj --print-config --sky 0").out), "none");
+  EXPECT_EQ(value_of("sky", cli::run(folder, "$LUXEL bake plate.obj --print-config --sky 1,2,3").out),
+            "1,2,3");
+  // A closed room, whose luminaire is not in the file.
+  write_file(folder / "room.obj",
+             "v 0 0 0\nv 4 0 0\nv 4 0 5\nv 0 0 5\nv 0 3 0\nv 4 3 0\nv 4 3 5\nv 0 3 5\nf 4 3 2 1\nf 5 6 7 8\n"
+             "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  run = cli::run(folder, "$LUXEL bake room.obj --error 10% --max-edge 1 -o room.vtkhdf");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("lit by a square luminaire below the ceiling"), std::string::npos) << run.err;
+  run = cli::run(folder, "$LUXEL export room.vtkhdf --scene room.obj -o room.glb --as vertex");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "room.glb"));
+}
 
 TEST(Program, that_meets_a_full_disk_says_so_and_leaves_the_old_file) {
   const auto folder = fresh_folder("full");

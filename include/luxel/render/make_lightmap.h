@@ -4,7 +4,6 @@
 #include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lightmap.h"
-#include "luxel/render/lightmap_options.h"
 #include "luxel/solution/solution.h"
 #include "luxel/trace/tracer.h"
 

@@ -43,6 +43,9 @@ struct Scene {
                                                     ///< times these; empty where the file has none
   std::vector<PointLight> point_lights;             ///< lamps without a surface; often none
 
+  /// The last triangles, which are not in the file: luminaires of add_default_light().
+  std::size_t added_triangles = 0;
+
   /// m, in the file's coordinates: what positions and cameras are counted from. 0 but in a scene so far from
   /// the file's zero that floats would round its surfaces, see load_scene(). What a person gives or reads
   /// stays in the file's coordinates, origin + position.
@@ -62,6 +65,9 @@ void turn_triangle(Scene& scene, std::size_t triangle);
 
 /// The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
+
+/// Whether the scene has a lamp with a surface, a lamp without one, or a sky.
+bool has_light(const Scene& scene);
 
 /// Throws InputError naming the source where an array's length, an index or a number breaks the promise
 /// above; reflectances must lie in [0, 1), light is not negative, and a scene has at least one triangle.

@@ -24,6 +24,7 @@ struct Lighting {
 /// How the scene of a session is read, meshed and lit: the options of `luxel bake`, with the same meaning.
 struct SessionSettings {
   LoadOptions load = {};
+  bool adds_default_light = false;  ///< to a scene without light, see add_default_light()
   PatchOptions patches = {};
   RefineOptions refine = {.mesh_error = 0.0};  ///< 0: the patches stay; its light and smooth are those below
   LightOptions light = {};

@@ -4,6 +4,7 @@
 #include "luxel/cli/bake_settings.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/light_run.h"
+#include "luxel/cli/lit_scene.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/run_report.h"
 #include "luxel/core/hint.h"
@@ -31,8 +32,8 @@ class Bake final : public Command {
 
     // 1. The mesh, or the run that an earlier one kept.
     const auto& file = settings_.scene.file;
-    const auto scene = record.stage(
-        "load", [&](auto&) { return load_scene(file, settings_.scene.load, console.reporting(context)); });
+    const auto scene =
+        record.stage("load", [&](auto&) { return load_lit_scene(settings_.scene, context, console); });
     if (interrupted()) return stopped_before_light(console);
     if (!scene.cameras.empty()) settings_.picture.of_scene = scene.cameras.front();
     auto kept = run_to_go_on(settings_.keep, fingerprint(scene), options());

@@ -4,6 +4,7 @@
 #include "luxel/cli/check_text.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
+#include "luxel/cli/lit_scene.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
@@ -37,8 +38,7 @@ class Check final : public Command {
     Console console(run_);
     const Context context(run_.threads);
     RunRecord record;
-    const auto scene = record.stage(
-        "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
+    const auto scene = record.stage("load", [&](auto&) { return load_lit_scene(scene_, context, console); });
     if (interrupted()) return stopped_before_light(console);
     const auto report = record.stage(
         "check", [&](auto&) { return diagnose(scene, {.places = places_}, console.reporting(context)); });

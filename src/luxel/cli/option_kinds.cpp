@@ -117,26 +117,6 @@ void OptionSet::add_point(const char* name, const char* unit, std::optional<Vec3
   add({name, unit, help, parse, print});
 }
 
-void OptionSet::add_colour(const char* name, const char* unit, Vec3& value, const char* help) {
-  const auto print = [&value] {
-    return value == Vec3(value.r) ? fmt::format("{}", value.r)
-                                  : fmt::format("{},{},{}", value.r, value.g, value.b);
-  };
-  const auto parse = [=, &value](const std::string& text) {
-    const auto grey = whole_number<float>(text);
-    const auto three = parse_three(text);
-    const auto colour = grey    ? std::optional(Vec3(*grey))
-                        : three ? std::optional(Vec3(*three))
-                                : std::nullopt;
-    constexpr float most = 1e9f;
-    if (!colour || !is_finite(*colour) || *colour != glm::clamp(*colour, 0.0f, most))
-      throw UsageError(fmt::format(
-          "--{}: expected a number from 0 to {:g}, or three such as 0.8,0.9,1, not '{}'", name, most, text));
-    value = *colour;
-  };
-  add({name, unit, help, parse, print});
-}
-
 void OptionSet::add_choice(const char* name, std::vector<std::string> words, std::string& value,
                            const char* help) {
   const auto all = fmt::format("{}", fmt::join(words, "|"));

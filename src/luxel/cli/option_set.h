@@ -59,8 +59,6 @@ class OptionSet {
   void add_text(const char* name, const char* unit, std::string& value, const char* help);
   void add_texts(const char* name, const char* unit, std::vector<std::string>& values, const char* help);
   void add_point(const char* name, const char* unit, std::optional<Vec3d>& value, const char* help);  // x,y,z
-  // One number for all three bands, or red,green,blue; 0 to 1e9.
-  void add_colour(const char* name, const char* unit, Vec3& value, const char* help);
   void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);
   void add_switch(const char* name, bool& value, const char* help);  // on or off
   void add_flag(const char* name, bool& value, const char* help, bool configurable = true);

@@ -6,6 +6,7 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
+#include "luxel/cli/lit_scene.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/reference_settings.h"
 #include "luxel/cli/run_report.h"
@@ -92,7 +93,8 @@ class Reference final : public Command {
     if (is_solution(scene_.file) &&
         (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() ||
          l.max_reflectance != as_it_is.load.max_reflectance || l.sky != as_it_is.load.sky ||
-         !l.spectra.empty() || scene_.patches.max_edge != as_it_is.patches.max_edge))
+         scene_.adds_default_light != as_it_is.adds_default_light || !l.spectra.empty() ||
+         scene_.patches.max_edge != as_it_is.patches.max_edge))
       throw UsageError(
           "the patches of a solution cannot be changed: --scale, --max-reflectance, --one-sided, --flip, "
           "--sky, --spectral and --max-edge apply to scenes");
@@ -102,8 +104,7 @@ class Reference final : public Command {
   Baked read(const Context& context, Console& console, RunRecord& record) {
     if (is_solution(scene_.file))
       return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
-    const auto scene = record.stage(
-        "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
+    const auto scene = record.stage("load", [&](auto&) { return load_lit_scene(scene_, context, console); });
     if (interrupted()) return {};
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;

@@ -32,6 +32,25 @@ float parse_fov(const std::string& name, const std::string& text) {
   throw UsageError(fmt::format("--{}: expected auto or degrees from 1 to 170, not '{}'", name, text));
 }
 
+Vec3 parse_sky(const std::string& text) {
+  constexpr float max = 1e9f;
+  const auto grey = parse_number(text);
+  const auto three = parse_three(text);
+  const auto radiance = grey    ? std::optional(Vec3(*grey))
+                        : three ? std::optional(Vec3(*three))
+                                : std::nullopt;
+  if (!radiance || !is_finite(*radiance) || *radiance != glm::clamp(*radiance, 0.0f, max))
+    throw UsageError(fmt::format(
+        "--sky: expected auto, none, a number from 0 to {:g}, or three such as 0.8,0.9,1, not '{}'", max,
+        text));
+  return *radiance;
+}
+
+std::string sky_as_text(const Vec3& sky) {
+  if (sky == Vec3(0.0f)) return "none";
+  return sky == Vec3(sky.r) ? fmt::format("{}", sky.r) : fmt::format("{},{},{}", sky.r, sky.g, sky.b);
+}
+
 int parse_bands(const std::string& text) {
   const auto value = parse_number(text);
   const auto count = value ? static_cast<int>(*value) : 0;
@@ -71,9 +90,16 @@ void SceneSettings::declare_contacts(OptionSet& set) {
 
 void SceneSettings::declare_sky(OptionSet& set) {
   set.heading("Light");
-  set.add_colour("sky", "W/(m² sr)", load.sky,
-                 "radiance of a uniform sky around the scene, one number or red,green,blue; it enters "
-                 "through windows; 0: none");
+  set.add(
+      {"sky", "W/(m² sr)",
+       "radiance of a uniform sky around the scene, one number or red,green,blue; it enters through "
+       "windows; auto: none if the scene has a lamp, otherwise daylight, or a luminaire in a closed room; "
+       "none: no sky, and no light is added",
+       [this](const std::string& text) {
+         adds_default_light = text == "auto";
+         load.sky = text == "auto" || text == "none" ? Vec3(0.0f) : parse_sky(text);
+       },
+       [this] { return adds_default_light ? std::string("auto") : sky_as_text(load.sky); }});
 }
 
 void SceneSettings::declare_spectra(OptionSet& set) {

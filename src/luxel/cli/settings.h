@@ -23,6 +23,7 @@ namespace luxel {
 struct SceneSettings {
   std::string file;
   LoadOptions load;
+  bool adds_default_light = true;  // --sky auto
   PatchOptions patches;
   // Declares options of the input and of its reading; the second also those of the mesh.
   void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");

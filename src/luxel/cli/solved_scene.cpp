@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/bake_settings.h"
+#include "luxel/cli/lit_scene.h"
 #include "luxel/core/error.h"
 
 namespace luxel {
@@ -16,7 +17,8 @@ std::optional<SolvedScene> load_solved_scene(const std::string& file, const std:
   all.restore(baked.solution.provenance.options);
   SolvedScene solved;
   solved.metres_per_unit = of_bake.scene.load.scale;
-  solved.scene = load_scene(file, of_bake.scene.load, console.reporting({}));
+  of_bake.scene.file = file;
+  solved.scene = load_lit_scene(of_bake.scene, {}, console);
   if (interrupted()) return std::nullopt;
   if (fingerprint(solved.scene) != baked.patches.scene_fingerprint)
     throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", file, solution_file));

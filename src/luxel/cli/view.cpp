@@ -69,6 +69,7 @@ class View final : public Command {
   SessionSettings session_settings(const std::filesystem::path& file) const {
     const auto& s = settings_;
     SessionSettings live{.load = s.scene.load,
+                         .adds_default_light = s.scene.adds_default_light,
                          .patches = s.scene.patches,
                          .refine = {.mesh_error = s.refine.mesh_error, .max_patches = s.refine.max_patches},
                          .light = s.light,

@@ -50,9 +50,11 @@ enum class RandomPurpose : std::uint32_t {
 
 // Seeds of those who follow no seed of the user's, or one apart from it.
 enum class RandomSeed : std::uint64_t {
-  views = 0x76696577u,     // places of views
-  lamps = 0x6c616d70u,     // added to the user's: shadow rays
-  forecast = 0x666f7265u,  // a key: trial form factors
+  views = 0x76696577u,       // places of views
+  luminaires = 0x6c756d69u,  // places of default luminaires
+  sky_reach = 0x72656163u,   // paths that look for the sky
+  lamps = 0x6c616d70u,       // added to the user's: shadow rays
+  forecast = 0x666f7265u,    // a key: trial form factors
 };
 constexpr std::uint64_t seed_of(RandomSeed seed) { return static_cast<std::uint64_t>(seed); }
 

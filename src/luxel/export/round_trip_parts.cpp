@@ -59,7 +59,9 @@ std::vector<RoundTripPart> round_trip_parts(GltfFile& file, const Scene& scene, 
     match_corners(part, positions, scene, metres_per_unit);
     parts.push_back(std::move(part));
   }
-  if (triangles != scene.triangles.size()) refuse(scene);
+  // What was added to a glTF scene is not in its file; of another scene the glTF was made of all triangles.
+  if (triangles != scene.triangles.size() && triangles + scene.added_triangles != scene.triangles.size())
+    refuse(scene);
   return parts;
 }
 

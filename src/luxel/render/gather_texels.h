@@ -6,7 +6,6 @@
 #include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lightmap.h"
-#include "luxel/render/lightmap_options.h"
 #include "luxel/render/make_lightmap.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"

@@ -3,7 +3,6 @@
 
 #include "luxel/core/context.h"
 #include "luxel/render/lightmap.h"
-#include "luxel/render/lightmap_options.h"
 #include "luxel/surface/make_charts.h"
 
 namespace luxel {

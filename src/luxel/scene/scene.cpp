@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/scene/scene.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace luxel {
@@ -10,6 +11,13 @@ Bounds bounds(const Scene& scene) {
   for (const auto& triangle : scene.triangles)
     for (const auto corner : triangle) box.add(scene.positions[corner]);
   return box;
+}
+
+bool has_light(const Scene& scene) {
+  if (scene.sky != Vec3(0.0f) || !scene.sky_spectrum.empty() || !scene.point_lights.empty()) return true;
+  return std::any_of(
+      scene.triangle_material.begin(), scene.triangle_material.end(),
+      [&](MaterialId material) { return scene.materials[static_cast<std::size_t>(material)].is_lamp(); });
 }
 
 void turn_triangle(Scene& scene, std::size_t triangle) {

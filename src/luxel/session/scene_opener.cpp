@@ -12,6 +12,7 @@
 #include "luxel/patch/focus.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/patch/uncut_faces.h"
+#include "luxel/render/default_light.h"
 #include "luxel/solution/solution_file.h"
 
 namespace luxel {
@@ -23,8 +24,13 @@ SceneOpener::SceneOpener(std::filesystem::path file, const SessionSettings& sett
 SceneOpener::OpenedScene SceneOpener::open_scene() const {
   OpenedScene opened;
   auto& mesh = opened.mesh;
-  auto scene = std::make_shared<const Scene>(load_scene(file_, settings_.load, context_));
-  if (scene->triangles.empty()) return opened;  // it was stopped: a scene without triangles is an error
+  auto loaded = load_scene(file_, settings_.load, context_);
+  if (loaded.triangles.empty()) return opened;  // it was stopped: a scene without triangles is an error
+  if (settings_.adds_default_light) {
+    const auto added = add_default_light(loaded, context_);
+    if (added.kind != DefaultLightKind::not_needed) context_.note(added.as_text());
+  }
+  const auto scene = std::make_shared<const Scene>(std::move(loaded));
   auto how = settings_.patches;
   const bool refines = settings_.refine.mesh_error > 0.0;
   if (refines) how.target_count = RefineOptions::coarse_patches;

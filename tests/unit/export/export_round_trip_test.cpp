@@ -6,6 +6,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
+#include "luxel/render/ceiling_luminaires.h"
 
 #include "support/round_trip_file.h"
 
@@ -134,6 +135,29 @@ TEST_F(ExportRoundTrip, a_primitive_that_lies_on_another_one_goes) {
   EXPECT_NEAR(area[1], 2.0, 1e-5);
   EXPECT_EQ(file.root()["nodes"][1]["name"].text(), "twin");
   EXPECT_FALSE(file.root()["nodes"][1]["mesh"]);
+}
+
+TEST_F(ExportRoundTrip, luminaires_that_were_added_to_the_scene_are_left_out) {
+  const auto triangles = [&] {
+    std::size_t count = 0;
+    auto file = lit();
+    for_triangles(file, [&](const auto&, const auto&) { ++count; });
+    return count;
+  };
+  files_.write("room.glb", small_room().glb());
+  solve("room.glb", 0.0f);
+  uncut();
+  const auto without = triangles();
+  add_luminaires({{Vec3(1, 5, 1), Vec3(1, 5, 0), Vec3(0, 5, 0), Vec3(0, 5, 1)}}, Vec3(1.0f), scene_);
+  patches_ = make_patches(scene_, {.max_edge = 0.0f});
+  solution_ = linear_light(patches_);
+  cut();
+  EXPECT_EQ(triangles(), without);
+  uncut();
+  EXPECT_EQ(triangles(), without);
+  // One triangle more, which nobody added, is another scene.
+  scene_.added_triangles = 1;
+  EXPECT_THROW(uncut(), MismatchError);
 }
 
 TEST_F(ExportRoundTrip, a_picture_that_is_missing_stays_so) {

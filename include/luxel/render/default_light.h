@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/core/hint.h"
+#include "luxel/scene/scene.h"
+
+namespace luxel {
+
+/// lx, on an unobstructed horizontal surface under the default sky: an overcast day.
+inline constexpr double default_daylight = 10'000.0;
+/// lx, the average in a closed scene that gets electric light: an office.
+inline constexpr double default_lamp_light = 300.0;
+
+enum class DefaultLightKind {
+  not_needed,         ///< the scene has light of its own
+  daylight,           ///< a uniform sky
+  lamp_materials,     ///< materials that are named like lamps emit
+  ceiling_luminaires  ///< squares below the ceiling emit
+};
+
+/// The light that add_default_light() added.
+struct DefaultLight {
+  DefaultLightKind kind = DefaultLightKind::not_needed;
+  std::vector<std::string> materials = {};  ///< lamp_materials: their names
+  std::size_t luminaires = 0;               ///< ceiling_luminaires: their number
+
+  /// One sentence for a person; empty where nothing was added.
+  std::string as_text() const;
+  /// The setting that replaces this light.
+  std::vector<Hint> hints() const;
+};
+
+/// Adds light to a scene that has none (has_light()), so that it can be solved: a uniform white sky of
+/// default_daylight. Where the sky reaches less than 1 % of the surfaces, the scene is a closed room. Then
+/// materials with names such as "ceiling lamp" or "Bulb.001" emit instead; where there are none, white square
+/// luminaires that face down are placed below the ceilings, so that nearly every point of the open space sees
+/// one. Their triangles come last, see Scene::added_triangles; their power gives about default_lamp_light.
+///
+/// The same scene gets the same light for any number of threads. Throws what make_patches() and Tracer throw.
+/// Cost: building a Tracer, and 0.2 million rays; nothing where the scene has light. Reports no progress.
+DefaultLight add_default_light(Scene& scene, const Context& context = {});
+
+}  // namespace luxel

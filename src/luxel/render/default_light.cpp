@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/render/default_light.h"
+
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/render/ceiling_luminaires.h"
+#include "luxel/render/sky_reach.h"
+#include "luxel/scene/lamp_names.h"
+#include "luxel/scene/luminous_efficacy.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+namespace {
+
+constexpr double closed =
+    0.01;  // fraction of the surfaces that the sky reaches, below which a room is closed
+constexpr double absorbed = 0.5;  // assumed fraction of the light that a surface absorbs
+
+Vec3 white(double lux) { return Vec3(static_cast<float>(lux / luminous_efficacy)); }
+
+double area_of(const Scene& scene, std::size_t triangle) {
+  const auto& t = scene.triangles[triangle];
+  const Vec3d a(scene.positions[t[0]]), b(scene.positions[t[1]]), c(scene.positions[t[2]]);
+  return 0.5 * glm::length(glm::cross(b - a, c - a));
+}
+
+// lm that give default_lamp_light on average on all surfaces: in a steady state they absorb what lamps emit.
+double flux_for(const Scene& scene) {
+  double area = 0.0;
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) area += area_of(scene, t);
+  return default_lamp_light * absorbed * area;
+}
+
+// Lets materials named like lamps emit `flux` lm in total, with the same exitance; returns their names.
+std::vector<std::string> light_lamp_materials(Scene& scene, double flux) {
+  double area = 0.0;
+  std::vector<bool> is_used(scene.materials.size(), false);
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    const auto m = static_cast<std::size_t>(scene.triangle_material[t]);
+    if (!is_lamp_name(scene.materials[m].name) || !scene.materials[m].opaque) continue;
+    is_used[m] = true;
+    area += area_of(scene, t);
+  }
+  std::vector<std::string> names;
+  if (!(area > 0.0)) return names;
+  for (std::size_t m = 0; m < is_used.size(); ++m) {
+    if (!is_used[m]) continue;
+    scene.materials[m].emittance = white(flux / area);
+    names.push_back(scene.materials[m].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+DefaultLight add_default_light(Scene& scene, const Context& context) {
+  if (has_light(scene) || scene.triangles.empty()) return {};
+  const auto patches = make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.quiet());
+  const Tracer tracer(patches, context.quiet());
+  const auto daylight = white(default_daylight / std::numbers::pi);
+  if (sky_reach(patches, tracer, context) >= closed) {
+    scene.sky = daylight;
+    return {.kind = DefaultLightKind::daylight};
+  }
+  const auto flux = flux_for(scene);
+  if (auto names = light_lamp_materials(scene, flux); !names.empty())
+    return {.kind = DefaultLightKind::lamp_materials, .materials = std::move(names)};
+  const auto squares = place_luminaires(patches, tracer, context);
+  if (squares.empty()) {
+    scene.sky = daylight;
+    return {.kind = DefaultLightKind::daylight};
+  }
+  add_luminaires(squares, white(1.0) * static_cast<float>(flux), scene);
+  return {.kind = DefaultLightKind::ceiling_luminaires, .luminaires = squares.size()};
+}
+
+std::string DefaultLight::as_text() const {
+  switch (kind) {
+    case DefaultLightKind::not_needed:
+      return {};
+    case DefaultLightKind::daylight:
+      return fmt::format("no lamp in the scene: lit by daylight, a uniform sky of {:.0f} lx on open ground",
+                         default_daylight);
+    case DefaultLightKind::lamp_materials:
+      return fmt::format(
+          "no lamp in this closed room: materials named like lamps emit, for about {:.0f} lx: {}",
+          default_lamp_light, fmt::join(materials, ", "));
+    case DefaultLightKind::ceiling_luminaires:
+      return fmt::format(
+          "no lamp in this closed room: lit by {} below the ceiling, for about {:.0f} lx",
+          luminaires == 1 ? "a square luminaire" : fmt::format("{} square luminaires", luminaires),
+          default_lamp_light);
+  }
+  return {};
+}
+
+std::vector<Hint> DefaultLight::hints() const {
+  if (kind == DefaultLightKind::not_needed) return {};
+  return {{Setting::sky, kind == DefaultLightKind::daylight ? "RADIANCE" : "none"}};
+}
+
+}  // namespace luxel
