@@ -3,7 +3,7 @@
 """Checks that documents refer to things that exist: check_docs_links.py [ROOT].
 
 In each Markdown file, a link must lead to a file, and its anchor to a heading of that file; a source file named in
-backticks, as `solve/sampled.cpp`, must exist, below the root or one of FOLDERS. Figures that ./dev docs makes are exempt.
+backticks, as `solve/sampled.cpp`, must exist, below the root or one of FOLDERS.
 Prints each violation as file:line: sentence. Exit status: 1 if there is one.
 """
 import os
@@ -16,7 +16,6 @@ from check_layers import files_of  # noqa: E402
 FOLDERS = ("", "src/luxel/", "include/luxel/", "include/", "src/", "tests/", "web/")
 LINK = re.compile(r"\]\(([^()\s]+)\)")
 SOURCE = re.compile(r"`([a-z_]+(?:/[a-z_]+)*\.(?:h|cpp|py|mjs|cmake))`")
-GENERATED = ("docs/figures/",)
 
 
 def without_code(text):
@@ -44,8 +43,6 @@ def violations_of(name, documents, files):
         if ":" in path:
             continue
         target = os.path.normpath(os.path.join(os.path.dirname(name), path)) if path else name
-        if target.startswith(GENERATED):
-            continue
         if target not in files and target not in folders:
             yield line, f"'{match[1]}': there is no file {target}"
         elif anchor and target in documents and anchor not in anchors_of(documents[target]):
