@@ -9,7 +9,7 @@ export function lookFrom(about) {
   };
 }
 
-const words = { show: ['light', 'illuminance'], op: ['reinhard', 'clamp', 'maximum'], unit: ['lux', 'watts'] };
+const words = { show: ['light', 'illuminance'], op: ['neutral', 'reinhard', 'clamp', 'maximum'], unit: ['lux', 'watts'] };
 const numbers = ['exposure', 'white', 'low', 'high'];
 const switches = ['adapt', 'automatic', 'logarithmic', 'isolines', 'seeThrough'];
 const three = (text) => {

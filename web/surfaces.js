@@ -41,7 +41,7 @@ void main() {
 #endif
 }`;
 
-// Tone curves are those of tone.js, and of Luxel's room tone.
+// Tone curves are those of tone.js, and of image/tone.cpp.
 const fragmentShader = `
 precision highp float;
 precision highp int;
@@ -55,7 +55,8 @@ layout(location = 0) out vec4 pixel;
 uniform vec3 reflectance, emittance;
 uniform bool reflects_behind;
 uniform int show;
-uniform bool curved, logarithmic, isolines;
+uniform int curve;  // 0: linear, 1: Reinhard, 2: neutral
+uniform bool logarithmic, isolines;
 uniform float tone_scale, white, low, high;
 uniform vec4 measure;
 uniform sampler2D colours;
@@ -71,10 +72,18 @@ vec3 radiance() {
   return in_gamut(leaving / 3.14159265359);
 }
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+vec3 neutral(vec3 scaled) {
+  const float start = 0.76;
+  float peak = max(scaled.r, max(scaled.g, scaled.b));
+  if (peak <= start) return scaled;
+  float top = 1.0 - (1.0 - start) * (1.0 - start) / (peak + 1.0 - 2.0 * start);
+  return mix(scaled * (top / peak), vec3(top), 1.0 - 1.0 / (0.15 * (peak - top) + 1.0));
+}
 vec3 toned(vec3 c) {
+  if (curve == 2) return encoded(neutral(tone_scale * max(c, vec3(0.0))));
   float L = tone_scale * dot(c, luminance);
   float burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
-  float factor = curved ? tone_scale * burn_out / (1.0 + L) : tone_scale;
+  float factor = curve == 1 ? tone_scale * burn_out / (1.0 + L) : tone_scale;
   return encoded(min(factor * c, vec3(1.0)));
 }
 vec3 false_colour(float value) {
@@ -142,7 +151,7 @@ export class Surfaces {
       vertices: { value: scene.vertexCount },
       unit: { value: scene.about.light.unit },
       show: { value: 0 },
-      curved: { value: true }, tone_scale: { value: 1 }, white: { value: 0 },
+      curve: { value: 2 }, tone_scale: { value: 1 }, white: { value: 0 },
       logarithmic: { value: false }, isolines: { value: true }, low: { value: 0 }, high: { value: 1 },
       measure: { value: [0, 0, 0, 0] },
       colours: { value: heatTexture() },
@@ -198,7 +207,7 @@ export class Surfaces {
     return about.sky.map((s, c) => (about.hasSky ? s * weights[groupCount - 1][c] : 0));
   }
 
-  // { logAverage, largest } of the radiance in view, each pixel alike, as tone_map() of Luxel has it.
+  // { logAverage, bright, largest } of the radiance in view, each pixel alike, as tone_map() of Luxel has it.
   lightInView(renderer, world, camera, aspect) {
     const w = 320, h = Math.max(1, Math.round(w / aspect));
     this.fitTarget.setSize(w, h);
@@ -219,14 +228,19 @@ export class Surfaces {
     const sky = this.skyRadiance();
     const skyL = 0.2126 * sky[0] + 0.7152 * sky[1] + 0.0722 * sky[2];
     let sum = 0, count = 0, largest = 0;
+    const logarithms = [];
     for (let i = 0; i < pixels.length; i += 4) {
       const code = 256 * pixels[i] + pixels[i + 1];
       const isSky = code === 0 && pixels[i + 3] === 0;
       if (code === 0 && !(isSky && skyL > 0)) continue;
-      sum += isSky ? Math.log2(skyL) : code / 1024 - 32;
+      const logarithm = isSky ? Math.log2(skyL) : code / 1024 - 32;
+      logarithms.push(logarithm);
+      sum += logarithm;
       count += 1;
       largest = Math.max(largest, isSky ? Math.max(...sky) : 2 ** ((256 * pixels[i + 2] + pixels[i + 3]) / 1024 - 32));
     }
-    return { logAverage: count > 0 ? 2 ** (sum / count) : 1, largest };
+    logarithms.sort((a, b) => a - b);
+    const bright = count > 0 ? 2 ** logarithms[Math.ceil(0.9 * count) - 1] : 1;
+    return { logAverage: count > 0 ? 2 ** (sum / count) : 1, bright, largest };
   }
 }

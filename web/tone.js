@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tone curves: those of Luxel's room `tone`, so that the page shows what `luxel render` writes.
+// Tone curves: those of image/tone.cpp, so that the page shows what `luxel render` writes.
 
-// Exposure included: what radiance is multiplied by. light: { logAverage, largest } of what is in view.
+// Exposure included: what radiance is multiplied by. light: { logAverage, bright, largest } of what is in view.
 export function toneScale({ op, exposure, key }, light) {
   if (!(light.largest > 0)) return 1;
   const stops = 2 ** exposure;
   if (op === 'maximum') return stops / light.largest;
-  return op === 'clamp' ? stops : (stops * key) / light.logAverage;
+  if (op === 'clamp') return stops;
+  const usual = 0.18;
+  const automatic = op === 'neutral' ? Math.min(Math.max((0.6 * light.logAverage) / light.bright, 0.25), 0.5) : usual;
+  return (stops * (key === 'auto' ? automatic : key)) / light.logAverage;
+}
+
+function neutral(scaled) {
+  const start = 0.76, peak = Math.max(...scaled);
+  if (peak <= start) return scaled;
+  const top = 1 - (1 - start) ** 2 / (peak + 1 - 2 * start);
+  const toWhite = 1 - 1 / (0.15 * (peak - top) + 1);
+  return scaled.map((c) => (c * top) / peak + (top - (c * top) / peak) * toWhite);
 }
 
 const encode = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
@@ -14,6 +25,7 @@ const encode = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.0
 // A linear colour as the curve shows it, sRGB codes in [0, 1]: for what no surface is drawn on.
 export function shown(colour, { op, white }, scale) {
   const [r, g, b] = colour.map((c) => Math.max(0, c));
+  if (op === 'neutral') return neutral([r, g, b].map((c) => scale * c)).map((c) => encode(Math.min(1, c)));
   const L = scale * (0.2126 * r + 0.7152 * g + 0.0722 * b);
   const factor = op === 'reinhard' ? (scale * (white > 0 ? 1 + L / (white * white) : 1)) / (1 + L) : scale;
   return [r, g, b].map((c) => encode(Math.min(1, factor * c)));

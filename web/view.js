@@ -79,7 +79,7 @@ export class View {
       value: this.scene.isSpectral ? [0, 0, 0, efficacy] : [...luminance.map((l) => (isLux ? efficacy * l : 1)), 0],
     });
     shared.show.value = look.show === 'light' ? 0 : 1;
-    shared.curved.value = look.op === 'reinhard';
+    shared.curve.value = { neutral: 2, reinhard: 1 }[look.op] ?? 0;
     shared.tone_scale.value = scale;
     shared.white.value = look.white;
     shared.logarithmic.value = look.logarithmic;

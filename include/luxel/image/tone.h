@@ -11,29 +11,41 @@ namespace luxel {
 
 /// Reinhard et al. 2002: E. Reinhard, M. Stark, P. Shirley, J. Ferwerda, "Photographic Tone Reproduction for
 /// Digital Images", ACM Transactions on Graphics 21(3), SIGGRAPH 2002.
+///
+/// Khronos PBR Neutral: Khronos Group, "PBR Neutral Tone Mapper", specification of 2024. Its offset of 0.04
+/// takes off the reflection at the surface of dielectrics, which diffuse surfaces do not have; it is left
+/// out.
 enum class ToneOperator {
-  maximum,         ///< divide by the largest channel of all colours: nothing is cut
-  clamp,           ///< cut at 1
-  reinhard,        ///< Reinhard et al. 2002, global, equation 3 with key; eq. 4 where white is given
+  neutral,   ///< Khronos PBR Neutral: colours up to 0.76 stay as they are, brighter ones go towards white
+  maximum,   ///< divide by the largest channel of all colours: nothing is cut
+  clamp,     ///< cut at 1
+  reinhard,  ///< Reinhard et al. 2002, global, equation 3 with key; eq. 4 where white is given
   reinhard_local,  ///< Reinhard et al. 2002, dodging and burning, equations 5 to 9; pictures only
 };
 
-/// The words of the command line: maximum, clamp, reinhard, reinhard-local.
+inline constexpr int tone_operators = 5;
+
+/// The words of the command line: neutral, reinhard, reinhard-local, maximum, clamp.
 std::string_view name(ToneOperator op);
 std::optional<ToneOperator> tone_operator(std::string_view word);
 
+/// neutral: the 90th percentile of the luminance is mapped to 0.6, but the log-average to 0.25 at least and
+/// 0.5 at most: a white room is white, and a room with a bright window is not dark. Reinhard's operators:
+/// 0.18, as in their paper.
+inline constexpr float automatic_key = 0.0f;
+
 struct ToneOptions {
-  ToneOperator op = ToneOperator::reinhard;
-  float exposure = 0.0f;  ///< stops, applied before the curve: 2^exposure; -64 to 64
-  float key = 0.18f;      ///< what the log-average luminance is mapped to, (0, 1]
-  float white = 0.0f;     ///< smallest luminance shown as white after keying; 0: none (equation 3)
+  ToneOperator op = ToneOperator::neutral;
+  float exposure = 0.0f;      ///< stops, applied before the curve: 2^exposure; -64 to 64
+  float key = automatic_key;  ///< what the log-average luminance is mapped to, (0, 1]; or automatic_key
+  float white = 0.0f;         ///< smallest luminance shown as white after keying; 0: none (equation 3)
 
   bool operator==(const ToneOptions&) const = default;
 };
 
 /// A tone curve fitted to what is to be shown; then applied colour by colour. Display-referred results are
 /// linear RGB in [0, 1], not yet sRGB encoded. Hue is kept: luminance is mapped, colour scaled with it, then
-/// clamped.
+/// clamped; neutral maps the largest channel, and mixes what is brighter than the display with white.
 struct ToneCurve {
   ToneOptions options;
   float scale = 1.0f;  ///< radiance to curve input, exposure included
@@ -45,7 +57,7 @@ struct ToneCurve {
 /// weights: the visible area (m², or pixels) behind each colour; the log-average is over area, not over
 /// patches. Colours without light are left out of it, and so is what is not finite or has no positive weight.
 /// radiance.size() == weights.size(). The scale is
-///   maximum: 2^exposure / largest channel    clamp: 2^exposure    reinhard: 2^exposure key / log-average
+///   maximum: 2^exposure / largest channel    clamp: 2^exposure    others: 2^exposure key / log-average
 /// An empty or black input gives scale 1. reinhard_local is fitted like reinhard. Throws InputError where an
 /// option is out of its range.
 ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weights,

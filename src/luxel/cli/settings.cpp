@@ -51,6 +51,12 @@ std::string sky_as_text(const Vec3& sky) {
   return sky == Vec3(sky.r) ? fmt::format("{}", sky.r) : fmt::format("{},{},{}", sky.r, sky.g, sky.b);
 }
 
+float parse_key(const std::string& name, const std::string& text) {
+  const auto value = parse_number(text);
+  if (value && *value >= 0.001f && *value <= 1.0f) return *value;
+  throw UsageError(fmt::format("--{}: expected auto or a number from 0.001 to 1, not '{}'", name, text));
+}
+
 int parse_bands(const std::string& text) {
   const auto value = parse_number(text);
   const auto count = value ? static_cast<int>(*value) : 0;
@@ -178,19 +184,22 @@ void LookSettings::declare(OptionSet& set) {
   declare_up(set);
   set.add_number("crease-angle", "degrees", smooth.crease_angle, 0.0f, 180.0f,
                  "maximum angle between neighbours that are shaded smoothly");
-  set.add({"tone", "OPERATOR", "tone mapping: maximum, clamp, reinhard or reinhard-local",
-           [this](const std::string& text) {
-             const auto op = tone_operator(text);
-             if (!op)
-               throw UsageError(fmt::format(
-                   "--tone: expected one of maximum, clamp, reinhard, reinhard-local, not '{}'", text));
-             tone.op = *op;
-           },
-           [this] { return std::string(name(tone.op)); }});
+  set.add(
+      {"tone", "OPERATOR", "tone mapping: neutral, reinhard, reinhard-local, maximum or clamp",
+       [this](const std::string& text) {
+         const auto op = tone_operator(text);
+         if (!op)
+           throw UsageError(fmt::format(
+               "--tone: expected one of neutral, reinhard, reinhard-local, maximum, clamp, not '{}'", text));
+         tone.op = *op;
+       },
+       [this] { return std::string(name(tone.op)); }});
   set.add_number("exposure", "stops", tone.exposure, -30.0f, 30.0f,
                  "exposure correction; positive is brighter");
-  set.add_number("key", "0..1", tone.key, 0.001f, 1.0f,
-                 "display value of the average luminance (Reinhard's key)");
+  set.add(number_or_auto(
+      "key", "0..1", tone.key, automatic_key, parse_key,
+      "display value of the average luminance; auto: 0.18 for Reinhard's operators, for neutral "
+      "0.25 to 0.5 depending on the bright parts"));
   set.add_number("white", "keyed", tone.white, 0.0f, 1e6f,
                  "smallest luminance, after scaling by the key, that is shown as white; 0: none");
 }

@@ -75,7 +75,10 @@ Json camera_of(const Camera& camera) {
 
 Json tone_of(const ToneOptions& tone) {
   const auto op = tone.op == ToneOperator::reinhard_local ? ToneOperator::reinhard : tone.op;
-  return {{"op", name(op)}, {"exposure", tone.exposure}, {"key", tone.key}, {"white", tone.white}};
+  return {{"op", name(op)},
+          {"exposure", tone.exposure},
+          {"key", tone.key == automatic_key ? Json("auto") : Json(tone.key)},
+          {"white", tone.white}};
 }
 
 struct Page {

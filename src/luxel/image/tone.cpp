@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,20 +16,22 @@
 namespace luxel {
 namespace {
 
-constexpr std::array<std::pair<ToneOperator, std::string_view>, 4> names = {{
+constexpr std::array<std::pair<ToneOperator, std::string_view>, tone_operators> names = {{
+    {ToneOperator::neutral, "neutral"},
     {ToneOperator::maximum, "maximum"},
     {ToneOperator::clamp, "clamp"},
     {ToneOperator::reinhard, "reinhard"},
     {ToneOperator::reinhard_local, "reinhard-local"},
 }};
 
+constexpr double usual_key = 0.18;
 constexpr float brightest = 1e30f;  // in place of infinity
 
 void check(const ToneOptions& options) {
   if (!(std::abs(options.exposure) <= 64.0f))
     throw InputError(fmt::format("the exposure is {} stops, expected -64 to 64", options.exposure));
-  if (!(options.key > 0.0f && options.key <= 1.0f))
-    throw InputError(fmt::format("the key is {}, expected more than 0 and at most 1", options.key));
+  if (!(options.key >= 0.0f && options.key <= 1.0f))
+    throw InputError(fmt::format("the key is {}, expected 0 (automatic) to 1", options.key));
   if (!(options.white >= 0.0f && std::isfinite(options.white)))
     throw InputError(fmt::format("the white is {}, expected 0 (none) or a luminance", options.white));
 }
@@ -58,6 +61,39 @@ double log_average(std::span<const Vec3> radiance, std::span<const float> weight
   return area > 0.0 ? std::exp(sum / area) : 0.0;
 }
 
+// The smallest luminance that is not below `fraction` of the weight of all lit colours; 0 where none is lit.
+double quantile(std::span<const Vec3> radiance, std::span<const float> weights, double fraction) {
+  std::vector<std::pair<float, double>> lit;
+  double total = 0.0;
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    const float L = luminance(radiance[i]);
+    const double weight = weights[i];
+    if (!(L > 0.0f && std::isfinite(L) && weight > 0.0 && std::isfinite(weight))) continue;
+    lit.emplace_back(L, weight);
+    total += weight;
+  }
+  std::sort(lit.begin(), lit.end());
+  double below = 0.0;
+  for (const auto& [L, weight] : lit) {
+    below += weight;
+    if (below >= fraction * total) return L;
+  }
+  return lit.empty() ? 0.0 : lit.back().first;
+}
+
+bool has_key(ToneOperator op) {
+  return op == ToneOperator::neutral || op == ToneOperator::reinhard || op == ToneOperator::reinhard_local;
+}
+
+// The key that the options mean for these colours, whose log-average is `average`.
+double key_for(const ToneOptions& options, std::span<const Vec3> radiance, std::span<const float> weights,
+               double average) {
+  constexpr double darkest_average = 0.25, brightest_average = 0.5, bright_part = 0.9, bright = 0.6;
+  if (options.key != automatic_key || options.op != ToneOperator::neutral) return reinhard_key(options);
+  return std::clamp(bright * average / quantile(radiance, weights, bright_part), darkest_average,
+                    brightest_average);
+}
+
 }  // namespace
 
 std::string_view name(ToneOperator op) {
@@ -76,6 +112,10 @@ Vec3 clean_color(const Vec3& radiance) {
   return {clean(radiance.r), clean(radiance.g), clean(radiance.b)};
 }
 
+double reinhard_key(const ToneOptions& options) {
+  return options.key == automatic_key ? usual_key : static_cast<double>(options.key);
+}
+
 double reinhard(double L, double surround, double white) {
   const double burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
   return L * burn_out / (1.0 + surround);
@@ -86,8 +126,18 @@ Vec3 with_luminance(const Vec3& clean, double scale, double L, double display) {
   return Vec3(glm::min(factor * Vec3d(clean), Vec3d(1.0)));
 }
 
+Vec3 neutral(const Vec3d& scaled) {
+  constexpr double start = 0.76, room = 1.0 - start, desaturation = 0.15;
+  const double peak = std::max({scaled.r, scaled.g, scaled.b});
+  if (peak <= start) return Vec3(scaled);
+  const double shown = 1.0 - room * room / (peak + room - start);
+  const double to_white = 1.0 - 1.0 / (desaturation * (peak - shown) + 1.0);
+  return Vec3(glm::mix(scaled * (shown / peak), Vec3d(shown), to_white));
+}
+
 Vec3 ToneCurve::operator()(const Vec3& radiance) const {
   const auto clean = clean_color(radiance);
+  if (options.op == ToneOperator::neutral) return neutral(static_cast<double>(scale) * Vec3d(clean));
   const double L = static_cast<double>(scale) * luminance(clean);
   const bool is_curved = options.op == ToneOperator::reinhard || options.op == ToneOperator::reinhard_local;
   return with_luminance(clean, scale, L, is_curved ? reinhard(L, L, options.white) : L);
@@ -100,9 +150,9 @@ ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weigh
   if (!(largest > 0.0)) return {.options = options};
   double scale = std::exp2(options.exposure);
   if (options.op == ToneOperator::maximum) scale /= largest;
-  if (options.op == ToneOperator::reinhard || options.op == ToneOperator::reinhard_local) {
+  if (has_key(options.op)) {
     const double average = log_average(radiance, weights);
-    if (average > 0.0) scale *= options.key / average;
+    if (average > 0.0) scale *= key_for(options, radiance, weights, average) / average;
   }
   constexpr double most = std::numeric_limits<float>::max();
   return {.options = options, .scale = static_cast<float>(std::min(scale, most))};

@@ -42,7 +42,7 @@ GreyPicture local_adaptation(const GreyPicture& inputs, double key) {
 
 Image map_local(const Image& radiance, const ToneCurve& curve) {
   const auto inputs = curve_inputs(radiance, curve.scale);
-  const auto key = curve.options.key * std::exp2(static_cast<double>(curve.options.exposure));
+  const auto key = reinhard_key(curve.options) * std::exp2(static_cast<double>(curve.options.exposure));
   const auto adaptation = local_adaptation(inputs, key);
   Image display(radiance.width, radiance.height);
   for (std::size_t p = 0; p < display.pixels.size(); ++p) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "luxel/image/curve.h"
 #include "luxel/image/local_scales.h"
 #include "luxel/viewer/framebuffer.h"
 #include "luxel/viewer/full_screen_triangle.h"
@@ -161,7 +162,7 @@ void LocalTone::finish(const ToneCurve& curve, float pixel) {
     s.run(s.levels[i - 1].inputs, s.levels[i].inputs, s.levels[i].size);
   for (std::size_t i = 0; i < s.levels.size(); ++i)
     s.blur_level(s.levels[i], weights_of(groups[i], static_cast<double>(pixel)));
-  const double key = curve.options.key * std::exp2(static_cast<double>(curve.options.exposure));
+  const double key = reinhard_key(curve.options) * std::exp2(static_cast<double>(curve.options.exposure));
   s.choose.use();
   s.choose.set("fine", 0);
   s.choose.set("halves", 1);

@@ -49,7 +49,7 @@ struct Number {
 };
 constexpr Number numbers[] = {
     {"exposure", -64.0f, 64.0f, [](Look& look, float value) { look.tone.exposure = value; }},
-    {"key", 0.001f, 1.0f, [](Look& look, float value) { look.tone.key = value; }},
+    {"key", automatic_key, 1.0f, [](Look& look, float value) { look.tone.key = value; }},
     {"white", 0.0f, 1e6f, [](Look& look, float value) { look.tone.white = value; }},
     {"low", -1e12f, 1e12f, [](Look& look, float value) { look.low = value; }},
     {"high", -1e12f, 1e12f, [](Look& look, float value) { look.high = value; }},

@@ -19,8 +19,9 @@ void show_choice(Look& look) {
 }
 
 void tone_choice(Look& look) {
-  const std::array<ToneOperator, 4> operators = {ToneOperator::reinhard, ToneOperator::reinhard_local,
-                                                 ToneOperator::maximum, ToneOperator::clamp};
+  const std::array<ToneOperator, 5> operators = {ToneOperator::neutral, ToneOperator::reinhard,
+                                                 ToneOperator::reinhard_local, ToneOperator::maximum,
+                                                 ToneOperator::clamp};
   if (ImGui::BeginCombo("tone", name(look.tone.op).data())) {
     for (const auto each : operators)
       if (ImGui::Selectable(name(each).data(), look.tone.op == each)) look.tone.op = each;

@@ -39,12 +39,19 @@ inline constexpr std::string_view surface_fragment_shader = R"(
 out vec4 pixel;
 #ifdef LIGHT
 in vec3 front, back;
-uniform int curved;
+uniform int curve;  // 0: linear, 1: Reinhard, 2: neutral
 uniform float tone_scale, white, brightest;
 #ifdef LOCAL
 uniform sampler2D around;
 uniform ivec2 from;
 #endif
+vec3 neutral(vec3 scaled) {
+  const float start = 0.76;
+  float peak = max(scaled.r, max(scaled.g, scaled.b));
+  if (peak <= start) return scaled;
+  float shown = 1.0 - (1.0 - start) * (1.0 - start) / (peak + 1.0 - 2.0 * start);
+  return mix(scaled * (shown / peak), vec3(shown), 1.0 - 1.0 / (0.15 * (peak - shown) + 1.0));
+}
 void main() {
   vec3 radiance = max(gl_FrontFacing ? front : back, vec3(0.0));
   float L = tone_scale * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
@@ -57,8 +64,8 @@ void main() {
   float V = L;
 #endif
   float burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
-  float factor = curved != 0 ? tone_scale * burn_out / (1.0 + V) : tone_scale;
-  pixel = vec4(min(factor * radiance, vec3(1.0)), 1.0);
+  float factor = curve == 1 ? tone_scale * burn_out / (1.0 + V) : tone_scale;
+  pixel = vec4(curve == 2 ? neutral(factor * radiance) : min(factor * radiance, vec3(1.0)), 1.0);
 #endif
 }
 #elif defined(SMOOTH) || defined(PATCHES)

@@ -44,6 +44,12 @@ GlProgram surface_program(std::string_view define) {
   return {surface_vertex_shader, surface_fragment_shader, define};
 }
 
+// As surface_fragment_shader has it.
+int curve_number(ToneOperator op) {
+  if (op == ToneOperator::neutral) return 2;
+  return op == ToneOperator::reinhard || op == ToneOperator::reinhard_local ? 1 : 0;
+}
+
 }  // namespace
 
 struct Surfaces::State {
@@ -198,9 +204,7 @@ void Surfaces::draw(const SurfaceView& view) {
   program.set("eye", view.eye);
   program.set("tone_scale", view.tone.scale);
   program.set("white", view.tone.options.white);
-  const bool is_curved =
-      view.tone.options.op == ToneOperator::reinhard || view.tone.options.op == ToneOperator::reinhard_local;
-  program.set("curved", is_curved ? 1 : 0);
+  program.set("curve", curve_number(view.tone.options.op));
   program.set("brightest", LocalScales::brightest);
   program.set("around", 2);
   program.set("from", view.from.left, view.from.bottom);

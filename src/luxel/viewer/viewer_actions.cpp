@@ -104,7 +104,7 @@ void Viewer::handle_key(Key key) {
       look.show = static_cast<Show>((static_cast<int>(look.show) + 1) % show_count);
       return;
     case 'T':
-      look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % 4);
+      look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % tone_operators);
       return;
     case ' ':
       if (session.has_scene()) session.status().is_paused ? session->resume() : session->pause();

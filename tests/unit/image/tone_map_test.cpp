@@ -9,8 +9,8 @@
 namespace luxel {
 namespace {
 
-constexpr ToneOperator operators[] = {ToneOperator::maximum, ToneOperator::clamp, ToneOperator::reinhard,
-                                      ToneOperator::reinhard_local};
+constexpr ToneOperator operators[] = {ToneOperator::neutral, ToneOperator::maximum, ToneOperator::clamp,
+                                      ToneOperator::reinhard, ToneOperator::reinhard_local};
 
 // A dark left and a bright right half, each with fine stripes of the same contrast.
 Image halves(float bright, float contrast) {
@@ -36,7 +36,8 @@ float contrast(const Image& image, int x0, int x1) {
 TEST(ToneMap, the_global_operators_apply_their_fitted_curve_to_every_pixel) {
   const auto radiance = halves(100.0f, 0.3f);
   const std::vector<float> weights(radiance.pixels.size(), 1.0f);
-  for (const auto op : {ToneOperator::maximum, ToneOperator::clamp, ToneOperator::reinhard}) {
+  for (const auto op :
+       {ToneOperator::neutral, ToneOperator::maximum, ToneOperator::clamp, ToneOperator::reinhard}) {
     const auto curve = fit_curve(radiance.pixels, weights, {.op = op});
     const auto display = tone_map(radiance, {.op = op});
     for (std::size_t p = 0; p < radiance.pixels.size(); ++p)

@@ -149,7 +149,8 @@ TEST_F(Card, a_mesh_without_light_is_grey) {
 
 TEST_F(Card, every_tone_curve_gives_the_codes_that_the_processor_gives) {
   surfaces_->set_light(patches_, light_, VertexValue::radiance);
-  for (const auto op : {ToneOperator::maximum, ToneOperator::clamp, ToneOperator::reinhard})
+  for (const auto op :
+       {ToneOperator::neutral, ToneOperator::maximum, ToneOperator::clamp, ToneOperator::reinhard})
     for (const float white : {0.0f, 2.0f}) {
       const ToneCurve curve{{.op = op, .white = white}, 0.17f};
       const auto image = draw({.paint = Paint::light, .tone = curve});
