@@ -13,7 +13,7 @@ const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.1 ";
 
 TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
   const auto folder = fresh_folder("sampled_error");
-  const auto run = cli::run(folder, bake + "--error 3% -o a.vtkhdf --json --seed 3");
+  const auto run = cli::run(folder, bake + "--error 3% -o a.vtkhdf --json --seed 3 --verbose");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find("error reached: seen error"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("first light"), std::string::npos) << run.err;

@@ -90,6 +90,29 @@ TEST(PointLights, InTheSunAllIsAlikeAndLevel) {
     EXPECT_NEAR(a.light.irradiance.front[3 * p], 3.0 * 2.0 / std::sqrt(5.0), 1e-5);
 }
 
+// A floor of 4 m² under a sun of 3 W/m², half of it shaded by a black screen.
+TEST(PointLights, OfTheSunCountsInTheEnergyBalance) {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f).quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  builder.material("screen", 0.0f, 0.0f, false).quad({-1, 0, 1}, {-1, 1, 1}, {1, 1, 1}, {1, 0, 1});
+  auto scene = builder.scene();
+  scene.point_lights = {
+      {.name = "sun", .kind = PointLightKind::directional, .direction = {0, 0, -1}, .intensity = Vec3(3.0f)}};
+  const auto a = solved(scene, 0.25f, 0.003);
+  const auto& energy = a.report.energy;
+  EXPECT_EQ(energy.emitted[0], 0.0);
+  // The screen's front faces down; the sun meets its absorbing back, which does not count.
+  EXPECT_NEAR(energy.from_sky[0], 3.0 * 2.0, 0.01);
+  const auto sum = energy.absorbed[0] + energy.escaped[0] + energy.lost_at_backs[0] + energy.unshot[0];
+  EXPECT_NEAR(sum, energy.from_sky[0], 0.03 * sum);
+  // Paths find the same.
+  const Context context(2);
+  const Tracer tracer(a.patches, context);
+  Solution paths;
+  const auto traced = trace_light(a.patches, tracer, paths, {.limits = {.error = 0.02}}, context);
+  EXPECT_EQ(traced.from_sky, energy.from_sky);
+}
+
 // All power of a lamp in a closed room is absorbed, wherever it stands.
 TEST(PointLights, GiveAClosedRoomTheirPower) {
   auto scene =

@@ -42,8 +42,8 @@ enum class ErrorKind {
 /// lost_at_backs + unshot, to rounding; shooting under lamps and sky: to a ray, which of them it belongs to.
 struct EnergyBalance {
   std::vector<double> emitted;  ///< by lamps
-  /// What the sky sends onto sides that take part: all fronts, and backs of two-sided materials. What it
-  /// sends past the scene, or straight to a back that absorbs all, is nobody's business and counted nowhere.
+  /// From the sky and from directional lamps, onto sides that take part: all fronts, and backs of two-sided
+  /// materials. Light that misses the scene or meets an absorbing back directly is not counted.
   std::vector<double> from_sky;
   std::vector<double> absorbed;       ///< taken up by surfaces that received it
   std::vector<double> escaped;        ///< left the scene

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "luxel/cli/bake_settings.h"
@@ -24,6 +26,10 @@ class Bake final : public Command {
   bool takes_ranks() const override { return true; }
 
   int run() override {
+    const auto& file = settings_.scene.file;
+    auto& outputs = settings_.run.outputs;
+    if (outputs.empty() && settings_.keep.checkpoint.empty() && std::filesystem::is_regular_file(file))
+      outputs.push_back(default_output(file));
     settings_.check();
     settings_.mesh.check_outputs(settings_.run.outputs);
     Console console(settings_.run);
@@ -31,7 +37,6 @@ class Bake final : public Command {
     RunRecord record;
 
     // 1. The mesh, or the run that an earlier one kept.
-    const auto& file = settings_.scene.file;
     const auto scene =
         record.stage("load", [&](auto&) { return load_lit_scene(settings_.scene, context, console); });
     if (interrupted()) return stopped_before_light(console);

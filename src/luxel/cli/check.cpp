@@ -47,7 +47,7 @@ class Check final : public Command {
       record.stage("write glb", [&](auto&) { write(output, scene, report, context); });
 
     const CheckText text{&scene, &report, run_.outputs, &options(), &record};
-    console.say(record.table());
+    console.say(record.summary(run_.verbose));
     if (!run_.report.empty()) write_file(run_.report, text.as_json());
     print_result(run_.json ? text.as_json() : text.as_text());
     if (!report.is_whole) return exit_stopped_early;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/cli/suggestion.h"
 #include "luxel/core/output_file.h"
 
 namespace luxel {
@@ -83,6 +84,22 @@ std::size_t line_of_key(const std::string& text, const std::string& key) {
   return 0;
 }
 
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const char* before) {
+  const auto name = nearest_name(word, names);
+  return name.empty() ? "" : fmt::format(", did you mean '{}{}'?", before, name);
+}
+
+// "luxel" alone is a question for help, and so is "luxel help" with or without a command.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) return {"--help"};
+  if (words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
 }  // namespace
 
 CommandLine::CommandLine(std::string version) : version_(std::move(version)) {}
@@ -95,7 +112,7 @@ OptionSet& CommandLine::command(std::string name, std::string summary) {
 
 CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   CLI::App app("Luxel: global illumination of diffuse scenes by the radiosity method.", "luxel");
-  app.set_version_flag("--version", "luxel " + version_);
+  app.set_version_flag("-V,--version", "luxel " + version_);
   app.require_subcommand(1);
   app.get_formatter()->column_width(38);
   app.footer(
@@ -118,8 +135,11 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
     sub->add_flag("--print-config", given.print_config,
                   "print every option with its value and where it came from, and stop");
   }
+  auto words = words_of(argc, argv);
+  check_names(words);
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::CallForVersion& version) {
     return {nullptr, std::string(version.what()) + "\n"};
   } catch (const CLI::CallForHelp&) {
@@ -143,6 +163,28 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
   chosen.check_use();
   if (given.print_config) return {nullptr, chosen.as_file()};
   return {&chosen, ""};
+}
+
+void CommandLine::check_names(const std::vector<std::string>& words) const {
+  if (words.front().starts_with('-')) return;  // an option of the program
+  std::vector<std::string> names;
+  const OptionSet* chosen = nullptr;
+  for (const auto& set : commands_) {
+    names.push_back(set->name_);
+    if (set->name_ == words.front()) chosen = set.get();
+  }
+  if (!chosen)
+    throw UsageError(fmt::format("there is no command '{}'{}; 'luxel --help' lists the commands",
+                                 words.front(), did_you_mean(words.front(), names, "")));
+  names = {"help", "config", "print-config"};
+  for (const auto& e : chosen->entries_) names.push_back(e.declaration.name);
+  for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
+    if (!words[i].starts_with("--")) continue;
+    const auto name = words[i].substr(2, words[i].find('=') - 2);
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw UsageError(fmt::format("there is no option '--{}'{}; 'luxel {} --help' lists the options", name,
+                                 did_you_mean(name, names, "--"), chosen->name_));
+  }
 }
 
 void CommandLine::read_file(OptionSet& chosen, const std::string& path) {

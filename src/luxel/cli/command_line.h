@@ -29,6 +29,9 @@ class CommandLine {
   Parsed parse(int argc, const char* const* argv);
 
  private:
+  // Throws UsageError, with the nearest name, where the first word is no command or an option is not one of
+  // its.
+  void check_names(const std::vector<std::string>& words) const;
   void read_file(OptionSet& chosen, const std::string& path);
   std::string version_;
   std::vector<std::unique_ptr<OptionSet>> commands_;

@@ -8,7 +8,7 @@
 namespace luxel {
 
 void finish(const RunReport& report, const RunSettings& run, Console& console) {
-  console.say(report.record->table());
+  console.say(report.record->summary(run.verbose));
   if (!run.report.empty()) write_file(run.report, report.as_json());
   if (run.json) return print_result(report.as_json());
   for (const auto& output : report.outputs) print_result(output + "\n");

@@ -180,10 +180,11 @@ void LightRun::report_light(const Baked& baked, const SolveReport& solved) const
   auto power = std::accumulate(energy.emitted.begin(), energy.emitted.end(), 0.0);
   power = std::accumulate(energy.from_sky.begin(), energy.from_sky.end(), power);
   for (std::size_t m = 0; m < solved.back_loss.size(); ++m)
-    if (solved.back_loss[m] > 0.001 * power)
+    if (power > 0.0 && solved.back_loss[m] > 0.001 * power)
       warn(console_.log(),
-           fmt::format("{:.1f} % of the emitted power is lost at the backs of one-sided material '{}'",
-                       100.0 * solved.back_loss[m] / power, baked.patches.materials[m].name));
+           fmt::format(
+               "{:.1f} % of the power of lamps and sky is lost at the backs of one-sided material '{}'",
+               100.0 * solved.back_loss[m] / power, baked.patches.materials[m].name));
   if (!fell_short(solved)) return;
   const auto by = solved.stop == StopReason::stopped_by_user
                       ? std::string()

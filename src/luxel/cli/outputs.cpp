@@ -52,6 +52,18 @@ class Places {
 
 }  // namespace
 
+std::string default_output(const std::string& scene) {
+  const std::filesystem::path path(scene);
+  const auto name = path.stem().string() + "-lit.glb";
+  auto beside = (path.parent_path() / name).string();
+  try {
+    const OutputFile trial(beside);
+    return beside;
+  } catch (const DeviceError&) {
+    return name;
+  }
+}
+
 Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
   if (look.up == "y") return {0.0f, 1.0f, 0.0f};
   if (look.up == "z") return {0.0f, 0.0f, 1.0f};
@@ -255,6 +267,16 @@ class OutputWriter {
     written_.camera = place_.record.stage("camera", [&](auto&) {
       return camera_of(settings_.picture, settings_.look, baked_, *tracer_, place_.context);
     });
+    if (!settings_.picture.is_given()) place_.console.say("camera: " + flags_of(*written_.camera));
+  }
+  // As the command line takes it, in the coordinates of the file.
+  std::string flags_of(const Camera& camera) const {
+    const auto point = [&](const Vec3& p) {
+      const auto at = Vec3d(p) + baked_.patches.origin;
+      return fmt::format("{:.5g},{:.5g},{:.5g}", at.x, at.y, at.z);
+    };
+    return fmt::format("--eye {} --target {} --fov {:.4g}", point(camera.eye), point(camera.target),
+                       camera.vertical_fov);
   }
   void draw() {
     if (radiance_) return;

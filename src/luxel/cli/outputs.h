@@ -23,6 +23,10 @@ inline constexpr const char* picture_kinds = ".png .exr .hdr";
 inline constexpr const char* mesh_kinds = ".glb .ply .html .vtkhdf";
 inline constexpr const char* all_kinds = ".glb .ply .html .png .exr .hdr .vtkhdf";
 
+// Returns the file that `luxel bake` writes where none is named: room-lit.glb for room.obj, beside it or,
+// where its folder cannot be written, in the working folder.
+std::string default_output(const std::string& scene);
+
 // Checks outputs before the solve. Throws UsageError where there is no output, one's extension is not among
 // `kinds`, one is named twice, or the camera is invalid; DeviceError where a file cannot be made. A
 // checkpoint is an output as well.

@@ -54,10 +54,11 @@ std::uint64_t peak_memory() {
 std::string RunRecord::table() const {
   double total = 0.0;
   for (const auto& s : stages_) total += s.seconds;
-  auto text = fmt::format("{:<12}{:>10}{:>8}{:>16}{:>12}\n", "stage", "seconds", "share", "rays", "ns a ray");
+  auto text =
+      fmt::format("{:<12}{:>10}{:>10}{:>16}{:>12}\n", "stage", "seconds", "fraction", "rays", "ns per ray");
   const auto line = [&](const std::string& name, double seconds, std::uint64_t rays) {
     text +=
-        fmt::format("{:<12}{:>10.2f}{:>6.0f} %", name, seconds, total > 0.0 ? 100.0 * seconds / total : 0.0);
+        fmt::format("{:<12}{:>10.2f}{:>8.0f} %", name, seconds, total > 0.0 ? 100.0 * seconds / total : 0.0);
     if (rays > 0) text += fmt::format("{:>16}{:>12.0f}", rays, 1e9 * seconds / static_cast<double>(rays));
     text += '\n';
   };
@@ -66,7 +67,12 @@ std::string RunRecord::table() const {
   if (first_light_)
     text += fmt::format("first light {:.2f} s after the start, {:.2f} s after loading\n", *first_light_,
                         first_light_after_load().value_or(*first_light_));
-  return text + fmt::format("peak memory {:.0f} MiB", static_cast<double>(peak_memory()) / (1024.0 * 1024.0));
+  return text;
+}
+
+std::string RunRecord::summary(bool with_stages) const {
+  return fmt::format("{}{:.1f} s, peak memory {:.0f} MiB", with_stages ? table() : "", now(),
+                     static_cast<double>(peak_memory()) / (1024.0 * 1024.0));
 }
 
 }  // namespace luxel

@@ -36,8 +36,9 @@ class RunRecord {
   std::optional<double> first_light() const { return first_light_; }
   // The same from the end of the stage "load" on.
   std::optional<double> first_light_after_load() const;
-  // Stage, time, share, rays, time a ray; total, first light and peak memory.
-  std::string table() const;
+  // The time of the run and the peak memory in a line. with_stages: after a table of the stages, with time,
+  // fraction of the whole, rays and time per ray, and the time of the first light.
+  std::string summary(bool with_stages) const;
 
  private:
   struct Timer {
@@ -49,6 +50,7 @@ class RunRecord {
     std::size_t index;
   };
   double now() const;  // s
+  std::string table() const;
 
   std::chrono::steady_clock::time_point made_;
   double age_when_made_;  // of the process, s

@@ -330,7 +330,7 @@ std::string describe(const SolveReport& report) {
   auto text = fmt::format(
       "{}emitted {:.4g} W{} = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + unshot {:.2g} "
       "%\n",
-      done, sum(e.emitted), from_sky > 0.0 ? fmt::format(" + from the sky {:.4g} W", from_sky) : "",
+      done, sum(e.emitted), from_sky > 0.0 ? fmt::format(" + from sky and sun {:.4g} W", from_sky) : "",
       percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
   if (report.processes > 1)
     text += fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",

@@ -218,6 +218,7 @@ void RunSettings::declare(OptionSet& set, const std::string& kinds) {
                  "number of threads; 0: all cores; results do not depend on it");
   set.add_text("json-file", "FILE", report, "write the result as JSON to this file");
   set.add_flag("json", json, "print the result as JSON");
+  set.add_flag("verbose", verbose, "print the time and the rays of each stage at the end");
   set.add_flag("quiet", quiet, "print only warnings and errors");
   set.add_choice("progress", {"auto", "json"}, progress,
                  "progress on the standard error; auto: for people, on a terminal; json: a line of JSON "

@@ -77,6 +77,7 @@ struct PictureSettings {
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays per pixel of a final gather; 0: none
+  bool is_given() const { return eye && target; }
   // Throws UsageError where the camera is invalid: call it before a long solve.
   void check() const;
   // Camera and size; then how a solution is drawn.
@@ -104,6 +105,7 @@ struct RunSettings {
   int threads = 0;
   bool json = false;
   bool quiet = false;
+  bool verbose = false;  // the stages, too
   std::string progress = "auto";
   std::string report;
   // kinds: the endings -o takes, for the help.

@@ -87,7 +87,7 @@ class ViewFactorsCommand final : public Command {
     }
     report.options = &options();
     report.record = &record;
-    console.say(record.table());
+    console.say(record.summary(run_.verbose));
     if (!run_.report.empty()) write_file(run_.report, report.as_json());
     if (run_.json)
       print_result(report.as_json());

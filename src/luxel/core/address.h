@@ -52,6 +52,7 @@ enum class RandomPurpose : std::uint32_t {
 enum class RandomSeed : std::uint64_t {
   views = 0x76696577u,       // places of views
   luminaires = 0x6c756d69u,  // places of default luminaires
+  sun_power = 0x73756e70u,   // shadow rays of the energy balance
   sky_reach = 0x72656163u,   // paths that look for the sky
   lamps = 0x6c616d70u,       // added to the user's: shadow rays
   forecast = 0x666f7265u,    // a key: trial form factors

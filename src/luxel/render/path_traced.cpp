@@ -9,6 +9,7 @@
 #include "luxel/patch/side.h"
 #include "luxel/render/strata.h"
 #include "luxel/solution/error_95th.h"
+#include "luxel/trace/sun_power.h"
 
 namespace luxel {
 namespace {
@@ -149,6 +150,8 @@ PathReport trace_light(const PatchSet& patches, const Tracer& tracer, Solution& 
   solution.bands = patches.bands;
   fill_light(patches, sides, solution);
   fill_power(patches, sides, report);
+  const auto suns = sun_power(patches, tracer, context);
+  for (std::size_t b = 0; b < suns.size(); ++b) report.from_sky[b] += suns[b];
   report.error_95th = solution.error_95th;
 
   solution.unshot_fraction = 0.0;

@@ -23,6 +23,7 @@
 #include "luxel/solve/seen_measure.h"
 #include "luxel/solve/survey_sides.h"
 #include "luxel/solve/tuning.h"
+#include "luxel/trace/sun_power.h"
 
 namespace luxel {
 namespace {
@@ -280,6 +281,8 @@ class Run {
     if (!report_.rounds.empty()) {
       const auto energy = energy_of(patches_, *transport_, answer_.mean, context_);
       report_.energy = energy.balance;
+      const auto suns = sun_power(patches_, tracer_, context_);
+      for (std::size_t b = 0; b < suns.size(); ++b) report_.energy.from_sky[b] += suns[b];
       report_.back_loss = energy.back_loss;
     }
     report_.stop = reason;

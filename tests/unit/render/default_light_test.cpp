@@ -81,7 +81,7 @@ class DefaultLightTest : public testing::Test {
     return sum;
   }
 
-  test::SceneFiles files_;
+  SceneFiles files_;
   Scene scene_;
 };
 
