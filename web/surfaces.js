@@ -207,7 +207,7 @@ export class Surfaces {
     return about.sky.map((s, c) => (about.hasSky ? s * weights[groupCount - 1][c] : 0));
   }
 
-  // { logAverage, bright, largest } of the radiance in view, each pixel alike, as tone_map() of Luxel has it.
+  // { logAverage, litAverage, bright, largest } of the radiance in view, each pixel alike, as tone_map() of Luxel has it.
   lightInView(renderer, world, camera, aspect) {
     const w = 320, h = Math.max(1, Math.round(w / aspect));
     this.fitTarget.setSize(w, h);
@@ -227,20 +227,19 @@ export class Surfaces {
   #averageOf(pixels) {
     const sky = this.skyRadiance();
     const skyL = 0.2126 * sky[0] + 0.7152 * sky[1] + 0.0722 * sky[2];
-    let sum = 0, count = 0, largest = 0;
+    let largest = 0;
     const logarithms = [];
     for (let i = 0; i < pixels.length; i += 4) {
       const code = 256 * pixels[i] + pixels[i + 1];
       const isSky = code === 0 && pixels[i + 3] === 0;
       if (code === 0 && !(isSky && skyL > 0)) continue;
-      const logarithm = isSky ? Math.log2(skyL) : code / 1024 - 32;
-      logarithms.push(logarithm);
-      sum += logarithm;
-      count += 1;
+      logarithms.push(isSky ? Math.log2(skyL) : code / 1024 - 32);
       largest = Math.max(largest, isSky ? Math.max(...sky) : 2 ** ((256 * pixels[i + 2] + pixels[i + 3]) / 1024 - 32));
     }
     logarithms.sort((a, b) => a - b);
-    const bright = count > 0 ? 2 ** logarithms[Math.ceil(0.9 * count) - 1] : 1;
-    return { logAverage: count > 0 ? 2 ** (sum / count) : 1, bright, largest };
+    const bright = logarithms.length > 0 ? 2 ** logarithms[Math.ceil(0.9 * logarithms.length) - 1] : 1;
+    const lit = logarithms.filter((l) => l >= Math.log2(0.01 * bright));
+    const mean = (of) => (of.length > 0 ? 2 ** (of.reduce((a, b) => a + b) / of.length) : 1);
+    return { logAverage: mean(logarithms), litAverage: mean(lit), bright, largest };
   }
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tone curves: those of image/tone.cpp, so that the page shows what `luxel render` writes.
 
-// Exposure included: what radiance is multiplied by. light: { logAverage, bright, largest } of what is in view.
+// Exposure included: what radiance is multiplied by. light: { logAverage, litAverage, bright, largest } of what is in view.
 export function toneScale({ op, exposure, key }, light) {
   if (!(light.largest > 0)) return 1;
   const stops = 2 ** exposure;
   if (op === 'maximum') return stops / light.largest;
   if (op === 'clamp') return stops;
-  const usual = 0.18;
-  const automatic = op === 'neutral' ? Math.min(Math.max((0.6 * light.logAverage) / light.bright, 0.25), 0.5) : usual;
-  return (stops * (key === 'auto' ? automatic : key)) / light.logAverage;
+  const isNeutral = op === 'neutral', average = isNeutral ? light.litAverage : light.logAverage;
+  const automatic = isNeutral ? Math.min(Math.max((0.6 * average) / light.bright, 0.25), 0.5) : 0.18;
+  return (stops * (key === 'auto' ? automatic : key)) / average;
 }
 
 function neutral(scaled) {

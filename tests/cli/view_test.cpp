@@ -38,7 +38,7 @@ TEST_F(View, each_choice_shows_something_else) {
     const bool is_switch = choice.ends_with(" on");
     script += "set " + choice + "\nwait finished\nwait 3 frames\nsnapshot " + std::to_string(i) + ".png\n";
     script += is_switch ? "set " + choice.substr(0, choice.size() - 2) + "off\n" : "";
-    script += "set show light\nset tone reinhard\n";
+    script += "set show light\nset tone neutral\n";
   }
   const auto done =
       run("s.txt", script + "wait finished\nwait 60 frames\nsnapshot again.png\n", "--off-screen");

@@ -73,6 +73,9 @@ async function clickLook(page) {
   await set('Exposure, stops', '2');
   assert.match(await page.locator('#exposure-text').innerText(), /\+2\.00/);
   last = await changes(page, last, 'brighter');
+  assert.ok(await page.locator('#white-row').isHidden());
+  await page.getByLabel('Tone curve').selectOption('reinhard');
+  last = await changes(page, last, 'reinhard');
   await set('White at', '1.5');
   last = await changes(page, last, 'white');
   await page.getByLabel('Tone curve').selectOption('clamp');

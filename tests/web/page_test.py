@@ -26,7 +26,7 @@ PICTURES = {
     "plain": (["render"], ""),
     "clamp": (["render", "--tone", "clamp", "--exposure", "1"], "op=clamp&exposure=1"),
     "maximum": (["render", "--tone", "maximum", "--exposure", "3"], "op=maximum&exposure=3"),
-    "white": (["render", "--white", "3", "--exposure", "1"], "white=3&exposure=1"),
+    "white": (["render", "--tone", "reinhard", "--white", "3", "--exposure", "1"], "op=reinhard&white=3&exposure=1"),
     "relit": (["relight", "--light", "lamp=0.3", "--tint", "side=1,0.3,0.1"], "lamps=0.3,0.3,0.3;1,0.3,0.1"),
 }
 

@@ -30,8 +30,9 @@ std::string_view name(ToneOperator op);
 std::optional<ToneOperator> tone_operator(std::string_view word);
 
 /// neutral: the 90th percentile of the luminance is mapped to 0.6, but the log-average to 0.25 at least and
-/// 0.5 at most: a white room is white, and a room with a bright window is not dark. Reinhard's operators:
-/// 0.18, as in their paper.
+/// 0.5 at most: a white room is white, and a room with a bright window is not dark. Colours darker than a
+/// hundredth of that percentile, such as insides of furniture, do not count in the average. Reinhard's
+/// operators: 0.18, as in their paper.
 inline constexpr float automatic_key = 0.0f;
 
 struct ToneOptions {

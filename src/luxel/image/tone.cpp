@@ -48,13 +48,13 @@ double max_channel(std::span<const Vec3> radiance, std::span<const float> weight
 // Reinhard et al. 2002, equation 1 with areas for pixel counts. Their small delta, which avoids the logarithm
 // of zero at black pixels, also lowers the mean by an amount that depends on its value; leaving black pixels
 // out needs no such constant.
-double log_average(std::span<const Vec3> radiance, std::span<const float> weights) {
+double log_average(std::span<const Vec3> radiance, std::span<const float> weights, double darkest = 0.0) {
   double sum = 0.0;
   double area = 0.0;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     const double L = luminance(radiance[i]);
     const double weight = weights[i];
-    if (!(L > 0.0 && std::isfinite(L) && weight > 0.0 && std::isfinite(weight))) continue;
+    if (!(L > 0.0 && L >= darkest && std::isfinite(L) && weight > 0.0 && std::isfinite(weight))) continue;
     sum += weight * std::log(L);
     area += weight;
   }
@@ -81,17 +81,18 @@ double quantile(std::span<const Vec3> radiance, std::span<const float> weights, 
   return lit.empty() ? 0.0 : lit.back().first;
 }
 
-bool has_key(ToneOperator op) {
-  return op == ToneOperator::neutral || op == ToneOperator::reinhard || op == ToneOperator::reinhard_local;
-}
-
-// The key that the options mean for these colours, whose log-average is `average`.
-double key_for(const ToneOptions& options, std::span<const Vec3> radiance, std::span<const float> weights,
-               double average) {
-  constexpr double darkest_average = 0.25, brightest_average = 0.5, bright_part = 0.9, bright = 0.6;
-  if (options.key != automatic_key || options.op != ToneOperator::neutral) return reinhard_key(options);
-  return std::clamp(bright * average / quantile(radiance, weights, bright_part), darkest_average,
-                    brightest_average);
+// The scale of neutral, without the exposure. See automatic_key.
+double neutral_scale(const ToneOptions& options, std::span<const Vec3> radiance,
+                     std::span<const float> weights) {
+  constexpr double bright_part = 0.9, bright = 0.6, dark = 0.01, darkest_average = 0.25,
+                   brightest_average = 0.5;
+  const double top = quantile(radiance, weights, bright_part);
+  const double average = log_average(radiance, weights, dark * top);
+  if (!(average > 0.0)) return 1.0;
+  const double key = options.key != automatic_key
+                         ? static_cast<double>(options.key)
+                         : std::clamp(bright * average / top, darkest_average, brightest_average);
+  return key / average;
 }
 
 }  // namespace
@@ -150,9 +151,10 @@ ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weigh
   if (!(largest > 0.0)) return {.options = options};
   double scale = std::exp2(options.exposure);
   if (options.op == ToneOperator::maximum) scale /= largest;
-  if (has_key(options.op)) {
+  if (options.op == ToneOperator::neutral) scale *= neutral_scale(options, radiance, weights);
+  if (options.op == ToneOperator::reinhard || options.op == ToneOperator::reinhard_local) {
     const double average = log_average(radiance, weights);
-    if (average > 0.0) scale *= key_for(options, radiance, weights, average) / average;
+    if (average > 0.0) scale *= reinhard_key(options) / average;
   }
   constexpr double most = std::numeric_limits<float>::max();
   return {.options = options, .scale = static_cast<float>(std::min(scale, most))};

@@ -89,6 +89,7 @@ TEST(Neutral, the_bright_part_decides_the_exposure) {
       << "a small lamp";
   const auto average = std::pow(100.0f, 0.25f);  // over area
   EXPECT_FLOAT_EQ(fit({Vec3(1.0f), Vec3(100.0f)}, {3.0f, 1.0f}).scale, 0.25f / average) << "a bright window";
+  EXPECT_FLOAT_EQ(fit({Vec3(4.0f), Vec3(0.03f)}, {1.0f, 1.0f}).scale, 0.5f / 4.0f) << "half of it unlit";
   EXPECT_FLOAT_EQ(fit({Vec3(4.0f)}, {1.0f}, {.key = 0.3f}).scale, 0.3f / 4.0f);
   EXPECT_FLOAT_EQ(fit({Vec3(4.0f)}, {1.0f}, {.exposure = -1.0f}).scale, 0.25f / 4.0f);
 }
@@ -166,7 +167,7 @@ TEST_P(EachCurve, whatever_enters_a_number_from_zero_to_one_leaves) {
 TEST_P(EachCurve, options_out_of_range_are_refused) {
   for (const ToneOptions& wrong :
        {ToneOptions{.op = GetParam(), .exposure = nan}, ToneOptions{.op = GetParam(), .exposure = 65.0f},
-        ToneOptions{.op = GetParam(), .key = 0.0f}, ToneOptions{.op = GetParam(), .key = 1.5f},
+        ToneOptions{.op = GetParam(), .key = -0.1f}, ToneOptions{.op = GetParam(), .key = 1.5f},
         ToneOptions{.op = GetParam(), .white = -1.0f}, ToneOptions{.op = GetParam(), .white = infinity}})
     EXPECT_THROW(fit({Vec3(1.0f)}, {1.0f}, wrong), InputError);
 }
