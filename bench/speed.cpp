@@ -74,7 +74,7 @@ Json against_polygons(const Settings& settings) {
   double first_log = 0.0;
   for (const int boxes : {10, 100, 1'000, 10'000, 100'000}) {
     if (settings.small && boxes > 1'000) break;
-    const auto patches = make_patches(furnished_room(boxes), {.max_edge = no_max_edge});
+    const auto patches = make_patches(furnished_room(boxes), {.max_edge = no_max_edge, .contacts = false});
     const Tracer tracer(patches, context);
     std::uint64_t rays = 0;
     const std::uint64_t asked = settings.small ? 200'000 : 4'000'000;

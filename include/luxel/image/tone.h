@@ -37,9 +37,10 @@ inline constexpr float automatic_key = 0.0f;
 
 struct ToneOptions {
   ToneOperator op = ToneOperator::neutral;
-  float exposure = 0.0f;      ///< stops, applied before the curve: 2^exposure; -64 to 64
-  float key = automatic_key;  ///< what the log-average luminance is mapped to, (0, 1]; or automatic_key
-  float white = 0.0f;         ///< smallest luminance shown as white after keying; 0: none (equation 3)
+  float exposure = 0.0f;            ///< stops, applied before the curve: 2^exposure; -64 to 64
+  float key = automatic_key;        ///< what the log-average luminance is mapped to, (0, 1]; or automatic_key
+  std::optional<float> scale = {};  ///< radiance to curve input without the exposure; nothing: fitted
+  float white = 0.0f;               ///< smallest luminance shown as white after keying; 0: none (equation 3)
 
   bool operator==(const ToneOptions&) const = default;
 };

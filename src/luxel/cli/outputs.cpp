@@ -223,7 +223,8 @@ class OutputWriter {
     return true;
   }
   bool write_as_glb(const std::string& output) {
-    const auto done = write_lit_glb(output, baked_, light_, settings_, tracer_, place_);
+    const OutputSettings settings{settings_.run, exposed_look(), settings_.picture, settings_.mesh};
+    const auto done = write_lit_glb(output, baked_, light_, settings, tracer_, place_);
     if (done.pages) written_.pages = done.pages;
     written_.stopped |= !done.is_written || (done.pages && done.pages->made.texels.stopped);
     return done.is_written;
@@ -233,7 +234,7 @@ class OutputWriter {
     return true;
   }
   bool write_as_ply(const std::string& output) {
-    export_ply(output, baked_.patches, baked_.solution, *light_, {.tone = settings_.look.tone});
+    export_ply(output, baked_.patches, baked_.solution, *light_, {.tone = exposed_look().tone});
     return true;
   }
 
@@ -242,12 +243,26 @@ class OutputWriter {
     const auto& mesh = settings_.mesh.settings;
     const bool on_pages = is_glb(output) && mesh && mesh->on_pages();
     const bool is_gathered = is_picture(output) && settings_.picture.gather > 0;
-    const bool is_seen = is_picture(output) || is_page(output);
-    if (!is_solution(output) && !on_pages && !is_gathered) make_light();
-    if (is_seen || (on_pages && needs_rays(*mesh))) make_tracer();
-    if (is_seen) find_camera();
+    const bool has_tone = !is_solution(output) && !(on_pages && mesh->as == "lightmap");
+    if (has_tone && !is_gathered) make_light();
+    if (has_tone || (on_pages && needs_rays(*mesh))) make_tracer();
+    if (has_tone) find_camera();
     if (is_picture(output)) draw();
+    if (has_tone && !is_picture(output) && !is_page(output)) expose();
   }
+  // Fits the tone curve of meshes to the view of the picture, so that both show the same.
+  void expose() {
+    if (exposed_look_) return;
+    constexpr RenderOptions small{.width = 320, .height = 240, .samples_per_side = 1};
+    const auto seen = render(baked_.patches, *light_, *tracer_, *written_.camera, small, place_.context);
+    exposed_look_ = settings_.look;
+    auto& tone = exposed_look_->tone;
+    const std::vector<float> weights(seen.pixels.size(), 1.0f);
+    auto plain = tone;
+    plain.exposure = 0.0f;
+    tone.scale = fit_curve(seen.pixels, weights, plain).scale;
+  }
+  const LookSettings& exposed_look() const { return exposed_look_ ? *exposed_look_ : settings_.look; }
   void make_light() {
     if (light_) return;
     place_.console.announce("surface");
@@ -312,6 +327,7 @@ class OutputWriter {
   std::optional<SmoothLight> light_;
   std::optional<Tracer> own_tracer_;
   std::optional<Image> radiance_;
+  std::optional<LookSettings> exposed_look_;  // tone curve fitted to the view
   Written written_;
 };
 

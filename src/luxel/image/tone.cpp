@@ -32,6 +32,8 @@ void check(const ToneOptions& options) {
     throw InputError(fmt::format("the exposure is {} stops, expected -64 to 64", options.exposure));
   if (!(options.key >= 0.0f && options.key <= 1.0f))
     throw InputError(fmt::format("the key is {}, expected 0 (automatic) to 1", options.key));
+  if (options.scale && !(*options.scale > 0.0f && std::isfinite(*options.scale)))
+    throw InputError(fmt::format("the scale of the tone curve is {}, expected more than 0", *options.scale));
   if (!(options.white >= 0.0f && std::isfinite(options.white)))
     throw InputError(fmt::format("the white is {}, expected 0 (none) or a luminance", options.white));
 }
@@ -147,6 +149,7 @@ Vec3 ToneCurve::operator()(const Vec3& radiance) const {
 ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weights,
                     const ToneOptions& options) {
   check(options);
+  if (options.scale) return {.options = options, .scale = *options.scale * std::exp2(options.exposure)};
   const double largest = max_channel(radiance, weights);
   if (!(largest > 0.0)) return {.options = options};
   double scale = std::exp2(options.exposure);

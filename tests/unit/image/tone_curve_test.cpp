@@ -164,11 +164,18 @@ TEST_P(EachCurve, whatever_enters_a_number_from_zero_to_one_leaves) {
       }
 }
 
+TEST_P(EachCurve, a_given_scale_is_taken_and_the_exposure_comes_on_top) {
+  const auto curve =
+      fit({Vec3(0.01f), Vec3(7.0f)}, {1.0f, 1.0f}, {.op = GetParam(), .exposure = 1.0f, .scale = 0.1f});
+  EXPECT_FLOAT_EQ(curve.scale, 0.2f);
+}
+
 TEST_P(EachCurve, options_out_of_range_are_refused) {
   for (const ToneOptions& wrong :
        {ToneOptions{.op = GetParam(), .exposure = nan}, ToneOptions{.op = GetParam(), .exposure = 65.0f},
         ToneOptions{.op = GetParam(), .key = -0.1f}, ToneOptions{.op = GetParam(), .key = 1.5f},
-        ToneOptions{.op = GetParam(), .white = -1.0f}, ToneOptions{.op = GetParam(), .white = infinity}})
+        ToneOptions{.op = GetParam(), .scale = 0.0f}, ToneOptions{.op = GetParam(), .white = -1.0f},
+        ToneOptions{.op = GetParam(), .white = infinity}})
     EXPECT_THROW(fit({Vec3(1.0f)}, {1.0f}, wrong), InputError);
 }
 
