@@ -14,14 +14,14 @@ struct StochasticJacobiOptions {
   /// That carry the power of lamps and sky once; reflected light adds its own in proportion, and so do rays
   /// of the sky that meet nothing. 0: automatic.
   std::uint64_t rays = 0;
-  double tolerance = 1e-4;      ///< share of the power of lamps and sky left unshot, (0, 1): the stated bias
-  std::uint64_t seed = 1;       ///< another seed, another independent answer
+  double tolerance = 1e-4;  ///< fraction of the power of lamps and sky left unshot, (0, 1): the stated bias
+  std::uint64_t seed = 1;   ///< another seed, another independent answer
   double rays_per_patch = 800;  ///< what automatic aims at, over the whole run
   bool shows_bounces = true;    ///< a picture (SolveHooks::on_light) after every bounce
 };
 
 struct JacobiOptions {
-  double tolerance = 1e-4;  ///< share of the power of lamps and sky that may stay unshot: the bias
+  double tolerance = 1e-4;  ///< fraction of the power of lamps and sky that may stay unshot: the bias
   int steps = 0;            ///< bounces at most; 0: no bound
 };
 

@@ -17,10 +17,10 @@ struct StepRecord {
   double unshot_fraction = 1.0;  ///< after the step
 };
 
-/// One doubling of a sampled solve: what there was when it ended.
+/// State of a sampled solve after one doubling.
 struct RoundRecord {
-  std::uint32_t gather_rays = 0;  ///< a side that light reaches, all replicates together
-  std::uint32_t shadow_rays = 0;  ///< likewise
+  std::uint32_t gather_rays = 0;  ///< per side that light reaches, all replicates together
+  std::uint32_t shadow_rays = 0;  ///< per side that light reaches
   std::uint64_t rays = 0;         ///< of the whole run so far
   double seconds = 0.0;           ///< since the solve began
   double answer_seconds = 0.0;    ///< of them, after the samples of the round were taken
@@ -31,7 +31,7 @@ struct RoundRecord {
   double residual = 0.0;          ///< estimated distance to the fixed point over the whole radiosity
 };
 
-/// What predicted_error and the standard errors of a solution are.
+/// Meaning of predicted_error and of the standard errors of a solution.
 enum class ErrorKind {
   noise,        ///< of random rays
   integration,  ///< dense: how far the light may be off by the errors of the form factors
@@ -39,7 +39,7 @@ enum class ErrorKind {
 };
 
 /// Where the power of lamps and sky went. Arrays are [band], W. emitted + from_sky = absorbed + escaped +
-/// lost_at_backs + unshot, to rounding; shooting under lamps and sky: to a ray, which of them it belongs to.
+/// lost_at_backs + unshot, to rounding (see docs/json.md); shooting assigns each ray to lamps or sky.
 struct EnergyBalance {
   std::vector<double> emitted;  ///< by lamps
   /// From the sky and from directional lamps, onto sides that take part: all fronts, and backs of two-sided
@@ -63,9 +63,9 @@ struct SurfaceMean {
   std::vector<double> irradiance, standard_error;
 };
 
-/// The power that all sides receive, a path once at each surface that it meets.
+/// The power that all sides receive; a path counts at each surface that it meets.
 struct ReceivedPower {
-  std::vector<double> power, standard_error;  ///< [band], W; likewise
+  std::vector<double> power, standard_error;  ///< [band], W; widened as in SurfaceMean
 };
 
 struct SurfaceMeans {
@@ -73,7 +73,7 @@ struct SurfaceMeans {
   ReceivedPower received;
 };
 
-/// What a solver has to say beside the light. Parts that a method does not have stay empty.
+/// Report of a solve. Parts that a method does not have stay empty.
 struct SolveReport {
   StopReason stop = StopReason::nothing_to_do;
   ErrorKind error_kind = ErrorKind::noise;

@@ -10,8 +10,8 @@
 namespace luxel {
 
 /// \file
-/// What may help against an error, as data: the library names settings, a program says how its users change
-/// them (the command luxel names its options).
+/// Settings whose change may resolve an error, as data: the library names settings, a program describes how
+/// its users change them (the command luxel names its options).
 
 enum class Setting {
   bands,
@@ -37,7 +37,7 @@ enum class Setting {
   weld
 };
 
-/// A setting to change, and the value it should get; empty: the user's choice.
+/// A setting to change, and its new value; empty: the user's choice.
 struct Hint {
   Setting setting;
   std::string value = {};
@@ -45,7 +45,7 @@ struct Hint {
   bool operator==(const Hint&) const = default;
 };
 
-/// An error with hints is caught as the error that it is; hints_of() finds them.
+/// An error with hints can be caught as the original error type; hints_of() returns the hints.
 class HintCarrier {
  public:
   explicit HintCarrier(std::vector<Hint> own) : hints(std::move(own)) {}
@@ -63,13 +63,13 @@ Hinted<E> with_hints(const E& error, std::vector<Hint> hints) {
   return {error, std::move(hints)};
 }
 
-/// Those of an error; none where it has none.
+/// The hints of an error; empty if it has none.
 inline std::vector<Hint> hints_of(const std::exception& error) {
   const auto* carrier = dynamic_cast<const HintCarrier*>(&error);
   return carrier ? carrier->hints : std::vector<Hint>{};
 }
 
-/// The same error, with the file that it is about before its message.
+/// The same error with the name of the file before its message.
 inline Hinted<InputError> with_file(const std::string& file, const InputError& error) {
   return {InputError(file, error.what()), hints_of(error)};
 }

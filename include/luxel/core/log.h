@@ -6,8 +6,8 @@
 
 namespace luxel {
 
-/// error: what was asked cannot be done, or the light will be wrong. warning: it may not be what was meant.
-/// note: for information.
+/// error: the request cannot be fulfilled, or the light will be wrong. warning: the result may not be
+/// intended. note: for information.
 enum class Severity { note, warning, error };
 
 /// One sentence for a person, without a line end.
@@ -16,8 +16,8 @@ struct Message {
   std::string text;
 };
 
-/// Where the library says what it noticed. Called from the calling thread only. May be empty: then nothing is
-/// said.
+/// Receives the messages of the library. It is called from the calling thread only. An empty sink discards
+/// them.
 using LogSink = std::function<void(const Message&)>;
 
 inline void warn(const LogSink& sink, std::string text) {

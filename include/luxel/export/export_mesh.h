@@ -18,17 +18,17 @@ struct ExportOptions {
   TargetApplication program = TargetApplication::any;  ///< of a GLB
 };
 
-/// A lit mesh anyone can look at: one primitive a material and side, POSITION, NORMAL and COLOR_0
+/// A lit mesh for any viewer: one primitive per material and side, POSITION, NORMAL and COLOR_0
 /// (tone-mapped light, linear, 16-bit normalised RGBA), KHR_materials_unlit; and, where the program keeps it,
-/// _IRRADIANCE: what arrives, W/m² by linear sRGB, as floats. The asset's extras say what both are, in which
-/// unit, and where pi comes in. What differs for a program, see ExportProfile. A back side is written, as
-/// triangles of its own, only where light fell on it. glTF is Y up: a scene whose up is Z is turned by its
+/// _IRRADIANCE in W/m² by linear sRGB, as floats. The asset's extras describe both, with units and the place
+/// of pi. ExportProfile has the differences between programs. A back side is written, as separate triangles,
+/// only if light fell on it. glTF is Y up: a scene whose up is Z is turned by its
 /// root node. Valid by the Khronos validator. A scene far from its file's zero is put there by the same node,
 /// and its accessors stay as exact as near zero. The same input gives the same bytes. Whole or not at all;
 /// throws DeviceError. Throws MismatchError where the light is not of these patches or not plain colour,
 /// InputError where up has no length or the mesh is beyond the 4 GiB of a GLB. A front without light is
-/// written black, so that nothing disappears. The asset's extras say how the light was made. Cost: linear;
-/// the file is made in memory.
+/// written black, so that nothing disappears. The asset's extras describe how the light was made. Cost:
+/// linear; the file is made in memory.
 void export_glb(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                 const SmoothLight& light, const Vec3& up, const ExportOptions& options = {});
 

@@ -38,8 +38,8 @@ Scene scene_of(const PatchSet& patches);
 
 /// \file
 /// A scene with light on it, as one GLB. Where it was read from a glTF file (Scene::source, is_gltf()) that
-/// file is preserved: its nodes, names, hierarchy, textures, extensions and whatever else it says stay.
-/// Another scene becomes what it would be as glTF, see gltf_of(). A mesh that several nodes show becomes one
+/// file is preserved: its nodes, names, hierarchy, textures, extensions and all other contents remain.
+/// Another scene is converted to glTF, see gltf_of(). A mesh that several nodes show becomes one
 /// for each, for each has light of its own. A back gets triangles of its own where light fell on it. Textures
 /// and base colours go on colouring the surfaces: the light is what a surface of the factor's colour sends
 /// back, and where there is no texture also what it emits. What is not opaque stays as it is. Valid where the
@@ -60,11 +60,11 @@ void export_round_trip_uncut(const std::filesystem::path& path, const RoundTripI
 struct RoundTripPages {
   const Atlas& atlas;
   const std::vector<Image>& pages;  ///< [page]; irradiance, W/m², or radiance, W/(m² sr)
-  float white = 1.0f;               ///< what a texel of 1 stands for
+  float white = 1.0f;               ///< the value of a texel of 1
   bool as_file_has_it = false;      ///< the file's own coordinates (round_trip_layout()), not new ones
 };
 
-/// Both write nothing, and answer false, where the monitor says stop before all is ready.
+/// Both write nothing and return false if the monitor stops them before all is ready.
 ///
 /// Further texture coordinates where the pages show each surface; triangles stay as they are but where charts
 /// are cut. Pages become 8-bit sRGB textures. Irradiance: glTF has no place of its own for it, so materials

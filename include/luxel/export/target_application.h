@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-/// The program that a GLB is for: glTF is read with profile. docs/baking.md has what each of them does.
+/// The program for which a GLB is written. docs/baking.md describes each of them.
 enum class TargetApplication { any, three, babylon, godot, blender, unity, unreal };
 
 /// The words of the command line: any, three, babylon, godot, blender, unity, unreal.
@@ -15,16 +15,16 @@ std::string_view name(TargetApplication program);
 std::optional<TargetApplication> target_application(std::string_view word);
 std::span<const std::string_view> mesh_program_names();
 
-/// What a file is made like for it.
+/// Properties of a file for that program.
 struct ExportProfile {
-  /// Attributes of one's own are read, so that the irradiance is worth its 12 bytes per vertex.
+  /// The program reads custom attributes, so the irradiance is written (12 bytes per vertex).
   bool keeps_irradiance = true;
-  /// Colours are stored in eight bits, and the program decodes sRGB when it is told by the name of a
-  /// material: so the dark is not cut into steps. Against glTF, which wants them linear.
+  /// Colours are stored in eight bits as sRGB, and the program decodes them where the name of the material
+  /// has the suffix: fine steps in dark parts. This differs from glTF, whose vertex colours are linear.
   bool colours_are_srgb = false;
   std::string_view material_suffix = "";
-  /// What gloss would send back is taken off a lightmap's light, whether there is anything to mirror or not:
-  /// so a lightmapped surface has no gloss.
+  /// The program subtracts the specular reflection from the light of a lightmap, whether or not there is
+  /// anything to reflect: therefore lightmapped surfaces are written without gloss.
   bool gloss_dims_lightmaps = false;
 };
 

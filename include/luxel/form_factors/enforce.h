@@ -17,26 +17,26 @@ struct Enforcement {
   double worst_row_sum = 0.0;         ///< after all
   int steps = 0;                      ///< of Newton
   int passes = 0;                     ///< over all exchange areas
-  std::uint64_t count = 0;  ///< listed factors after it: a pair seen from one side alone is listed twice
+  std::uint64_t count = 0;  ///< listed factors afterwards: a pair seen from one side alone is listed twice
   bool is_stopped = false;  ///< by the monitor, before all laws held
 };
 
-/// Makes view factors keep their laws: all known rows sum to 1, A_i F_ij = A_j F_ji, none below 0.
+/// Enforces the laws of view factors: all known rows sum to 1, A_i F_ij = A_j F_ji, none below 0.
 ///
 /// 1. The two estimates of each exchange area, A_i F_ij and A_j F_ji, are joined with weights rays / area:
-/// the inverse of their variances, as counts have them. Weights from the measured spread would favour what
-/// was counted low by chance.
+/// the inverse of the variances of counts. Weights from the measured spread would favour factors that were
+/// counted low by chance.
 /// 2. Exchange areas x >= 0, environment and other sinks too, are sought that make all row sums exact and
-/// change least: sum (x - G)² / variance is smallest. The variance is the mean of what the replicates say and
-/// what counts would have, scaled to the same whole, since few replicates tell a spread badly. Where nothing
-/// at all was counted, nothing is put.
+/// change least: sum (x - G)² / variance is smallest. The variance is the mean of the estimate from
+/// replicates and that of counts, scaled to the same total, since a few replicates estimate a spread poorly.
+/// Pairs that were never counted stay 0.
 ///
 /// Weighted least squares after van Leersum 1989, Lawson 1995, Taylor and Luck 1995, and Clarksean and
 /// Solbrig 1994; here with bounds, solved for the rows' multipliers by Newton's method and conjugate
 /// gradients. Standard errors become those of step 1. Every row must be known, else InputError. The same bits
-/// on any number of threads. Memory: 20 bytes for each factor listed after it more, which then are the
-/// factors. Cost: some tens of passes over the factors. Where the monitor says stop during step 1, factors
-/// stay as they were; later, reciprocity and bounds hold and rows sum to 1 but for worst_row_sum.
+/// on any number of threads. Memory: 20 bytes per factor listed afterwards, which then hold the factors.
+/// Cost: some tens of passes over the factors. If the monitor stops during step 1, factors remain as they
+/// were; later, reciprocity and bounds hold and rows sum to 1 except for worst_row_sum.
 Enforcement enforce_laws(ViewFactors& factors, const Context& context = {});
 
 }  // namespace luxel

@@ -24,14 +24,14 @@ struct ExactFactorsReport {
   double predicted_seconds = 0.0;  ///< on these threads
 };
 
-/// View factors in closed form where two patches see each other fully, integrated adaptively where something
-/// stands between (form_factors/form_factor.h), each pair once: so reciprocity is exact. Standard errors are
-/// the estimated errors of integration. What a row lacks to 1 counts as environment, which so carries the
-/// row's error.
+/// View factors in closed form where two patches see each other fully, integrated adaptively where they are
+/// partly occluded (form_factors/form_factor.h), each pair once: so reciprocity is exact. Standard errors are
+/// the estimated errors of integration. The rest of a row to 1 counts as environment, which therefore
+/// carries the error of the row.
 ///
 /// Quadratic: one factor for every pair of patch sides. Throws InputError with the predicted time where that
 /// is more than options.seconds; it is measured on some pairs first. Memory: 28 bytes per pair of elements.
-/// Nothing where the monitor said stop. The same bits on any number of threads.
+/// Empty if the monitor stopped it. The same bits on any number of threads.
 std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tracer& tracer,
                                               const ViewElements& elements,
                                               const ExactFactorsOptions& options, ExactFactorsReport& report,

@@ -17,8 +17,8 @@ namespace luxel {
 struct SampleFactorsOptions {
   std::uint64_t seed = 1;
   std::uint32_t replicates = 8;  ///< independent answers, 2 to 64, whose spread is the standard error
-  /// A side of a patch, at most: used are replicates times the largest power of two that fits, 1 at least;
-  /// fewer by powers of two for the smaller patches of an element. 0: no limit.
+  /// Maximum per side of a patch: replicates times the largest power of two that fits, at least 1; smaller
+  /// patches of an element get fewer by powers of two. 0: no limit.
   std::uint64_t rays = 0;
   double error = 0.001;  ///< stop at this root mean square standard error of the listed factors; 0: never
   /// Between patches: stop at this standard error of a whole row, see SampleFactorsReport; 0: never.
@@ -37,8 +37,8 @@ struct SampleFactorsReport {
   std::uint64_t rays = 0;           ///< traced, in all
   double error = 0.0;               ///< root mean square standard error of the listed factors
   /// Between patches: root mean square over rows of a row's root of the sum of squared standard errors, sinks
-  /// too. So uncertain is the power a patch receives, in spreads of the radiosities around it. About 1 /
-  /// sqrt(rays), whatever number of patches there are.
+  /// too. It is the uncertainty of the power that a patch receives, in units of the spread of the radiosities
+  /// around it: about 1 / sqrt(rays) for any number of patches.
   double row_error = 0.0;
   /// Of the factors, while they are made and used; and how many will be listed, enforced if they are to be.
   std::uint64_t predicted_bytes = 0;
@@ -46,15 +46,15 @@ struct SampleFactorsReport {
   StopReason stop = StopReason::nothing_to_do;  ///< error_reached, ray_limit or stopped_by_user
 };
 
-/// View factors by counting: cosine rays from every side of a row's element, F_ij the share that meets
+/// View factors by counting: cosine rays from every side of a row's element, F_ij the fraction that meets
 /// element j first (Sbert 1997's local lines; points as in trace/gather_rays.h). So factors, environment,
 /// backs and dropped of a row sum to 1. Standard errors are those of the replicates' mean, from their spread.
 /// Rays double until the error is small enough, of groups only those of rows that are not good enough yet.
 ///
 /// Throws InputError, with figures, where the memory that the factors would take is beyond options.memory: it
-/// is predicted from some rows before most rays are traced, within a few per cent. Nothing where the monitor
-/// said stop before there was an answer. The same bits on any number of threads. Cost: one nearest hit per
-/// ray; between patches about 20 bytes a listed factor while they are made, 16 after.
+/// is predicted from some rows before most rays are traced, within a few per cent. Empty if the monitor
+/// stopped before there was a result. The same bits on any number of threads. Cost: one nearest hit per ray;
+/// between patches about 20 bytes per listed factor while they are made, 16 afterwards.
 std::optional<ViewFactors> sample_view_factors(const PatchSet& patches, const Tracer& tracer,
                                                const ViewElements& elements,
                                                const SampleFactorsOptions& options,

@@ -14,7 +14,7 @@ namespace luxel {
 
 inline constexpr std::uint32_t view_factors_format_version = 1;
 
-/// What a file says of its factors beside the numbers.
+/// Description of the factors in a file.
 struct ViewFactorsNote {
   std::string between;    ///< "groups", "objects", "materials", "patches"
   std::string sides;      ///< "front", "both"
@@ -27,8 +27,8 @@ struct ViewFactorsNote {
 };
 
 /// HDF5, whole or not at all; docs/view-factors.md is the layout. The same input gives the same bytes. Made
-/// in memory, so it costs the file's size there: about 16 bytes a listed factor, less and slower where it is
-/// compressed. Throws DeviceError where the disk fails.
+/// in memory, so it costs the file's size there: about 16 bytes per listed factor, less and slower where it
+/// is compressed. Throws DeviceError where the disk fails.
 void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactors& factors,
                              const ViewFactorsNote& note, bool is_compressed = false);
 

@@ -11,7 +11,7 @@
 namespace luxel {
 
 /// Linear RGB pixels, row by row from the top left. Scene-referred (radiance, W/(m² sr)) or display-referred
-/// ([0, 1]): the function that makes one says which.
+/// ([0, 1]): the function that returns it documents which.
 struct Image {
   int width = 0;
   int height = 0;

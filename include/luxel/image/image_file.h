@@ -18,7 +18,7 @@ namespace luxel {
 /// made in memory first.
 
 /// 8-bit sRGB PNG of a display-referred image: clamped to [0, 1], sRGB encoded, rounded, with an sRGB chunk.
-/// notes: keywords of up to 79 Latin letters and what they say, as text chunks of the file.
+/// notes: keywords of up to 79 Latin letters with their texts, as text chunks of the file.
 using PictureNotes = std::vector<std::pair<std::string, std::string>>;
 void write_png(const std::filesystem::path& path, const Image& display, const PictureNotes& notes = {});
 /// The same file in memory. After the monitor's stop it is empty.
@@ -31,10 +31,10 @@ void write_exr(const std::filesystem::path& path, const Image& linear);
 std::string exr_of(const Image& linear, const Context& context = {});  ///< as png_of()
 void write_hdr(const std::filesystem::path& path, const Image& linear);
 
-/// PNG, JPEG, BMP, Radiance HDR, OpenEXR (told by their first bytes) or TGA (told by its ending) as linear
-/// RGB; 8-bit files are taken as sRGB, deeper PNG files are reduced to 8 bits, grey becomes RGB, alpha is
-/// dropped. In the files of linear values NaN becomes 0 and infinity 65504. Throws InputError naming the file
-/// where it is missing, damaged, of another format, larger than 512 MiB or than 16384 pixels per side.
+/// PNG, JPEG, BMP, Radiance HDR, OpenEXR (recognised by their first bytes) or TGA (by its extension) as
+/// linear RGB; 8-bit files are taken as sRGB, deeper PNG files are reduced to 8 bits, grey becomes RGB, alpha
+/// is dropped. In the files of linear values NaN becomes 0 and infinity 65504. Throws InputError naming the
+/// file where it is missing, damaged, of another format, larger than 512 MiB or than 16384 pixels per side.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace luxel

@@ -16,12 +16,12 @@ struct PatchOptions {
   float max_edge = automatic_edge;  ///< m; longer edges are split in halves; or one of the two words above
   /// patches that the automatic edge aims at (more where triangles are finer)
   std::size_t target_count = 50'000;
-  std::size_t max_count = 20'000'000;  ///< more is an InputError that says which max_edge would fit
+  std::size_t max_count = 20'000'000;  ///< more is an InputError with a max_edge that fits
   bool contacts = true;                ///< cut where surfaces touch or pass through each other
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
 };
 
-/// Splits every edge longer than max_edge in halves, and those again. Whether an edge is split depends on its
+/// Splits every edge longer than max_edge in halves, recursively. Whether an edge is split depends on its
 /// own two ends only, so neighbours split a shared edge alike and no cracks appear. Each step bisects a
 /// triangle's longest edge: no angle gets smaller than half the smallest of the input triangle (Rosenberg and
 /// Stenger 1975; Rivara 1984), and slivers become short fragments as wide as they were. Triangles without

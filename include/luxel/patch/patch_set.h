@@ -21,10 +21,10 @@ namespace luxel {
 
 class BandColours;
 
-/// What no patch reflects more than, whatever its texture and its material are changed to.
+/// Upper limit of the reflectance of a patch, whatever its texture and material are changed to.
 inline constexpr float max_reflectance = 0.999f;
 
-/// A material as the transport sees it: one number a band.
+/// A material in the transport: one number per band.
 struct BandMaterial {
   std::string name;
   bool two_sided = true;
@@ -36,9 +36,9 @@ struct BandMaterial {
   bool is_lamp() const;
 };
 
-/// A lamp without a surface, as the transport sees it.
+/// A lamp without a surface in the transport.
 struct BandPointLight {
-  PointLight light;              ///< what it says of colour counts no more
+  PointLight light;              ///< its colour is replaced by `intensity`
   std::vector<float> intensity;  ///< [band]: W/sr in the band, or W/m² of a directional one
   std::uint32_t light_group = 0;
 };

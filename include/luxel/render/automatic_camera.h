@@ -18,7 +18,7 @@ Vec3 automatic_up(const PatchSet& patches);
 inline constexpr float smallest_aspect = 0.01f;
 inline constexpr float max_aspect = 100.0f;
 
-/// A view that shows much lit surface, for a scene nobody gave a camera for: candidate views from inside and
+/// A view that shows much lit surface, for a scene without a camera: candidate views from inside and
 /// from outside are traced at thumbnail size, the best are moved a little, and the best of all is kept
 /// (bright, much of the light in view, furnished, little emptiness, no surface in front of the nose, the
 /// horizon level). Where the solution has no light, or is empty because nothing was solved yet, every side

@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-/// Where two answers differ.
+/// A place where two solutions differ.
 struct Difference {
   std::size_t index = 0;  ///< solutions: side 2 * patch (front) or 2 * patch + 1; pictures: pixel, row by row
   double a = 0.0, b = 0.0;  ///< mean over bands; solutions: irradiance, W/m²; pictures: radiance, W/(m² sr)
@@ -25,12 +25,12 @@ struct Comparison {
   double mean_bias = 0.0;     ///< sum of w (b - a) / sum of w a
   /// z = (b - a) / sqrt(error of a² + error of b²), of the numbers where an error is known and not 0.
   std::size_t scored = 0;
-  /// About 1 where both tell the truth about their errors. |z| beyond 6 counts as 6: where one answer has met
-  /// no light at all yet it states no error, and a few such places would drown all others.
+  /// About 1 if the stated errors of both are true. |z| beyond 6 counts as 6: where a solution has met no
+  /// light yet it states no error, and a few such places would dominate the mean.
   double mean_z2 = 0.0;
   std::size_t outliers = 0;           ///< with |z| beyond 6
-  double within = 0.0;                ///< share with |z| < 1.96: about 0.95
-  double expected_rms = 0.0;          ///< relative_rms, were the stated errors all there is
+  double within = 0.0;                ///< fraction with |z| < 1.96: about 0.95
+  double expected_rms = 0.0;          ///< relative_rms if only the stated errors contribute
   double bias_error = 0.0;            ///< standard error of mean_bias, were errors of places independent
   std::vector<Difference> largest{};  ///< by |b - a|, largest first
 

@@ -13,7 +13,7 @@ namespace luxel {
 
 struct PatchSet;
 
-/// What a texel is to its chart.
+/// Relation of a texel to its chart.
 enum class Texel : std::uint8_t {
   empty,   ///< nothing
   inside,  ///< its middle lies on it
@@ -23,7 +23,7 @@ enum class Texel : std::uint8_t {
 
 struct LightmapPage {
   Image irradiance;      ///< W/m² by linear sRGB; of the side that faces the reader
-  Image standard_error;  ///< of it, likewise; 0 where the solution knows none
+  Image standard_error;  ///< of the irradiance, W/m²; 0 where the solution has none
   /// Of a directional lightmap: the light vector (Gershun 1939), the integral of radiance times direction
   /// over what the texel sees, W/m², its x, y and z in the scene's axes; else empty. A surface whose normal n
   /// is bent from the side's own gets (irradiance + n . vector) / 2, to the first order of spherical
@@ -47,7 +47,7 @@ void check_is_of(const PatchSet& patches, const Lightmap& lightmap);
 Vec3 look_up(const Image& page, const Vec2& at);
 
 struct TexelOptions {
-  double error = 0.02;            ///< relative standard error asked of a texel; 0: no final gather
+  double error = 0.02;            ///< target relative standard error of a texel; 0: no final gather
   std::uint32_t max_rays = 4096;  ///< cosine rays per texel, and as many to lamps; 64 and more
   bool directional = false;       ///< the light vector too, and so all texels by final gather
   double dark = 0.1;              ///< of the mean light: below, the error is of this much

@@ -11,25 +11,25 @@ namespace luxel {
 
 struct LaidOut;
 
-/// What a lightmap is made of.
+/// Input of a lightmap.
 struct LightmapInput {
   const PatchSet& patches;
   const Solution& solution;        ///< of these patches
   const Tracer* tracer = nullptr;  ///< of these patches; needed where texels are gathered
 };
 
-/// What the options ask for, or what suits the surfaces where they leave it open.
+/// The requested number, or an automatic one that suits the surfaces.
 double texels_per_metre(const PatchSet& patches, const Solution& solution, const LightmapOptions& options);
 
 /// The light of surfaces that are laid out already, here or by the scene's file: texels gathered, seams
 /// solved, margins filled. After the monitor's stop in the stage "texels" the rest of these hold interpolated
-/// light, and it is not asked again; in any other stage, and there are no pages. As make_lightmap() in all
-/// else.
+/// light; after a stop in another stage there are no pages. Otherwise as make_lightmap().
+///
 Lightmap fill_lightmap(const LightmapInput& input, const LaidOut& laid, const LightmapOptions& options,
                        LightmapReport* report = nullptr, const Context& context = {});
 
 /// A lightmap of all lit surfaces: charts are made and packed, texels gathered, seams solved, margins filled.
-/// tracer: none, and there is no final gather. The same bytes on any number of threads. Throws what the
+/// Without a tracer there is no final gather. The same bytes on any number of threads. Throws what the
 /// stages throw.
 Lightmap make_lightmap(const LightmapInput& input, const LightmapOptions& options,
                        LightmapReport* report = nullptr, const Context& context = {});

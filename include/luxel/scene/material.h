@@ -22,14 +22,14 @@ struct Material {
 
   bool opaque = true;  ///< false: light passes as if it were not there (a pane of glass)
 
-  /// In the place of the colours above, which stay the means over the pictures, for who asks for the material
-  /// as a whole: what is textured has a mean above 0 in each band in which its texture is anywhere.
+  /// Replace the colours above, which remain the means over the textures, for use of the material as a whole:
+  /// the mean is above 0 in each band in which the texture is above 0 anywhere.
   MaterialTextures textures = {};
 
-  std::optional<Vec3> stated_reflectance = {};  ///< what the file said, where load lowered it
+  std::optional<Vec3> stated_reflectance = {};  ///< the value in the file, if loading lowered it
 
-  /// What was measured, in a scene that is solved by wavelength: instead of the colours above. Empty:
-  /// nothing.
+  /// Measured spectra of a scene that is solved by wavelength; they replace the colours above. Empty: not
+  /// measured.
   Spectrum reflectance_spectrum = {};  ///< [0, 1)
   Spectrum emittance_spectrum = {};    ///< W/(m² nm), front side
 

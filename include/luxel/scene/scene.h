@@ -18,10 +18,10 @@ namespace luxel {
 /// m; no coordinate lies beyond. Areas, and the distances that rays travel, stay finite in floats.
 inline constexpr float farthest = 1e12f;
 
-/// What the user described: a mesh with materials. Parallel arrays: entry i of every triangle_* array is
+/// A mesh with materials, as in the file. Parallel arrays: entry i of every triangle_* array is
 /// triangle i, and triangles stand in the order of the file, even those without area (so that an index is a
 /// promise); a polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite,
-/// no position is beyond `farthest`, and every index is in range: load checks, and check_scene() says so.
+/// no position is beyond `farthest`, and every index is in range: loading and check_scene() verify this.
 struct Scene {
   std::string source;  ///< the file, as the user named it
 

@@ -6,7 +6,7 @@
 
 namespace luxel {
 
-/// What a spectrum is beyond its first and last sample: a paint holds on to its last value, of light nobody
+/// Values beyond the first and last sample: a reflectance keeps its last value; of light nobody
 /// measured there is none.
 enum class Beyond { holds, zero };
 

@@ -48,7 +48,7 @@ struct MaterialTextures {
   /// band.
   std::optional<TextureUse> reflectance = {}, emittance = {};
   Vec3 reflectance_factor = Vec3(1.0f), emittance_factor = Vec3(1.0f);
-  float max_reflectance = 0.98f;  ///< in the mean over a patch; more is lowered to it
+  float max_reflectance = 0.98f;  ///< of the mean over a patch; higher means are lowered to it
 
   /// Holes: where this texture's alpha is below the threshold there is no surface, for light and eyes.
   std::optional<TextureUse> cutout = {};

@@ -19,7 +19,7 @@ namespace luxel {
 /// (--store-transport where stores_transport is set).
 ///
 /// Commands return at once and throw nothing: they wait in a queue until the solver's thread takes them,
-/// within a fraction of a second. What failed becomes a sentence in the status; earlier results stay visible.
+/// within a fraction of a second. A failure is reported in the status; earlier results stay visible.
 /// Any one thread at a time may call these functions. The destructor closes.
 class ProgressiveSession {
  public:
@@ -36,7 +36,7 @@ class ProgressiveSession {
 
   // ---- The solver ----
 
-  /// Holds and continues, between two components of work of a fraction of a second.
+  /// Pauses and continues, within a fraction of a second.
   void pause();
   void resume();
   /// Pauses after every light: a bounce of the iterations, a doubling of the sampled method. step() continues
@@ -62,22 +62,22 @@ class ProgressiveSession {
   /// by the method of the light.
   void relight(const Lighting& lighting);
 
-  /// Shows the light after so many bounces, at least 0, of the newest samples and without a ray (see
-  /// Bounces): with the scene's own lamps and colours, once no solve is in progress. Nothing, or a new solve:
-  /// all of it.
+  /// Shows the light after this number of bounces, at least 0, from the newest samples without tracing (see
+  /// Bounces): with the scene's own lamps and colours, once no solve is in progress. Empty, or after a new
+  /// solve: all bounces.
   void show_bounces(std::optional<int> bounces);
 
-  // ---- Questions, answered in a thread of their own while the solver continues ----
+  // ---- Queries, answered in another thread while the solver continues ----
 
-  /// Looks for what is wrong with the scene, as `luxel check` does. A solution has no scene to check. Seconds
-  /// for a large scene, on a quarter of the cores. The answer comes once, and stays.
+  /// Searches for defects of the scene, as `luxel check` does. A solution has no scene to check. Takes
+  /// seconds for a large scene, on a quarter of the cores. The result is computed once and stays.
   void request_diagnostics();
 
   /// Compares each light from now on with a solution on the same patches; nothing: with none. Where lights
   /// come faster than they can be compared, some are left out.
   void compare_with(const std::optional<std::filesystem::path>& solution);
 
-  // ---- Files: whole or not at all; the status says what became of them ----
+  // ---- Files: written whole or not at all; the status reports the result ----
 
   /// The newest light as a solution, with its samples where they are stored and not relit.
   void save_solution(const std::filesystem::path& file);

@@ -74,7 +74,7 @@ struct SessionStatus {
   bool is_idle = false;       ///< the solver has nothing to do, and no command waits
   bool is_answering = false;  ///< diagnostics or a difference are being computed, or will be
   bool is_paused = false;     ///< or will be, as soon as the solver takes the command
-  bool is_stepping = false;   ///< likewise
+  bool is_stepping = false;   ///< by command
 
   std::string method;                     ///< of the solve, as in Provenance
   double error_asked = 0.0;               ///< sampled

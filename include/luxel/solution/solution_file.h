@@ -20,7 +20,7 @@ struct Baked {
   Solution solution;
 };
 
-/// HDF5 in the VTKHDF UnstructuredGrid layout, version 1.0, one triangle cell a patch, so that ParaView and
+/// HDF5 in the VTKHDF UnstructuredGrid layout, version 1.0, one triangle cell per patch, so that ParaView and
 /// h5py read it. Cell arrays: radiosity.front/back, irradiance.front/back and, where the method gives them,
 /// standard_error.front/back (W/m², [cell][band]), area, triangle, material. What only Luxel needs (bands,
 /// materials, provenance, format version) stands in a group "Luxel" beside "VTKHDF". docs/solution-file.md is

@@ -17,7 +17,7 @@ struct BakeOptions {
 /// Bakes a scene in one call: cuts it into patches, builds a tracer, and solves the light by the sampled
 /// method. The result is what write_solution() writes, and what export_glb() and render() show. Programs that
 /// solve the same patches more than once, use another method or print a report call the stages themselves:
-/// make_patches(), Tracer, solve_light().
+/// make_patches(), Tracer, solve_light(). add_default_light() lights a scene without a lamp.
 ///
 /// The same scene, options and seed give the same bits on any number of threads, as long as time does not end
 /// the solve. Throws what check_scene(), make_patches() and solve_sampled() throw: InputError where the scene

@@ -28,7 +28,7 @@ enum class RefineStop {
   mesh_error_reached,
   patch_limit,
   level_limit,
-  drowned_in_noise,  ///< what is left of the error cannot be told from noise
+  drowned_in_noise,  ///< the remaining error cannot be distinguished from noise
   stopped_by_user
 };
 

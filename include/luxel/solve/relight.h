@@ -14,23 +14,23 @@ namespace luxel {
 
 struct SampleState;
 
-/// What each light group's lamps give, once the light is solved for it alone: the part `gathered` of a state.
-/// Cost: a solve for each group, some ten look-ups a ray; memory: one number a receiver, band, group and
-/// replicate. The same bits on any number of threads. Nothing where the monitor said stop.
+/// Solves the light of each light group separately: the part `gathered` of a state. Cost: one solve per
+/// group, about ten look-ups per ray; memory: one number per receiver, band, group and replicate. The same
+/// bits on any number of threads. Null if the monitor stopped it.
 std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, const Tracer& tracer,
                                                     std::shared_ptr<const SampleState> state,
                                                     const SampledOptions& options,
                                                     const Context& context = {});
 
-/// Lights a scene anew from the samples of a run that kept them, without tracing a ray (but where hits were
-/// streamed): what arrives is linear in what lamps emit, and the light of other reflectances is solved from
-/// the hits there are. Every replicate goes the same way, so the errors are those of the new light.
+/// Relights a scene from the stored samples of a run without tracing rays (except if hits were streamed):
+/// irradiance is linear in emittance, and the light of other reflectances is solved from the stored hits. All
+/// replicates are treated alike, so the standard errors are those of the new light.
 ///
 /// Not for several threads at once; the calls themselves use those of the context.
 class Relighter {
  public:
   /// Keeps a reference to the tracer; the context's log and monitor are not used. patches, options: of the
-  /// run. Without group light in the state, that is solved for first. Throws MismatchError where the state is
+  /// run. If the state has no group light, it is solved first. Throws MismatchError where the state is
   /// not of these patches.
   Relighter(PatchSet patches, const Tracer& tracer, std::shared_ptr<const SampleState> state,
             const SampledOptions& options, const Context& context = {});
@@ -38,7 +38,7 @@ class Relighter {
   Relighter(const Relighter&) = delete;
   Relighter& operator=(const Relighter&) = delete;
 
-  /// As they are now: with the emittances, the reflectances and the fingerprint of the scene so changed.
+  /// The patches with the current emittances and reflectances, and the fingerprint of the changed scene.
   const PatchSet& patches() const;
 
   /// How much brighter each light group is than in the run, at least 0: [group * bands + band]. Cost at

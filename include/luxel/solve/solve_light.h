@@ -30,8 +30,8 @@ struct LightOptions {
   LinesSolveOptions lines = {};
 };
 
-/// Solves by that method, which describes what it returns and throws. InputError where a lamp has no surface
-/// and the method needs one. hooks: from and keep are of the sampled method alone.
+/// Solves by the method of the options; its own header describes result and errors. Throws InputError if the
+/// method does not support lamps without a surface. hooks: from and keep are for the sampled method only.
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LightOptions& options, const SolveHooks& hooks, const Context& context);
 
@@ -41,12 +41,12 @@ inline SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, So
   return solve_light(patches, tracer, solution, options, SolveHooks{}, context);
 }
 
-/// What it is likely to take; nothing where that need not be asked: sampling and shooting end when they are
-/// told.
+/// Predicted time and memory; empty for sampling and shooting, which end at the given bounds.
+///
 std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tracer,
                                        const LightOptions& options, const Context& context = {});
 
-/// More than an hour, or than four fifths of the memory that is free.
+/// More than an hour, or more than four fifths of the free memory.
 bool is_too_much(const Forecast& forecast);
 
 }  // namespace luxel

@@ -28,9 +28,9 @@ struct Hit {
   SideId side() const { return {patch, back}; }
 };
 
-/// Who sees whom: nearest hit and occlusion over the patches of a scene. The home of Embree (robust,
+/// Visibility: nearest hit and occlusion over the patches of a scene, by Embree (robust,
 /// high-quality build, instruction set pinned, so that hosts agree to the bit). Immutable after construction;
-/// every method may be called from any number of threads. Build cost about half a second a million patches;
+/// every method may be called from any number of threads. Build cost about half a second per million patches;
 /// memory about 150 bytes per patch.
 class Tracer {
  public:
@@ -43,7 +43,7 @@ class Tracer {
   Hit nearest(const Ray& ray) const;
   /// The same hits as nearest() gives one by one, bit for bit; hits.size() == rays.size().
   void nearest(std::span<const Ray> rays, std::span<Hit> hits) const;
-  /// Whether anything stands in the way before max_distance.
+  /// Whether the ray meets a surface before max_distance.
   bool occluded(const Ray& ray, float max_distance) const;
 
  private:
