@@ -78,7 +78,7 @@ TEST(Sampled, says_which_limit_ended_it_before_it_was_good_enough) {
     EXPECT_GT(json["solve"]["error"]["reached"], 1e-5);
     EXPECT_NE(run.err.find(std::string("stopped by the ") + name + " limit: seen error"), std::string::npos)
         << run.err;
-    EXPECT_NE(run.err.find("asked for 0.001 %"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("requested 0.001 %"), std::string::npos) << run.err;
   }
 }
 

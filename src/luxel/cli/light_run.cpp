@@ -199,7 +199,7 @@ std::string LightRun::shortfall(const SolveReport& solved) const {
   auto text = solved.seen_error > 0.0
                   ? fmt::format("seen error {:.2g} %", 100.0 * solved.seen_error)
                   : fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);
-  if (*error_target() > 0.0) text += fmt::format(", asked for {:.2g} %", 100.0 * *error_target());
+  if (*error_target() > 0.0) text += fmt::format(", requested {:.2g} %", 100.0 * *error_target());
   return text;
 }
 

@@ -144,7 +144,7 @@ class Reference final : public Command {
     provenance.command_line = options().as_command(RunSettings::heading);
     provenance.options = options().used_values(RunSettings::heading);
     console.say(
-        fmt::format("{} paths a side; {}: standard error {:.2g} % (area-weighted relative RMS over "
+        fmt::format("{} paths per side; {}: standard error {:.2g} % (area-weighted relative RMS over "
                     "patches), below {:.2g} % for 95 % of the lit sides; seen error {:.2g} %",
                     traced.paths, description(traced.stop), 100.0 * traced.predicted_error,
                     100.0 * traced.error_95th, 100.0 * baked.solution.seen_error));
@@ -183,7 +183,7 @@ class Reference final : public Command {
       return picture;
     }
     console.say(
-        fmt::format("{} paths a pixel; {}: standard error {:.2g} % of the reflected light (relative "
+        fmt::format("{} paths per pixel; {}: standard error {:.2g} % of the reflected light (relative "
                     "RMS over pixels)",
                     traced.paths, description(traced.stop), 100.0 * traced.error));
     if (traced.stop == StopReason::stopped_by_user)

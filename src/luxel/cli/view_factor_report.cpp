@@ -74,9 +74,9 @@ std::string ViewFactorReport::as_text() const {
   if (sampled) {
     text += fmt::format("; {} rays, {} a patch side; standard error {:.3g}", sampled->rays,
                         sampled->rays_per_side, sampled->error);
-    if (error_target > 0.0) text += fmt::format(" (asked for {:g})", error_target);
+    if (error_target > 0.0) text += fmt::format(" (requested {:g})", error_target);
     if (sampled->row_error > 0.0) text += fmt::format(", {:.2g} % of a row", 100.0 * sampled->row_error);
-    if (row_error_target > 0.0) text += fmt::format(" (asked for {:g} %)", 100.0 * row_error_target);
+    if (row_error_target > 0.0) text += fmt::format(" (requested {:g} %)", 100.0 * row_error_target);
   }
   if (exact) text += fmt::format("; {} pairs of patches in closed form", exact->pairs);
   text += '\n';

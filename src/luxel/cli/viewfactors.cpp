@@ -147,7 +147,7 @@ class ViewFactorsCommand final : public Command {
       warn(console.log(), "stopped before all factors were checked");
     else if (fell_short(report) && report.sampled && report.error_target > 0.0)
       warn(console.log(),
-           fmt::format("stopped before the error asked for: standard error {:.3g}, asked for {:g}",
+           fmt::format("stopped before the requested error: standard error {:.3g}, requested {:g}",
                        report.sampled->error, report.error_target));
     if (report.check.backs > many_backs)
       warn(console.log(),

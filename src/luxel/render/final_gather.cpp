@@ -25,7 +25,7 @@ void check(const PatchSet& patches, const Solution& solution, const GatherOption
         fmt::format("the solution's light is not of these {} patches: solve this scene", patches.size()));
   if (options.rays < 1 || options.rays > max_rays)
     throw InputError(
-        fmt::format("a final gather takes 1 to {} rays a pixel, not {}", max_rays, options.rays));
+        fmt::format("a final gather takes 1 to {} rays per pixel, not {}", max_rays, options.rays));
 }
 
 }  // namespace

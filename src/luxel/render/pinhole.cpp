@@ -20,7 +20,7 @@ std::string as_text(const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y
 
 void check(const Camera& camera, int width, int height) {
   if (width < 1 || width > max_side || height < 1 || height > max_side)
-    throw InputError(fmt::format("a picture's sides must be from 1 to {} pixels, but {} x {} was asked for",
+    throw InputError(fmt::format("a picture's sides must be from 1 to {} pixels, but {} x {} was requested",
                                  max_side, width, height));
   if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
     throw InputError("a camera's eye, target and up must be finite numbers, but one of them is not");

@@ -43,7 +43,7 @@ void progress(const SessionStatus& status) {
                 short_time(status.seconds).c_str(), rate.c_str());
   }
   const auto asked =
-      status.error_asked > 0.0 ? fmt::format(" of {:.2g} % asked for", 100.0 * status.error_asked) : "";
+      status.error_asked > 0.0 ? fmt::format(" of {:.2g} % requested", 100.0 * status.error_asked) : "";
   if (status.error > 0.0)
     ImGui::Text("%s error %.2f %%%s", status.is_seen ? "seen" : "standard", 100.0 * status.error,
                 asked.c_str());
