@@ -34,10 +34,10 @@ Reference reference_of(const Stage& stage, const Subject& subject, const Setting
                       settings.small ? 2.0 : subject.reference_seconds, settings, context);
 }
 
-Scene showpiece_of(std::size_t triangles) {
+Scene reading_room_of(std::size_t triangles) {
   int detail = 1;
   while (39'884u * static_cast<unsigned>(detail * detail) < triangles) ++detail;
-  return showpiece(detail);
+  return reading_room(detail);
 }
 
 Json head_of(const Stage& stage, const Reference& reference) {
@@ -86,7 +86,7 @@ Json error_against_time(const Settings& settings) {
       {"cornell box, 2,000", cornell_box, 2'000, 10.0},   {"cornell box, 10,000", cornell_box, 10'000, 20.0},
       {"cornell box, 50,000", cornell_box, 50'000, 40.0}, {"office, 10,000", office, 10'000, 20.0},
       {"office, 50,000", office, 50'000, 40.0},           {"two rooms, 10,000", two_rooms, 10'000, 20.0},
-      {"showpiece", showpiece_of, 39'884, 40.0}};
+      {"reading room", reading_room_of, 39'884, 40.0}};
   fmt::print("\nerror: true error against processor time\n");
   const Context context;
   Json scenes = Json::array();

@@ -19,7 +19,8 @@
 
 #include "bench/sections.h"
 #include "bench/timing.h"
-#include "showpiece/write_obj.h"
+#include "scenes/scene_list.h"
+#include "scenes/write_scene.h"
 
 namespace luxel::bench {
 namespace {
@@ -72,7 +73,7 @@ void timed_write(Steps& steps, const char* name, const std::function<void()>& wr
 
 Steps measure(int detail, const Scratch& scratch) {
   const auto file = scratch / "room.obj";
-  showpiece::write_reading_room(file, detail);
+  scenes::write_scene(file, scenes::make_scene("reading-room", detail));
   const Context one(1);
   Steps steps;
   steps.megabytes = 1e-6 * static_cast<double>(fs::file_size(file));
@@ -103,7 +104,8 @@ double n_log_n(const Steps& steps) {
 
 Json load_to_files(const Settings& settings) {
   fmt::print(
-      "\nload: the showpiece from OBJ to files without a solve, seconds on one thread; growth: of the time "
+      "\nload: the reading room from OBJ to files without a solve, seconds on one thread; growth: of the "
+      "time "
       "over n log n (1 is n log n)\n");
   const Scratch scratch;
   const auto small = measure(settings.small ? 1 : 2, scratch);

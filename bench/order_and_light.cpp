@@ -27,7 +27,7 @@ PatchSet as_it_comes(const Scene& scene) { return make_patches(scene, {.max_edge
 std::vector<Large> large_scenes(const Settings& settings) {
   std::vector<Large> result;
   result.push_back({"cornell box", as_it_comes(cornell_box(settings.small ? 20'000 : 1'000'000))});
-  result.push_back({"showpiece", as_it_comes(showpiece(settings.small ? 1 : 6))});
+  result.push_back({"reading room", as_it_comes(reading_room(settings.small ? 1 : 6))});
   return result;
 }
 

@@ -12,7 +12,8 @@
 
 #include "bench/sections.h"
 #include "bench/timing.h"
-#include "showpiece/write_obj.h"
+#include "scenes/scene_list.h"
+#include "scenes/write_scene.h"
 
 namespace luxel::bench {
 namespace {
@@ -99,7 +100,8 @@ void write_cornell_box(const fs::path& file) {
   fs::copy_file(fs::path(LUXEL_SCENES) / "cornell-box.mtl", file.parent_path() / "cornell-box.mtl");
 }
 const Case cases[] = {
-    {"reading room, 2 %", [](const fs::path& file) { showpiece::write_reading_room(file, 1); },
+    {"reading room, 2 %",
+     [](const fs::path& file) { scenes::write_scene(file, scenes::make_scene("reading-room")); },
      "--max-edge 0 --error-measure power --error 2%", "--max-edge 0 --error-measure power --error 20%"},
     {"Cornell box, 0.3 %", write_cornell_box, "--max-edge 0.02 --error-measure power --error 0.3%",
      "--max-edge 0.1 --error-measure power --error 10%"},

@@ -73,7 +73,7 @@ Json row_of(const UncutScene& subject, const PointTruth& truth, std::size_t targ
 }
 
 Json cost_of_a_million(const Settings& settings, const Context& context) {
-  const auto patches = make_patches(showpiece(settings.small ? 1 : 5), {.max_edge = no_max_edge});
+  const auto patches = make_patches(reading_room(settings.small ? 1 : 5), {.max_edge = no_max_edge});
   Solution solution;
   solution.bands = patches.bands;
   solution.irradiance.front.resize(patches.size() * patches.band_count());
@@ -86,8 +86,8 @@ Json cost_of_a_million(const Settings& settings, const Context& context) {
   for (int i = 0; i < 3; ++i)
     times.push_back(cost([&] { make_smooth_light(patches, solution, {}, context); }).cpu);
   const auto each = 1e6 * median(times) / static_cast<double>(patches.size());
-  fmt::print("{:>16} {:>9} {:>8.2f} CPU s, {:.2f} us a patch, both sides lit\n", "showpiece", patches.size(),
-             median(times), each);
+  fmt::print("{:>16} {:>9} {:>8.2f} CPU s, {:.2f} us a patch, both sides lit\n", "reading room",
+             patches.size(), median(times), each);
   return {{"patches", patches.size()}, {"cpu_seconds", median(times)}, {"microseconds_per_patch", each}};
 }
 

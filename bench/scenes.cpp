@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "bench/mesher.h"
-#include "showpiece/room.h"
+#include "scenes/scene_list.h"
+#include "scenes/to_scene.h"
 
 namespace luxel::bench {
 namespace {
@@ -162,24 +163,8 @@ Scene cornell_box(std::size_t triangles) { return with_triangles(triangles, corn
 Scene office(std::size_t triangles) { return with_triangles(triangles, office_of); }
 Scene two_rooms(std::size_t triangles) { return with_triangles(triangles, two_rooms_of); }
 
-Scene showpiece(int detail) {
-  Scene scene;
-  scene.source = "showpiece";
-  for (const auto& pigment : luxel::showpiece::palette())
-    scene.materials.push_back({pigment.name, Vec3(pigment.reflectance), pi * Vec3(pigment.radiance), true});
-  for (const auto& object : luxel::showpiece::reading_room(detail)) {
-    const auto first = static_cast<std::uint32_t>(scene.positions.size());
-    scene.positions.insert(scene.positions.end(), object.mesh.points.begin(), object.mesh.points.end());
-    for (const auto& [corners, paint] : object.mesh.triangles) {
-      const auto& [a, b, c] = corners;
-      scene.triangles.push_back({first + a, first + b, first + c});
-      scene.triangle_material.push_back(static_cast<MaterialId>(paint));
-      scene.triangle_line.push_back(0);
-      scene.triangle_group.push_back(static_cast<std::uint32_t>(scene.groups.size()));
-    }
-    scene.groups.push_back(object.name);
-  }
-  return scene;
+Scene reading_room(int detail) {
+  return scenes::to_scene(scenes::make_scene("reading-room", detail), "reading-room");
 }
 
 }  // namespace luxel::bench

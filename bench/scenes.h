@@ -21,7 +21,7 @@ Scene office(std::size_t triangles);
 // aside of the door: nearly all light of the second room has been reflected on its way.
 Scene two_rooms(std::size_t triangles);
 
-// The room that luxel-showpiece writes: 39,884 triangles times detail².
-Scene showpiece(int detail);
+// The room that `luxel-scenes reading-room` writes: 39,884 triangles times detail².
+Scene reading_room(int detail);
 
 }  // namespace luxel::bench

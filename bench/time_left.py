@@ -4,7 +4,7 @@
 
 Bakes each scene with --progress json and compares the time left with what it turned out to be, in the stage "light".
 
-  time_left.py scenes/cornell-box.obj "out/showpiece.obj --error 4%"
+  time_left.py scenes/cornell-box.obj "out/reading-room.obj --error 4%"
 
   seconds   the stage took
   first     when a time left was first reported, in % of the stage

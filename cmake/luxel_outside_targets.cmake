@@ -1,5 +1,6 @@
-# Targets for outside libraries that bring none of their own everywhere: luxel::hdf5, luxel::openexr, luxel::stb and
-# luxel::mpi. Our own build includes this file, and so does the installed package. luxel_uses_mpi: whether Luxel is built with MPI.
+# Targets for outside libraries that bring none of their own everywhere: luxel::hdf5, luxel::openexr, luxel::stb, and for
+# optional ones: luxel::mpi, luxel::draco, luxel::meshoptimizer and luxel::webp. Our own build includes this file, and so
+# does the installed package. luxel_uses_NAME: whether Luxel is built with that optional library.
 
 # HDF5 by pkg-config, since CMake's search needs C enabled in the project; by that search where pkg-config has none.
 if(NOT TARGET luxel::hdf5)
@@ -31,5 +32,29 @@ if(NOT TARGET luxel::mpi)
   if(luxel_uses_mpi)
     target_link_libraries(luxel::mpi INTERFACE MPI::MPI_CXX)
     target_compile_definitions(luxel::mpi INTERFACE LUXEL_HAS_MPI OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+  endif()
+endif()
+
+# Without the library each of these targets is empty, and files that need it are refused.
+if(NOT TARGET luxel::draco)
+  add_library(luxel::draco INTERFACE IMPORTED)
+  if(luxel_uses_draco)
+    target_link_libraries(luxel::draco INTERFACE draco::draco)
+    target_compile_definitions(luxel::draco INTERFACE LUXEL_HAS_DRACO)
+  endif()
+endif()
+if(NOT TARGET luxel::meshoptimizer)
+  add_library(luxel::meshoptimizer INTERFACE IMPORTED)
+  if(luxel_uses_meshoptimizer)
+    target_link_libraries(luxel::meshoptimizer INTERFACE meshoptimizer::meshoptimizer)
+    target_compile_definitions(luxel::meshoptimizer INTERFACE LUXEL_HAS_MESHOPTIMIZER)
+  endif()
+endif()
+if(NOT TARGET luxel::webp)
+  add_library(luxel::webp INTERFACE IMPORTED)
+  if(luxel_uses_webp)
+    pkg_check_modules(luxel_webp REQUIRED QUIET IMPORTED_TARGET libwebp)
+    target_link_libraries(luxel::webp INTERFACE PkgConfig::luxel_webp)
+    target_compile_definitions(luxel::webp INTERFACE LUXEL_HAS_WEBP)
   endif()
 endif()

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs what the documents tell a reader to type: check_docs_commands.py ROOT PROGRAMS.
 
-In the ```sh blocks of README.md and docs/*.md, each command that begins with `luxel` or `build/release/bin/` is run,
-in the order of the page, in an empty folder that has the scenes and the built PROGRAMS where the reader has them. A
+In the ```sh blocks of README.md and docs/*.md, each command that begins with `luxel`, `build/release/bin/` or `printf` is
+run, in the order of the page, in an empty folder that has the scenes and the built PROGRAMS where the reader has them. A
 command that begins with `./dev` must name a verb of ./dev. Everything else, and a block fenced ```sh no-run, is left
 alone.
 """
@@ -75,7 +75,7 @@ def check_page(page, root, programs, verbs):
                 verb = (command.split() + ["help"])[1]
                 if verb not in verbs:
                     yield number, f"`{command}`: ./dev has no verb {verb}"
-            elif word == "luxel" or word.startswith("build/release/bin/"):
+            elif word in ("luxel", "printf") or word.startswith("build/release/bin/"):
                 print(f"  {command}", flush=True)
                 failure = run(command, folder, programs)
                 if failure:

@@ -12,7 +12,7 @@ import os
 import sys
 import time
 
-from figures import baking, blender, lightmap, measured, pictures, sharing, viewer
+from figures import baking, blender, gallery, lightmap, measured, pictures, sharing, viewer
 from figures.runs import Luxel, keep_json
 from figures.scenes import ROOT
 
@@ -32,6 +32,7 @@ SECTIONS = {
     "blender": (blender.office, blender.NAMES),
     "baking": (baking.forms, baking.NAMES),
     "sharing": (sharing.page, sharing.NAMES),
+    "gallery": (gallery.gallery, gallery.NAMES),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),
     "bench": (measured.bench, ["time-against-polygons.svg", "time-against-lamps.svg"]),
@@ -41,7 +42,7 @@ SECTIONS = {
 def stamp(programs, small):
     """Changes with the program, the scene and these tools."""
     tools = os.path.join(ROOT, "tools")
-    files = [os.path.join(programs, "luxel"), os.path.join(tools, "make_figures.py"),
+    files = [os.path.join(programs, "luxel"), os.path.join(programs, "luxel-scenes"), os.path.join(tools, "make_figures.py"),
              os.path.join(tools, "draw_charts.py")]
     files += [os.path.join(ROOT, "scenes", f"cornell-box.{ending}") for ending in ("obj", "mtl")]
     files += sorted(os.path.join(tools, "figures", name) for name in os.listdir(os.path.join(tools, "figures"))

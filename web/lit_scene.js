@@ -17,6 +17,7 @@ export class LitScene {
     this.#findBox();
     this.partOf = new Uint16Array(this.triangleCount);
     about.parts.forEach(({ first, count }, i) => this.partOf.fill(i, first, first + count));
+    this.masks = new Map();
   }
 
   #findBox() {
@@ -37,7 +38,42 @@ export class LitScene {
     return this.about.materials[this.about.parts[this.partOf[triangle]].material];
   }
 
-  // What arrives at a vertex, in lux or W/m² as `unit` says; side 0 is the front.
+  // Illuminance of some thousand triangles evenly among all, and their areas: [{ value, area }], in lux or W/m².
+  samples(unit) {
+    const { positions: p, corners } = this;
+    const step = Math.ceil(this.triangleCount / 10000);
+    const samples = [];
+    for (let t = 0; t < this.triangleCount; t += step) {
+      const [a, b, c] = [0, 1, 2].map((k) => corners[3 * t + k]);
+      const e = [0, 1, 2].map((i) => p[3 * b + i] - p[3 * a + i]), f = [0, 1, 2].map((i) => p[3 * c + i] - p[3 * a + i]);
+      const area = Math.hypot(e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]) / 2;
+      for (const side of [0, 1])
+        samples.push({ value: (this.arriving(a, side, unit) + this.arriving(b, side, unit) + this.arriving(c, side, unit)) / 3, area });
+    }
+    return samples;
+  }
+
+  // Whether a picture of holes has one at a point of a triangle. weights: of its corners.
+  #isHole(triangle, weights) {
+    const cutout = this.material(triangle).textures.cutout;
+    if (!cutout) return false;
+    if (!this.masks.has(cutout.picture)) {
+      const picture = this.pictures[cutout.picture];
+      const canvas = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+      canvas.drawImage(picture, 0, 0);
+      this.masks.set(cutout.picture, canvas.getImageData(0, 0, picture.width, picture.height));
+    }
+    const mask = this.masks.get(cutout.picture);
+    const place = (i) => weights.reduce((sum, w, k) => sum + w * this.places[cutout.set][2 * this.corners[3 * triangle + k] + i], 0);
+    const pixel = (x, size, wrap) => {
+      const within = wrap === 'clamp' ? Math.min(Math.max(x, 0), 1) : wrap === 'mirror' ? 1 - Math.abs((((x % 2) + 2) % 2) - 1) : x - Math.floor(x);
+      return Math.min(size - 1, Math.floor(within * size));
+    };
+    const x = pixel(place(0), mask.width, cutout.wrap[0]), y = pixel(place(1), mask.height, cutout.wrap[1]);
+    return mask.data[4 * (y * mask.width + x)] < 255 * cutout.threshold;
+  }
+
+  // What arrives at a vertex, in `unit`: lux or W/m²; side 0 is the front.
   arriving(vertex, side, unit) {
     let value = 0;
     for (let g = 0; g < this.groupCount; ++g) {
@@ -89,7 +125,7 @@ export class LitScene {
         const v = (dx * qx + dy * qy + dz * qz) / det;
         if (v < 0 || u + v > 1) continue;
         const distance = (fx * qx + fy * qy + fz * qz) / det;
-        if (distance <= 0 || distance >= best) continue;
+        if (distance <= 0 || distance >= best || this.#isHole(t, [1 - u - v, u, v])) continue;
         best = distance;
         found = { triangle: t, back: det < 0, distance, corners: [1 - u - v, u, v] };
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { drawLegend } from './legend.js';
+import { Labels } from './labels.js';
 import { readLightFile } from './light_file.js';
 import { LitScene } from './lit_scene.js';
 import { lookFrom, readAddress } from './look.js';
@@ -17,7 +18,7 @@ function stop(sentence) {
   document.documentElement.dataset.state = 'failed';
 }
 
-// A click is a press that neither moves nor lasts.
+// A click is a short press without movement.
 function listenToTaps(tapped, tappedTwice) {
   let down = null, last = { time: -1e9 };
   canvas.addEventListener('pointerdown', (e) => {
@@ -34,9 +35,14 @@ function listenToTaps(tapped, tappedTwice) {
 
 function listenToKeys(page, mouse) {
   window.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event) || document.getElementById('help').open) return;
     if (event.code === 'KeyH') page.navigation.home();
     if (event.code === 'KeyP') page.panel.fold();
+    if (event.key === '?') page.panel.help();
+    if (event.code === 'KeyI') {
+      page.look.show = page.look.show === 'light' ? 'illuminance' : 'light';
+      page.changed();
+    }
     if (event.code === 'Escape') page.probe.clear();
     if (event.key === '+' || event.key === '-') page.navigation.near(event.key === '+' ? 0.9 : 1.1);
     if (event.code === 'KeyM') {
@@ -55,7 +61,7 @@ function follow(mouse) {
   return mouse;
 }
 
-// Camera, look and lamps as the address has them; what it does not say is as in the file.
+// Camera, look and lamps as in the address, the rest as in the file.
 function obeyAddress(page) {
   const { scene, look, navigation } = page;
   Object.assign(look, lookFrom(scene.about));
@@ -79,13 +85,17 @@ async function start() {
   const page = { scene, look };
   page.view = new View(canvas, scene, look, () => {
     page.probe.place();
+    page.labels.drawn(look, page.view.scale);
     document.documentElement.dataset.state = 'ready';
   });
   page.navigation = new Navigation(canvas, scene, () => page.view.ask());
   page.probe = new Probe(scene, look, page.navigation);
+  const lineNumbers = document.getElementById('line-numbers');
+  page.labels = new Labels(lineNumbers, (width, height) => page.view.measured(width, height), () => page.panel.boxes());
   page.changed = () => {
     page.panel.show();
     drawLegend(look, page.view.scale);
+    page.panel.layOut();
     page.probe.fill();
     page.view.ask();
   };
@@ -95,7 +105,7 @@ async function start() {
   };
   page.view.follow(page.navigation);
   page.panel = new Panel(page);
-  page.panel.fold(window.matchMedia('(max-width: 640px)').matches);
+  page.panel.fold(window.matchMedia('(max-width: 640px), (max-height: 480px)').matches);
   page.view.covered = () => page.panel.covered();
   obeyAddress(page);
   window.addEventListener('hashchange', () => obeyAddress(page));

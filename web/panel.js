@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel: what a person sets goes into the look and the lamps' weights, and what these say is shown.
+// The panel: settings go into the look and the weights of the lamps, and are shown as these have them.
 import { addressOf } from './look.js';
 import { numberText } from './tone.js';
 
 const element = (id) => document.getElementById(id);
 const stops = (v) => `${v >= 0 ? '+' : '−'}${Math.abs(v).toFixed(2)} stops`;
+const small = matchMedia('(max-width: 640px)'); // as in style.css
 const help = {
   mouse: {
-    orbit: 'Drag to turn, wheel or pinch to come closer, right drag or two fingers to shift. F: turn about the point under the mouse.',
-    walk: 'Drag to look around. W A S D to walk, Q and E for down and up, Shift to hurry.',
+    orbit: 'Drag to turn, wheel to come closer. Click a surface to measure its light.',
+    walk: 'Drag to look around; W A S D to walk.',
   },
   touch: {
-    orbit: 'Drag to turn, pinch to come closer, two fingers to shift.',
+    orbit: 'Drag to turn, pinch to come closer. Tap a surface to measure its light.',
     walk: 'Drag to look around, push the pad to walk.',
   },
 };
@@ -20,8 +21,7 @@ export class Panel {
   // page: { scene, look, view, navigation, probe, changed() }
   constructor(page) {
     this.page = page;
-    this.lamps = page.scene.about.groups.map((name, g) => this.#addLamp(name, g));
-    element('lamps').hidden = page.scene.groupCount === 1;
+    this.lamps = page.scene.about.groups.map((name, g) => this.#addLamp(name || nameOfAll(page.scene), g));
     element('unit-choice').hidden = page.scene.isSpectral;
     this.#listenToLook();
     this.#listenToCamera();
@@ -43,8 +43,8 @@ export class Panel {
     element('white-row').hidden = look.op !== 'reinhard';
     for (const name of ['adapt', 'automatic', 'logarithmic', 'isolines']) element(name).checked = look[name];
     element('see-through').checked = look.seeThrough;
+    element('ends').hidden = look.automatic;
     for (const name of ['low', 'high']) {
-      element(name).disabled = look.automatic;
       if (document.activeElement !== element(name)) element(name).value = Number(look[name].toPrecision(4));
     }
     element('light-controls').hidden = look.show !== 'light';
@@ -55,18 +55,37 @@ export class Panel {
     element('lamps-reset').disabled = scene.isAsSolved;
   }
 
+  // On a small screen the picture ends where the folded panel and the legend begin.
+  layOut() {
+    const { panel, legend } = Object.fromEntries(['panel', 'legend'].map((id) => [id, element(id)]));
+    const header = panel.hidden ? 0 : panel.offsetHeight - element('sheet').offsetHeight;
+    const height = small.matches ? header + legend.offsetHeight : 0;
+    if (height === this.dock) return;
+    this.dock = height;
+    document.documentElement.style.setProperty('--dock', `${height}px`);
+    this.page.view.resize();
+  }
+
+  // Rectangles of the window that elements cover.
+  boxes() {
+    return ['panel', 'legend', 'card'].map((id) => element(id)).filter((e) => !e.hidden).map((e) => e.getBoundingClientRect());
+  }
+
   fold(folded = !element('panel').classList.contains('folded')) {
     element('panel').classList.toggle('folded', folded);
     element('fold').setAttribute('aria-expanded', String(!folded));
     this.page.view.resize();
   }
 
-  // How far the middle of what the panel leaves free is from the window's: to the left, upwards.
+  help() {
+    element('help').showModal();
+  }
+
+  // How far the middle of what the open panel leaves free is from the picture's: to the left, upwards.
   covered() {
     const panel = element('panel');
-    if (panel.hidden) return [0, 0];
-    if (panel.offsetWidth === window.innerWidth) return [0, panel.offsetHeight / 2];
-    return panel.classList.contains('folded') ? [0, 0] : [panel.offsetWidth / 2, 0];
+    if (panel.hidden || panel.classList.contains('folded')) return [0, 0];
+    return small.matches ? [0, element('sheet').offsetHeight / 2] : [panel.offsetWidth / 2, 0];
   }
 
   #listenToLook() {
@@ -89,9 +108,13 @@ export class Panel {
     element('logarithmic').addEventListener('change', (e) => set('logarithmic', e.target.checked, () => this.#takeScale()));
     for (const name of ['low', 'high']) element(name).addEventListener('input', () => this.#takeScale());
     element('fold').addEventListener('click', () => this.fold());
+    element('help-open').addEventListener('click', () => this.help());
+    element('help-close').addEventListener('click', () => element('help').close());
+    element('help').addEventListener('click', ({ target }) => target === element('help') && target.close()); // outside
+    small.addEventListener('change', () => this.layOut());
   }
 
-  // A scale of one's own: its ends must have an order, and a logarithm.
+  // A manual scale: its ends must be in order, and above 0 where it is logarithmic.
   #takeScale() {
     const { look, view, changed } = this.page;
     if (!look.automatic) {
@@ -162,7 +185,7 @@ export class Panel {
     Object.assign(colour, { type: 'color', value: '#ffffff', hidden: scene.isSpectral });
     colour.setAttribute('aria-label', `Colour of ${name}`);
     Object.assign(slider, { type: 'range', min: 0, max: 3, step: 0.01 });
-    slider.setAttribute('aria-label', `Brightness of ${name}, times as solved`);
+    slider.setAttribute('aria-label', `Brightness of ${name}`);
     row.append(label, text, colour, slider);
     element('lamp-list').append(row);
     const take = () => {
@@ -176,7 +199,7 @@ export class Panel {
       const factor = Math.max(...scene.weights[g]);
       if (document.activeElement !== slider) slider.value = factor;
       if (factor > 0) colour.value = codeOf(scene.weights[g].map((w) => w / factor));
-      text.textContent = `× ${factor.toFixed(2)}`;
+      text.textContent = `${Math.round(100 * factor)} %`;
     };
   }
 }
@@ -201,13 +224,17 @@ const codeOf = (linear) => '#' + linear.map((c) => {
   return Math.round(255 * code).toString(16).padStart(2, '0');
 }).join('');
 
+// The light that is not divided among lamps.
+function nameOfAll({ about }) {
+  const hasLamps = about.materials.some(({ emittance }) => emittance.some((e) => e > 0));
+  return !about.hasSky ? 'All lamps' : hasLamps ? 'All light' : 'Daylight';
+}
+
 function madeText({ about, triangleCount }) {
-  const { luxel, method, rays, error, seenError, meshError } = about.made;
-  const parts = [`Made with Luxel ${luxel}`, `method ${method}`];
-  if (seenError > 0) parts.push(`seen error ${percent(seenError)}`);
-  if (error > 0) parts.push(`standard error of the whole ${percent(error)}`);
-  if (meshError > 0) parts.push(`of the mesh about ${percent(meshError)}`);
-  if (rays > 0) parts.push(`${rays.toLocaleString('en')} rays`);
-  parts.push(`${triangleCount.toLocaleString('en')} patches`);
-  return parts.join(', ') + '.';
+  const { luxel, error, seenError } = about.made;
+  const parts = [`Made with Luxel ${luxel}`];
+  if (seenError > 0) parts.push(`errors below ${percent(seenError)} in 95 of 100 views`);
+  else if (error > 0) parts.push(`mean error ${percent(error)}`);
+  parts.push(`${triangleCount.toLocaleString('en')} triangles`);
+  return parts.join(' · ');
 }

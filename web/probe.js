@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is under a finger: the light that arrives there, how sure it is, and whose surface it is.
+// The light that arrives at a point, its uncertainty, and the surface.
 import { Vector3 } from 'three';
 import { numberText } from './tone.js';
 
@@ -13,8 +13,8 @@ export class Probe {
 
   // At a point of the window, in CSS pixels; the hit, or null.
   at(x, y) {
-    const { camera } = this.navigation;
-    const sight = this.navigation.sight((2 * x) / window.innerWidth - 1, 1 - (2 * y) / window.innerHeight);
+    const { camera, canvas } = this.navigation;
+    const sight = this.navigation.sight((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight);
     return this.scene.nearest(camera.position.toArray(), sight, this.look.seeThrough);
   }
 
@@ -44,26 +44,26 @@ export class Probe {
     element('card-watts').textContent =
       `${numberText(watts)}${bar === null || !(lux > 0) ? '' : ` ± ${barText((bar * watts) / lux)}`} W/m²`;
     element('card-material').textContent = material.name + (hit.back ? ' (back)' : '');
-    element('card-patch').textContent = String(scene.patches[hit.triangle]);
     element('card-place').textContent =
       hit.at.map((x, i) => (x + scene.about.origin[i]).toFixed(3)).join(', ') + ' m';
     element('card-note').textContent = isAbsorbing
-      ? 'The back of a one-sided material: it takes up what meets it, and was not measured.'
-      : error === null ? 'The method of this solution states no error.'
-      : scene.isAsSolved ? '± holds the truth of this patch 95 times in 100.'
-      : '± is the most it can be with these lamps.';
+      ? 'The back of this surface absorbs all light; its light was not computed.'
+      : error === null ? 'No error was estimated for this light.'
+      : scene.isAsSolved ? 'The exact value is within ± in 95 of 100 cases.'
+      : 'With changed lamps, ± is an upper bound.';
   }
 
-  // The mark goes where the point is drawn.
+  // Moves the mark to where the point is drawn.
   place() {
     if (!this.hit) return;
     const point = new Vector3(...this.hit.at).project(this.navigation.camera);
     const spot = element('spot');
     spot.style.visibility = point.z < 1 ? 'visible' : 'hidden';
-    spot.style.left = `${((point.x + 1) / 2) * window.innerWidth}px`;
-    spot.style.top = `${((1 - point.y) / 2) * window.innerHeight}px`;
+    const { clientWidth, clientHeight } = this.navigation.canvas;
+    spot.style.left = `${((point.x + 1) / 2) * clientWidth}px`;
+    spot.style.top = `${((1 - point.y) / 2) * clientHeight}px`;
   }
 }
 
-// Two digits are enough of an error.
+// An error has two digits.
 const barText = (value) => (value >= 100 ? String(Math.round(value)) : String(Number(value.toPrecision(2))));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture: drawn when something has changed, and only then.
 import { ColorManagement, LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three';
-import { automaticScale, shown, toneScale } from './tone.js';
+import { Sky } from './sky.js';
 import { Surfaces } from './surfaces.js';
+import { automaticScale, levelsOf, shareOf, toneScale } from './tone.js';
 
 const luminance = [0.2126, 0.7152, 0.0722];
 
@@ -15,9 +16,10 @@ export class View {
     this.drawn = drawn;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
-    this.surfaces = new Surfaces(scene);
+    this.surfaces = new Surfaces(scene, Math.min(8, this.renderer.capabilities.getMaxAnisotropy()));
     this.world = new Scene();
-    this.world.add(this.surfaces.mesh);
+    this.sky = new Sky(this.surfaces.shared);
+    this.world.add(this.surfaces.mesh, this.sky.mesh);
     this.covered = () => [0, 0]; // how far the panel pushes the middle of the scene to the left and upwards, pixels
     this.fitted = null; // the light that the curve was fitted to
     this.scale = { low: 0, high: 1 };
@@ -34,8 +36,9 @@ export class View {
 
   resize() {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.setSize(window.innerWidth, window.innerHeight, false);
-    this.navigation.shift(window.innerWidth, window.innerHeight, this.covered());
+    const { clientWidth, clientHeight } = this.renderer.domElement;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.navigation.shift(clientWidth, clientHeight, this.covered());
     this.ask();
   }
 
@@ -45,7 +48,7 @@ export class View {
     this.ask();
   }
 
-  // Another op, or a person's wish: the curve is fitted to what is in view at the next picture.
+  // Fits the curve to the view of the next picture.
   refit() {
     this.fitted = null;
     this.ask();
@@ -69,15 +72,14 @@ export class View {
   }
 
   #draw() {
-    const { look, surfaces, renderer, world } = this;
+    const { look, surfaces, renderer, world, sky } = this;
     const { camera } = this.navigation;
+    sky.follow(camera, [0, 0, 0]);
     const { shared } = surfaces;
     if (!this.fitted || look.adapt) this.fitted = surfaces.lightInView(renderer, world, camera, camera.aspect);
     const scale = toneScale(look, this.fitted);
     const isLux = look.unit === 'lux', { efficacy } = this.scene.about;
-    Object.assign(shared.measure, {
-      value: this.scene.isSpectral ? [0, 0, 0, efficacy] : [...luminance.map((l) => (isLux ? efficacy * l : 1)), 0],
-    });
+    shared.measure.value = this.scene.isSpectral ? [0, 0, 0, efficacy] : [...luminance.map((l) => (isLux ? efficacy * l : 1)), 0];
     shared.show.value = look.show === 'light' ? 0 : 1;
     shared.curve.value = { neutral: 2, reinhard: 1 }[look.op] ?? 0;
     shared.tone_scale.value = scale;
@@ -86,10 +88,18 @@ export class View {
     shared.isolines.value = look.isolines;
     shared.low.value = this.scale.low;
     shared.high.value = this.scale.high;
-    const sky = look.show === 'light' ? shown(surfaces.skyRadiance(), look, scale) : [0.13, 0.14, 0.16];
-    const [r, g, b] = sky.map((c) => Math.round(255 * c));
-    renderer.setClearColor(65536 * r + 256 * g + b, 1);
+    const levels = levelsOf(this.scale, look.logarithmic).map((value) => shareOf(value, this.scale, look.logarithmic));
+    shared.levels.value.set(levels);
+    shared.level_count.value = levels.length;
+    if (look.show === 'light') sky.follow(camera, surfaces.skyRadiance());
+    renderer.setClearColor(look.show === 'light' ? 0x000000 : 0x212429, 1);
     renderer.render(world, camera);
+  }
+
+  // For the numbers on the lines of equal light.
+  measured(width, height) {
+    this.sky.follow(this.navigation.camera, [0, 0, 0]);
+    return this.surfaces.measuredInView(this.renderer, this.world, this.navigation.camera, width, height);
   }
 
   #sampleScale() {
@@ -98,14 +108,7 @@ export class View {
       this.scale = { low: look.low, high: look.high };
       return;
     }
-    const step = Math.ceil(scene.vertexCount / 10000);
-    const values = [];
-    for (let v = 0; v < scene.vertexCount; v += step)
-      for (const side of [0, 1]) {
-        const value = scene.arriving(v, side, look.unit);
-        if (value > 0) values.push(value);
-      }
-    this.scale = automaticScale(values, look.logarithmic);
+    this.scale = automaticScale(scene.samples(look.unit), look.logarithmic);
     Object.assign(look, this.scale);
   }
 }

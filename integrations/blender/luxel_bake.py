@@ -794,7 +794,7 @@ class Run:
             raise BakeError(f"there is no program '{program}': say in the add-on's preferences where luxel is")
         self.stage, self.done, self.error, self.said = "starting", 0.0, 0.0, []
         self.process = subprocess.Popen(
-            [found, *words, "--progress", "json", "--quiet"], cwd=folder, text=True, errors="replace",
+            [found, *words, "--progress", "json"], cwd=folder, text=True, errors="replace",
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
         self.lines = queue.Queue()

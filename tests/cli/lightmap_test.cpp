@@ -26,14 +26,14 @@ TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
                            "-o map.exr -o map.png --png-white 50 --final-gather 20% "
                            "--error-map error.exr --preview view.png --width 40 --height 30 --json");
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.err.find("charts on 1 page of 64 x 64 texels"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("charts on 1 page of 48 x 48 texels"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("gathered with"), std::string::npos) << run.err;
   const auto json = Json::parse(run.out);
   EXPECT_EQ(json["command"], "lightmap");
   EXPECT_EQ(json["outputs"], Json({"map.exr", "map.png", "error.exr", "view.png"}));
   const auto page = read_image(folder / "map.exr"), codes = read_image(folder / "map.png"),
              error = read_image(folder / "error.exr");
-  ASSERT_EQ(page.width, 64);
+  ASSERT_EQ(page.width, 48);
   ASSERT_EQ(error.pixels.size(), page.pixels.size());
   // What the file says of its numbers: white is 50 W/m².
   EXPECT_NE(read_file(folder / "map.png")
@@ -53,9 +53,9 @@ TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
 
 TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_its_pages) {
   const auto folder = fresh_folder("lightmap_repeats");
-  const auto run = cli::run(
-      folder, bake + lightmap + "-o a.exr --page-size 32 --final-gather none --threads 1 --quiet && " +
-                  lightmap + "-o b.exr --page-size 32 --final-gather none --threads 5 --quiet");
+  const auto run =
+      cli::run(folder, bake + lightmap + "-o a.exr --page-size 32 --final-gather none --threads 1 && " +
+                           lightmap + "-o b.exr --page-size 32 --final-gather none --threads 5");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 21), "a.exr\na-2.exr\na-3.exr");
   EXPECT_EQ(read_file(folder / "a.exr"), read_file(folder / "b.exr"));

@@ -22,10 +22,11 @@ Json json_of(const std::filesystem::path& folder, const std::string& options) {
 TEST(Methods, each_says_what_it_is_likely_to_take_and_where_the_power_went) {
   const auto folder = fresh_folder("methods");
   for (const std::string method : {"dense", "hemicube", "lines"}) {
-    const auto run = cli::run(folder, bake + "--method " + method +
-                                          (method == "dense" ? " --factor-tolerance 1e-3" : "") + " --json");
+    const auto run =
+        cli::run(folder, bake + "--method " + method + (method == "dense" ? " --factor-tolerance 1e-3" : "") +
+                             " --json --verbose");
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_NE(run.err.find("--method " + method + " for "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("method    " + method + " for "), std::string::npos) << run.err;
     EXPECT_NE(run.err.find(" of memory"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("emitted 1.458 W = absorbed"), std::string::npos) << run.err;
     const auto json = Json::parse(run.out);
@@ -58,7 +59,8 @@ TEST(Methods, each_says_which_error_it_knows) {
   EXPECT_EQ(hemicube["solve"]["error"]["kind"], "unknown");
   EXPECT_FALSE(hemicube["solve"]["error"].contains("reached"));
   EXPECT_EQ(hemicube["solution"]["standard_errors"], false);
-  EXPECT_NE(run.err.find("this method knows no error of its own"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("error     not known: this method has no estimate of it"), std::string::npos)
+      << run.err;
 }
 
 TEST(Methods, the_solvers_of_dense_agree) {
@@ -106,7 +108,7 @@ TEST(Methods, a_picture_after_each_step_has_the_exposure_of_the_last) {
   for (const char* method : {"--method hemicube --hemicube-resolution 32", "--method lines",
                              "--method dense --solver jacobi --factor-tolerance 1e-3"}) {
     std::filesystem::remove_all(folder / "steps");
-    const auto run = cli::run(folder, bake + method + small);
+    const auto run = cli::run(folder, bake + method + small + "--verbose");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.out, "a.vtkhdf\nlast.png\nsteps/step-001.png\nsteps/step-002.png\nsteps/step-003.png\n");
     EXPECT_NE(run.err.find("step limit: "), std::string::npos) << run.err;

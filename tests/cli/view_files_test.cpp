@@ -54,8 +54,8 @@ TEST_F(ViewFiles, a_broken_gltf_file_is_a_dialog_and_what_was_there_stays) {
   write("words.gltf", "this is no scene");
   for (const std::string name : {"cut.glb", "words.gltf"}) {
     const auto done = run("s.txt",
-                          "set panel off\nwait finished\nset automatic-exposure off\nwait 10 frames\n"
-                          "snapshot before.png\ndrop " +
+                          "set panel off\nwait finished\nset automatic-exposure off\n"
+                          "wait 300 frames\nsnapshot before.png\ndrop " +
                               name + "\nwait error\nexpect error " + name +
                               "\nwait 20 frames\nsnapshot dialog.png\nkey enter\nwait 20 frames\n"
                               "snapshot after.png\npaint white 0.2,0.2,0.9\nwait finished\nexpect light\n",

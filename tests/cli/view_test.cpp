@@ -74,7 +74,9 @@ TEST_F(View, keys_and_the_mouse_do_what_they_say) {
           "set panel off\nwait finished\nwait 300 frames\nsnapshot 0.png\n"  // exposure takes its time
           "key tab\nhold W 0.3\nmove 10 10\nmove 60 10\nwait 5 frames\nkey tab\nsnapshot 1.png\n"
           "key H\nwait 30 frames\nsnapshot 2.png\n"
-          "wheel 4\nwait 60 frames\nsnapshot 3.png\nwheel -4\n"
+          "down control\nwheel 4\nup control\nwait 60 frames\nsnapshot 3.png\n"
+          "key page-down\nkey page-down\nkey page-down\nkey page-down\nwait 60 frames\n"
+          "move 160 120\nwheel 4\nwait 5 frames\nsnapshot nearer.png\nwheel -4\n"
           "down shift\ndrag 90 120 240 130\nup shift\nwait 3 frames\nsnapshot 4.png\nkey escape\n"
           "resize 400 300\nwait 3 frames\nsnapshot 5.png\nkey P\nwait 3 frames\nclick 40 80\n"
           "drop nothing.obj\nwait error\nexpect error no such file\nkey enter\n"
@@ -85,6 +87,7 @@ TEST_F(View, keys_and_the_mouse_do_what_they_say) {
   EXPECT_GT(difference(start, picture("1.png")), 0.01);
   EXPECT_LT(difference(start, picture("2.png")), 0.02);
   EXPECT_GT(mean_color(picture("3.png")).g, 1.1f * mean_color(start).g);
+  EXPECT_GT(difference(start, picture("nearer.png")), 0.01);
   EXPECT_GT(difference(start, picture("4.png")), 5e-3);
   EXPECT_EQ(picture("5.png").width, 400);
 }
@@ -122,7 +125,8 @@ TEST_F(View, a_window_shows_what_is_drawn_off_screen) {
     GTEST_SKIP() << "xvfb-run and xauth are not installed";
   // -a alone looks for a free number and takes it later: two tests that begin at once would meet.
   const auto xvfb = fmt::format("xvfb-run -a -n {} ", 1000 + getpid() % 9000);
-  const std::string script = "wait finished\nset show irradiance\nwait 60 frames\nsnapshot ";
+  // The window has the display's cursor somewhere.
+  const std::string script = "wait finished\nset show irradiance\nmove 160 230\nwait 60 frames\nsnapshot ";
   ASSERT_EQ(run("a.txt", script + "off.png\n", "--off-screen").code, 0);
   const auto window =
       run("b.txt", script + "window.png\nclose\n", "", xvfb + "-s '-screen 0 800x600x24 +extension GLX' ");

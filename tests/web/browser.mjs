@@ -20,9 +20,10 @@ export function launch(more = []) {
 }
 
 // Mean difference of two pictures of one size, all channels alike, as a share of the display's range; computed by the
-// browser, which can read every picture. a, b: bytes of PNG files; area: of the first, or null; to leave out at the rim.
-export function difference(page, a, b) {
-  return page.evaluate(async ([first, second]) => {
+// browser, which can read every picture. a, b: bytes of PNG files; covered: count only the pixels that surfaces cover
+// on the page's transparent canvas.
+export function difference(page, a, b, covered = false) {
+  return page.evaluate(async ([first, second, isMasked]) => {
     const pixels = async (base64) => {
       const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
       const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { colorSpaceConversion: 'none' });
@@ -33,8 +34,18 @@ export function difference(page, a, b) {
     const [p, q] = await Promise.all([pixels(first), pixels(second)]);
     if (p.width !== q.width || p.height !== q.height)
       throw new Error(`pictures of ${p.width} x ${p.height} and ${q.width} x ${q.height}`);
-    let sum = 0;
-    for (let i = 0; i < p.data.length; ++i) if (i % 4 !== 3) sum += Math.abs(p.data[i] - q.data[i]);
-    return sum / (255 * 3 * (p.data.length / 4));
-  }, [a.toString('base64'), b.toString('base64')]);
+    let mask = null;
+    if (isMasked) {
+      const copy = new OffscreenCanvas(p.width, p.height).getContext('2d');
+      copy.drawImage(document.querySelector('canvas'), 0, 0);
+      mask = copy.getImageData(0, 0, p.width, p.height).data;
+    }
+    let sum = 0, count = 0;
+    for (let i = 0; i < p.data.length; i += 4) {
+      if (mask && mask[i + 3] < 255) continue;
+      for (let c = i; c < i + 3; ++c) sum += Math.abs(p.data[c] - q.data[c]);
+      count += 3;
+    }
+    return sum / (255 * Math.max(1, count));
+  }, [a.toString('base64'), b.toString('base64'), covered]);
 }

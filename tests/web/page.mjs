@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size 800x600] [--like PICTURE.png]
-// Shows the file on a web page (three.js in Debian's Chromium, headless) and photographs it. Eye and target
+// node page.mjs FILE.glb OUT.png [--with three|babylon] [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size 800x600]
+//   [--like PICTURE.png]
+// Shows the file on a web page (three.js or Babylon.js in Debian's Chromium, headless) and photographs it. Eye and target
 // are in glTF's axes, Y up. Fails if the page has an error, or the picture is black or of one colour, or differs from
-// PICTURE by 1 % of the display's range or more, in the mean.
+// PICTURE by 1 % of the display's range or more, in the mean over the pixels that surfaces cover.
 import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { dirname, extname, join, normalize } from 'node:path';
@@ -14,14 +15,16 @@ import { difference, launch } from './browser.mjs';
 const here = dirname(fileURLToPath(import.meta.url));
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.glb': 'model/gltf-binary' };
 
-// Serves the page, the model and three.js to this machine alone; nothing else can be asked for.
-function serve(glb) {
+// Serves the page, the model and the library to this machine alone; nothing else can be asked for.
+const pages = { three: 'viewer.html', babylon: 'babylon.html' };
+
+function serve(glb, page) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
     const file =
-      path === '/' ? join(here, 'viewer.html')
+      path === '/' ? join(here, page)
       : path === '/model.glb' ? glb
-      : path.startsWith('/three/') ? join(here, 'node_modules', path)
+      : /^\/(three|babylonjs|babylonjs-loaders)\//.test(path) ? join(here, 'node_modules', path)
       : null;
     const bytes = file && (await readFile(file).catch(() => null));
     response.writeHead(bytes ? 200 : 404, { 'content-type': types[extname(file ?? '')] ?? 'text/plain' });
@@ -60,7 +63,7 @@ async function photograph(url, out, size, like) {
     await page.waitForFunction('window.result', null, { timeout: 60_000 });
     const result = await page.evaluate('window.result');
     const shot = await page.screenshot({ path: out });
-    const off = like ? await difference(page, shot, await readFile(like)) : 0;
+    const off = like ? await difference(page, shot, await readFile(like), true) : 0;
     return { ...result, ...(await statistics(page)), off, complaints };
   } finally {
     await browser.close();
@@ -81,17 +84,17 @@ function verdict({ error, alone, triangles, mean, spread, off, complaints }) {
 const { values, positionals } = parseArgs({
   allowPositionals: true,
   options: {
-    eye: { type: 'string' }, target: { type: 'string' }, fov: { type: 'string' },
+    with: { type: 'string', default: 'three' }, eye: { type: 'string' }, target: { type: 'string' }, fov: { type: 'string' },
     size: { type: 'string', default: '800x600' }, like: { type: 'string' },
   },
 });
 const [glb, out] = positionals;
-if (positionals.length !== 2 || !(await stat(glb).catch(() => null))) {
-  console.error('usage: node page.mjs FILE.glb OUT.png [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size WxH] [--like PNG]');
+if (positionals.length !== 2 || !pages[values.with] || !(await stat(glb).catch(() => null))) {
+  console.error('usage: node page.mjs FILE.glb OUT.png [--with three|babylon] [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size WxH] [--like PNG]');
   exit(2);
 }
-const { size, like, ...view } = values;
-const server = await serve(glb);
+const { with: library, size, like, ...view } = values;
+const server = await serve(glb, pages[library]);
 const address = `http://127.0.0.1:${server.address().port}/?${new URLSearchParams(view)}`;
 const seen = await photograph(address, out, size.split('x').map(Number), like);
 server.close();

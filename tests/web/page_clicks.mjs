@@ -67,6 +67,24 @@ async function compare(browser) {
   await page.context().close();
 }
 
+// Textures within patches, holes, and the sky behind them; the hole lets a click through.
+async function compareTextures(browser) {
+  const file = pathToFileURL(join(folder, 'textured.html')).href;
+  const page = await open(browser, { viewport: { width: 640, height: 480 } }, 'panel=off&seeThrough=off', file);
+  const shot = await photograph(page, 'textured');
+  const off = await difference(page, shot, await readFile(join(folder, 'textured.png')));
+  console.log(`textures and sky: mean difference to Luxel's picture ${(100 * off).toFixed(3)} %`);
+  assert.ok(off < 0.01, `textures: the page differs from Luxel's picture by ${(100 * off).toFixed(2)} %`);
+  // Light that is not divided among lamps has a slider, too.
+  assert.equal(await page.locator('#lamp-list input[type=range]').count(), 1);
+  for (const [x, y, material] of [[285, 210, 'screen'], [254, 270, 'wall'], [120, 250, 'wall']]) {
+    await page.mouse.click(x, y);
+    assert.equal(await page.locator('#card-material').innerText(), material);
+    await page.waitForTimeout(400); // no double click
+  }
+  await page.context().close();
+}
+
 async function clickLook(page) {
   let last = await scene(page, 'begin');
   const set = async (label, value) => page.getByLabel(label, { exact: true }).fill(value);
@@ -74,6 +92,7 @@ async function clickLook(page) {
   assert.match(await page.locator('#exposure-text').innerText(), /\+2\.00/);
   last = await changes(page, last, 'brighter');
   assert.ok(await page.locator('#white-row').isHidden());
+  await page.getByText('More', { exact: true }).click();
   await page.getByLabel('Tone curve').selectOption('reinhard');
   last = await changes(page, last, 'reinhard');
   await set('White at', '1.5');
@@ -87,26 +106,34 @@ async function clickLook(page) {
   await set('Exposure, stops', '0');
   await set('White at', '0');
   last = await scene(page, 'again');
-  await set('Brightness of lamp, times as solved', '0');
+  await set('Brightness of lamp', '0');
   last = await changes(page, last, 'lamp-off');
-  await page.getByText('Adapt to what is in view').click();
+  await page.getByText('Adapt to the view').click();
   last = await changes(page, last, 'adapted');
   await set('Colour of side', '#ff3020');
   last = await changes(page, last, 'tinted');
-  await page.getByRole('button', { name: 'As solved' }).click();
-  assert.ok(await page.getByRole('button', { name: 'As solved' }).isDisabled());
-  await page.getByText('Adapt to what is in view').click();
+  assert.match(await page.locator('#lamp-list').innerText(), /side\s*100 %/);
+  await page.getByRole('button', { name: 'Reset' }).click();
+  assert.ok(await page.getByRole('button', { name: 'Reset' }).isDisabled());
+  await page.getByText('Adapt to the view').click();
 }
 
 async function clickFalseColours(page) {
   await page.locator('#panel').getByText('Illuminance', { exact: true }).click();
   let last = await scene(page, 'illuminance');
   assert.match(await page.locator('#legend').innerText(), /Illuminance, lux/);
+  const marks = (await page.locator('#legend-marks').innerText()).split(/\s+/).map(Number);
+  const step = marks[2] - marks[1];
+  assert.ok(marks.length >= 5 && marks.every((value) => Math.abs(value / step - Math.round(value / step)) < 0.01), `marks at ${marks}`);
+  assert.match(String(step), /^0?\.?0*(1|2|25|5)0*$/, `marks at ${marks}`);
+  const numbers = page.locator('#line-numbers.rests');
+  await numbers.waitFor();
+  assert.ok(Number(await numbers.getAttribute('data-numbers')) >= 5, 'few numbers on the lines');
   await page.locator('#panel').getByText('Logarithmic').click();
   last = await changes(page, last, 'logarithmic');
-  await page.locator('#panel').getByText('Lines of equal light').click();
+  await page.locator('#panel').getByText('Contour lines').click();
   last = await changes(page, last, 'no-lines');
-  await page.locator('#panel').getByText('Scale by itself').click();
+  await page.locator('#panel').getByText('Automatic scale').click();
   await page.locator('#panel').getByText('Logarithmic').click();
   await page.locator('#low').fill('50');
   await page.locator('#high').fill('20');
@@ -118,7 +145,7 @@ async function clickFalseColours(page) {
   await photograph(page, 'scale');
   await page.locator('#unit-choice').getByText('W/m²').click();
   assert.match(await page.locator('#legend').innerText(), /Irradiance, W\/m²/);
-  await page.locator('#panel').getByText('Light', { exact: true }).click();
+  await page.locator('#panel').getByText('Picture', { exact: true }).click();
   assert.ok(await page.locator('#legend').isHidden());
 }
 
@@ -138,7 +165,7 @@ async function clickProbe(page) {
   const lumens = solved.lux / solved.watts; // of a watt: between those of blue and of green
   assert.ok(lumens > 179 * 0.0722 && lumens < 179 * 0.7152, `${lumens} lm/W`);
   await photograph(page, 'probe');
-  const slider = (name) => page.getByLabel(`Brightness of ${name}, times as solved`);
+  const slider = (name) => page.getByLabel(`Brightness of ${name}`);
   await slider('lamp').fill('0');
   const side = (await card(page)).lux;
   await slider('side').fill('0');
@@ -147,7 +174,7 @@ async function clickProbe(page) {
   assert.ok(Math.abs(side + lamp - solved.lux) < 0.01 * solved.lux, `${side} + ${lamp} is not ${solved.lux}`);
   await slider('lamp').fill('2');
   assert.ok(Math.abs((await card(page)).lux - 2 * lamp) < 0.01 * lamp);
-  await page.getByRole('button', { name: 'As solved' }).click();
+  await page.getByRole('button', { name: 'Reset' }).click();
   await page.keyboard.press('Escape');
   assert.ok(await page.locator('#card').isHidden());
 }
@@ -169,8 +196,8 @@ async function clickCamera(page) {
   await page.mouse.move(400, 500);
   await page.keyboard.press('f');
   last = await changes(page, last, 'focused');
-  await page.getByRole('button', { name: 'Home' }).click();
-  await page.getByText('Walk', { exact: true }).click();
+  await page.getByRole('button', { name: 'Start view' }).click();
+  await page.locator('#panel').getByText('Walk', { exact: true }).click();
   await page.locator('#view').focus();
   await page.keyboard.down('w');
   await page.waitForTimeout(600);
@@ -192,17 +219,26 @@ async function clickCamera(page) {
   await page.getByLabel('Exposure, stops').focus();
   const again = await photograph(page, 'from-link');
   assert.ok((await difference(page, shot, again)) < 0.15, 'the link shows another place');
+  await page.locator('#view').focus();
+  await page.keyboard.press('i');
+  assert.ok(await page.locator('#legend').isVisible());
+  await page.keyboard.press('?');
+  assert.match(await page.getByRole('dialog').innerText(), /Measure[^]*click or tap[^]*Walk/);
+  await photograph(page, 'help');
+  await page.keyboard.press('Escape');
+  assert.ok(await page.locator('#help').isHidden());
   await page.keyboard.press('p');
   assert.equal(await page.locator('#fold').getAttribute('aria-expanded'), 'false');
 }
 
 async function desk(browser) {
   await compare(browser);
+  await compareTextures(browser);
   const page = await open(browser, { viewport: { width: 1280, height: 800 } });
   assert.equal(await page.title(), title);
   assert.equal(await page.locator('h1').innerText(), title);
-  assert.match(await page.locator('#made').innerText(), /Made with Luxel .*sampled.*\d\u00a0%.*patches/);
-  assert.match(await page.locator('#mode-help').innerText(), /wheel.*mouse/);
+  assert.match(await page.locator('#made').innerText(), /Made with Luxel .*\d\u00a0%.*triangles/);
+  assert.match(await page.locator('#mode-help').innerText(), /wheel.*[Cc]lick/);
   await photograph(page, 'whole');
   await clickLook(page);
   await clickFalseColours(page);
@@ -223,10 +259,13 @@ async function phone(browser) {
   await page.locator('#panel').getByText('Illuminance', { exact: true }).tap();
   await page.locator('#fold').tap();
   last = await changes(page, last, 'illuminance');
+  const [picture, legend] = await Promise.all(['#view', '#legend'].map((id) => page.locator(id).boundingBox()));
+  assert.ok(legend.y >= picture.y + picture.height - 0.5 && legend.y + legend.height <= 844, 'the legend covers the picture');
+  assert.ok(picture.height > 600, `the picture is ${picture.height} pixels high`);
   await page.touchscreen.tap(195, 420);
   assert.ok((await card(page)).lux > 0);
   last = await changes(page, last, 'probe');
-  await page.getByRole('button', { name: 'Close the probe' }).tap();
+  await page.getByRole('button', { name: 'Close the measurement' }).tap();
   const touch = await page.context().newCDPSession(page);
   const finger = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   await finger('touchStart', [120, 400]);
@@ -238,9 +277,9 @@ async function phone(browser) {
   await finger('touchEnd');
   last = await changes(page, last, 'pinched');
   await page.locator('#fold').tap();
-  await page.getByText('Walk', { exact: true }).tap();
-  await page.getByRole('button', { name: 'Home' }).tap();
-  await page.locator('#panel').getByText('Light', { exact: true }).tap();
+  await page.locator('#panel').getByText('Walk', { exact: true }).tap();
+  await page.getByRole('button', { name: 'Start view' }).tap();
+  await page.locator('#panel').getByText('Picture', { exact: true }).tap();
   await page.locator('#fold').tap();
   last = await scene(page, 'walk');
   const pad = await page.locator('#pad').boundingBox();

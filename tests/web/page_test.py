@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""page_test.py LUXEL NODE desk|phone|glb: what Luxel writes for browsers, in a browser.
+"""page_test.py LUXEL NODE desk|phone|glb|babylon|blender: what Luxel writes for other programs, in these.
 
 desk, phone: makes a page, and has a browser click through it and compare it with Luxel's pictures. glb: exports a GLB for
-each program and in each form of light, validates them, and compares what three.js shows with Luxel's picture. Ends with 77,
-and a line that says why, where there is no browser, no npm package, or no page.
+each program and in each form of light, validates them, and compares what three.js shows with Luxel's picture; babylon and
+blender compare what these programs show. Ends with 77, and a line that says why, where there is no browser, no npm
+package, no Blender, or no page.
 Pictures stay in LUXEL_PAGE_PICTURES where that names a folder.
 """
 import os
+import re
+import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -29,6 +34,65 @@ PICTURES = {
     "white": (["render", "--tone", "reinhard", "--white", "3", "--exposure", "1"], "op=reinhard&white=3&exposure=1"),
     "relit": (["relight", "--light", "lamp=0.3", "--tint", "side=1,0.3,0.1"], "lamps=0.3,0.3,0.3;1,0.3,0.1"),
 }
+
+
+# A room with a chequered floor, a screen with holes before a lamp, and a window to the sky.
+TEXTURED = """mtllib textured.mtl
+v -1 0 -1
+v 1 0 -1
+v 1 0 1
+v -1 0 1
+v -1 2 -1
+v 1 2 -1
+v 1 2 1
+v -1 2 1
+v -0.8 0.2 -0.4
+v 0.4 0.2 -0.4
+v 0.4 1.6 -0.4
+v -0.8 1.6 -0.4
+vt 0 0
+vt 3 0
+vt 3 2
+vt 0 2
+usemtl floor
+f 1/1 4/4 3/3 2/2
+usemtl wall
+f 1 2 6 5
+f 1 5 8 4
+f 5 6 7 8
+usemtl screen
+f 9/1 10/2 11/3 12/4
+"""
+TEXTURED_MATERIALS = """newmtl floor
+Kd 0.9 0.9 0.9
+map_Kd chequer.png
+newmtl wall
+Kd 0.6 0.6 0.6
+newmtl screen
+Kd 0.7 0.5 0.3
+map_d holes.png
+"""
+
+
+def write_png(path, width, height, colour):
+    """colour(x, y): red, green, blue, alpha."""
+    rows = b"".join(b"\0" + b"".join(bytes(colour(x, y)) for x in range(width)) for y in range(height))
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        for kind, data in ((b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")):
+            file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
+
+
+def write_textured(folder):
+    with open(os.path.join(folder, "textured.obj"), "w", encoding="ascii") as file:
+        file.write(TEXTURED)
+    with open(os.path.join(folder, "textured.mtl"), "w", encoding="ascii") as file:
+        file.write(TEXTURED_MATERIALS)
+    write_png(os.path.join(folder, "chequer.png"), 64, 64,
+              lambda x, y: (230, 90, 40, 255) if (x // 32 + y // 32) % 2 else (240, 240, 250, 255))
+    write_png(os.path.join(folder, "holes.png"), 64, 64,
+              lambda x, y: (255, 255, 255, 0 if (x - 32) ** 2 + (y - 32) ** 2 < 400 else 255))
+    return os.path.join(folder, "textured.obj")
 
 
 def skip(why):
@@ -76,6 +140,10 @@ def click_through(place, node, screen, photographs):
         for name, (words, address) in PICTURES.items():
             place.run(words[0], "box.vtkhdf", *words[1:], *VIEW, "-o", f"{name}.png")
             pictures += [f"{name}={address}"]
+        view = ("--eye", "0.5,1.2,3.4", "--target", "-0.1,0.8,0", "--fov", "42")
+        place.run("bake", write_textured(place.folder), "--sky", "1", "--max-edge", "0.25", "--error", "8%", "-o", "textured.vtkhdf")
+        place.run("export", "textured.vtkhdf", *view, "-o", "textured.html")
+        place.run("render", "textured.vtkhdf", *view, "--width", "640", "--height", "480", "-o", "textured.png")
     return [node, os.path.join(HERE, "page_clicks.mjs"), screen, place.folder, photographs, TITLE, *pictures]
 
 
@@ -99,8 +167,51 @@ def show_glb(place, node, photographs):
     return status
 
 
+def view_words():
+    """The values of --eye, --target and --fov."""
+    return [CAMERA[CAMERA.index(f"--{name}") + 1] for name in ("eye", "target", "fov")]
+
+
+def show_in_babylon(place, node, photographs):
+    """Babylon.js shows the file for it, and the one for any program, as Luxel's default picture does."""
+    place.run("render", "box.vtkhdf", *VIEW, "-o", "default.png")
+    status = 0
+    for program in ("babylon", "any"):
+        place.run("export", "box.vtkhdf", "--for", program, *CAMERA, "-o", f"{program}.glb")
+        words = [node, os.path.join(HERE, "page.mjs"), place.at(f"{program}.glb"),
+                 os.path.join(photographs, f"{program}-babylon.png"), "--with", "babylon",
+                 *(f"--{name}={value}" for name, value in zip(("eye", "target", "fov"), view_words())),
+                 "--size", "640x480", "--like", place.at("default.png")]
+        status |= subprocess.run(words, check=False).returncode
+    return status
+
+
+def show_in_blender(place, photographs):
+    blender = shutil.which("blender", path="/usr/bin")
+    if blender is None:
+        skip("there is no Blender: apt-get install blender")
+    place.run("render", "box.vtkhdf", *VIEW, "-o", "default.png")
+    jobs = []
+    for program in ("blender", "any"):
+        place.run("export", "box.vtkhdf", "--for", program, *CAMERA, "-o", f"{program}.glb")
+        jobs.append(f"{os.path.join(photographs, program + '-blender.png')}={place.at(program + '.glb')}")
+    # Blender looks for its Python's libraries by the PATH: another python3 on it would lead it astray.
+    done = subprocess.run([blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
+                           os.path.join(HERE, "in_blender.py"), "--", place.at("default.png"), "640", "480",
+                           *view_words(), *jobs],
+                          env={**os.environ, "PATH": "/usr/bin:/bin", "PYTHONDONTWRITEBYTECODE": "1"},
+                          capture_output=True, text=True, check=False)
+    found = re.findall(r"^.*: ([\d.]+) % from .*, ([\d.]+) covered$", done.stdout, re.MULTILINE)
+    print("\n".join(line for line in done.stdout.splitlines() if " % from " in line))
+    if len(found) != len(jobs):
+        print(done.stdout, done.stderr)
+    return 0 if len(found) == len(jobs) and all(float(d) < 3 and float(c) > 0.3 for d, c in found) else 1
+
+
 def main(luxel, node, what):
-    missing = what_is_missing(node)
+    missing = what_is_missing(node) if what != "blender" else None
+    if what == "babylon" and not missing and not os.path.isdir(os.path.join(HERE, "node_modules", "babylonjs")):
+        missing = "npm's packages of Babylon.js are not there: ./dev matrix programs"
     if missing:
         skip(missing)
     with tempfile.TemporaryDirectory() as folder:
@@ -109,6 +220,10 @@ def main(luxel, node, what):
         os.makedirs(photographs, exist_ok=True)
         if what == "glb":
             return show_glb(place, node, photographs)
+        if what == "babylon":
+            return show_in_babylon(place, node, photographs)
+        if what == "blender":
+            return show_in_blender(place, photographs)
         words = click_through(place, node, what, photographs)
         return subprocess.run(words, check=False).returncode
 

@@ -8,7 +8,8 @@ from figures.scenes import BOX, CAMERA
 PICTURES = {
     "preview": "set show grey",
     "light": "set show light\nwait finished\nwait 300 frames",
-    "flying": "key tab\nhold W 0.4\nhold D 0.3\nwait finished\nwait 300 frames",
+    "menu": "click 115 10\nwait 10 frames",
+    "flying": "key escape\nmove 500 300\nwait 3 frames\nkey tab\nhold W 0.4\nhold D 0.3\nwait finished\nwait 300 frames",
     "irradiance": "key tab\nkey H\nwait 30 frames\nset show irradiance\nmove 560 300\nwait finished",
     "profile": "set show light\ndown shift\ndrag 360 420 720 200\nup shift\nwait 20 frames",
     "standard-error": "key escape\nset show standard-error\nwait finished",

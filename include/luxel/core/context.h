@@ -44,10 +44,12 @@ class Context {
   Context quiet() const;                        ///< the same threads and processes, no log, no monitor
 
   /// Sends a warning to the log, where there is one. Call from the thread that called the library.
-  void warn(std::string text) const { luxel::warn(log_, std::move(text)); }
+  void warn(std::string text, std::vector<Hint> hints = {}) const {
+    luxel::warn(log_, std::move(text), std::move(hints));
+  }
   /// Sends a note, for information.
   void note(std::string text) const {
-    if (log_) log_({Severity::note, std::move(text)});
+    if (log_) log_({.severity = Severity::note, .text = std::move(text)});
   }
   /// Reports progress to the monitor and returns its answer; Next::go_on where there is none.
   Next report(const Progress& progress) const { return tell(monitor_, progress); }

@@ -3,6 +3,10 @@
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "luxel/core/hint.h"
 
 namespace luxel {
 
@@ -14,14 +18,15 @@ enum class Severity { note, warning, error };
 struct Message {
   Severity severity = Severity::note;
   std::string text;
+  std::vector<Hint> hints = {};  ///< settings whose change resolves it
 };
 
 /// Receives the messages of the library. It is called from the calling thread only. An empty sink discards
 /// them.
 using LogSink = std::function<void(const Message&)>;
 
-inline void warn(const LogSink& sink, std::string text) {
-  if (sink) sink({Severity::warning, std::move(text)});
+inline void warn(const LogSink& sink, std::string text, std::vector<Hint> hints = {}) {
+  if (sink) sink({Severity::warning, std::move(text), std::move(hints)});
 }
 
 }  // namespace luxel

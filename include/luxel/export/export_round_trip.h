@@ -77,4 +77,13 @@ bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTr
                                 const RoundTripPages& pages, const RoundTripOptions& options,
                                 const Context& context = {});
 
+/// The scene with the coordinates of the pages and no light: `path` ends in .glb or .obj. In a GLB they are a
+/// further set, TEXCOORD_1 and, where the file has none, TEXCOORD_0 too; extras.luxel_lightmap of a primitive
+/// names its page and its set. An OBJ has one set, so its vt are those of the lightmap, from the bottom left;
+/// page n + 1 lies n to the right, as UDIM tiles do up to ten. It is in the scene's coordinates and units.
+/// Throws InputError where an OBJ is to have the file's own coordinates.
+bool export_unwrapped(const std::filesystem::path& path, const RoundTripInput& input,
+                      const RoundTripPages& pages, const RoundTripOptions& options,
+                      const Context& context = {});
+
 }  // namespace luxel

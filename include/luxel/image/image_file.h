@@ -31,7 +31,7 @@ void write_exr(const std::filesystem::path& path, const Image& linear);
 std::string exr_of(const Image& linear, const Context& context = {});  ///< as png_of()
 void write_hdr(const std::filesystem::path& path, const Image& linear);
 
-/// PNG, JPEG, BMP, Radiance HDR, OpenEXR (recognised by their first bytes) or TGA (by its extension) as
+/// PNG, JPEG, WebP, BMP, Radiance HDR, OpenEXR (recognised by their first bytes) or TGA (by its extension) as
 /// linear RGB; 8-bit files are taken as sRGB, deeper PNG files are reduced to 8 bits, grey becomes RGB, alpha
 /// is dropped. In the files of linear values NaN becomes 0 and infinity 65504. Throws InputError naming the
 /// file where it is missing, damaged, of another format, larger than 512 MiB or than 16384 pixels per side.

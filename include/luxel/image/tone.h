@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "luxel/image/image.h"
 
@@ -65,9 +67,36 @@ struct ToneCurve {
 ToneCurve fit_curve(std::span<const Vec3> radiance, std::span<const float> weights,
                     const ToneOptions& options = {});
 
-/// A scene-referred picture (radiance) made displayable: linear RGB in [0, 1]. Every pixel weighs the same.
+/// The pixels on edges between bright and dark: a tone curve of their mean would show the edge as stairs,
+/// since the bright side outweighs the dark one. The curve of each part keeps the edge smooth.
+struct EdgePixels {
+  std::size_t parts = 0;              ///< per pixel, of equal area
+  std::vector<std::uint32_t> pixels;  ///< indices into Image::pixels, ascending
+  std::vector<Vec3> radiance;         ///< [pixel][part], W/(m² sr)
+};
+
+/// The pixels that see the sky. A uniform sky has one radiance in all directions, which a display would show
+/// as a grey wall: it is shown with a horizon instead (render/render.h), and the exposure is that of the
+/// surfaces.
+struct SkyPixels {
+  std::vector<std::uint32_t> pixels;  ///< indices into Image::pixels, ascending
+  std::vector<float> fraction;        ///< of the pixel that the sky covers, (0, 1]
+  std::vector<Vec3> radiance;         ///< of the whole pixel, as displays show it, W/(m² sr)
+};
+
+/// Weights of the pixels for fit_curve(): 1, less the fraction that the sky covers. Where surfaces cover less
+/// than a fiftieth of the picture, all are 1.
+std::vector<float> exposure_weights(const Image& radiance, const SkyPixels& sky);
+
+/// The curve for a picture: each pixel has these weights.
+ToneCurve fit_curve(const Image& radiance, const SkyPixels& sky, const ToneOptions& options = {});
+
+/// A scene-referred picture (radiance) made displayable: linear RGB in [0, 1]. Every pixel weighs the same,
+/// the sky nothing (exposure_weights).
+/// edges: pixels whose parts are mapped one by one, then averaged.
 /// reinhard_local darkens a pixel by the light around it, so that detail stays in bright and in dark parts;
 /// about a tenth of a second for 1280 x 960. Throws as fit_curve() does.
-Image tone_map(const Image& radiance, const ToneOptions& options = {});
+Image tone_map(const Image& radiance, const ToneOptions& options = {}, const EdgePixels& edges = {},
+               const SkyPixels& sky = {});
 
 }  // namespace luxel

@@ -27,19 +27,23 @@ struct LoadOptions {
 };
 
 /// Reads a scene by the file's ending: .obj (with its .mtl and textures), .glb or .gltf (glTF 2.0, with its
-/// buffers and pictures). Throws InputError with file and line (or JSON path) for anything that cannot be
-/// read. The log receives warnings (a missing MTL file or texture and its replacement, flipped faces, lowered
-/// reflectances) and the changes made by requested repairs. The order of repairs is welding, orienting,
-/// flipping. Cost: about half a second per million faces, plus the decoding of textures. Call from one thread
-/// per scene.
+/// buffers and pictures), .ply or .stl. Throws InputError with file and line (or JSON path) for anything that
+/// cannot be read. The log receives warnings (a missing MTL file or texture and its replacement, flipped
+/// faces, lowered reflectances, a size that suggests another unit, with the scale that mends it as a hint)
+/// and the changes made by requested repairs. The order of repairs is welding, orienting, flipping. Cost:
+/// about half a second per million faces, plus the decoding of textures. Call from one thread per scene.
 ///
 /// OBJ: metres, Y up or Z up as in the file; materials are two-sided; Ke is radiance in W/(m² sr); Kd times
-/// the linear colour of map_Kd is the reflectance, or Ks where Kd is black; light passes through surfaces
-/// whose d is below 0.5; vertex normals, if given, define which side of a face is its front.
+/// the linear colour of map_Kd is the reflectance, or Ks where a mirror or metal has a dark Kd; light passes
+/// through surfaces whose d is below 0.5, and through glass; vertex normals, if given, define which side of a
+/// face is its front.
 ///
-/// glTF: metres, Y up; base colour times (1 - metallic) is the reflectance; emission is luminance in cd/m²,
+/// glTF: metres, Y up; base colour times (1 - metallic), or all of it where there is more metal than not, is
+/// the reflectance; emission is luminance in cd/m²,
 /// lamps are in candela and lux, and luminous_efficacy converts all of these to watts; the back of a material
 /// that is not doubleSided absorbs; light passes where alpha is below one half.
+///
+/// PLY and STL: as OBJ; colours of PLY's faces or vertices are the reflectance, or the picture that it names.
 ///
 /// Coordinates are read in doubles. A scene that reaches farther from the file's zero than eight times its
 /// own size (the longest side of its box) gets an origin at its centre, and positions count from there: a

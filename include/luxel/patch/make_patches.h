@@ -17,7 +17,7 @@ struct PatchOptions {
   /// patches that the automatic edge aims at (more where triangles are finer)
   std::size_t target_count = 50'000;
   std::size_t max_count = 20'000'000;  ///< more is an InputError with a max_edge that fits
-  bool contacts = true;                ///< cut where surfaces touch or pass through each other
+  bool contacts = true;  ///< cut where surfaces touch or pass through each other, or hang close before them
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
 };
 
@@ -29,9 +29,11 @@ struct PatchOptions {
 /// coincide the lamp, else the first, stays, two-sided if they face opposite ways.
 ///
 /// Then the patches are cut along the lines where other surfaces touch or pass through theirs
-/// (contact_lines.h), which become edges and PatchSet::contacts; see cut_contacts.h. Patches that no such
-/// line meets stay as they are. About two seconds of processor time for a million triangles, most of it
-/// shared by the threads, and 20 us per line. The same bits for any number of threads.
+/// (contact_lines.h) and along the outlines of things close before them, nearer than 0.35 of max_edge
+/// and a hundredth of the scene's diagonal (near_lines.h). These become edges and PatchSet::contacts; see
+/// cut_contacts.h. Patches that no such line meets stay as they are. About two seconds of processor time for
+/// a million triangles, most of it shared by the threads, and 20 us per line. The same bits for any number of
+/// threads.
 ///
 /// The monitor receives the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,7 @@ struct PatchSet {
   std::vector<std::string> light_groups;
   std::uint64_t scene_fingerprint = 0;
   Vec3d origin = Vec3d(0.0);  ///< m, as in Scene
+  Vec3 up = Vec3(0.0f);       ///< unit, as in Scene, or estimated by make_patches(); 0: unknown
 
   /// Where textures, or the colours of corners, colour surfaces; else all of these are empty.
   std::vector<Texture> textures;
@@ -100,6 +102,9 @@ struct PatchSet {
   std::vector<Camera> cameras;      ///< as in Scene, or those that a person gave; often none
   bool focuses_on_cameras = false;  ///< what these see is all that matters
   std::vector<std::uint8_t> focus;  ///< [patch], 1 where it matters; empty: everywhere
+  /// A view that shows the scene well, for pictures of 4 to 3 that name no camera: found once per scene, so
+  /// that pictures of all its meshes are alike.
+  std::optional<Camera> view;
 
   std::size_t size() const { return corners.size(); }
   std::vector<Vec3> eyes() const;  ///< of the cameras

@@ -9,9 +9,9 @@
 
 namespace luxel {
 
-/// Which way is up: the axis more surfaces are level about; where they do not decide, the one lamps shine
-/// down along; else Y. Result: (0,1,0) or (0,0,1). Windows that are lamps shine sideways, so surfaces come
-/// first.
+/// Which way is up: PatchSet::up, which make_patches() fills; unit. For patches without it, such as those of
+/// a mesh made by hand, (0,1,0) or (0,0,1): the axis more surfaces are level about; where they do not decide,
+/// the one lamps shine down along; else Y.
 Vec3 automatic_up(const PatchSet& patches);
 
 /// The pictures automatic_camera() can judge, as width / height.

@@ -5,6 +5,7 @@
 
 #include "luxel/core/context.h"
 #include "luxel/image/image.h"
+#include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/scene/camera.h"
 #include "luxel/surface/smooth_light.h"
@@ -28,7 +29,27 @@ struct RenderOptions {
 Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer, const Camera& camera,
              const RenderOptions& options, const Context& context = {});
 
-/// The same of a scene baked in one call (solve/bake.h): makes the tracer and the smooth light, for one
+/// A picture with what tone_map() needs for smooth edges and for the sky.
+struct Picture {
+  Image radiance;  ///< as render() returns it
+  /// Pixels whose brightest sample is more than twice as bright as the darkest. Up to 64 parts: equal numbers
+  /// of samples of similar luminance, not places within the pixel.
+  EdgePixels edges;
+  /// How displays show the sky: bluer and darker towards the zenith, grey below the horizon. Empty without
+  /// one.
+  SkyPixels sky;
+};
+
+/// As render(), with the edges. Memory: 12 bytes per sample of a pixel on an edge, 768 at most.
+Picture render_picture(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer,
+                       const Camera& camera, const RenderOptions& options, const Context& context = {});
+
+/// A picture that was made otherwise (final gather, paths, lightmap), with its sky: finds by rays, as many as
+/// the options say, which part of each pixel sees it. Its edges are left as they are.
+Picture with_sky(Image radiance, const PatchSet& patches, const Tracer& tracer, const Camera& camera,
+                 const RenderOptions& options, const Context& context = {});
+
+/// The picture of a scene baked in one call (solve/bake.h): makes the tracer and the smooth light, for one
 /// picture.
 Image render(const Baked& baked, const Camera& camera, const RenderOptions& options = {},
              const Context& context = {});

@@ -51,6 +51,10 @@ struct Scene {
   /// stays in the file's coordinates, origin + position.
   Vec3d origin = Vec3d(0.0);
 
+  /// Unit; which way is up, where the file's format defines it (glTF: +Y). 0: it is estimated, see
+  /// PatchSet::up.
+  Vec3 up = Vec3(0.0f);
+
   Vec3 sky = Vec3(0.0f);  ///< radiance of what lies around the scene, the same all over, W/(m² sr)
 
   /// Of a scene that is solved by wavelength; else there are none, and it is solved in plain colour.

@@ -34,7 +34,7 @@ struct SessionSettings {
   std::vector<LightGroupRule> groups = {};  ///< lamps that are dimmed together; the others go by material
   SmoothOptions smooth = {};
   bool begins_at_once = true;  ///< false: shows the mesh, and solves on command
-  int threads = 0;             ///< that solve; 0: all but one of the cores this process may use
+  int threads = 0;             ///< that solve, at a lower priority; 0: every core this process may use
 
   /// Both are called in the solver's thread. Empty: nothing is done.
   /// Puts the program's version, command line and options into a solution that will be solved so.

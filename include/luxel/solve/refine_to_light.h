@@ -15,11 +15,13 @@ namespace luxel {
 struct RefineOptions {
   /// Patches to begin with, if no edge was given: enough to see where to look.
   static constexpr std::size_t coarse_patches = 800;
-  double mesh_error = 0.02;  ///< asked for: area-weighted relative RMS of what the size of patches does
+  /// Target: the error that the size of patches leaves in the reconstructed light, in the measure of
+  /// light.error_measure.
+  double mesh_error = 0.02;
   std::size_t max_patches = 1'000'000;
   int max_levels = 12;
   /// How the light is solved that decides. Its error: as large as the mesh error that is still there, or
-  /// twice the one asked for, but no more than 3 %; or the one here where that is larger.
+  /// twice the target, but at most 6 % seen (3 % of the power); or the one here where that is larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
 };
@@ -51,13 +53,15 @@ struct RefineReport {
 /// them; how the parts differ from the field reconstructed from that (surface/smooth_light.h) is what it had
 /// wrong, d² in squares. Where light jumps, halving leaves a half of a squared error, and less where it is
 /// smooth: so the parts still have d² wrong, or less, and this is the mesh error that is stated. What differs
-/// most is cut in four, and the light is solved again.
+/// most is cut in four, and the light is solved again. Each side weighs by its importance for the seen error,
+/// as if d were a standard error (trace/seen_error.h); with ErrorMeasure::power, and where the scene has no
+/// open space, by its area over the squared light of the scene.
 ///
 /// Each light is solved twice, independently: d² is the product of both answers' differences, in which the
 /// noise of neither is, so that rough answers will do. Their streams are apart from those of other levels and
 /// of a later solve.
 ///
-/// The same bits on any number of threads. Cost: two coarse solves a level; levels grow about as the jumps
+/// The same bits on any number of threads. Cost: two coarse solves per level; levels grow about as the jumps
 /// get longer in patches.
 PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
                          const Context& context = {});

@@ -19,6 +19,7 @@ void BakeSettings::declare(OptionSet& set) {
   run.declare(set, all_kinds);
   light.declare_run(set);
   keep.declare_run(set);
+  quality.declare(set);
 }
 
 void BakeSettings::check() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "luxel/cli/mesh_settings.h"
+#include "luxel/cli/quality.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/store_settings.h"
 
@@ -17,6 +18,7 @@ struct BakeSettings {
   MeshSettings mesh;
   PictureSettings picture;
   RunSettings run;
+  QualitySettings quality;
 
   void declare(OptionSet& set);
   // Throws UsageError where options contradict each other or nothing would be written.

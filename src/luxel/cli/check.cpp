@@ -4,6 +4,7 @@
 #include "luxel/cli/check_text.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
+#include "luxel/cli/finish.h"
 #include "luxel/cli/lit_scene.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/settings.h"
@@ -30,6 +31,9 @@ class Check final : public Command {
     options.add_flag("strict", strict_, "exit with 1 if there are errors or warnings");
     look_.declare_up(options);
     run_.declare(options, kinds);
+    options.show_first({"output", "places", "strict", "weld", "orient", "scale", "json"});
+    options.set_examples({{"luxel check room.obj", "Lists what is wrong with a scene, and where."},
+                          {"luxel check room.obj -o faults.glb --open", "Shows it in colours."}});
   }
 
   int run() override {
@@ -47,7 +51,7 @@ class Check final : public Command {
       record.stage("write glb", [&](auto&) { write(output, scene, report, context); });
 
     const CheckText text{&scene, &report, run_.outputs, &options(), &record};
-    console.say(record.summary(run_.verbose));
+    report_end(record, {}, {}, console);
     if (!run_.report.empty()) write_file(run_.report, text.as_json());
     print_result(run_.json ? text.as_json() : text.as_text());
     if (!report.is_whole) return exit_stopped_early;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "luxel/cli/flags.h"
+#include "luxel/cli/wrapped_text.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
@@ -17,33 +18,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t width = 110;
 
-// The words of a text in lines, each after the first begun with `indent` blanks; `used` are taken of the
-// first.
+// used: columns of the first line that are taken; indent: of all others.
 std::string wrapped(const std::string& text, std::size_t used, std::size_t indent) {
-  std::string result;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const auto end = std::min(text.find(' ', begin), text.size());
-    const auto length = end - begin;
-    if (used + length > width && used > indent) {
-      result += '\n' + std::string(indent, ' ');
-      used = indent;
-    } else if (begin > 0) {
-      result += ' ';
-      ++used;
-    }
-    result += text.substr(begin, length);
-    used += length;
-    begin = end + 1;
-  }
-  return result;
+  return wrapped(text, Margins{used, indent, width});
 }
 
-// As many decimals as a thousandth of the scene needs.
+// With decimals down to a thousandth of the scene.
 std::string at(const Vec3d& p, const CheckReport& report) {
   const auto size = report.box.size();
   const auto extent = std::max({size.x, size.y, size.z, 1e-30f});
   const auto decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(extent))), 0, 9);
-  // Tiny is 0 to a person, and never -0.
+  // Tiny numbers are printed as 0, and never as -0.
   const auto number = [&](double x) {
     const auto text = fmt::format("{:.{}f}", x, decimals);
     return text.find_first_not_of("-0.") == std::string::npos ? std::string("0") : text;
@@ -51,7 +36,7 @@ std::string at(const Vec3d& p, const CheckReport& report) {
   return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
 }
 
-// "room.obj:12  (1, 2, 3)  'chair' of 'oak': what is special".
+// "room.obj:12  (1, 2, 3)  'chair' of 'oak': details".
 std::string line_of(const Scene& scene, const Place& place, const CheckReport& report) {
   auto text = std::filesystem::path(scene.source).filename().string();
   if (place.line > 0) text += fmt::format(":{}", place.line);

@@ -2,13 +2,17 @@
 #include "luxel/cli/command_line.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <initializer_list>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
-#include "luxel/cli/suggestion.h"
+#include "luxel/cli/command_words.h"
+#include "luxel/cli/help_text.h"
 #include "luxel/core/output_file.h"
 
 namespace luxel {
@@ -18,26 +22,21 @@ namespace {
 struct Given {
   std::vector<std::pair<Declaration*, std::vector<std::string>>> options;
   std::string config;
+  std::string color = "auto";
   bool print_config = false;
+  bool help = false;
+  bool help_all = false;
 };
 
-void declare(CLI::App& app, Declaration& d, const std::string& heading, Given& given) {
+void declare(CLI::App& app, Declaration& d, Given& given) {
   auto flags = (d.letter ? fmt::format("-{},", d.letter) : "") + "--" + d.name;
-  CLI::Option* option = nullptr;
   if (d.is_flag) {
-    option = app.add_flag_function(
-        flags,
-        [&given, &d](std::int64_t) {
-          given.options.push_back({&d, {"true"}});
-        },
-        d.help);
+    app.add_flag_function(flags, [&given, &d](std::int64_t) { given.options.push_back({&d, {"true"}}); });
   } else {
     const auto take = [&given, &d](const std::vector<std::string>& texts) {
       given.options.push_back({&d, texts});
     };
-    option = app.add_option_function<std::vector<std::string>>(flags, take, d.help);
-    const auto value = d.print();
-    option->option_text(fmt::format("<{}>{}", d.unit, value.empty() ? "" : fmt::format(" [{}]", value)));
+    auto* option = app.add_option_function<std::vector<std::string>>(flags, take);
     option->type_size(1)->expected(1);
     if (!d.many) option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     if (d.many)
@@ -45,7 +44,6 @@ void declare(CLI::App& app, Declaration& d, const std::string& heading, Given& g
           ->expected(1, 1 << 20)
           ->allow_extra_args(false);
   }
-  if (!heading.empty()) option->group(heading);
 }
 
 // CLI11 takes "[bake]  # mine" for a key.
@@ -84,20 +82,33 @@ std::size_t line_of_key(const std::string& text, const std::string& key) {
   return 0;
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const char* before) {
-  const auto name = nearest_name(word, names);
-  return name.empty() ? "" : fmt::format(", did you mean '{}{}'?", before, name);
-}
-
 // "luxel" alone is a question for help, and so is "luxel help" with or without a command.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) return {"--help"};
-  if (words.front() == "help") {
-    words.erase(words.begin());
-    words.emplace_back("--help");
-  }
+  if (words.front() != "help") return words;
+  std::erase(words, "help");
+  words.emplace_back("--help");
   return words;
+}
+
+bool is_among(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// What only the whole line shows to be wrong.
+void check_given(const OptionSet& chosen, const std::string& color) {
+  for (const auto& positional : chosen.positionals())
+    if (positional.values ? positional.values->empty() : positional.value->empty())
+      throw UsageError(fmt::format("{} is missing: expected 'luxel {} {}'; 'luxel {} --help' has examples",
+                                   positional.name, chosen.name(), positional.name, chosen.name()));
+  if (!is_among(color, {"auto", "always", "never"}))
+    throw UsageError(fmt::format("--color: expected one of {}, not '{}'", colour_modes, color));
+}
+
+HelpStyle help_style() {
+  constexpr std::size_t min_columns = 60, max_columns = 100;
+  return {paint_for(STDOUT_FILENO), std::clamp(columns_of(STDOUT_FILENO), min_columns, max_columns)};
 }
 
 }  // namespace
@@ -111,80 +122,60 @@ OptionSet& CommandLine::command(std::string name, std::string summary) {
 }
 
 CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
-  CLI::App app("Luxel: global illumination of diffuse scenes by the radiosity method.", "luxel");
-  app.set_version_flag("-V,--version", "luxel " + version_);
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(38);
-  app.footer(
-      "'luxel COMMAND --help' explains a command. Exit codes: 0 success, 1 failure, 2 wrong usage, 3 stopped "
-      "early.");
+  const auto words = words_of(argc, argv);
+  const auto& first = words.front();
+  if (is_among(first, {"-V", "--version"})) return {nullptr, fmt::format("luxel {}\n", version_)};
+  if (is_among(first, {"-h", "--help", "--help-all"})) return {nullptr, help_of(commands_, help_style())};
+  auto& chosen = command_named(first);
+  check_words(chosen, std::span(words).subspan(1));
 
+  CLI::App app;
+  app.set_help_flag();
   Given given;
-  std::vector<CLI::App*> subcommands;
-  for (auto& set : commands_) {
-    auto* sub = app.add_subcommand(set->name_, set->summary_);
-    subcommands.push_back(sub);
-    for (auto& positional : set->positionals_) {
-      auto* option = positional.values ? sub->add_option(positional.name, *positional.values, positional.help)
-                                       : sub->add_option(positional.name, *positional.value, positional.help);
-      option->required()->option_text(positional.values ? "... (needed)" : "(needed)");
-    }
-    for (auto& e : set->entries_) declare(*sub, e.declaration, e.heading, given);
-    sub->add_option("--config", given.config, "read options from a text file of 'name = value' lines")
-        ->option_text("<FILE>");
-    sub->add_flag("--print-config", given.print_config,
-                  "print every option with its value and where it came from, and stop");
+  for (auto& positional : chosen.positionals_) {
+    if (positional.values)
+      app.add_option(positional.name, *positional.values);
+    else
+      app.add_option(positional.name, *positional.value);
   }
-  auto words = words_of(argc, argv);
-  check_names(words);
+  for (auto& e : chosen.entries_) declare(app, e.declaration, given);
+  app.add_option("--config", given.config);
+  app.add_option("--color", given.color);
+  app.add_flag("--print-config", given.print_config);
+  app.add_flag("-h,--help", given.help);
+  app.add_flag("--help-all", given.help_all);
   try {
-    std::reverse(words.begin(), words.end());  // as CLI11 takes them
-    app.parse(std::move(words));
-  } catch (const CLI::CallForVersion& version) {
-    return {nullptr, std::string(version.what()) + "\n"};
-  } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
-    return {nullptr, chosen.empty() ? app.help() : chosen.front()->help("luxel")};
+    app.parse(std::vector(words.rbegin(), words.rend() - 1));  // in the order that CLI11 takes them
   } catch (const CLI::ParseError& error) {
-    throw UsageError(
-        fmt::format("{}; 'luxel --help' lists commands, 'luxel COMMAND --help' their options", error.what()));
+    throw UsageError(fmt::format("{}; 'luxel {} --help' explains the command", error.what(), chosen.name_));
   }
+  if (given.help || given.help_all) return {nullptr, help_of(chosen, given.help_all, help_style())};
+  check_given(chosen, given.color);
 
-  const auto index =
-      std::find_if(subcommands.begin(), subcommands.end(), [](auto* sub) { return sub->parsed(); }) -
-      subcommands.begin();
-  auto& chosen = *commands_[static_cast<std::size_t>(index)];
   for (const auto& [declaration, texts] : given.options)
     for (auto& e : chosen.entries_)
       if (&e.declaration == declaration) e.origin = Origin::from_command_line;
   if (!given.config.empty()) read_file(chosen, given.config);
   for (const auto& [declaration, texts] : given.options)
     for (const auto& text : texts) declaration->parse(text);
+  chosen.apply_implied();
   chosen.check_use();
   if (given.print_config) return {nullptr, chosen.as_file()};
   return {&chosen, ""};
 }
 
-void CommandLine::check_names(const std::vector<std::string>& words) const {
-  if (words.front().starts_with('-')) return;  // an option of the program
+OptionSet& CommandLine::command_named(const std::string& word) const {
   std::vector<std::string> names;
-  const OptionSet* chosen = nullptr;
   for (const auto& set : commands_) {
+    if (set->name_ == word) return *set;
     names.push_back(set->name_);
-    if (set->name_ == words.front()) chosen = set.get();
   }
-  if (!chosen)
-    throw UsageError(fmt::format("there is no command '{}'{}; 'luxel --help' lists the commands",
-                                 words.front(), did_you_mean(words.front(), names, "")));
-  names = {"help", "config", "print-config"};
-  for (const auto& e : chosen->entries_) names.push_back(e.declaration.name);
-  for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
-    if (!words[i].starts_with("--")) continue;
-    const auto name = words[i].substr(2, words[i].find('=') - 2);
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    throw UsageError(fmt::format("there is no option '--{}'{}; 'luxel {} --help' lists the options", name,
-                                 did_you_mean(name, names, "--"), chosen->name_));
-  }
+  if (word.starts_with('-'))
+    throw UsageError(fmt::format("expected a command before '{}': 'luxel help' lists the commands", word));
+  if (std::filesystem::exists(word))
+    throw UsageError(fmt::format("expected a command before '{}', such as 'luxel bake {}'", word, word));
+  throw UsageError(fmt::format("there is no command '{}'{}; 'luxel help' lists the commands", word,
+                               did_you_mean(word, names, "")));
 }
 
 void CommandLine::read_file(OptionSet& chosen, const std::string& path) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,9 @@ class CommandLine {
   // The reference stays good.
   OptionSet& command(std::string name, std::string summary);
 
+  // All of them, in their order.
+  std::span<const std::unique_ptr<OptionSet>> commands() const { return commands_; }
+
   // Returns the chosen command. Returns nothing for help, the version or --print-config; `text` is then the
   // text to print. Throws UsageError; InputError for a wrong file.
   struct Parsed {
@@ -29,9 +32,8 @@ class CommandLine {
   Parsed parse(int argc, const char* const* argv);
 
  private:
-  // Throws UsageError, with the nearest name, where the first word is no command or an option is not one of
-  // its.
-  void check_names(const std::vector<std::string>& words) const;
+  // Throws UsageError, with the nearest name, where the first word is no command.
+  OptionSet& command_named(const std::string& word) const;
   void read_file(OptionSet& chosen, const std::string& path);
   std::string version_;
   std::vector<std::unique_ptr<OptionSet>> commands_;

@@ -41,11 +41,14 @@ std::unique_ptr<Command> make_merge(CommandLine& line);
 std::unique_ptr<Command> make_render(CommandLine& line);
 std::unique_ptr<Command> make_export(CommandLine& line);
 std::unique_ptr<Command> make_lightmap_command(CommandLine& line);
+std::unique_ptr<Command> make_probe(CommandLine& line);
+std::unique_ptr<Command> make_measure(CommandLine& line);
 std::unique_ptr<Command> make_reference(CommandLine& line);
 std::unique_ptr<Command> make_compare(CommandLine& line);
 std::unique_ptr<Command> make_info(CommandLine& line);
 std::unique_ptr<Command> make_viewfactors(CommandLine& line);
 std::unique_ptr<Command> make_check(CommandLine& line);
+std::unique_ptr<Command> make_completion(CommandLine& line);
 std::unique_ptr<Command> make_view(CommandLine& line);
 
 }  // namespace luxel

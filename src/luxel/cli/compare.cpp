@@ -22,11 +22,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* comparable_kinds = ".vtkhdf .exr .hdr .png";
+
 class Compare final : public Command {
  public:
   explicit Compare(OptionSet& options) : Command(options) {
-    options.set_positional("A", a_, "the reference: a solution (.vtkhdf) or a picture (.exr .hdr .png)");
-    options.set_positional("B", b_, "a solution of the same mesh, or a picture of the same size");
+    options.set_positional("A", a_, "the reference: a solution (.vtkhdf) or a picture (.exr .hdr .png)",
+                           comparable_kinds);
+    options.set_positional("B", b_, "a solution of the same mesh, or a picture of the same size",
+                           comparable_kinds);
     options.heading("Comparison");
     options.add_number("places", "count", places_, 0, 1000, "number of largest differences to list");
     options.add_text("error-a", "FILE", error_a_,
@@ -40,6 +44,10 @@ class Compare final : public Command {
     picture_.declare_view(options);
     look_.declare_up(options);
     run_.declare(options, ".png");
+    options.show_first({"output", "places", "scale", "eye", "target", "json"});
+    options.set_examples(
+        {{"luxel compare truth.vtkhdf baked.vtkhdf", "Whether two solutions agree within their errors."},
+         {"luxel compare a.exr b.exr -o difference.png", "Where two pictures differ."}});
   }
 
   int run() override {
@@ -116,7 +124,7 @@ class Compare final : public Command {
     for (const auto& output : run_.outputs) write_png(output, image);
   }
 
-  // place(index): what is known of where it is.
+  // place(index): describes its location.
   template <typename PlaceOf>
   void say(const Comparison& c, const char* of, const char* kind, const PlaceOf& place) const {
     Json json = {{"command", "compare"},

@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "luxel/cli/commands.h"
+#include "luxel/cli/flags.h"
+#include "luxel/cli/quantity.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
+#include "luxel/cli/wrapped_text.h"
 #include "luxel/core/time_left.h"
 
 namespace luxel {
@@ -19,10 +23,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A signal handler can reach nothing but a global: the one there is.
+// A signal handler can access nothing but globals; this is the only one.
 volatile std::sig_atomic_t interrupt_requested = 0;
 
-bool is_silent = false;  // the same for all consoles, set once before there are any
+bool is_silent = false;  // the same for all consoles, set once before any exists
 
 void note(const std::string& text) {
   if (!is_silent) print_note(text);
@@ -30,17 +34,23 @@ void note(const std::string& text) {
 
 void on_interrupt(int signal) {
   interrupt_requested = 1;
-  std::signal(signal, SIG_DFL);  // the next one ends the program
-}
-
-std::string duration(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 6000.0)
-    return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
-  return fmt::format("{:.1f} h", seconds / 3600.0);
+  std::signal(signal, SIG_DFL);  // the next signal ends the program
 }
 
 constexpr int bar_width = 28;
+constexpr std::size_t label_width = 10;
+
+// "41 %   error 2.1 %   12 s left". The light has no error before the first answer; then it is a picture.
+std::string numbers_of(const Progress& progress, double seconds) {
+  auto text = fmt::format("{:3.0f} %", 100.0 * std::clamp(progress.done, 0.0, 1.0));
+  if (is_known_error(progress.error))
+    text += fmt::format("   error {}", percent_of(progress.error));
+  else if (progress.stage == "light")
+    text += "   first light";
+  if (const auto left = time_left(progress.done, seconds))
+    text += fmt::format("   {} left", rough_duration(*left));
+  return text;
+}
 
 }  // namespace
 
@@ -57,22 +67,40 @@ bool interrupted() { return interrupt_requested != 0; }
 
 Console::Console() : Console(RunSettings()) {}
 Console::Console(const RunSettings& run)
-    : quiet_(run.quiet), as_json_(run.progress == "json"), terminal_(isatty(STDERR_FILENO) == 1) {}
+    : quiet_(run.quiet),
+      verbose_(run.verbose),
+      as_json_(run.progress == "json"),
+      terminal_(is_terminal(STDERR_FILENO)),
+      paint_(paint_for(STDERR_FILENO)) {}
 Console::~Console() { clear_bar(); }
 
-void Console::say(const std::string& line) {
-  if (quiet_) return;
+void Console::say(const std::string& label, const std::string& text) {
+  if (quiet_ || as_json_) return;
   clear_bar();
-  note(fmt::format("{}\n", line));
+  std::istringstream lines(text);
+  std::string head = label;
+  for (std::string line; std::getline(lines, line); head.clear()) {
+    const std::string blanks(label_width - std::min(label_width - 1, width_of(head)), ' ');
+    note(fmt::format("{}{}{}\n", paint_(Style::label, head), blanks, line));
+  }
 }
 
-LogSink Console::log() {
-  return [this](const Message& message) {
+void Console::detail(const std::string& label, const std::string& text) {
+  if (verbose_) say(label, text);
+}
+
+LogSink Console::log(Notes notes) {
+  return [this, notes](const Message& message) {
+    if (message.severity == Severity::note) {
+      const auto text = with_flags(message.text, message.hints);
+      notes == Notes::shown ? say("note", text) : detail("note", text);
+      return;
+    }
+    const bool is_error = message.severity == Severity::error;
+    if (quiet_ && !is_error) return;
     clear_bar();
-    if (message.severity == Severity::warning)
-      note(fmt::format("warning: {}\n", message.text));
-    else if (!quiet_)
-      note(fmt::format("{}\n", message.text));
+    const auto head = is_error ? paint_(Style::error, "error:") : paint_(Style::warning, "warning:");
+    note(fmt::format("{} {}\n", head, with_flags(message.text, message.hints)));
   };
 }
 
@@ -90,9 +118,13 @@ Context Console::reporting(const Context& context, bool heeds_interrupt) {
   return context.with_log(log()).with_monitor(monitor(heeds_interrupt));
 }
 
+Context Console::detailing(const Context& context) {
+  return context.with_log(log(Notes::detailed)).with_monitor(monitor());
+}
+
 void Console::announce(const std::string& stage) {
   if (quiet_ || as_json_ || !terminal_) return;
-  note(fmt::format("\r\033[K{} ...", stage));
+  note(fmt::format("\r\033[K{} ...", paint_(Style::label, stage)));
   bar_shown_ = true;
 }
 
@@ -114,20 +146,16 @@ void Console::show(const Progress& progress) {
   if (now - last_shown_ < pause) return;
   last_shown_ = now;
 
-  const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
-  auto numbers = fmt::format("{:3.0f} %", 100.0 * progress.done);
-  if (progress.error > 0.0) numbers += fmt::format("  error {:.2g} %", 100.0 * progress.error);
-  if (progress.rays > 0 && seconds > 0.0)
-    numbers += fmt::format("  {:.1f} Mray/s", 1e-6 * static_cast<double>(progress.rays) / seconds);
-  if (const auto left = time_left(progress.done, seconds))
-    numbers += fmt::format("  {} left", duration(*left));
+  const auto numbers = numbers_of(progress, std::chrono::duration<double>(now - stage_begin_).count());
   if (!terminal_) {
-    note(fmt::format("{}: {}\n", progress.stage, numbers));
+    note(fmt::format("{:<{}}{}\n", progress.stage, label_width, numbers));
     return;
   }
   const auto filled = static_cast<int>(std::clamp(progress.done, 0.0, 1.0) * bar_width);
-  note(fmt::format("\r\033[K{:10} [{:#<{}}{:.<{}}] {}", progress.stage, "", filled, "", bar_width - filled,
-                   numbers));
+  const auto label = fmt::format("{:<{}}", progress.stage, label_width);
+  note(fmt::format("\r\033[K{}[{}{:.<{}}] {}", paint_(Style::label, label),
+                   paint_(Style::good, std::string(static_cast<std::size_t>(filled), '#')), "",
+                   bar_width - filled, numbers));
   bar_shown_ = true;
 }
 
@@ -140,7 +168,7 @@ double rounded(double value, int decimals) {
 
 }  // namespace
 
-// JSON knows no infinity: an error that is not known yet is 0.
+// JSON has no infinity: an error that is not known yet is 0.
 void Console::tell_program(const Progress& progress) {
   const auto now = Clock::now();
   const bool is_new = stage_ != progress.stage;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "luxel/cli/terminal.h"
 #include "luxel/core/context.h"
 #include "luxel/core/progress.h"
 
@@ -11,9 +12,10 @@ namespace luxel {
 
 struct RunSettings;
 
-// Messages of the program while it works, on the standard error stream: sentences, and a progress bar on a
-// terminal or a line now and then elsewhere; with --progress json one line of JSON per message for other
-// programs. Results go to the standard output and never through here.
+// Messages of the program while it works, on the standard error stream: short lines that begin with a label,
+// and a progress bar on a terminal or a line now and then elsewhere; with --progress json one line of JSON
+// per message for other programs. With --quiet only errors. Results go to the standard output and never
+// through here.
 class Console {
  public:
   Console();
@@ -22,17 +24,27 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  void say(const std::string& line);
-  LogSink log();
+  // A line with a label in a column of its own: "scene     room.obj: 32 triangles". Further lines of the text
+  // are indented to that column.
+  void say(const std::string& label, const std::string& text);
+  // The same with --verbose only.
+  void detail(const std::string& label, const std::string& text);
+  // Warnings and errors; notes are lines, or details.
+  enum class Notes { shown, detailed };
+  LogSink log(Notes notes = Notes::shown);
   // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
   // there is), give heeds_interrupt = false.
   Monitor monitor(bool heeds_interrupt = true);
   // The same threads and processes, with this console's log and monitor.
   Context reporting(const Context& context, bool heeds_interrupt = true);
+  // The same, where notes are details.
+  Context detailing(const Context& context);
   // On a terminal: shows a stage of unknown progress, until the next message or bar.
   void announce(const std::string& stage);
   // Takes the bar off the screen.
   void clear_bar();
+  // Whether people read these messages on a terminal.
+  bool is_read() const { return terminal_ && !quiet_ && !as_json_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -40,8 +52,10 @@ class Console {
   void tell_program(const Progress& progress);
 
   bool quiet_;
+  bool verbose_;
   bool as_json_;
   bool terminal_;
+  TextPaint paint_;
   bool bar_shown_ = false;
   std::string stage_;
   Clock::time_point stage_begin_;

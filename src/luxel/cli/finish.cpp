@@ -1,17 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/cli/finish.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "luxel/cli/accuracy_text.h"
 #include "luxel/cli/commands.h"
+#include "luxel/cli/desktop.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
 
 namespace luxel {
 
+void report_end(const RunRecord& record, const std::vector<std::string>& files, const std::string& accuracy,
+                Console& console) {
+  console.detail("stages", record.table());
+  if (!files.empty()) console.say("wrote", fmt::format("{}", fmt::join(files, ", ")));
+  if (!accuracy.empty()) console.say("error", accuracy);
+  console.say("time", record.summary());
+}
+
+void print_files(const std::vector<std::string>& files, const RunSettings& run, const Console& console) {
+  const bool is_shown = console.is_read() && isatty(STDOUT_FILENO) == 1;  // by report_end(), beside it
+  if (run.quiet || is_shown) return;
+  for (const auto& file : files) print_result(file + "\n");
+}
+
 void finish(const RunReport& report, const RunSettings& run, Console& console) {
-  console.say(report.record->summary(run.verbose));
+  report_end(*report.record, report.outputs, accuracy_text(report), console);
   if (!run.report.empty()) write_file(run.report, report.as_json());
-  if (run.json) return print_result(report.as_json());
-  for (const auto& output : report.outputs) print_result(output + "\n");
+  if (run.json)
+    print_result(report.as_json());
+  else
+    print_files(report.outputs, run, console);
+  if (run.opens) open_one_of(report.outputs, console);
 }
 
 int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,

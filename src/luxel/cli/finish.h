@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "luxel/cli/console.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/run_report.h"
@@ -8,8 +11,17 @@
 
 namespace luxel {
 
-// The end of a command that wrote files: the table of stages for a person; the report as JSON or, without it,
-// the written files, one a line, on the standard output.
+// The last lines for a person: what was written, how accurate it is (nothing where that is empty), and the
+// time, rays and memory; with --verbose after a table of the stages.
+void report_end(const RunRecord& record, const std::vector<std::string>& files, const std::string& accuracy,
+                Console& console);
+
+// The written files on the standard output, one per line, for programs; not with --quiet, nor where a person
+// reads them on the same terminal already.
+void print_files(const std::vector<std::string>& files, const RunSettings& run, const Console& console);
+
+// The end of a command that wrote files: the lines above; the report as JSON or, without it, the files; then
+// --open.
 void finish(const RunReport& report, const RunSettings& run, Console& console);
 
 // All that is left to do for a command that has a solution and only writes it. Returns the exit code.

@@ -6,19 +6,20 @@
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
 #include "luxel/cli/outputs.h"
+#include "luxel/cli/quality.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/solved_scene.h"
 
 namespace luxel {
 namespace {
 
-// `render` and `export`: a solution becomes files. They differ in the endings they take and the options they
-// show.
+// `render` and `export`: write a solution to files. They differ in the file types they accept and the options
+// they show.
 class FromSolution final : public Command {
  public:
   FromSolution(OptionSet& options, std::string kinds, bool pictures)
       : Command(options), kinds_(std::move(kinds)) {
-    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote", ".vtkhdf");
     look_.declare(options);
     if (pictures) {
       picture_.declare(options);
@@ -32,6 +33,22 @@ class FromSolution final : public Command {
       picture_.declare_camera(options);
     }
     run_.declare(options, kinds_);
+    quality_.declare(options);
+    if (pictures) {
+      options.show_first({"output", "quality", "eye", "target", "fov", "width", "height", "samples",
+                          "exposure", "tone", "open"});
+      options.set_examples(
+          {{"luxel render room.vtkhdf -o room.png", "A picture from a view that Luxel chooses."},
+           {"luxel render room.vtkhdf -o door.png --eye 1,1.6,4 --target 1,1.2,0 --exposure 1",
+            "From a point, one stop brighter."}});
+    } else {
+      options.show_first(
+          {"output", "quality", "as", "for", "scene", "texels-per-metre", "exposure", "title", "open"});
+      options.set_examples({{"luxel export room.vtkhdf -o room.html --open", "A page for any browser."},
+                            {"luxel export room.vtkhdf -o room.glb --for godot", "A mesh for Godot."},
+                            {"luxel export room.vtkhdf --scene room.glb --as lightmap -o lit.glb",
+                             "The scene's own file with lightmaps."}});
+    }
   }
 
   int run() override {
@@ -59,13 +76,13 @@ class FromSolution final : public Command {
   }
 
  private:
-  // Pages dim lamps by what the run kept of each; nothing else here needs it.
+  // HTML viewers dim lamps with the stored transport; no other output needs it.
   StoredRun read() const {
     if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_page)) return read_stored_run(file_);
     return {read_solution(file_), nullptr};
   }
 
-  // Which way is up was said when the solution was made; it need not be said again.
+  // The up axis was set when the solution was made and need not be repeated.
   void restore_from(const Provenance& provenance) {
     if (look_.up != "auto") return;
     for (const auto& [key, value] : provenance.options)
@@ -79,6 +96,7 @@ class FromSolution final : public Command {
   LookSettings look_;
   PictureSettings picture_;
   RunSettings run_;
+  QualitySettings quality_;
 };
 
 }  // namespace

@@ -11,11 +11,11 @@
 namespace luxel {
 namespace {
 
-// A layout that leaves pages empty is not worth its memory.
+// A layout that leaves pages mostly empty is not worth its memory.
 constexpr double many_texels = 0x1p24;
 constexpr double max_texels_per_surface_texel = 64.0;
 
-// What the scene's file says of where its surfaces lie, where that is wanted and can be used.
+// Returns the file's own texture layout, if it is requested and usable.
 std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSettings& settings,
                                       const Context& context, Console& console) {
   if (!input.scene || settings.layout == "new") return std::nullopt;
@@ -38,8 +38,8 @@ std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSet
     warn(console.log(), fmt::format("{}: the file's {} are not used, charts are made: {}", scene.source,
                                     lightmap_coordinates, why));
   if (!given || !why.empty()) return std::nullopt;
-  console.say(fmt::format("{} are used as the file has them, on {} page{}", lightmap_coordinates,
-                          given->pages, given->pages == 1 ? "" : "s"));
+  console.detail("pages", fmt::format("{} are used as the file has them, on {} page{}", lightmap_coordinates,
+                                      given->pages, given->pages == 1 ? "" : "s"));
   return lay_out(scene, input.patches, *given,
                  {settings.lightmap.crease_angle, size, settings.lightmap.margin}, context);
 }
@@ -47,7 +47,8 @@ std::optional<LaidOut> layout_of_file(const PagesInput& input, const LightmapSet
 }  // namespace
 
 std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
-                                           const Tracer* tracer, const Context& context, Console& console) {
+                                           const Tracer* tracer, const Context& context, Console& console,
+                                           const TimeBudget* budget) {
   const auto& options = settings.lightmap;
   const bool interrupted_before = interrupted();
   console.announce("charts");
@@ -59,9 +60,10 @@ std::optional<LightPages> make_light_pages(const PagesInput& input, const Lightm
 
   LightPages made;
   auto& record = made.record;
-  // After an interrupt that came before there is no time to gather, but pages are wanted.
-  const auto monitor = [heeding = console.monitor(), interrupted_before](const Progress& progress) {
+  // After an earlier interrupt there is no time to gather, but pages are still required.
+  const auto monitor = [heeding = console.monitor(), interrupted_before, budget](const Progress& progress) {
     const auto next = heeding(progress);
+    if (progress.stage == "texels" && budget && budget->is_over()) return Next::stop;
     return interrupted_before && progress.stage != "texels" ? Next::go_on : next;
   };
   made.lightmap = fill_lightmap({input.patches, input.solution, tracer}, *laid, options, &record.made,
@@ -72,7 +74,7 @@ std::optional<LightPages> make_light_pages(const PagesInput& input, const Lightm
   record.as_file_has_it = as_file_has_it;
   record.error_target = tracer ? options.texels.error : 0.0;
   console.clear_bar();
-  console.say(describe(made.lightmap, record.made));
+  console.say("pages", describe(made.lightmap, record.made));
   if (record.made.texels.stopped)
     warn(console.log(), "stopped: texels that were not gathered yet have the light between patches");
   return made;

@@ -5,6 +5,7 @@
 
 #include "luxel/cli/console.h"
 #include "luxel/cli/lightmap_settings.h"
+#include "luxel/cli/time_budget.h"
 #include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/make_lightmap.h"
@@ -36,9 +37,11 @@ struct PagesInput {
 };
 
 // Lays surfaces out, as in the scene's file where that is requested and possible, and gathers their light;
-// reports the result. After a Ctrl-C while texels are gathered the rest of them hold interpolated light;
-// after one in any other stage the result is empty. Throws the errors of the stages.
+// reports the result. budget: ends the gathering of texels, null: never. After a Ctrl-C while texels are
+// gathered the rest of them hold interpolated light; after one in any other stage the result is empty. Throws
+// the errors of the stages.
 std::optional<LightPages> make_light_pages(const PagesInput& input, const LightmapSettings& settings,
-                                           const Tracer* tracer, const Context& context, Console& console);
+                                           const Tracer* tracer, const Context& context, Console& console,
+                                           const TimeBudget* budget = nullptr);
 
 }  // namespace luxel

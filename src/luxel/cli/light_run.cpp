@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/cli/light_run.h"
 
+#include <algorithm>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "luxel/cli/accuracy_text.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/finish.h"
 #include "luxel/cli/flags.h"
+#include "luxel/cli/output_estimate.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/quantity.h"
 #include "luxel/cli/run_report.h"
@@ -20,10 +23,18 @@
 #include "luxel/lamps/choose_portals.h"
 #include "luxel/patch/focus.h"
 #include "luxel/scene/band_colours.h"
+#include "luxel/session/words.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/solve_light.h"
 
 namespace luxel {
+namespace {
+
+// Of the time that is left when the light is solved: for what follows the gathering of texels.
+constexpr double end_of_texels = 0.3;
+constexpr double min_seconds = 1e-3;  // 0 would be no limit
+
+}  // namespace
 
 LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionSet& options,
                    const Context& context, Console& console, RunRecord& record)
@@ -32,16 +43,18 @@ LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionS
       options_(options),
       context_(context),
       console_(console),
-      record_(record) {}
+      record_(record),
+      budget_(settings.light.method == Method::sampled ? settings.light.sampled.seconds : 0.0, record) {}
 
 int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<std::uint32_t>& faces,
                   std::shared_ptr<const SampleState> from, const Scene* scene) {
   StepPictures steps(settings_.light.each_step);
   const SharedWork work(context_);
   const bool is_first = work.process() == 0;  // of several processes, the one that writes
+  const Context alone(context_.threads());
   Checkpoint checkpoint(settings_.keep, is_first);
 
-  // Who sees whom, and what the lamps see.
+  // Builds the hierarchy, and finds the views of the lamps.
   console_.announce("hierarchy");
   const auto tracer = record_.stage("hierarchy", [&](auto&) { return Tracer(baked.patches, context_); });
   if (scene != nullptr && from == nullptr)  // else the samples belong to the portals of the file
@@ -55,9 +68,17 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   // The light.
   focus_on_picture(baked, tracer);
   foresee(baked.patches, tracer);
+  OutputSettings outputs{
+      settings_.run, settings_.look, settings_.picture, {&settings_.mesh, scene, settings_.scene.load.scale}};
+  const Workplace place{alone, console_, record_, &budget_};
+  if (budget_.is_limited()) {
+    if (is_first) outputs.camera = reserve_outputs(baked, tracer, outputs, place);
+    budget_.reserve(work.broadcast(budget_.reserved()));
+  }
   auto hooks = checkpoint.hooks(baked, std::move(from), console_);
   hooks.on_light = [&](const Solution& light, const Progress&) {
     record_.note_light();
+    has_light_ = true;
     steps.add(light);
   };
   const auto solved = record_.stage("light", [&](auto& stage) {
@@ -68,8 +89,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   report_light(baked, solved);
   if (!is_first) return fell_short(solved) ? exit_stopped_early : exit_fine;
 
-  // What was asked for: the work of this process alone.
-  const Context alone(context_.threads());
+  // The requested files, written by this process alone.
   auto samples = settings_.keep.transport ? checkpoint.state() : nullptr;
   if (samples) {
     console_.announce("light groups");
@@ -78,9 +98,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     });
     console_.clear_bar();
   }
-  const OutputSettings outputs{
-      settings_.run, settings_.look, settings_.picture, {&settings_.mesh, scene, settings_.scene.load.scale}};
-  const Workplace place{alone, console_, record_};
+  budget_.reserve(end_of_texels * budget_.left());
   auto written = write_outputs(baked, &tracer, outputs, place, {samples.get(), samples});
   for (const auto& file : steps.write(baked, tracer, written.camera, outputs, place))
     written.files.push_back(file);
@@ -89,8 +107,9 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
           .baked = &baked,
           .solve = &solved,
           .refine = refined,
-          .mesh_error_target = settings_.refine.mesh_error,
+          .mesh_error_target = settings_.refine.options(baked.patches.size()).mesh_error,
           .error_target = error_target(),
+          .error_measure = settings_.light.sampled.error_measure,
           .pages = written.pages,
           .camera = written.camera,
           .origin = baked.patches.origin,
@@ -108,23 +127,44 @@ void LightRun::find_portals(const Scene& scene, const Tracer& tracer, PatchSet& 
     return 0;
   });
   if (!patches.portals.empty())
-    console_.say(
-        fmt::format("{} triangles of windows, doors and other openings: the sky is sampled through them",
-                    patches.portals.size()));
+    console_.detail("sky", fmt::format("sampled through {} of windows, doors and other openings",
+                                       counted_things(patches.portals.size(), "triangle")));
 }
 
 SolveReport LightRun::solve(Baked& baked, const Tracer& tracer, const std::vector<std::uint32_t>& faces,
                             const SolveHooks& hooks) const {
   LightOptions options = settings_.light;
   options.dense.face = faces;
+  const SharedWork work(context_);
+  if (budget_.is_limited())
+    options.sampled.seconds = work.broadcast(std::max(min_seconds, budget_.left() - budget_.reserved()));
+  const auto context =
+      console_.reporting(context_).with_monitor(budget_.stopping(console_.monitor(), has_light_));
   try {
-    return solve_light(baked.patches, tracer, baked.solution, options, hooks, console_.reporting(context_));
+    auto solved = solve_light(baked.patches, tracer, baked.solution, options, hooks, context);
+    if (solved.stop == StopReason::stopped_by_user && !interrupted() && budget_.is_over())
+      solved.stop = baked.solution.stop = StopReason::time_limit;
+    return solved;
   } catch (const InputError& error) {
-    throw with_file(name_, error);  // it has no light; the solver knows no file
+    throw with_file(name_, error);  // the scene has no light; the solver does not know its file
   }
 }
 
-// --focus camera: the picture's camera is the one that counts, where it was given or the scene has none.
+// Reserves the time of the outputs, and reports a limit that is too short. Returns the camera that was found.
+std::optional<Camera> LightRun::reserve_outputs(const Baked& baked, const Tracer& tracer,
+                                                const OutputSettings& outputs, const Workplace& place) {
+  console_.announce("estimate");
+  const auto estimate = estimate_outputs(baked, tracer, outputs, place);
+  budget_.reserve(estimate.outputs);
+  const auto min = record_.elapsed() + estimate.first_light + estimate.outputs;
+  if (min > budget_.seconds())
+    warn(console_.log(), fmt::format("--time {} is less than this run needs, at least about {}: it goes on "
+                                     "with the first light, from few rays",
+                                     as_duration(budget_.seconds()), taken_time(min)));
+  return estimate.camera;
+}
+
+// --focus camera: uses the picture's camera if it was given or the scene has none.
 void LightRun::focus_on_picture(Baked& baked, const Tracer& tracer) const {
   if (settings_.light.focus != focus_on_camera) return;
   const auto& picture = settings_.picture;
@@ -133,7 +173,7 @@ void LightRun::focus_on_picture(Baked& baked, const Tracer& tracer) const {
   baked.patches.focuses_on_cameras = true;
 }
 
-// Says what a classical method is likely to take, and refuses what would take too much.
+// Reports the expected cost of a classical method, and refuses an excessive one.
 void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
   const auto forecast = forecast_light(patches, tracer, settings_.light, context_);
   if (!forecast) return;
@@ -146,7 +186,7 @@ void LightRun::foresee(const PatchSet& patches, const Tracer& tracer) const {
         fmt::format("--method {} ({} are free): make fewer patches with a larger --max-edge, choose --method "
                     "sampled, or add --force to start anyway",
                     text, rough_bytes(free_memory())));
-  console_.say("--method " + text);
+  console_.say("method", text);
 }
 
 std::optional<double> LightRun::error_target() const {
@@ -160,22 +200,32 @@ bool LightRun::fell_short(const SolveReport& solved) const {
   return solved.stop == StopReason::stopped_by_user || (is_at_limit && error_target().value_or(0.0) > 0.0);
 }
 
-// Lux of the sky and lumens of each lamp material, so that a wrong unit shows at once, and lamps that light
-// nothing.
+// Reports lux of the sky and lumens of the lamps, which reveals a wrong unit, and lamps that light nothing.
 void LightRun::report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const {
   const auto colours = patches.colours();
-  if (patches.has_sky())
-    console_.say(fmt::format("sky: {:.4g} lx in the open", std::numbers::pi * colours.lumens(patches.sky)));
+  double lumens = 0.0;
+  std::string lamps;
   for (const auto& view : views) {
-    console_.say(fmt::format("lamp '{}': {:.4g} lm", patches.materials[view.material].name,
-                             colours.lumens(view.power)));
+    const auto own = colours.lumens(view.power);
+    lumens += own;
+    lamps += fmt::format("{}lamp '{}': {} lm", lamps.empty() ? "" : "\n",
+                         patches.materials[view.material].name, rounded(own));
+  }
+  constexpr std::size_t max_listed = 3;
+  if (views.size() > max_listed && !settings_.run.verbose)
+    lamps = fmt::format("{} lamp materials, {} lm together", views.size(), rounded(lumens));
+  if (patches.has_sky())
+    console_.say("sky",
+                 fmt::format("{} lx in the open", rounded(std::numbers::pi * colours.lumens(patches.sky))));
+  if (!lamps.empty()) console_.say("light", lamps);
+  for (const auto& view : views) {
     const auto warning = lamp_warning(patches, view);
     if (!warning.text.empty()) warn(console_.log(), with_flags(warning.text, warning.hints));
   }
 }
 
 void LightRun::report_light(const Baked& baked, const SolveReport& solved) const {
-  console_.say(describe(solved));
+  console_.detail("light", describe(solved));
   const auto& energy = solved.energy;
   auto power = std::accumulate(energy.emitted.begin(), energy.emitted.end(), 0.0);
   power = std::accumulate(energy.from_sky.begin(), energy.from_sky.end(), power);
@@ -185,22 +235,7 @@ void LightRun::report_light(const Baked& baked, const SolveReport& solved) const
            fmt::format(
                "{:.1f} % of the power of lamps and sky is lost at the backs of one-sided material '{}'",
                100.0 * solved.back_loss[m] / power, baked.patches.materials[m].name));
-  if (!fell_short(solved)) return;
-  const auto by = solved.stop == StopReason::stopped_by_user
-                      ? std::string()
-                      : fmt::format(" by the {}", description(solved.stop));
-  warn(console_.log(), fmt::format("stopped{}: {}; writing the light there is", by, shortfall(solved)));
-}
-
-std::string LightRun::shortfall(const SolveReport& solved) const {
-  if (!error_target() && solved.unshot_fraction == 1.0) return "no light had left the lamps yet";
-  if (!error_target())
-    return fmt::format("{:.1f} % of the emitted power is still unshot", 100.0 * solved.unshot_fraction);
-  auto text = solved.seen_error > 0.0
-                  ? fmt::format("seen error {:.2g} %", 100.0 * solved.seen_error)
-                  : fmt::format("standard error {:.2g} %", 100.0 * solved.predicted_error);
-  if (*error_target() > 0.0) text += fmt::format(", requested {:.2g} %", 100.0 * *error_target());
-  return text;
+  if (fell_short(solved)) warn(console_.log(), stopped_text(solved, error_target()));
 }
 
 }  // namespace luxel

@@ -10,7 +10,9 @@
 #include "luxel/cli/bake_settings.h"
 #include "luxel/cli/checkpoint.h"
 #include "luxel/cli/console.h"
+#include "luxel/cli/outputs.h"
 #include "luxel/cli/run_record.h"
+#include "luxel/cli/time_budget.h"
 #include "luxel/core/context.h"
 #include "luxel/lamps/lamp_check.h"
 #include "luxel/solve/refine_to_light.h"
@@ -40,7 +42,8 @@ class LightRun {
   void report_light(const Baked& baked, const SolveReport& solved) const;
   std::optional<double> error_target() const;
   bool fell_short(const SolveReport& solved) const;
-  std::string shortfall(const SolveReport& solved) const;
+  std::optional<Camera> reserve_outputs(const Baked& baked, const Tracer& tracer,
+                                        const OutputSettings& outputs, const Workplace& place);
 
   const BakeSettings& settings_;
   std::string name_;
@@ -48,6 +51,8 @@ class LightRun {
   const Context& context_;
   Console& console_;
   RunRecord& record_;
+  TimeBudget budget_;
+  bool has_light_ = false;  // a first picture of the whole scene
 };
 
 }  // namespace luxel

@@ -7,12 +7,12 @@
 namespace luxel {
 namespace {
 
-// How a quantity is written.
+// How a quantity is parsed and printed.
 template <typename Parse, typename Print>
 struct Notation {
   Parse parse;
   Print print;
-  const char* name_of_zero;  // of 0 in the library's own options: "none", "auto"
+  const char* name_of_zero;  // name of the value 0 in the library's own options: "none", "auto"
   const char* expected;
 };
 template <typename Parse, typename Print>
@@ -142,9 +142,10 @@ void LightSettings::declare_error_and_time(OptionSet& set) {
          sampled.error_measure = text == "seen" ? ErrorMeasure::seen : ErrorMeasure::power;
        },
        [this] { return std::string(sampled.error_measure == ErrorMeasure::seen ? "seen" : "power"); }});
-  set.add(quantity("time", "duration", sampled.seconds,
-                   Notation{parse_duration, as_duration, "none", "a time such as 30s, 5min or 2h"},
-                   "maximum time to solve, such as 30s, 5min or 2h"));
+  set.add(
+      quantity("time", "duration", sampled.seconds,
+               Notation{parse_duration, as_duration, "none", "a time such as 30s, 5min or 2h"},
+               "maximum time of the whole run, from its start to its last file, such as 30s, 5min or 2h"));
 }
 
 void LightSettings::declare_memory(OptionSet& set) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -10,10 +11,12 @@
 #include "luxel/cli/finish.h"
 #include "luxel/cli/lightmap_settings.h"
 #include "luxel/cli/outputs.h"
+#include "luxel/cli/quality.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/solved_scene.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/output_file.h"
+#include "luxel/export/export_round_trip.h"
 #include "luxel/image/image_file.h"
 #include "luxel/render/lightmap_picture.h"
 #include "luxel/render/radiance_pages.h"
@@ -22,6 +25,7 @@ namespace luxel {
 namespace {
 
 constexpr const char* page_kinds = ".exr .png";
+constexpr const char* unwrapped_kinds = ".glb .obj";
 
 // "map.exr", "map-2.exr", "map-3.exr", ...
 std::string name_of_page(const std::string& output, std::size_t page) {
@@ -42,11 +46,11 @@ std::string name_of_axis(const std::string& output, char axis) {
   return named.string();
 }
 
-// `lightmap`: the light of a solution on pages.
+// `lightmap`: writes the light of a solution to pages.
 class LightmapCommand final : public Command {
  public:
   explicit LightmapCommand(OptionSet& options) : Command(options) {
-    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote");
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote", ".vtkhdf");
     settings_.declare(options);
     options.heading("Scene");
     options.add_text("scene", "FILE", scene_,
@@ -55,6 +59,13 @@ class LightmapCommand final : public Command {
     picture_.declare_view(options);
     look_.declare_up(options);
     run_.declare(options, page_kinds);
+    quality_.declare(options);
+    options.show_first(
+        {"output", "quality", "texels-per-metre", "page-size", "final-gather", "scene", "preview"});
+    options.set_examples(
+        {{"luxel lightmap room.vtkhdf -o room.exr", "Pages of irradiance: room.exr, room-2.exr and so on."},
+         {"luxel lightmap room.vtkhdf -o room.png --texels-per-metre 40 --preview look.png",
+          "Finer texels, in 8 bits, and a picture of the scene with them."}});
   }
 
   int run() override {
@@ -91,6 +102,11 @@ class LightmapCommand final : public Command {
         "write", [&](auto&) { return write(lightmap, console.reporting(context, !interrupted())); });
     console.clear_bar();
     if (files.empty()) return stopped_before_light(console);
+    if (!settings_.unwrapped.empty()) {
+      if (!record.stage("mesh", [&](auto&) { return write_unwrapped(baked, solved, *made, context); }))
+        return stopped_before_light(console);
+      files.push_back(settings_.unwrapped);
+    }
     std::optional<Camera> camera;
     if (!settings_.preview.empty()) {
       camera =
@@ -98,7 +114,9 @@ class LightmapCommand final : public Command {
       record.stage("picture", [&](auto&) {
         const auto picture =
             lightmap_picture(baked.patches, lightmap, *tracer, *camera, picture_.render, context);
-        write_picture(settings_.preview, picture, look_.tone);
+        write_picture(settings_.preview,
+                      with_sky(picture, baked.patches, *tracer, *camera, picture_.render, context),
+                      look_.tone);
       });
       files.push_back(settings_.preview);
     }
@@ -128,14 +146,19 @@ class LightmapCommand final : public Command {
         throw UsageError("--directional needs a final gather: give --final-gather a fraction, such as 2%");
       for (const auto axis : axes) run.outputs.push_back(name_of_axis(settings_.directional, axis));
     }
+    if (!settings_.unwrapped.empty()) {
+      expect_ending("--uv2", settings_.unwrapped, unwrapped_kinds);
+      run.outputs.push_back(settings_.unwrapped);
+    }
     if (!settings_.preview.empty()) {
       expect_ending("--preview", settings_.preview, picture_kinds);
       run.outputs.push_back(settings_.preview);
     }
-    check_before_work(run, picture_, picture_kinds);
+    check_before_work(run, picture_, fmt::format("{} {}", picture_kinds, unwrapped_kinds));
   }
 
-  // All are made before the first is written, so that Ctrl-C leaves all of them or none. Gives their names.
+  // All pages are made before the first is written, so that Ctrl-C leaves all of them or none. Returns their
+  // names.
   std::vector<std::string> write(const Lightmap& lightmap, const Context& context) const {
     const auto white = settings_.white == LightmapSettings::automatic_white
                            ? white_of(irradiance_pages(lightmap))
@@ -165,6 +188,22 @@ class LightmapCommand final : public Command {
     return files;
   }
 
+  bool write_unwrapped(const Baked& baked, const std::optional<SolvedScene>& solved, const LightPages& made,
+                       const Context& context) const {
+    const RoundTripPages pages{made.lightmap.atlas, {}, 1.0f, made.record.as_file_has_it};
+    RoundTripOptions options;
+    options.up = up_of(look_, baked.patches);
+    if (solved) {
+      options.metres_per_unit = solved->metres_per_unit;
+      return export_unwrapped(settings_.unwrapped, {solved->scene, baked.patches, baked.solution}, pages,
+                              options, context);
+    }
+    auto patches = baked.patches;  // each a triangle of its own
+    std::iota(patches.triangle.begin(), patches.triangle.end(), 0u);
+    const auto scene = scene_of(patches);
+    return export_unwrapped(settings_.unwrapped, {scene, patches, baked.solution}, pages, options, context);
+  }
+
   static std::string png_of_page(Image page, float white, const Context& context) {
     for (auto& pixel : page.pixels) pixel /= white;
     return png_of(page,
@@ -173,6 +212,7 @@ class LightmapCommand final : public Command {
   }
 
   std::string file_, scene_;
+  QualitySettings quality_;
   LightmapSettings settings_;
   PictureSettings picture_;
   LookSettings look_;

@@ -79,6 +79,10 @@ void LightmapSettings::declare(OptionSet& set) {
       "directional", "FILE", directional,
       "EXR files for the light vector in W/m², for surfaces with normal maps: room.exr becomes room-x.exr, "
       "room-y.exr and room-z.exr");
+  set.add_text(
+      "uv2", "FILE", unwrapped,
+      "the scene with the lightmap coordinates: .glb, as TEXCOORD_1 beside its own; .obj, which has one "
+      "set, as vt instead of its own");
   set.add_text("preview", "FILE", preview, "picture (.png .exr .hdr) of the scene drawn with the lightmap");
 }
 

@@ -5,15 +5,23 @@
 
 #include "luxel/cli/flags.h"
 #include "luxel/render/default_light.h"
+#include "luxel/session/words.h"
 
 namespace luxel {
+
+std::string describe_scene(const std::string& file, const Scene& scene, const PatchSet& patches) {
+  const auto triangles = scene.triangles.size();
+  return fmt::format("{}: {}, {}, {}{} patches", file, counted_things(triangles, "triangle"),
+                     counted_things(scene.materials.size(), "material"),
+                     patches.size() > triangles ? "cut into " : "", with_commas(patches.size()));
+}
 
 Scene load_lit_scene(const SceneSettings& settings, const Context& context, Console& console) {
   auto scene = load_scene(settings.file, settings.load, console.reporting(context));
   if (!settings.adds_default_light) return scene;
   const auto added = add_default_light(scene, context);
   if (added.kind != DefaultLightKind::not_needed)
-    console.say(fmt::format("{}: {}", settings.file, with_flags(added.as_text(), added.hints())));
+    console.say("light", with_flags(added.as_text(), added.hints()));
   return scene;
 }
 

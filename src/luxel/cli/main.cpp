@@ -5,17 +5,24 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/flags.h"
 #include "luxel/cli/streams.h"
+#include "luxel/cli/terminal.h"
 #include "luxel/core/mpi_ranks.h"
 #include "luxel/version.h"
 
 namespace {
 
-// Of several ranks only those of a solve are needed, and only the first one speaks.
+void print_error(const std::string& sentence) {
+  const auto paint = luxel::paint_for(STDERR_FILENO);
+  luxel::print_note(fmt::format("{} {}\n", paint(luxel::Style::error, "luxel:"), sentence));
+}
+
+// Only a solve needs several ranks; only the first one writes to the terminal.
 int run(luxel::Command& command) {
   const auto ranks = luxel::join_ranks();
   const bool is_first = !ranks || ranks->rank() == 0;
@@ -24,16 +31,15 @@ int run(luxel::Command& command) {
   command.set_ranks(ranks.get());
   try {
     const auto code = command.run();
-    // The others may still wait for this one.
+    // The other ranks may still wait for this one.
     if (ranks && luxel::interrupted()) luxel::leave_ranks(code);
     return code;
   } catch (const std::exception& error) {
     if (!ranks) throw;
-    // What is wrong with a file is wrong for all: the first one says it and ends the others.
+    // An error in a file is the same for all ranks: the first one reports it and ends the others.
     if (!is_first) std::this_thread::sleep_for(std::chrono::seconds(1));
-    luxel::print_note(is_first
-                          ? fmt::format("luxel: {}\n", luxel::with_flags(error))
-                          : fmt::format("luxel: rank {}: {}\n", ranks->rank(), luxel::with_flags(error)));
+    print_error(is_first ? luxel::with_flags(error)
+                         : fmt::format("rank {}: {}", ranks->rank(), luxel::with_flags(error)));
     luxel::leave_ranks(luxel::exit_failed);
     throw;
   }
@@ -49,11 +55,14 @@ int run(int argc, char** argv) {
       luxel::make_render(line),
       luxel::make_export(line),
       luxel::make_lightmap_command(line),
+      luxel::make_probe(line),
+      luxel::make_measure(line),
       luxel::make_reference(line),
       luxel::make_compare(line),
       luxel::make_info(line),
       luxel::make_viewfactors(line),
       luxel::make_check(line),
+      luxel::make_completion(line),
 #ifdef LUXEL_HAS_VIEWER
       luxel::make_view(line),
 #endif
@@ -73,15 +82,16 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   luxel::secure_streams();
+  luxel::set_colour_mode(luxel::colour_mode_of(argc, argv));
   try {
     return run(argc, argv);
   } catch (const luxel::UsageError& error) {
-    luxel::print_note(fmt::format("luxel: {}\n", luxel::with_flags(error)));
+    print_error(luxel::with_flags(error));
     return luxel::exit_misused;
   } catch (const std::bad_alloc&) {
-    luxel::print_note("luxel: out of memory; fewer patches (--max-edge) or a smaller picture need less\n");
+    print_error("out of memory; fewer patches (--max-edge) or a smaller picture need less");
   } catch (const std::exception& error) {
-    luxel::print_note(fmt::format("luxel: {}\n", luxel::with_flags(error)));
+    print_error(luxel::with_flags(error));
   }
   return luxel::exit_failed;
 }

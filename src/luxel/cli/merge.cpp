@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "luxel/cli/accuracy_text.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
 #include "luxel/cli/outputs.h"
+#include "luxel/cli/quantity.h"
 #include "luxel/solution/merge_solutions.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/trace/tracer.h"
@@ -13,7 +15,7 @@
 namespace luxel {
 namespace {
 
-// `merge`: several independent solutions of a scene become one with a smaller error.
+// `merge`: combines independent solutions of a scene into one with a smaller error.
 class Merge final : public Command {
  public:
   explicit Merge(OptionSet& options) : Command(options) {
@@ -22,6 +24,9 @@ class Merge final : public Command {
     picture_.declare(options);
     picture_.declare_gather(options);
     run_.declare(options, all_kinds);
+    options.show_first({"output", "eye", "target", "width", "height", "exposure", "open"});
+    options.set_examples({{"luxel merge a.vtkhdf b.vtkhdf -o ab.vtkhdf -o ab.png",
+                           "One solution of two bakes with different --seed."}});
   }
 
   int run() override {
@@ -40,9 +45,10 @@ class Merge final : public Command {
       merged.solution.seen_error = seen_error_of(merged.patches, tracer, merged.solution, context);
       return 0;
     });
-    console.say(fmt::format("{} runs, {} rays, seen error {:.2g} %, standard error {:.2g} %",
-                            merged.solution.provenance.merged.size(), merged.solution.provenance.rays,
-                            100.0 * merged.solution.seen_error, 100.0 * merged.solution.predicted_error));
+    const auto& provenance = merged.solution.provenance;
+    console.say("merged",
+                fmt::format("{} runs with {} rays", provenance.merged.size(), rough_count(provenance.rays)));
+    console.say("error", accuracy_text(merged.solution));
     return write_and_finish(merged, &tracer, options(), {run_, look_, picture_}, {context, console, record});
   }
 

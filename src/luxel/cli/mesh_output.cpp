@@ -6,8 +6,11 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/light_pages.h"
+#include "luxel/export/close_t_junctions.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_round_trip.h"
+#include "luxel/export/lit_mesh.h"
+#include "luxel/export/simplify_mesh.h"
 #include "luxel/import/is_gltf.h"
 #include "luxel/render/radiance_pages.h"
 #include "luxel/surface/vertex_fit.h"
@@ -15,14 +18,15 @@
 namespace luxel {
 namespace {
 
-constexpr double worth_saying = 0.02;  // of the light that the file's own triangles cannot show
+constexpr double worth_saying =
+    0.02;  // of the light that the file's own triangles cannot show; less is not reported
 
 GlbDone write_on_pages(const std::string& output, const RoundTripInput& input, const MeshSettings& settings,
                        const RoundTripOptions& options, const Tracer* tracer, const Workplace& place) {
   const auto& page_settings = settings.pages;
   const auto made =
       make_light_pages({input.patches, input.solution, &input.scene, options.metres_per_unit}, page_settings,
-                       needs_rays(settings) ? tracer : nullptr, place.context, place.console);
+                       needs_rays(settings) ? tracer : nullptr, place.context, place.console, place.budget);
   if (!made) return {.is_written = false};
   const auto& [lightmap, record] = *made;
   const auto context = place.console.reporting(place.context, !interrupted());
@@ -41,12 +45,26 @@ GlbDone write_on_pages(const std::string& output, const RoundTripInput& input, c
   return {.pages = record};
 }
 
-void write_at_vertices(const std::string& output, const RoundTripInput& input, const SmoothLight& light,
-                       const MeshSettings& settings, const RoundTripOptions& options, Console& console) {
-  if (!settings.keep_topology) return export_round_trip_cut(output, input, light, options);
+// The mesh that is written: without the vertices that its light does not need, if the settings have it so,
+// and without T-junctions. tone becomes that of the whole light: the mesh alone would be exposed otherwise.
+SimplifiedMesh displayed_mesh(const Baked& baked, const SmoothLight& light, const MeshSettings& settings,
+                              bool keeps_textured_patches, ToneOptions& tone) {
+  const auto curve = curve_for(baked.patches, baked.solution, tone);
+  tone.scale = curve.scale;
+  tone.exposure = 0.0f;
+  auto mesh = settings.simplify ? simplify_mesh(baked.patches, baked.solution, light, curve,
+                                                {.keeps_textured_patches = keeps_textured_patches})
+                                : SimplifiedMesh{baked.patches, baked.solution, light};
+  close_t_junctions(mesh);
+  return mesh;
+}
+
+void write_uncut(const std::string& output, const RoundTripInput& input, const SmoothLight& light,
+                 const RoundTripOptions& options, Console& console) {
   const auto fit = fit_vertices(input.scene, input.patches, light);
   if (fit.difference > worth_saying)
     console.say(
+        "note",
         fmt::format("{}: the file's triangles are too large to show {:.2g} % of the light (RMS); finer "
                     "ones, or --as lightmap, would",
                     output, 100.0 * fit.difference));
@@ -71,17 +89,25 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
-  const bool keeps = wish.scene && (mesh.keep_topology || is_gltf(wish.scene->source));
+  const bool keeps =
+      wish.scene && (mesh.keep_topology || is_gltf(wish.scene->source) || !wish.scene->textures.empty());
   if (!keeps && !mesh.on_pages()) {
-    export_glb(output, baked.patches, baked.solution, *light, up,
-               {.tone = look.tone, .program = mesh.program});
+    auto tone = look.tone;
+    const auto shown = displayed_mesh(baked, *light, mesh, true, tone);
+    export_glb(output, shown.patches, shown.solution, shown.light, up,
+               {.tone = tone, .program = mesh.program});
     return {};
   }
-  const RoundTripOptions options{
+  RoundTripOptions options{
       .tone = look.tone, .program = mesh.program, .metres_per_unit = wish.metres_per_unit, .up = up};
   const auto write = [&](const RoundTripInput& input) -> GlbDone {
     if (mesh.on_pages()) return write_on_pages(output, input, mesh, options, tracer, place);
-    write_at_vertices(output, input, *light, mesh, options, place.console);
+    if (mesh.keep_topology) {
+      write_uncut(output, input, *light, options, place.console);
+      return {};
+    }
+    const auto shown = displayed_mesh(baked, *light, mesh, false, options.tone);
+    export_round_trip_cut(output, {input.scene, shown.patches, shown.solution}, shown.light, options);
     return {};
   };
   if (wish.scene) return write({*wish.scene, baked.patches, baked.solution});

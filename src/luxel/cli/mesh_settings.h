@@ -16,6 +16,7 @@ struct MeshSettings {
   TargetApplication program = TargetApplication::any;  // that reads it
   std::string as = "vertex";
   bool keep_topology = false;
+  bool simplify = true;
   LightmapSettings pages;  // of as lightmap and emissive
   void declare(OptionSet& set);
   bool on_pages() const { return as != "vertex"; }

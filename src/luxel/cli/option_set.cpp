@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,7 +18,7 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
-// As a shell reads it back.
+// Quotes a word for a shell.
 std::string quoted(const std::string& word) {
   constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
@@ -30,6 +31,8 @@ const char* word(Origin origin) {
   switch (origin) {
     case Origin::by_default:
       return "default";
+    case Origin::implied:
+      return "quality";
     case Origin::from_file:
       return "file";
     case Origin::from_command_line:
@@ -48,17 +51,54 @@ void OptionSet::add(Declaration declaration) {
   entries_.push_back({std::move(declaration), heading_, choice_, word_, std::move(default_value)});
 }
 
+void OptionSet::add_first(Declaration declaration, std::string heading) {
+  auto default_value = declaration.print();
+  entries_.insert(entries_.begin(),
+                  {std::move(declaration), std::move(heading), "", "", std::move(default_value)});
+}
+
 void OptionSet::only_with(std::string choice, std::string word) {
   choice_ = std::move(choice);
   word_ = std::move(word);
 }
 
-void OptionSet::set_positional(const char* name, std::string& value, const char* help) {
-  positionals_.push_back({name, &value, nullptr, help});
+void OptionSet::set_positional(const char* name, std::string& value, const char* help, const char* endings) {
+  positionals_.push_back({name, &value, nullptr, help, endings});
 }
 
 void OptionSet::set_positionals(const char* name, std::vector<std::string>& values, const char* help) {
-  positionals_.push_back({name, nullptr, &values, help});
+  positionals_.push_back({name, nullptr, &values, help, ".vtkhdf"});
+}
+
+void OptionSet::show_first(std::vector<std::string> names) {
+  for (const auto& name : names)
+    if (!find(name)) throw std::logic_error(fmt::format("luxel {} has no option --{}", name_, name));
+  first_ = std::move(names);
+}
+
+OptionSet::Entry* OptionSet::find(const std::string& name) {
+  const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& e) { return e.declaration.name == name; });
+  return entry == entries_.end() ? nullptr : &*entry;
+}
+
+void OptionSet::set_default(const std::string& name, const std::string& value) {
+  auto* entry = find(name);
+  if (!entry) return;
+  entry->declaration.parse(value);
+  entry->default_value = entry->declaration.print();
+}
+
+void OptionSet::apply_implied() {
+  for (const auto& e : entries_) {
+    if (!e.declaration.implied) continue;
+    for (const auto& [name, value] : e.declaration.implied()) {
+      auto* other = find(name);
+      if (!other || other->origin != Origin::by_default || other->declaration.print() == value) continue;
+      other->declaration.parse(value);
+      other->origin = Origin::implied;
+    }
+  }
 }
 
 std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
@@ -71,7 +111,7 @@ std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
 std::vector<std::pair<std::string, std::string>> OptionSet::used_values(const std::string& without) const {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& e : entries_)
-    if (e.declaration.configurable && e.heading != without && is_used(e))
+    if (e.declaration.configurable && e.declaration.recorded && e.heading != without && is_used(e))
       result.emplace_back(e.declaration.name, e.declaration.print());
   return result;
 }
@@ -79,7 +119,8 @@ std::vector<std::pair<std::string, std::string>> OptionSet::used_values(const st
 std::vector<std::pair<std::string, std::string>> OptionSet::given() const {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& e : entries_)
-    if (e.origin != Origin::by_default) result.emplace_back(e.declaration.name, e.declaration.print());
+    if (e.origin != Origin::by_default && e.declaration.recorded)
+      result.emplace_back(e.declaration.name, e.declaration.print());
   return result;
 }
 
@@ -130,12 +171,15 @@ std::string OptionSet::words(const std::function<bool(const Entry&)>& is_shown) 
 
 std::string OptionSet::as_command(const std::string& without) const {
   return words([&](const Entry& e) {
-    return e.declaration.print() != e.default_value && e.heading != without && is_used(e);
+    return e.declaration.recorded && e.declaration.print() != e.default_value && e.heading != without &&
+           is_used(e);
   });
 }
 
 std::string OptionSet::given_as_command(const std::string& without) const {
-  return words([&](const Entry& e) { return e.origin != Origin::by_default && e.heading != without; });
+  return words([&](const Entry& e) {
+    return e.declaration.recorded && e.origin != Origin::by_default && e.heading != without;
+  });
 }
 
 std::string OptionSet::as_file() const {

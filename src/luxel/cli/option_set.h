@@ -31,9 +31,13 @@ struct Declaration {
   bool is_flag = false;                           // present or not
   bool many = false;                              // may be given several times; parse is called for each
   bool configurable = true;                       // may stand in a file
+  bool recorded = true;                           // is part of the command that reproduces a result
+  std::string endings = {};                       // of the files it names, ".png .exr"; for completion
+  // Values that it gives to other options, unless a person set those: option and value.
+  std::function<std::vector<std::pair<std::string, std::string>>()> implied = {};
 };
 
-enum class Origin { by_default, from_file, from_command_line };
+enum class Origin { by_default, implied, from_file, from_command_line };
 
 // The options of one command. The home of CLI11, together with command_line.cpp.
 class OptionSet {
@@ -47,6 +51,8 @@ class OptionSet {
   // recorded of them. No choice: always used.
   void only_with(std::string choice = {}, std::string word = {});
   void add(Declaration declaration);
+  // Before all others, always used.
+  void add_first(Declaration declaration, std::string heading);
 
   // The common kinds. min <= value <= max is checked; the error names the limits.
   void add_number(const char* name, const char* unit, float& value, float min, float max, const char* help);
@@ -62,10 +68,39 @@ class OptionSet {
   void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);
   void add_switch(const char* name, bool& value, const char* help);  // on or off
   void add_flag(const char* name, bool& value, const char* help, bool configurable = true);
-  // A word without a flag; called once for each, in the order they are typed.
-  void set_positional(const char* name, std::string& value, const char* help);
+  // A word without a flag; called once for each, in the order they are typed. endings: see Declaration.
+  void set_positional(const char* name, std::string& value, const char* help, const char* endings = "");
   // One or more words.
   void set_positionals(const char* name, std::vector<std::string>& values, const char* help);
+
+  // The options that --help lists, in this order; all others are left to --help-all. They must be declared.
+  void show_first(std::vector<std::string> names);
+  // Command lines for the end of the help, each with what it does.
+  struct Example {
+    std::string line, meaning;
+  };
+  void set_examples(std::vector<Example> examples) { examples_ = std::move(examples); }
+  // Changes the default of an option; a name that this set does not have is ignored.
+  void set_default(const std::string& name, const std::string& value);
+
+  struct Entry {
+    Declaration declaration;
+    std::string heading;
+    std::string choice, word;  // see only_with
+    std::string default_value;
+    Origin origin = Origin::by_default;
+  };
+  struct Positional {
+    std::string name;
+    std::string* value;                // one word
+    std::vector<std::string>* values;  // or several
+    std::string help;
+    std::string endings;
+  };
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Positional>& positionals() const { return positionals_; }
+  const std::vector<std::string>& first() const { return first_; }
+  const std::vector<Example>& examples() const { return examples_; }
 
   const std::string& name() const { return name_; }
   const std::string& summary() const { return summary_; }
@@ -89,25 +124,15 @@ class OptionSet {
 
  private:
   friend class CommandLine;
-  struct Entry {
-    Declaration declaration;
-    std::string heading;
-    std::string choice, word;  // see only_with
-    std::string default_value;
-    Origin origin = Origin::by_default;
-  };
-  struct Positional {
-    std::string name;
-    std::string* value;                // one word
-    std::vector<std::string>* values;  // or several
-    std::string help;
-  };
 
+  Entry* find(const std::string& name);  // null: this set does not have it
   std::string value_of(const std::string& name) const;
   std::string words(const std::function<bool(const Entry&)>& is_shown) const;
   bool is_used(const Entry& entry) const;
   // Throws UsageError where an option of the command line is not used.
   void check_use() const;
+  // Sets what options imply for others, where a person did not set these.
+  void apply_implied();
 
   std::string name_;
   std::string summary_;
@@ -115,6 +140,8 @@ class OptionSet {
   std::string choice_, word_;
   std::vector<Entry> entries_;
   std::vector<Positional> positionals_;
+  std::vector<std::string> first_;
+  std::vector<Example> examples_;
 };
 
 // "50M", "1.5e6", "2000": a whole number with an optional k, M or G, for the option --name. Throws

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "luxel/classical/stochastic_jacobi.h"
 #include "luxel/cli/mesh_output.h"
 #include "luxel/cli/page_output.h"
 #include "luxel/core/ending_of.h"
@@ -16,9 +15,7 @@
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_page.h"
 #include "luxel/image/image_file.h"
-#include "luxel/render/automatic_camera.h"
 #include "luxel/render/final_gather.h"
-#include "luxel/render/render.h"
 
 namespace luxel {
 
@@ -31,11 +28,11 @@ bool is_among(const std::string& word, const std::string& words) {
   return false;
 }
 
-// The files a run will write, each at a place of its own.
+// The files that a run will write, each at a different place.
 class Places {
  public:
-  // Throws UsageError where the place is taken, DeviceError, beginning with the option, where no file can be
-  // made there: one is made and taken away again.
+  // Throws UsageError if the place is taken; DeviceError, beginning with the option, if no file can be
+  // created there. Tests it by creating and removing one.
   void add(const std::string& option, const std::string& path) {
     if (!taken_.insert(std::filesystem::absolute(path).lexically_normal()).second)
       throw UsageError(fmt::format("{} {} is given twice: each file needs its own name", option, path));
@@ -64,12 +61,6 @@ std::string default_output(const std::string& scene) {
   }
 }
 
-Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
-  if (look.up == "y") return {0.0f, 1.0f, 0.0f};
-  if (look.up == "z") return {0.0f, 0.0f, 1.0f};
-  return automatic_up(patches);
-}
-
 bool is_picture(const std::string& output) { return is_among(ending_of(output), picture_kinds); }
 
 void expect_ending(const std::string& option, const std::string& file, const std::string& kinds) {
@@ -81,52 +72,10 @@ void expect_ending(const std::string& option, const std::string& file, const std
 
 bool is_page(const std::string& output) { return ending_of(output) == ".html"; }
 
-namespace {
-
-// The light a camera is found by: the same whatever method the picture's own light comes from, and however
-// far it has got, so that pictures of one mesh can be laid beside each other.
-Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const Context& context) {
-  if (patches.has_sky()) return {};  // views are judged by what is shut in
-  Solution light;
-  try {
-    solve_stochastic_jacobi(patches, tracer, light, glance(patches), context);
-  } catch (const InputError&) {
-    return {};  // no light: all surfaces count alike
-  }
-  return light;
-}
-
-}  // namespace
-
-// What the flags leave open is found: the whole view, or the other end of it.
-Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
-                 const Tracer& tracer, const Context& context) {
-  const auto up = up_of(look, baked.patches);
-  // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
-  const auto aspect =
-      std::clamp(static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height),
-                 smallest_aspect, max_aspect);
-  Camera camera;
-  camera.up = up;
-  if (picture.of_scene && !picture.eye && !picture.target)
-    camera = *picture.of_scene;
-  else if (!picture.eye || !picture.target)
-    camera = automatic_camera(baked.patches, light_at_a_glance(baked.patches, tracer, context), tracer, up,
-                              aspect, context);
-  if (picture.eye) camera.eye = Vec3(*picture.eye - baked.patches.origin);
-  if (picture.target) camera.target = Vec3(*picture.target - baked.patches.origin);
-  if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
-  // A plan is drawn with what lies to the north (-z where y is up) at its top.
-  const Vec3d view = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));
-  const Vec3d tilt = glm::cross(view, glm::normalize(Vec3d(camera.up)));
-  if (glm::length(tilt) < 1e-5) camera.up = std::abs(camera.up.y) > 0.5f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
-  return camera;
-}
-
-void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone) {
-  if (ending_of(output) == ".exr") return write_exr(output, radiance);
-  if (ending_of(output) == ".hdr") return write_hdr(output, radiance);
-  write_png(output, tone_map(radiance, tone));
+void write_picture(const std::string& output, const Picture& picture, const ToneOptions& tone) {
+  if (ending_of(output) == ".exr") return write_exr(output, picture.radiance);
+  if (ending_of(output) == ".hdr") return write_hdr(output, picture.radiance);
+  write_png(output, tone_map(picture.radiance, tone, picture.edges, picture.sky));
 }
 
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
@@ -160,7 +109,7 @@ class OutputWriter {
         write(output);
       } catch (const DeviceError& error) {
         if (failure)
-          warn(place_.console.log(), error.what());
+          place_.console.log()({Severity::error, error.what()});
         else
           failure = std::current_exception();
       }
@@ -214,7 +163,7 @@ class OutputWriter {
   static bool is_any(const std::string&) { return true; }
 
   bool write_as_picture(const std::string& output) {
-    write_picture(output, *radiance_, settings_.look.tone);
+    write_picture(output, *picture_, settings_.look.tone);
     return true;
   }
   bool write_as_page(const std::string& output) {
@@ -254,13 +203,13 @@ class OutputWriter {
   void expose() {
     if (exposed_look_) return;
     constexpr RenderOptions small{.width = 320, .height = 240, .samples_per_side = 1};
-    const auto seen = render(baked_.patches, *light_, *tracer_, *written_.camera, small, place_.context);
+    const auto seen =
+        render_picture(baked_.patches, *light_, *tracer_, *written_.camera, small, place_.context);
     exposed_look_ = settings_.look;
     auto& tone = exposed_look_->tone;
-    const std::vector<float> weights(seen.pixels.size(), 1.0f);
     auto plain = tone;
     plain.exposure = 0.0f;
-    tone.scale = fit_curve(seen.pixels, weights, plain).scale;
+    tone.scale = fit_curve(seen.radiance, seen.sky, plain).scale;
   }
   const LookSettings& exposed_look() const { return exposed_look_ ? *exposed_look_ : settings_.look; }
   void make_light() {
@@ -279,10 +228,18 @@ class OutputWriter {
   }
   void find_camera() {
     if (written_.camera) return;
-    written_.camera = place_.record.stage("camera", [&](auto&) {
-      return camera_of(settings_.picture, settings_.look, baked_, *tracer_, place_.context);
-    });
-    if (!settings_.picture.is_given()) place_.console.say("camera: " + flags_of(*written_.camera));
+    written_.camera = settings_.camera;
+    if (!written_.camera)
+      written_.camera = place_.record.stage("camera", [&](auto&) {
+        return camera_of(settings_.picture, settings_.look, baked_, *tracer_, place_.context);
+      });
+    if (settings_.picture.is_given()) return;
+    const auto& outputs = settings_.run.outputs;
+    const bool is_seen = std::any_of(outputs.begin(), outputs.end(),
+                                     [](const auto& o) { return is_picture(o) || is_page(o); });
+    // A mesh only takes its exposure from it.
+    is_seen ? place_.console.say("camera", flags_of(*written_.camera))
+            : place_.console.detail("camera", flags_of(*written_.camera));
   }
   // As the command line takes it, in the coordinates of the file.
   std::string flags_of(const Camera& camera) const {
@@ -294,11 +251,11 @@ class OutputWriter {
                        camera.vertical_fov);
   }
   void draw() {
-    if (radiance_) return;
-    radiance_ = place_.record.stage("picture", [&](auto& stage) { return picture(stage); });
+    if (picture_) return;
+    picture_ = place_.record.stage("picture", [&](auto& stage) { return drawn(stage); });
     written_.stopped |= !was_interrupted_ && interrupted();
   }
-  Image picture(RunRecord::Stage& stage) {
+  Picture drawn(RunRecord::Stage& stage) {
     const auto& picture = settings_.picture;
     const auto pixels =
         static_cast<std::uint64_t>(picture.render.width) * static_cast<std::uint64_t>(picture.render.height);
@@ -306,16 +263,18 @@ class OutputWriter {
     if (picture.gather > 0) {
       const auto grid = std::uint64_t{gather_grid(picture.gather)};
       stage.rays = 3 * grid * grid * pixels;
-      return gather_picture(baked_.patches, baked_.solution, *tracer_, *written_.camera,
-                            {.width = picture.render.width,
-                             .height = picture.render.height,
-                             .rays = picture.gather,
-                             .seed = picture.render.seed},
-                            context);
+      auto gathered = gather_picture(baked_.patches, baked_.solution, *tracer_, *written_.camera,
+                                     {.width = picture.render.width,
+                                      .height = picture.render.height,
+                                      .rays = picture.gather,
+                                      .seed = picture.render.seed},
+                                     context);
+      return with_sky(std::move(gathered), baked_.patches, *tracer_, *written_.camera, picture.render,
+                      context);
     }
     const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
     stage.rays = side * side * pixels;
-    return render(baked_.patches, *light_, *tracer_, *written_.camera, picture.render, context);
+    return render_picture(baked_.patches, *light_, *tracer_, *written_.camera, picture.render, context);
   }
 
   const Baked& baked_;
@@ -326,7 +285,7 @@ class OutputWriter {
   const bool was_interrupted_ = interrupted();
   std::optional<SmoothLight> light_;
   std::optional<Tracer> own_tracer_;
-  std::optional<Image> radiance_;
+  std::optional<Picture> picture_;
   std::optional<LookSettings> exposed_look_;  // tone curve fitted to the view
   Written written_;
 };

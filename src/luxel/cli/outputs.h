@@ -10,9 +10,12 @@
 #include "luxel/cli/console.h"
 #include "luxel/cli/light_pages.h"
 #include "luxel/cli/mesh_settings.h"
+#include "luxel/cli/picture_camera.h"
 #include "luxel/cli/run_record.h"
 #include "luxel/cli/settings.h"
+#include "luxel/cli/time_budget.h"
 #include "luxel/core/context.h"
+#include "luxel/render/render.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/trace/tracer.h"
 
@@ -33,21 +36,14 @@ std::string default_output(const std::string& scene);
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
                        const std::string& checkpoint = {});
 
-// Returns the up direction, from the settings or else from the surfaces.
-Vec3 up_of(const LookSettings& look, const PatchSet& patches);
-
 // Throws UsageError where the file that an option names ends in none of `kinds`.
 void expect_ending(const std::string& option, const std::string& file, const std::string& kinds);
 // Whether it is one of picture_kinds, by its ending.
 bool is_picture(const std::string& output);
 bool is_page(const std::string& output);
 
-// The camera that the settings name, counted from the patches' origin; what they leave open is found.
-Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
-                 const Tracer& tracer, const Context& context);
-
-// radiance: W/(m² sr), tone-mapped where the extension requires it. Throws DeviceError.
-void write_picture(const std::string& output, const Image& radiance, const ToneOptions& tone);
+// picture: W/(m² sr), tone-mapped where the extension requires it. Throws DeviceError.
+void write_picture(const std::string& output, const Picture& picture, const ToneOptions& tone);
 
 // The state of the samples behind the light, where it is available.
 struct StoredSamples {
@@ -68,6 +64,7 @@ struct OutputSettings {
   const LookSettings& look;
   const PictureSettings& picture;
   MeshWish mesh = {};
+  std::optional<Camera> camera = {};  // where it is found already, from the patches' origin
 };
 
 // The data that a command works with.
@@ -75,6 +72,7 @@ struct Workplace {
   const Context& context;
   Console& console;
   RunRecord& record;
+  const TimeBudget* budget = nullptr;  // null: no limit
 };
 
 // Writes each output: the solution first, pictures last. Makes the smooth light, the tracer and the camera

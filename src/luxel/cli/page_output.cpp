@@ -14,7 +14,7 @@
 namespace luxel {
 namespace {
 
-// Each group of lamps alone.
+// The light of each group of lamps alone.
 std::vector<GroupLight> light_of_groups(const Baked& baked, const std::shared_ptr<const SampleState>& samples,
                                         const Tracer& tracer, const SmoothOptions& smooth,
                                         const Context& context) {
@@ -50,7 +50,7 @@ void write_page(const std::string& output, const PageInput& input, const LookSet
   const auto groups = light_of_groups(baked, samples, tracer, look.smooth, context);
   PageOptions options{.tone = look.tone, .title = look.title, .camera = camera};
   if (options.title.empty()) options.title = std::filesystem::path(output).stem().string();
-  options.camera.up = up_of(look, baked.patches);  // a plan's own up is for a picture that stands still
+  options.camera.up = up_of(look, baked.patches);  // a plan's own up is for a still picture
   export_page(output, baked.patches, baked.solution, light, groups, options);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/option_set.h"
+#include "luxel/session/words.h"
 
 namespace luxel {
 namespace {
@@ -33,7 +34,7 @@ std::optional<double> with_unit(const std::string& text, std::span<const Unit> u
 }  // namespace
 
 std::optional<double> parse_fraction(const std::string& text) {
-  // The decimal point is moved in the text: 1.3 % and 0.013 are the same number to the bit.
+  // Moves the decimal point in the text, so that 1.3 % and 0.013 are bitwise the same number.
   const auto fraction = text.ends_with('%') ? parse_double(text.substr(0, text.size() - 1) + "e-2")  //
                                             : parse_double(text);
   if (!fraction || !(*fraction >= 0.0 && *fraction < 1.0)) return std::nullopt;
@@ -78,5 +79,30 @@ std::string rough_bytes(std::uint64_t bytes) {
   return number < gibibyte ? fmt::format("{:.0f} MiB", std::ceil(number / mebibyte))
                            : fmt::format("{:.1f} GiB", number / gibibyte);
 }
+
+std::string rough_count(std::uint64_t count) {
+  const auto number = static_cast<double>(count);
+  if (number >= 1e9) return fmt::format("{:.3g} billion", 1e-9 * number);
+  if (number >= 1e6) return fmt::format("{:.3g} million", 1e-6 * number);
+  return with_commas(count);
+}
+
+std::string taken_time(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 100.0) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long>(std::llround(seconds));
+  if (whole < 6000) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+bool is_known_error(double error) { return error > 0.0 && error <= 1.0; }
+
+std::string percent_of(double fraction) {
+  constexpr double two_digits = 0.995;  // beyond it {:.2g} writes an exponent
+  return fraction < two_digits ? fmt::format("{:.2g} %", 100.0 * fraction)
+                               : fmt::format("{:.0f} %", 100.0 * fraction);
+}
+
+std::string error_text(double error) { return is_known_error(error) ? percent_of(error) : "not yet known"; }
 
 }  // namespace luxel

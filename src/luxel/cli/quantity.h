@@ -25,5 +25,14 @@ std::string as_bytes(std::uint64_t bytes);
 // For a person to read: "3 s", "50 min", "7 h", "12 days"; "300 MiB", "74.5 GiB".
 std::string rough_duration(double seconds);
 std::string rough_bytes(std::uint64_t bytes);
+// "850", "12,400", "3.4 million", "1.2 billion".
+std::string rough_count(std::uint64_t count);
+// For a finished run: "0.42 s", "12.3 s", "50 min 10 s".
+std::string taken_time(double seconds);
+
+// "1.9 %". An error above 100 % is a number without use: the light is not known yet.
+bool is_known_error(double error);
+std::string percent_of(double fraction);
+std::string error_text(double error);  // "1.9 %", or "not yet known"
 
 }  // namespace luxel

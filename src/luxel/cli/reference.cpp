@@ -8,6 +8,7 @@
 #include "luxel/cli/finish.h"
 #include "luxel/cli/lit_scene.h"
 #include "luxel/cli/outputs.h"
+#include "luxel/cli/quantity.h"
 #include "luxel/cli/reference_settings.h"
 #include "luxel/cli/run_report.h"
 #include "luxel/cli/settings.h"
@@ -33,6 +34,11 @@ class Reference final : public Command {
     options.add_text("error-picture", "FILE", error_picture_,
                      "also write the standard error of every pixel: .exr or .hdr");
     run_.declare(options, all_kinds);
+    options.show_first({"output", "error", "samples", "bounces-from", "max-edge", "sky", "eye", "target",
+                        "width", "height", "open"});
+    options.set_examples(
+        {{"luxel reference room.obj --error 5% -o truth.vtkhdf", "The light of every patch."},
+         {"luxel reference room.obj -o truth.exr --width 320 --height 240", "A picture."}});
   }
 
   int run() override {
@@ -74,6 +80,7 @@ class Reference final : public Command {
       }
     }
     if (light_.limits.samples == 0) report.error_target = light_.limits.error;
+    report.error_measure = ErrorMeasure::power;
     finish(report, run_, console);
     return has_stopped ? exit_stopped_early : exit_fine;
   }
@@ -109,10 +116,12 @@ class Reference final : public Command {
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
     baked.patches = record.stage(
-        "patches", [&](auto&) { return make_patches(scene, scene_.patches, console.reporting(context)); });
+        "patches", [&](auto&) { return make_patches(scene, scene_.patches, console.detailing(context)); });
     if (interrupted()) return {};
-    console.say(fmt::format("{}: {} triangles, {} patches, {} materials", scene_.file, scene.triangles.size(),
-                            baked.patches.size(), scene.materials.size()));
+    if (scene.cameras.empty() && !picture_.is_given() &&
+        std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
+      baked.patches.view = view_of(scene, look_, context);
+    console.say("scene", describe_scene(scene_.file, scene, baked.patches));
     return baked;
   }
 
@@ -143,13 +152,13 @@ class Reference final : public Command {
     provenance.program_version = LUXEL_VERSION;
     provenance.command_line = options().as_command(RunSettings::heading);
     provenance.options = options().used_values(RunSettings::heading);
-    console.say(
+    console.detail(
+        "light",
         fmt::format("{} paths per side; {}: standard error {:.2g} % (area-weighted relative RMS over "
                     "patches), below {:.2g} % for 95 % of the lit sides; seen error {:.2g} %",
                     traced.paths, description(traced.stop), 100.0 * traced.predicted_error,
                     100.0 * traced.error_95th, 100.0 * baked.solution.seen_error));
-    if (traced.stop == StopReason::stopped_by_user)
-      warn(console.log(), "stopped: writing the light there is");
+    if (traced.stop == StopReason::stopped_by_user) warn(console.log(), "stopped: writing the light so far");
     SolveReport report;
     report.stop = traced.stop;
     report.rays = traced.rays;
@@ -182,20 +191,20 @@ class Reference final : public Command {
       warn(console.log(), "stopped before every pixel had light: no picture is written");
       return picture;
     }
-    console.say(
-        fmt::format("{} paths per pixel; {}: standard error {:.2g} % of the reflected light (relative "
-                    "RMS over pixels)",
-                    traced.paths, description(traced.stop), 100.0 * traced.error));
+    console.say("picture", fmt::format("{} paths per pixel, error {} of the reflected light; {}",
+                                       traced.paths, error_text(traced.error), description(traced.stop)));
     if (traced.stop == StopReason::stopped_by_user)
       warn(console.log(), "stopped: writing the picture as it is");
-    const auto write = [&](const std::string& output, const Image& image) {
+    const auto write = [&](const std::string& output, const Picture& shown) {
       record.stage("write " + ending_of(output).substr(1),
-                   [&](auto&) { write_picture(output, image, look_.tone); });
+                   [&](auto&) { write_picture(output, shown, look_.tone); });
       report.outputs.push_back(output);
     };
     for (const auto& output : run_.outputs)
-      if (is_picture(output)) write(output, traced.radiance);
-    if (!error_picture_.empty()) write(error_picture_, traced.standard_error);
+      if (is_picture(output))
+        write(output,
+              with_sky(traced.radiance, baked.patches, tracer, camera, picture_.render, place.context));
+    if (!error_picture_.empty()) write(error_picture_, {traced.standard_error, {}, {}});
     return picture;
   }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/cli/accuracy_text.h"
 #include "luxel/cli/colour_text.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
@@ -14,11 +15,12 @@
 #include "luxel/cli/page_output.h"
 #include "luxel/cli/store_settings.h"
 #include "luxel/scene/name_pattern.h"
+#include "luxel/session/words.h"
 
 namespace luxel {
 namespace {
 
-// NAME=VALUE, given several times.
+// NAME=VALUE, may be repeated.
 struct NamedValue {
   std::string name, text;
 };
@@ -42,11 +44,12 @@ Declaration named_values(const char* name, const char* unit, const char* expecte
           .many = true};
 }
 
-// `relight`: lamps and colours change, no ray is traced.
+// `relight`: changes lamps and colours without tracing rays.
 class Relight final : public Command {
  public:
   explicit Relight(OptionSet& options) : Command(options) {
-    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake --store-transport' wrote");
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake --store-transport' wrote",
+                           ".vtkhdf");
     options.heading("Light");
     options.add(named_values("light", "GROUP=FACTOR", "GROUP=FACTOR, such as desk=0.3",
                              "multiply the power of a light group by a factor", lights_));
@@ -62,6 +65,11 @@ class Relight final : public Command {
     picture_.declare(options);
     picture_.declare_gather(options);
     run_.declare(options, all_kinds);
+    options.show_first({"output", "light", "off", "tint", "reflectance", "eye", "target", "width", "height",
+                        "exposure", "open"});
+    options.set_examples({{"luxel relight room.vtkhdf --light lamp=0.3 -o evening.png", "The lamp at 30 %."},
+                          {"luxel relight room.vtkhdf --off sun --reflectance wall=0.8,0.7,0.6 -o other.png",
+                           "Without a light group, with another wall."}});
   }
 
   int run() override {
@@ -90,11 +98,11 @@ class Relight final : public Command {
     });
     console.clear_bar();
     Baked relit{relighter.patches(), std::move(solution)};
-    join_light_groups(relit.patches);  // what was kept for each apart is not in the new file
+    join_light_groups(relit.patches);  // the light of single groups is not in the new file
     sign(relit, kept.baked.solution);
-    console.say(fmt::format("{} light groups, {} patches, seen error {:.2g} %, standard error {:.2g} %",
-                            patches.group_count(), patches.size(), 100.0 * relit.solution.seen_error,
-                            100.0 * relit.solution.predicted_error));
+    console.say("scene", fmt::format("{} patches, {}", with_commas(patches.size()),
+                                     counted_things(patches.group_count(), "light group")));
+    console.say("error", accuracy_text(relit.solution));
 
     if (std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))
       stand_still(camera_of(picture_, look_, kept.baked, tracer, context), patches);
@@ -102,7 +110,7 @@ class Relight final : public Command {
   }
 
  private:
-  // The indices of what is called so; throws where there is none.
+  // Returns the indices of the matching names; throws if there is none.
   std::vector<std::size_t> called(const std::string& option, const std::string& pattern,
                                   const std::vector<std::string>& names, const char* what) const {
     std::vector<std::size_t> found;
@@ -138,7 +146,7 @@ class Relight final : public Command {
 
   // [material * bands + band].
   std::vector<float> new_reflectances(const PatchSet& patches) const {
-    const auto most = LoadOptions().max_reflectance;  // as load lowers them
+    const auto most = LoadOptions().max_reflectance;  // the loader's limit
     std::vector<std::string> names;
     std::vector<float> reflectance;
     for (const auto& material : patches.materials) {
@@ -155,14 +163,15 @@ class Relight final : public Command {
     return reflectance;
   }
 
-  // Pictures of one room in several lights are taken from one place: where the light as it was is seen from.
+  // Keeps the camera: pictures of one room in several lights are taken from the place found for the original
+  // light.
   void stand_still(const Camera& camera, const PatchSet& patches) {
     picture_.eye = patches.in_file(camera.eye);
     picture_.target = patches.in_file(camera.target);
     picture_.vertical_fov = camera.vertical_fov;
   }
 
-  // What it came from, and what was changed.
+  // Writes the provenance: the original one, and the changes.
   void sign(Baked& relit, const Solution& before) const {
     auto& solution = relit.solution;
     const auto rays = solution.provenance.rays;

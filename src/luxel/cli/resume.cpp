@@ -5,15 +5,17 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/light_run.h"
 #include "luxel/cli/outputs.h"
+#include "luxel/cli/quantity.h"
+#include "luxel/session/words.h"
 
 namespace luxel {
 namespace {
 
-// `resume`: a bake goes on where its checkpoint was, with the options it had.
+// `resume`: continues a bake at its checkpoint, with its options.
 class Resume final : public Command {
  public:
   explicit Resume(OptionSet& options) : Command(options) {
-    options.set_positional("FILE", file_, "a .vtkhdf file of --checkpoint or --store-transport");
+    options.set_positional("FILE", file_, "a .vtkhdf file of --checkpoint or --store-transport", ".vtkhdf");
     told_.light.declare_bounds(options);
     told_.look.declare(options);
     told_.mesh.declare(options);
@@ -21,6 +23,11 @@ class Resume final : public Command {
     told_.run.declare(options, all_kinds);
     told_.light.declare_memory(options);
     told_.keep.declare_every(options);
+    options.show_first(
+        {"output", "error", "time", "rays", "eye", "target", "width", "height", "exposure", "open"});
+    options.set_examples(
+        {{"luxel resume run.vtkhdf", "Continues a bake that was stopped, and updates its file."},
+         {"luxel resume run.vtkhdf --error 1% -o finer.png", "Goes on to a smaller error."}});
   }
 
   bool takes_ranks() const override { return true; }
@@ -44,21 +51,21 @@ class Resume final : public Command {
     settings.keep.checkpoint = file_;
     settings.check();
 
-    // What was not changed stays as it was, to the letter.
+    // Unchanged options stay exactly as they were.
     const auto used = all.used_values(RunSettings::heading);
     if (used != provenance.options) {
       provenance.options = used;
       provenance.command_line += fmt::format("; {}", options().given_as_command(RunSettings::heading));
     }
-    console.say(fmt::format("{}: {} patches, goes on after {} rays", file_, kept.baked.patches.size(),
-                            provenance.rays));
+    console.say("resumes", fmt::format("{}: {} patches, after {} rays", file_,
+                                       with_commas(kept.baked.patches.size()), rough_count(provenance.rays)));
     return LightRun(settings, file_, options(), context, console, record)
         .run(kept.baked, nullptr, {}, kept.samples, nullptr);
   }
 
  private:
   std::string file_;
-  BakeSettings told_;  // of these, what was given
+  BakeSettings told_;  // the options given on the command line
 };
 
 }  // namespace

@@ -8,15 +8,17 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "luxel/cli/quantity.h"
+
 namespace luxel {
 namespace {
 
-// Seconds since the process was made, in steps of 10 ms; 0 where the system does not tell.
+// Seconds since the process started, in steps of 10 ms; 0 if the system does not provide it.
 double process_age() {
   std::ifstream file("/proc/self/stat");
   std::string text;
   std::getline(file, text);
-  // The 22nd number (proc(5), starttime); the second is a name in brackets that may hold anything.
+  // The 22nd field (proc(5), starttime); the second is a name in brackets that may contain anything.
   auto at = text.rfind(')');
   for (int field = 3; at != std::string::npos && field <= 22; ++field) at = text.find(' ', at + 1);
   timespec now{};
@@ -70,9 +72,16 @@ std::string RunRecord::table() const {
   return text;
 }
 
-std::string RunRecord::summary(bool with_stages) const {
-  return fmt::format("{}{:.1f} s, peak memory {:.0f} MiB", with_stages ? table() : "", now(),
-                     static_cast<double>(peak_memory()) / (1024.0 * 1024.0));
+std::uint64_t RunRecord::rays() const {
+  std::uint64_t sum = 0;
+  for (const auto& s : stages_) sum += s.rays;
+  return sum;
+}
+
+std::string RunRecord::summary() const {
+  auto text = taken_time(now());
+  if (rays() > 0) text += fmt::format(", {} rays", rough_count(rays()));
+  return text + fmt::format(", {} of memory", rough_bytes(peak_memory()));
 }
 
 }  // namespace luxel

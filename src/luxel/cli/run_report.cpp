@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "luxel/cli/quantity.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
@@ -95,7 +96,7 @@ struct RefineStopText {
   std::string_view name, description;
 };
 
-// Spelled as name() and description() of a StopReason are.
+// Worded like name() and description() of a StopReason.
 RefineStopText text_of(RefineStop stop) {
   switch (stop) {
     case RefineStop::mesh_error_reached:
@@ -124,7 +125,7 @@ Json to_json(const RefineReport& report, double target) {
           {"levels", std::move(levels)}};
 }
 
-// Which error a method states.
+// The kind of error that a method states.
 ErrorKind error_kind_of(const std::string& method) {
   if (method == "dense") return ErrorKind::integration;
   return method == "hemicube" ? ErrorKind::unknown : ErrorKind::noise;
@@ -212,7 +213,7 @@ Json to_json(const PagesRecord& record) {
   return json;
 }
 
-// Noise and bias, for a person. Those that are 0 are not estimated, and left out.
+// Noise and bias as text. Values of 0 are not estimated, and left out.
 std::string quality(ErrorKind kind, double seen_error, double error, double error_95th,
                     double unshot_fraction) {
   std::string text;
@@ -235,7 +236,7 @@ std::string bands_as_text(const PatchSet& patches) {
                      bands.back().wavelength);
 }
 
-// Of a spectrum the sum, which bands add up to.
+// For a spectrum the sum, to which bands add up.
 std::string sky_as_text(const PatchSet& patches) {
   if (patches.wavebands.empty()) return fmt::format("{}", fmt::join(patches.sky, " "));
   return fmt::format("{:.4g}", std::accumulate(patches.sky.begin(), patches.sky.end(), 0.0));
@@ -274,7 +275,7 @@ std::string RunReport::as_json() const {
     if (const auto seconds = record->first_light_after_load()) json["first_light_after_load_s"] = *seconds;
     json["peak_memory_bytes"] = peak_memory();
   }
-  // A file name may hold bytes that are no UTF-8: those are replaced rather than thrown over.
+  // A file name may contain bytes that are not UTF-8; these are replaced, as dump() would throw.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -301,16 +302,16 @@ std::string describe(const Baked& baked) {
   return text;
 }
 
-std::string describe(const RefineReport& report) {
+std::string describe(const RefineReport& report, bool is_late) {
   std::uint64_t rays = 0;
   std::vector<std::size_t> patches;
   for (const auto& level : report.levels) {
     rays += level.rays;
     patches.push_back(level.patches);
   }
-  return fmt::format("patches put where the light needs them: {}; {} rays; {}: mesh error {:.2g} %",
-                     fmt::join(patches, " > "), rays, text_of(report.stop).description,
-                     100.0 * report.mesh_error);
+  const auto why = is_late ? description(StopReason::time_limit) : text_of(report.stop).description;
+  return fmt::format("refined where the light needs it: {} patches; {} rays; {}: mesh error {}",
+                     fmt::join(patches, " > "), rays, why, error_text(report.mesh_error));
 }
 
 std::string describe(const SolveReport& report) {

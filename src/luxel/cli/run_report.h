@@ -31,8 +31,9 @@ struct RunReport {
   const Baked* baked = nullptr;
   const SolveReport* solve = nullptr;
   const RefineReport* refine = nullptr;
-  double mesh_error_target = 0.0;           // of the refinement, a share
-  std::optional<double> error_target = {};  // of the solve, a share; 0: no target was set
+  double mesh_error_target = 0.0;                   // of the refinement, a share
+  std::optional<double> error_target = {};          // of the solve, a share; 0: no target was set
+  ErrorMeasure error_measure = ErrorMeasure::seen;  // of that target
   std::optional<PictureRecord> picture = {};
   std::optional<PagesRecord> pages = {};
   std::optional<Camera> camera = {};
@@ -46,8 +47,8 @@ struct RunReport {
 
 // The solution and its patches as lines for a person.
 std::string describe(const Baked& baked);
-// How patches were put where the light needs them.
-std::string describe(const RefineReport& report);
+// How patches were put where the light needs them. is_late: the time limit ended it.
+std::string describe(const RefineReport& report, bool is_late);
 // Reports the work done, the balance of power, the reason for the end and the accuracy of the light, as lines
 // of text.
 std::string describe(const SolveReport& report);

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-constexpr float far = 1e9f;  // m; more than any scene
+constexpr float far = 1e9f;  // m; larger than any scene
 
 // "auto" or a number: `word` is what auto means in the library's own options.
 template <typename Value, typename Parse>
@@ -68,7 +68,7 @@ int parse_bands(const std::string& text) {
 }  // namespace
 
 void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
-  set.set_positional("SCENE", file, what_it_takes);
+  set.set_positional("SCENE", file, what_it_takes, ".obj .gltf .glb .ply .stl");
   set.heading("Scene");
   set.add_number("scale", "m", load.scale, 1e-9, far, "metres per unit of the file");
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,
@@ -123,19 +123,38 @@ void SceneSettings::check() const {
   if (load.bands > 0 && load.spectra.empty()) throw UsageError("--bands needs --spectral FILE");
 }
 
+RefineOptions RefineSettings::options(std::size_t patches) const {
+  RefineOptions options{.mesh_error = mesh_error, .max_patches = max_patches};
+  if (mesh_error != automatic) return options;
+  // An error of the mesh as large as that of the light, for about the cost of the light.
+  constexpr std::size_t enough = 100'000;
+  options.mesh_error = 0.02;
+  options.max_patches = std::min(max_patches, std::max(enough, patches + patches / 2));
+  options.max_levels = 5;
+  return options;
+}
+
 void RefineSettings::declare(OptionSet& set) {
   set.add(
       {"mesh-error", "fraction",
-       "refine patches until the estimated discretisation error is below this, such as 2%; none disables "
-       "refinement",
+       "refine patches until the error that their size leaves is below this, in the measure of --error; "
+       "auto: "
+       "2%, with at most five refinements and half as many patches again, or 100,000; none where --max-edge, "
+       "--rays or --time is given, and in the viewer; none disables refinement",
        [this](const std::string& text) {
-         const auto fraction = text == "none" ? std::optional(0.0) : parse_fraction(text);
+         const auto fraction = text == "none"   ? std::optional(0.0)
+                               : text == "auto" ? std::optional(automatic)
+                                                : parse_fraction(text);
          if (!fraction || (*fraction == 0.0 && text != "none"))
-           throw UsageError(fmt::format(
-               "--mesh-error: expected a fraction above 0 and below 1, such as 2%, or none, not '{}'", text));
+           throw UsageError(
+               fmt::format("--mesh-error: expected a fraction above 0 and below 1, such as 2%, auto "
+                           "or none, not '{}'",
+                           text));
          mesh_error = *fraction;
        },
-       [this] { return mesh_error == 0.0 ? std::string("none") : as_fraction(mesh_error); }});
+       [this] {
+         return mesh_error == automatic ? "auto" : mesh_error == 0.0 ? "none" : as_fraction(mesh_error);
+       }});
   set.add({"max-patches", "count", "with --mesh-error: maximum number of patches, such as 200k",
            [this](const std::string& text) { max_patches = parse_count("max-patches", text); },
            [this] { return fmt::format("{}", max_patches); }});
@@ -185,7 +204,7 @@ void LookSettings::declare(OptionSet& set) {
   set.add_number("crease-angle", "degrees", smooth.crease_angle, 0.0f, 180.0f,
                  "maximum angle between neighbours that are shaded smoothly");
   set.add(
-      {"tone", "OPERATOR", "tone mapping: neutral, reinhard, reinhard-local, maximum or clamp",
+      {"tone", "neutral|reinhard|reinhard-local|maximum|clamp", "tone mapping",
        [this](const std::string& text) {
          const auto op = tone_operator(text);
          if (!op)
@@ -212,14 +231,18 @@ void RunSettings::declare(OptionSet& set, const std::string& kinds) {
                        [this] { return fmt::format("{}", fmt::join(outputs, "\n")); }};
     output.letter = 'o';
     output.many = true;
+    output.endings = kinds;
     set.add(std::move(output));
   }
   set.add_number("threads", "count", threads, 0, 4096,
                  "number of threads; 0: all cores; results do not depend on it");
   set.add_text("json-file", "FILE", report, "write the result as JSON to this file");
   set.add_flag("json", json, "print the result as JSON");
-  set.add_flag("verbose", verbose, "print the time and the rays of each stage at the end");
-  set.add_flag("quiet", quiet, "print only warnings and errors");
+  if (kinds.find(".glb") != std::string::npos || kinds.find(".png") != std::string::npos)
+    set.add_flag("open", opens,
+                 "open the written picture, page or mesh with the desktop's program for it (xdg-open)");
+  set.add_flag("verbose", verbose, "print more about the light, and the time and the rays of each stage");
+  set.add_flag("quiet", quiet, "print nothing but errors, and what --json and --progress json print");
   set.add_choice("progress", {"auto", "json"}, progress,
                  "progress on the standard error; auto: for people, on a terminal; json: a line of JSON "
                  "several times per "

@@ -39,9 +39,14 @@ struct SceneSettings {
 
 // For commands that refine patches by the light.
 struct RefineSettings {
-  double mesh_error = 0.0;  // a share; 0: the patches stay as they are
+  static constexpr double automatic = -1.0;
+  double mesh_error = automatic;  // a fraction; 0: the patches stay as they are
   std::size_t max_patches = RefineOptions().max_patches;
-  bool is_asked() const { return mesh_error > 0.0; }
+
+  // Whether patches are refined; can_refine: whether they are where nothing is given.
+  bool is_on(bool can_refine) const { return mesh_error == automatic ? can_refine : mesh_error > 0.0; }
+  // How, for patches that begin as these.
+  RefineOptions options(std::size_t patches) const;
   void declare(OptionSet& set);
 };
 
@@ -107,6 +112,7 @@ struct RunSettings {
   bool quiet = false;
   bool verbose = false;  // the stages, too
   std::string progress = "auto";
+  bool opens = false;  // a written file, on the desktop
   std::string report;
   // kinds: the endings -o takes, for the help.
   void declare(OptionSet& set, const std::string& kinds);

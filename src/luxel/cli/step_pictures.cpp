@@ -11,11 +11,13 @@
 namespace luxel {
 namespace {
 
-ToneCurve curve_of(const Image& radiance, const ToneOptions& tone) {
-  const std::vector<float> weights(radiance.pixels.size(), 1.0f);
+// The options that show any picture with the exposure of this one.
+ToneOptions exposed_as(const Picture& picture, const ToneOptions& tone) {
   auto options = tone;
   if (options.op == ToneOperator::reinhard_local) options.op = ToneOperator::reinhard;
-  return fit_curve(radiance.pixels, weights, options);
+  options.scale = fit_curve(picture.radiance, picture.sky, options).scale;
+  options.exposure = 0.0f;
+  return options;
 }
 
 }  // namespace
@@ -46,17 +48,16 @@ std::vector<std::string> StepPictures::write(const Baked& baked, const Tracer& t
     const auto draw = [&](const Step& step) {
       auto light = baked.solution;
       light.irradiance = step.irradiance;
-      return render(baked.patches, make_smooth_light(baked.patches, light, look.smooth, context), tracer,
-                    from, picture.render, context);
+      return render_picture(baked.patches, make_smooth_light(baked.patches, light, look.smooth, context),
+                            tracer, from, picture.render, context);
     };
-    const auto curve = curve_of(draw(steps_.back()), look.tone);
+    const auto tone = exposed_as(draw(steps_.back()), look.tone);
     const auto monitor = console.monitor(false);
     for (const auto& step : steps_) {
-      auto shown = draw(step);
-      for (auto& pixel : shown.pixels) pixel = curve(pixel);
+      const auto shown = draw(step);
       files.push_back(
           (std::filesystem::path(folder_) / fmt::format("step-{:03}.png", files.size() + 1)).string());
-      write_png(files.back(), shown);
+      write_png(files.back(), tone_map(shown.radiance, tone, shown.edges, shown.sky));
       tell(monitor, {"steps", static_cast<double>(files.size()) / static_cast<double>(steps_.size())});
     }
     console.clear_bar();

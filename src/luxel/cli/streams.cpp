@@ -17,8 +17,8 @@ namespace luxel {
 void secure_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
-    // open() gives the lowest free number: this one. Opened the wrong way round, so that its use fails as
-    // that of a closed one would.
+    // open() returns the lowest free number: this one. Opened in the wrong direction, so that using it fails
+    // like using a closed stream.
     [[maybe_unused]] const int held = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
   std::signal(SIGPIPE, SIG_IGN);
@@ -27,8 +27,8 @@ void secure_streams() {
 
 void print_result(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!written || std::fflush(stdout) != 0)
-    throw DeviceError(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+  if ((written && std::fflush(stdout) == 0) || errno == EPIPE) return;
+  throw DeviceError(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }
 
 void print_note(std::string_view text) {

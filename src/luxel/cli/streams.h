@@ -12,6 +12,7 @@ namespace luxel {
 void secure_streams();
 
 // Results, on the standard output. Throws DeviceError where they do not arrive: a full disk, a closed stream.
+// A reader that has ended (luxel ... | head) wants no more of them, which is no error.
 void print_result(std::string_view text);
 
 // Writes a message to the standard error stream. Errors of the stream are ignored.

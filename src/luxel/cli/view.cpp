@@ -5,12 +5,13 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/version.h"
+#include "luxel/viewer/recent_files.h"
 #include "luxel/viewer/run_window.h"
 
 namespace luxel {
 namespace {
 
-// `view`: a window on a scene while its light is solved, or on a solution.
+// `view`: a window that shows a scene while its light is solved, or a solution.
 class View final : public Command {
  public:
   explicit View(OptionSet& options) : Command(options) {
@@ -29,10 +30,17 @@ class View final : public Command {
     options.add_text("save", "FILE", save_, "solution file (.vtkhdf) written when the window closes");
     options.add_text("snapshot", "FILE", snapshot_, "draw off screen and write this .png at the end");
     options.add_text("script", "FILE", script_, "run the commands of this file; see docs/viewer.md");
+    options.add_number("ui-scale", "factor", ui_scale_, 0.0f, 8.0f,
+                       "size of text and controls, 2: twice as large; 0: that of the display");
     options.add_flag("off-screen", off_screen_, "draw off screen, for scripts that save pictures");
     options.add_number("threads", "count", s.run.threads, 0, 4096,
-                       "threads that solve; 0: all cores but one");
+                       "threads that solve, at a lower priority than the window; 0: all cores");
     s.light.declare_memory(options);
+    s.quality.declare(options);
+    options.show_first(
+        {"quality", "error", "time", "max-edge", "sky", "eye", "target", "save", "compare", "snapshot"});
+    options.set_examples({{"luxel view room.obj", "Shows the light while it is solved."},
+                          {"luxel view room.vtkhdf", "Shows a solution."}});
   }
 
   int run() override {
@@ -40,7 +48,7 @@ class View final : public Command {
     settings_.light.check();
     settings_.picture.check();
     const auto report = run_window(window_settings());
-    if (!report.saved.empty()) Console().say(report.saved);
+    if (!report.saved.empty()) Console().say("wrote", report.saved);
     return report.interrupted ? exit_stopped_early : exit_fine;
   }
 
@@ -51,27 +59,31 @@ class View final : public Command {
         .file = s.scene.file,
         .live = [this](const std::filesystem::path& file) { return session_settings(file); },
         .size = {s.picture.render.width, s.picture.render.height},
+        .text_scale = ui_scale_,
         .eye = s.picture.eye,
         .target = s.picture.target,
         .vertical_fov = s.picture.vertical_fov,
         .tone = s.look.tone,
         .off_screen = off_screen_ || !snapshot_.empty(),
+        .version = LUXEL_VERSION,
         .is_interrupted = interrupted};
     if (s.look.up != "auto") window.up = s.look.up == "y" ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(0.0f, 0.0f, 1.0f);
     if (!compare_.empty()) window.compare = compare_;
     if (!save_.empty()) window.save = save_;
     if (!snapshot_.empty()) window.snapshot = snapshot_;
     if (!script_.empty()) window.script = read_script(script_);
+    if (!window.script && !window.off_screen) window.recent = recent_files_path();
     return window;
   }
 
-  // As a bake of the file with the same options.
+  // The same settings as a bake of the file with these options.
   SessionSettings session_settings(const std::filesystem::path& file) const {
     const auto& s = settings_;
     SessionSettings live{.load = s.scene.load,
                          .adds_default_light = s.scene.adds_default_light,
                          .patches = s.scene.patches,
-                         .refine = {.mesh_error = s.refine.mesh_error, .max_patches = s.refine.max_patches},
+                         .refine = {.mesh_error = s.refine.is_on(false) ? s.refine.mesh_error : 0.0,
+                                    .max_patches = s.refine.max_patches},
                          .light = s.light,
                          .joins_faces = s.light.joins_faces,
                          .focus = s.light.focus,
@@ -107,6 +119,7 @@ class View final : public Command {
 
   BakeSettings settings_;
   std::string compare_, save_, snapshot_, script_;
+  float ui_scale_ = 0.0f;
   bool off_screen_ = false;
 };
 

@@ -34,7 +34,7 @@ std::string describe(const FactorCheck& check, const ViewFactors& factors) {
 }
 
 std::string matrix(const ViewFactors& f) {
-  std::size_t widest = 11;  // (environment), with what the second column has more
+  std::size_t widest = 11;  // (environment), plus the extra width of the second column
   for (const auto& name : f.name) widest = std::max(widest, name.size());
   std::string text;
   for (std::size_t i = 0; i < f.size(); ++i) {

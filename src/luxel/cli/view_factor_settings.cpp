@@ -14,11 +14,11 @@
 namespace luxel {
 namespace {
 
-// A factor in an HDF5 file, which is made in memory.
+// Size of a factor in an HDF5 file, which is built in memory.
 constexpr std::uint32_t bytes_in_file = 16;
-// What a row may be off by, where factors between patches are asked for without more ado.
+// Default tolerance of a row sum, for factors between patches.
 constexpr double usual_row_error = 0.04;
-constexpr double memory_fraction = 0.8;  // of what is free
+constexpr double memory_fraction = 0.8;  // of the free memory
 
 double parse_factor(const std::string& name, const std::string& text) {
   const auto value = parse_double(text);
@@ -27,7 +27,7 @@ double parse_factor(const std::string& name, const std::string& text) {
       fmt::format("--{}: expected a factor from 0 to below 1, such as 0.001, not '{}'", name, text));
 }
 
-// Some names for a sentence.
+// Some of the names, as text.
 std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t most = 8;
   auto text = fmt::format("{}", fmt::join(names.begin(), names.begin() + std::min(most, names.size()), ", "));
@@ -104,10 +104,10 @@ ElementSides ViewFactorSettings::element_sides() const {
 }
 
 PatchOptions ViewFactorSettings::patch_options(PatchOptions given) const {
-  // Closed forms need no small patches, and factors between patches are asked of those there are.
+  // Closed forms need no small patches, and factors between patches are computed for the given ones.
   if (given.max_edge == automatic_edge && (kind() == Between::patches || is_exact))
     given.max_edge = no_max_edge;
-  given.contacts = false;  // surfaces count as they are described, and no light is drawn on them
+  given.contacts = false;  // surfaces are used as described, and no light is drawn on them
   return given;
 }
 

@@ -3,6 +3,7 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
+#include "luxel/cli/finish.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
@@ -13,13 +14,14 @@
 #include "luxel/core/memory.h"
 #include "luxel/core/output_file.h"
 #include "luxel/form_factors/view_factors_file.h"
+#include "luxel/session/words.h"
 #include "luxel/version.h"
 
 namespace luxel {
 namespace {
 
 constexpr const char* kinds = ".h5 .csv .mtx";
-constexpr double many_backs = 0.001;  // of what leaves
+constexpr double many_backs = 0.001;  // of the outgoing power
 
 class ViewFactorsCommand final : public Command {
  public:
@@ -28,6 +30,11 @@ class ViewFactorsCommand final : public Command {
     settings_.declare(options);
     run_.declare(options, kinds);
     settings_.declare_memory(options);
+    options.show_first(
+        {"output", "between", "error", "rays", "max-edge", "sides", "from", "exact", "enforce"});
+    options.set_examples(
+        {{"luxel viewfactors room.obj -o room.csv", "Between the groups of the file, as a table."},
+         {"luxel viewfactors room.obj --between patches --max-edge 0.5 -o room.h5", "Between patches."}});
   }
 
   int run() override {
@@ -37,7 +44,7 @@ class ViewFactorsCommand final : public Command {
     const Context context(run_.threads);
     RunRecord record;
 
-    // 1. The surfaces, and what the factors are between.
+    // 1. The surfaces, and the elements.
     const auto scene = record.stage(
         "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
     if (interrupted()) return stopped_before_factors(console);
@@ -46,8 +53,9 @@ class ViewFactorsCommand final : public Command {
     });
     if (interrupted()) return stopped_before_factors(console);
     const auto elements = make_view_elements(scene, patches, settings_.kind(), settings_.element_sides());
-    console.say(fmt::format("{}: {} triangles, {} patches; view factors between {} {}", scene_.file,
-                            scene.triangles.size(), patches.size(), elements.size(), settings_.between));
+    console.say("scene", fmt::format("{}: {} triangles, {} patches; view factors between {} {}", scene_.file,
+                                     with_commas(scene.triangles.size()), with_commas(patches.size()),
+                                     with_commas(elements.size()), settings_.between));
     const auto options_for_sampling = settings_.sample_options(elements, run_.outputs);
     console.announce("hierarchy");
     const auto tracer = record.stage("hierarchy", [&](auto&) { return Tracer(patches, context); });
@@ -67,7 +75,7 @@ class ViewFactorsCommand final : public Command {
     });
     if (!factors) return stopped_before_factors(console);
 
-    // 3. What they must obey. Stopped or not, what there is gets written.
+    // 3. The checks. Results are written even if stopped.
     report.factors = &*factors;
     const auto check = [&](auto&) { return check_view_factors(*factors, console.reporting(context)); };
     report.check = record.stage("check", check);
@@ -76,10 +84,10 @@ class ViewFactorsCommand final : public Command {
           record.stage("enforce", [&](auto&) { return enforce_laws(*factors, console.reporting(context)); });
       report.check_after = record.stage("check", check);
     }
-    console.say(report.as_text());
+    console.say("factors", report.as_text());
     report_error_estimates(report, console);
 
-    // 4. What was asked for.
+    // 4. The requested files.
     const auto note = note_of(patches, elements, report);
     for (const auto& output : run_.outputs) {
       record.stage("write " + ending_of(output).substr(1), [&](auto&) { write(output, *factors, note); });
@@ -87,12 +95,12 @@ class ViewFactorsCommand final : public Command {
     }
     report.options = &options();
     report.record = &record;
-    console.say(record.summary(run_.verbose));
+    report_end(record, report.outputs, {}, console);
     if (!run_.report.empty()) write_file(run_.report, report.as_json());
     if (run_.json)
       print_result(report.as_json());
     else
-      for (const auto& output : run_.outputs) print_result(output + "\n");
+      print_files(report.outputs, run_, console);
     return fell_short(report) ? exit_stopped_early : exit_fine;
   }
 

@@ -46,6 +46,8 @@ enum class RandomPurpose : std::uint32_t {
   traced_sides = 0x70617468u,   // the path-traced reference: sides,
   traced_pixels = 0x76696577u,  // pixels,
   traced_points = 0x706f696eu,  // points
+  probes = 0x6c757870u,         // points that measure a solution's light
+  sphere_probes = 0x73706870u,  // and what arrives there from all around
 };
 
 // Seeds of those who follow no seed of the user's, or one apart from it.

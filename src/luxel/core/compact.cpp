@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/core/compact.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include <zlib.h>
 
@@ -20,19 +22,19 @@ std::string deflated(std::string_view bytes) {
   return out;
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+std::string base85(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "!#%()*+,./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_abcdefghijklmnopqrstuvwxyz{|}~";
+  static_assert(digits.size() == 85);
   std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i + k])) : 0u;
-    };
-    const auto three = byte(0) << 16u | byte(1) << 8u | byte(2);
-    text += digits[three >> 18u];
-    text += digits[three >> 12u & 63u];
-    text += i + 1 < bytes.size() ? digits[three >> 6u & 63u] : '=';
-    text += i + 2 < bytes.size() ? digits[three & 63u] : '=';
+  text.reserve((bytes.size() + 3) / 4 * 5);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t four = 0;
+    for (std::size_t k = i; k < i + 4; ++k)
+      four = four << 8u | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    std::array<char, 5> group{};
+    for (std::size_t k = group.size(); k-- > 0; four /= 85u) group[k] = digits[four % 85u];
+    text.append(group.data(), group.size());
   }
   return text;
 }

@@ -10,7 +10,8 @@ namespace luxel {
 // from the same version of zlib. Throws DeviceError where memory is short.
 std::string deflated(std::string_view bytes);
 
-// The bytes as text (RFC 4648, section 4): letters, digits, + and /, ends in = where it must.
-std::string base64(std::string_view bytes);
+// The bytes as text, five characters for four bytes: digits, letters and punctuation that HTML leaves as they
+// are (no <, &, quotes or backslash). Up to three bytes of zeros are added at the end, to make whole groups.
+std::string base85(std::string_view bytes);
 
 }  // namespace luxel

@@ -64,7 +64,7 @@ void Context::for_chunks(std::size_t count, std::size_t grain,
     for (auto chunk = range.begin(); chunk != range.end(); ++chunk)
       body(chunk * grain, std::min(count, (chunk + 1) * grain), tbb::this_task_arena::current_thread_index());
   };
-  // simple_partitioner: the automatic one hands out long runs and answers a stop late.
+  // simple_partitioner: the automatic one hands out long ranges and reacts late to a stop.
   threads_->arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1), run_chunks, tbb::simple_partitioner());
   });

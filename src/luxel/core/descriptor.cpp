@@ -15,7 +15,7 @@ Descriptor::Descriptor(const std::filesystem::path& path, int flags) {
 }
 
 Descriptor::~Descriptor() {
-  // A caller's throw may still want errno.
+  // Keeps errno for a caller that throws an error with it afterwards.
   const int error = errno;
   if (is_open()) ::close(number_);
   errno = error;

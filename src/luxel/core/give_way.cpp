@@ -10,7 +10,7 @@ namespace luxel {
 void give_way() {
 #ifdef __linux__
   constexpr int nicer = 10;
-  // 0 is the calling thread. Being nicer is never refused; past the end the last value holds.
+  // 0 is the calling thread. Raising the niceness is always permitted; beyond its maximum it is clamped.
   setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + nicer);
 #endif
 }

@@ -26,7 +26,8 @@ std::optional<std::uint64_t> number_in(std::string_view text) {
   return read.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-// The number behind a key at the beginning of a line; without a key, at the beginning of the file.
+// Returns the number after a key at the beginning of a line; without a key, the number at the beginning of
+// the file.
 std::optional<std::uint64_t> number_after(const fs::path& file, std::string_view key = {}) {
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);)
@@ -38,7 +39,7 @@ std::uint64_t kibibytes(const fs::path& file, std::string_view key) {
   return 1024 * number_after(file, key).value_or(0);
 }
 
-// Of words parted by commas.
+// words: separated by commas.
 bool has_word(std::string_view words, std::string_view word) {
   while (!words.empty()) {
     const auto end = std::min(words.size(), words.find(','));
@@ -55,12 +56,12 @@ std::uint64_t left_of(std::optional<std::uint64_t> limit, std::uint64_t used) {
   return *limit > used ? *limit - used : 1;
 }
 
-// Names of files of one version of control groups.
+// File names of one version of control groups.
 struct ControlFiles {
   const char* folder;
   const char* limit;
   const char* used;
-  std::string_view cache;  // key in memory.stat: pages of files, which the system takes back
+  std::string_view cache;  // key in memory.stat: file cache that the system can reclaim
 };
 constexpr ControlFiles first_version = {"sys/fs/cgroup/memory", "memory.limit_in_bytes",
                                         "memory.usage_in_bytes", "total_inactive_file "};
@@ -78,7 +79,7 @@ std::uint64_t left_by_control_groups(const fs::path& root) {
     const bool is_second = controllers.empty();
     if (!is_second && !has_word(controllers, "memory")) continue;
     const auto& files = is_second ? second_version : first_version;
-    // Inside a container the path may be one that is seen from outside: then the topmost folder is its own.
+    // Inside a container the path may be the one of the host; then the topmost folder is the container's own.
     for (auto path = fs::path(line.substr(second + 1)).relative_path();; path = path.parent_path()) {
       const auto folder = root / files.folder / path;
       const auto used = number_after(folder / files.used).value_or(0);

@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::size_t max_message = std::size_t{1} << 30;  // bytes; MPI counts in int
 
-// Whether a launcher started this: to begin MPI without one would take a tenth of a second for nothing.
+// Returns whether a launcher started this process: starting MPI without one would cost a tenth of a second.
 bool is_launched() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
     if (std::getenv(name)) return true;
   return false;
 }
 
-// A failed call ends all ranks with MPI's own message: that is MPI's default, and what is wanted.
+// A failed call ends all ranks with MPI's own message, which is MPI's default.
 class MpiRanks final : public Ranks {
  public:
   MpiRanks() {
@@ -69,7 +69,7 @@ class MpiRanks final : public Ranks {
 
   std::unique_ptr<Pending> start_all_gather(std::span<const std::byte> own,
                                             std::span<std::byte> all) const override {
-    // Messages to each, which need nothing of a rank that computes; a collective call would need its help.
+    // Point-to-point messages, which need no action of a rank that computes; a collective call would.
     constexpr int tag = 1;
     auto messages = std::make_unique<Messages>(*this);
     const auto count = static_cast<int>(own.size());
@@ -126,7 +126,7 @@ class MpiRanks final : public Ranks {
   }
 
  private:
-  // While there is one, the rank is waiting.
+  // Counts as waiting time of the rank while it exists.
   class Wait {
    public:
     Wait(const MpiRanks& ranks, std::size_t bytes_come) : traffic_(ranks.traffic_) {
@@ -197,7 +197,7 @@ void leave_ranks(int exit_code) {
 
 namespace luxel {
 
-// Processes that know nothing of each other would all write the same files.
+// Processes without MPI are unaware of each other and would all write the same files.
 std::unique_ptr<Ranks> join_ranks() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const auto* size = std::getenv(name); size && std::atoi(size) > 1)

@@ -47,7 +47,8 @@ void check_folder(const fs::path& path, const fs::path& folder) {
   if (!fs::is_directory(status)) refuse(path, fmt::format("'{}' is not a folder", folder.string()));
 }
 
-// A new empty file beside `target`. The process number keeps programs apart, the counter writers within one.
+// Creates a new empty file beside `target`. The process number separates programs, the counter writers within
+// one.
 fs::path create_beside(const fs::path& path, const fs::path& target) {
   constexpr std::size_t longest_stem = 100;  // leaves room below the 255 bytes of a file name
   constexpr int max_attempts = 1000;
@@ -109,8 +110,8 @@ void OutputFile::commit() {
     struct stat old = {};
     if (::stat(target_.c_str(), &old) == 0) ::chmod(temporary_.c_str(), old.st_mode & 07777);
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) refuse(path_, errno);
-    // The name lasts once the folder is on the disk as well. Some file systems cannot flush a folder; the
-    // file is whole without it, so that is no failure.
+    // The new name is durable once the folder is on the disk as well. Some file systems cannot flush a
+    // folder; the file is complete anyway, so this is no failure.
     const Descriptor folder(folder_of(target_), O_RDONLY | O_DIRECTORY);
     if (folder.is_open()) ::fsync(folder.number());
   }

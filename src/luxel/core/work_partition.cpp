@@ -9,9 +9,9 @@
 namespace luxel {
 namespace {
 
-constexpr double worth_moving = 1.05;  // the last rank's time over the mean, where moving begins
-constexpr double good_enough = 1.01;   // and where it ends
-// Adjacent blocks begin with one owner: rays of similar directions from neighbouring blocks are traced
+constexpr double worth_moving = 1.05;  // time of the slowest rank over the mean, above which blocks move
+constexpr double good_enough = 1.01;   // and at which moving ends
+// Adjacent blocks start with one owner: rays of similar directions from neighbouring blocks are traced
 // together.
 constexpr std::size_t max_together = 4;
 
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> balanced_owners(std::vector<std::uint32_t> owners, st
   while (*last > good_enough * mean) {
     const auto from = static_cast<std::size_t>(last - time.begin());
     const auto to = static_cast<std::size_t>(std::min_element(time.begin(), time.end()) - time.begin());
-    // The heaviest that still leaves the other one earlier than this one is now.
+    // The heaviest block after whose move the other rank still finishes earlier than this one does now.
     auto& own = blocks[from];
     const auto most = (time[from] - time[to]) * speed[to];
     const auto end =
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> heaviest_first(std::span<const double> load) {
 }
 
 std::vector<std::uint32_t> dealt_units(std::span<const double> load, const ProcessTimes& times) {
-  using Rank = std::tuple<double, std::uint32_t>;  // when it is done, and which
+  using Rank = std::tuple<double, std::uint32_t>;  // time at which it is ready, and its number
   std::priority_queue<Rank, std::vector<Rank>, std::greater<>> ranks;
   for (std::uint32_t r = 0; r < times.ready.size(); ++r) ranks.emplace(times.ready[r], r);
   std::vector<std::uint32_t> owners(load.size());

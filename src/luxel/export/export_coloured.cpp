@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-// Lighter where a triangle faces up, darker below, and a little different to each side.
+// Lighter where a triangle faces up, darker below, and slightly different to each side.
 float shade(const Vec3& normal, const Vec3& up) {
   const auto level = glm::dot(normal, up);
   const auto aside = glm::dot(normal, glm::normalize(Vec3(0.6f, 0.35f, 0.7f)));
@@ -35,7 +35,7 @@ Json add_primitive(GltfWriter& file, const ColouredMesh& mesh, const Vec3& up) {
   return {{"attributes", std::move(attributes)}, {"indices", file.add_indices(triangles, positions.size())}};
 }
 
-// Returns the node.
+// Returns the node's index.
 std::size_t add_mesh(GltfWriter& file, const ColouredMesh& mesh, const Vec3& up) {
   auto primitive = add_primitive(file, mesh, up);
   primitive["material"] = file.append("/materials", unlit_material(mesh.name, mesh.colour, true));

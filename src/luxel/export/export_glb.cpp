@@ -16,7 +16,7 @@
 namespace luxel {
 namespace {
 
-// The columns of one part as glTF wants them.
+// The columns of one part in glTF's layout.
 struct Columns {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/export_page.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "luxel/core/bounds.h"
 #include "luxel/core/compact.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
@@ -14,6 +17,7 @@
 #include "luxel/export/page_light.h"
 #include "luxel/export/page_mesh.h"
 #include "luxel/export/page_template.h"
+#include "luxel/export/page_textures.h"
 #include "luxel/export/utf8.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/scene/luminous_efficacy.h"
@@ -22,11 +26,11 @@ namespace luxel {
 namespace {
 
 // The version of the page's data; increases with each change that an older page would misread.
-constexpr int data_version = 1;
+constexpr int data_version = 2;
 
 Json three(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-// The array of what is made of each thing.
+// An array of member(thing) for each thing.
 template <typename Things, typename Member>
 Json list_of(const Things& things, Member member) {
   Json list = Json::array();
@@ -35,18 +39,22 @@ Json list_of(const Things& things, Member member) {
 }
 
 Json group_names(const PatchSet& patches, std::span<const GroupLight> groups) {
-  if (groups.empty()) return Json::array({""});
+  if (groups.empty())
+    return Json::array({patches.light_groups.size() == 1 ? valid_utf8(patches.light_groups[0]) : ""});
   return list_of(patches.light_groups, [](const std::string& name) { return valid_utf8(name); });
 }
 
-Json materials_of(const PatchSet& patches, const BandColours& colours, bool has_groups) {
+Json materials_of(const PatchSet& patches, const BandColours& colours, const PageTextures& textures,
+                  bool has_groups) {
+  std::size_t number = 0;
   return list_of(patches.materials, [&](const BandMaterial& m) -> Json {
     const auto reflectance = patches.wavebands.empty() ? colours.rgb(m.reflectance) : Vec3d(1.0);
     return {{"name", valid_utf8(m.name)},
             {"reflectance", three(reflectance)},
             {"emittance", three(colours.rgb(m.emittance))},
             {"group", has_groups ? m.light_group : 0u},
-            {"twoSided", m.two_sided}};
+            {"twoSided", m.two_sided},
+            {"textures", textures.description(number++)}};
   });
 }
 
@@ -85,33 +93,81 @@ struct Page {
   std::string about, numbers;
 };
 
+// Positions as whole steps from the lower corner of the scene's box: about a millionth of the box's longest
+// edge, 10 micrometres in 10 m.
+constexpr double steps_along_box = 1 << 20;
+
+Json add_positions(PageArrays& arrays, const PatchSet& patches, const PageMesh& mesh) {
+  Bounds box;
+  for (const auto& v : mesh.vertices) box.add(patches.vertices[v.point.vertex]);
+  if (mesh.vertices.empty()) box.add(Vec3(0.0f));
+  const auto size = box.size();
+  const auto longest = static_cast<double>(std::max({size.x, size.y, size.z}));
+  const auto step = longest > 0.0 ? longest / steps_along_box : 1.0;
+  std::vector<std::int32_t> places;
+  for (const auto& v : mesh.vertices) {
+    const auto from_corner = (Vec3d(patches.vertices[v.point.vertex]) - Vec3d(box.low)) / step;
+    for (int i = 0; i < 3; ++i) places.push_back(static_cast<std::int32_t>(std::lround(from_corner[i])));
+  }
+  arrays.add_differences("positions", places, 3);
+  return {{"low", three(Vec3d(box.low))}, {"step", step}};
+}
+
+// Corners count back from the first vertex that no triangle before has used: small numbers.
+void add_triangles(PageArrays& arrays, const PageMesh& mesh) {
+  std::vector<std::int32_t> corners, patch;
+  std::uint32_t next = 0;
+  for (const auto& t : mesh.triangles)
+    for (const auto v : t) {
+      corners.push_back(static_cast<std::int32_t>(next - v));
+      next = std::max(next, v + 1);
+    }
+  for (const auto p : mesh.patch) patch.push_back(static_cast<std::int32_t>(p));
+  arrays.add_differences("corners", corners, 0);
+  arrays.add_differences("patches", patch, 1);
+}
+
+// Halves of `components` numbers each. Where the three colours change alike, the second and third are stored
+// less the first.
+void add_halves(PageArrays& arrays, std::string_view name, std::span<const std::uint16_t> halves,
+                std::size_t components) {
+  std::vector<std::int32_t> codes(halves.begin(), halves.end());
+  for (std::size_t i = 0; i < codes.size(); i += components)
+    for (std::size_t c = 1; c < 3; ++c) codes[i + c] -= codes[i];
+  arrays.add_differences(name, codes, components);
+}
+
+void add_places(PageArrays& arrays, const PageMesh& mesh, std::size_t uv_sets) {
+  for (std::size_t s = 0; s < uv_sets; ++s) {
+    std::vector<std::int32_t> places;
+    for (const auto& v : mesh.vertices) places.insert(places.end(), v.places[s].begin(), v.places[s].end());
+    arrays.add_differences(fmt::format("places{}", s), places, 2);
+  }
+}
+
 Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
              std::span<const GroupLight> groups, const PageOptions& options) {
   const auto colours = patches.colours();
-  const auto mesh = make_page_mesh(patches, solution, light);
+  const PageTextures textures(patches);
+  const auto mesh = make_page_mesh(patches, solution, light, textures);
   const auto lit = make_page_light(patches, mesh, light, groups);
-  const auto ratios = make_page_texture_ratios(patches, mesh);
+  const auto surface_colours = make_page_colours(patches, mesh);
   const auto errors = make_page_errors(patches, mesh, solution, groups);
 
-  std::vector<float> positions;
-  for (const auto& v : mesh.vertices) {
-    const auto& p = patches.vertices[light.vertex[v.smooth]];
-    positions.insert(positions.end(), {p.x, p.y, p.z});
-  }
-  std::vector<std::uint32_t> corners;
-  for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
-
   PageArrays arrays;
-  arrays.add("positions", positions);
-  arrays.add("corners", corners);
-  arrays.add("patches", mesh.patch);
-  arrays.add("light", lit.halves);
+  const auto grid = add_positions(arrays, patches, mesh);
+  add_triangles(arrays, mesh);
+  add_halves(arrays, "light", lit.halves, lit.components);
   if (errors.largest > 0.0) arrays.add("errors", errors.codes);
-  if (!ratios.reflectance.empty()) {
-    arrays.add("reflecting", ratios.reflectance);
-    arrays.add("emitting", ratios.emittance);
+  if (!surface_colours.reflectance.empty()) {
+    add_halves(arrays, "reflecting", surface_colours.reflectance, 3);
+    add_halves(arrays, "emitting", surface_colours.emittance, 3);
   }
+  add_places(arrays, mesh, textures.uv_sets());
+  for (std::size_t i = 0; i < textures.pictures().size(); ++i)
+    arrays.add_file(fmt::format("picture{}", i), textures.pictures()[i]);
 
+  const auto packed = deflated(arrays.bytes());
   const Json about = {
       {"version", data_version},
       {"title", valid_utf8(options.title)},
@@ -122,14 +178,19 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
       {"groups", group_names(patches, groups)},
       {"sky", three(patches.has_sky() ? colours.rgb(patches.sky) : Vec3d(0.0))},
       {"hasSky", patches.has_sky()},
-      {"materials", materials_of(patches, colours, !groups.empty())},
+      {"materials", materials_of(patches, colours, textures, !groups.empty())},
       {"parts", parts_of(mesh)},
+      {"grid", grid},
+      {"sets", textures.uv_sets()},
+      {"placeParts", page_place_parts},
+      {"pictures", textures.pictures().size()},
       {"efficacy", luminous_efficacy},
       {"light", {{"unit", lit.unit}, {"components", lit.components}}},
       {"errors", {{"largest", errors.largest}, {"perOctave", 12}}},
       {"arrays", arrays.list()},
+      {"deflated", packed.size()},
   };
-  return {page_json(about), base64(deflated(arrays.bytes()))};
+  return {page_json(about), base85(packed)};
 }
 
 // The text for HTML.

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/ending_of.h"
+#include "luxel/core/error.h"
 #include "luxel/core/none.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/light_metadata.h"
@@ -20,6 +22,7 @@
 #include "luxel/export/round_trip_materials.h"
 #include "luxel/export/round_trip_primitive.h"
 #include "luxel/export/scene_gltf.h"
+#include "luxel/export/unwrapped_obj.h"
 #include "luxel/image/image_file.h"
 #include "luxel/import/gltf_array.h"
 #include "luxel/import/gltf_writer.h"
@@ -31,7 +34,7 @@
 namespace luxel {
 namespace {
 
-// The scene's own file, or the scene as one. order: see round_trip_parts().
+// Returns the scene's own file, or a file made from the scene. order: see round_trip_parts().
 std::unique_ptr<GltfFile> file_of(const Scene& scene, const Vec3& up, std::vector<std::uint32_t>& order) {
   if (is_gltf(scene.source)) return std::make_unique<GltfFile>(scene.source, known_extensions());
   auto made = gltf_of(scene, up);
@@ -39,7 +42,7 @@ std::unique_ptr<GltfFile> file_of(const Scene& scene, const Vec3& up, std::vecto
   return std::make_unique<GltfFile>(std::move(made.bytes), "scene.glb", known_extensions());
 }
 
-// What all forms share: the file's parts go through it one by one.
+// State common to all forms: the file's parts are processed one by one.
 class RoundTripExport {
  public:
   RoundTripExport(const RoundTripInput& input, const RoundTripOptions& options)
@@ -57,30 +60,46 @@ class RoundTripExport {
   const ToneCurve& curve() const { return curve_; }
   RoundTripScene round_trip() const { return {input_.scene, input_.patches, of_triangles_, back_is_lit_}; }
 
-  // surfaces_of(part): what it becomes. light(part, surface, path): puts the light on a primitive.
+  // surfaces_of(part): the surfaces made from it. light(part, surface, path): adds the light to a primitive.
   template <typename SurfacesOf, typename Light>
   void put(const SurfacesOf& surfaces_of, const Light& light);
   void describe(const char* form, Json light);
-  // False, and nothing is written, where the monitor stops the work.
+  // Returns false, and writes nothing, where the monitor stops the work.
   bool write(const std::filesystem::path& path, const Context& context) const {
     if (context.report({"write", 0.0}) == Next::stop) return false;
     write_file(path, copy_.bytes(path.string()));
     return true;
   }
 
-  // COLOR_0 and _IRRADIANCE. front, back: [element][band], W/m², which the surface's vertices name.
+  // Writes COLOR_0 and _IRRADIANCE. front, back: [element][band], W/m², indexed by the surface's vertices.
   void colour(const RoundTripPart& part, const RoundTripSurface& surface, const std::string& path,
               const std::vector<float>& front, const std::vector<float>& back);
-  // code(pixel): what is written of it. Gives the textures; none after the monitor's stop.
+  // code(pixel): its encoded value. Returns the textures; none where the monitor stops the work.
   template <typename Code>
   std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name, const Code& code,
                                      const Context& context);
-  // What a part becomes, and the further texture coordinates of a surface: their number.
+  // surfaces_on(): the surfaces made from a part. add_coordinates(): the number of the added texture
+  // coordinates.
   std::vector<RoundTripSurface> surfaces_on(const RoundTripPages& pages, const RoundTripPart& part,
                                             const PageCuts& cuts) const;
   std::size_t add_coordinates(const RoundTripPages& pages, const RoundTripSurface& surface,
                               const std::string& path);
   void put_out_lamps();
+  // Writes which page of a lightmap a primitive's coordinates are on, beside the primitive's own extras.
+  void note_page(const std::string& path, std::uint32_t page, std::size_t set) {
+    if (!copy_.has(path + "/extras")) copy_.put(path + "/extras", Json::object());
+    if (!copy_.has(path + "/extras/0"))
+      copy_.put(path + "/extras/luxel_lightmap", {{"page", page + 1}, {"texCoord", set}});
+  }
+  // The surfaces as an OBJ file, see unwrapped_obj.h.
+  std::string obj(const RoundTripPages& pages) const {
+    const PageCuts cuts(round_trip(), pages.atlas);
+    UnwrappedObj made(input_.scene, options_.metres_per_unit);
+    for (const auto& part : parts_)
+      if (is_opaque(input_.scene, part))
+        for (const auto& surface : surfaces_on(pages, part, cuts)) made.add(part, surface);
+    return made.text();
+  }
 
   RoundTripMaterials& materials() { return materials_; }
   const BandMaterial& material_of(const RoundTripPart& part) const {
@@ -113,10 +132,10 @@ class RoundTripExport {
   RoundTripMaterials materials_;
 };
 
-// Further primitives of a mesh come behind its own.
+// Further primitives of a mesh follow its own.
 template <typename SurfacesOf, typename Light>
 void RoundTripExport::put(const SurfacesOf& surfaces_of, const Light& light) {
-  // All copies are taken before the first is changed.
+  // All copies are made before the first one is changed.
   std::vector<bool> taken(copy_.size("/meshes"));
   std::map<std::size_t, std::size_t> mesh_of;  // [node]
   for (const auto& part : parts_)
@@ -143,13 +162,14 @@ void RoundTripExport::put(const SurfacesOf& surfaces_of, const Light& light) {
   take_off(gone);
 }
 
-// Primitives without a surface: they have no area, or others lie just where they do, and have their light.
+// Removes primitives without a surface: they have no area, or others with the same place carry their light.
 void RoundTripExport::take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone) {
   for (const auto& [node, primitives] : gone) {
     const auto place = fmt::format("/nodes/{}", node);
     const auto mesh = copy_.index_at(place + "/mesh");
     const bool all = primitives.size() == copy_.size(fmt::format("/meshes/{}/primitives", mesh));
-    // No mesh may be empty: one that nothing shows is left, but what its material needs it may not have.
+    // A mesh must not be empty: an invisible one stays, but must not keep attributes that only its material
+    // needs.
     for (auto i = primitives.rbegin(); i != primitives.rend(); ++i)
       copy_.erase(primitive_path(mesh, *i) + (all ? "/material" : ""));
     if (!all) continue;
@@ -223,7 +243,7 @@ std::vector<std::size_t> RoundTripExport::add_pages(const std::vector<Image>& pa
   return textures;
 }
 
-// Coordinates of the file's own are of fronts, and of a page for each node or one for all.
+// The file's own coordinates are those of fronts, with one page per node or one for all.
 std::vector<RoundTripSurface> RoundTripExport::surfaces_on(const RoundTripPages& pages,
                                                            const RoundTripPart& part,
                                                            const PageCuts& cuts) const {
@@ -239,7 +259,7 @@ std::vector<RoundTripSurface> RoundTripExport::surfaces_on(const RoundTripPages&
   return surfaces;
 }
 
-// Sets are counted without a gap, and programs look for a lightmap in the second.
+// Sets are numbered without a gap, and programs expect a lightmap in the second.
 std::size_t RoundTripExport::add_coordinates(const RoundTripPages& pages, const RoundTripSurface& surface,
                                              const std::string& path) {
   if (pages.as_file_has_it) return 1;
@@ -252,7 +272,7 @@ std::size_t RoundTripExport::add_coordinates(const RoundTripPages& pages, const 
   return number;
 }
 
-// Their light is on the surfaces already.
+// Removes the lamps: the light is on the surfaces already.
 void RoundTripExport::put_out_lamps() {
   for (std::size_t n = 0; n < copy_.size("/nodes"); ++n)
     copy_.erase(fmt::format("/nodes/{}/extensions/KHR_lights_punctual", n));
@@ -262,8 +282,8 @@ void RoundTripExport::describe(const char* form, Json light) {
   copy_.put("/asset/extras/luxel", light_metadata(form, options_.program, std::move(light), input_.solution));
 }
 
-// material(part, surface, path, coordinates): changes the material of a primitive that looks its page up
-// there.
+// material(part, surface, path, coordinates): changes the material of a primitive whose page coordinates are
+// those.
 template <typename Material>
 void put_pages(RoundTripExport& output, const RoundTripPages& pages, const Material& material) {
   const PageCuts cuts(output.round_trip(), pages.atlas);
@@ -288,34 +308,6 @@ void export_vertices(const std::filesystem::path& path, const RoundTripInput& in
 }
 
 }  // namespace
-
-Scene scene_of(const PatchSet& patches) {
-  Scene scene;
-  scene.source = "the solution";
-  scene.positions = patches.vertices;
-  scene.triangles = patches.corners;
-  scene.triangle_material = patches.material;
-  scene.triangle_line.resize(patches.size());
-  scene.triangle_group.resize(patches.size());
-  scene.groups = {"surfaces"};
-  const auto colours = patches.colours();
-  const std::vector<float> ones(patches.band_count(), 1.0f);
-  const auto white = colours.rgb(ones);
-  for (const auto& of_patches : patches.materials) {
-    Material material;
-    material.name = of_patches.name;
-    material.two_sided = of_patches.two_sided;
-    material.reflectance = in_gamut(colours.rgb(of_patches.reflectance) / white);
-    material.emittance = in_gamut(colours.rgb(of_patches.emittance));
-    material.textures = of_patches.textures;
-    scene.materials.push_back(std::move(material));
-  }
-  scene.textures = patches.textures;
-  scene.uv_sets = patches.uv_sets;
-  scene.corner_colours = patches.corner_colours;
-  scene.origin = patches.origin;
-  return scene;
-}
 
 void export_round_trip_cut(const std::filesystem::path& path, const RoundTripInput& input,
                            const SmoothLight& light, const RoundTripOptions& options) {
@@ -367,6 +359,24 @@ bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTr
             });
   output.describe("emissive", emissive_light(output.curve()));
   return output.write(path, context);
+}
+
+bool export_unwrapped(const std::filesystem::path& path, const RoundTripInput& input,
+                      const RoundTripPages& pages, const RoundTripOptions& options, const Context& context) {
+  RoundTripExport output(input, options);
+  if (ending_of(path.string()) != ".obj") {
+    put_pages(output, pages,
+              [&](const RoundTripPart&, const RoundTripSurface& surface, const std::string& place,
+                  std::size_t set) { output.note_page(place, surface.page, set); });
+    return output.write(path, context);
+  }
+  if (pages.as_file_has_it)
+    throw InputError(
+        fmt::format("{}: the coordinates are those of {}: take --layout new for new ones, or write a .glb",
+                    path.string(), input.scene.source));
+  if (context.report({"write", 0.0}) == Next::stop) return false;
+  write_file(path, output.obj(pages));
+  return true;
 }
 
 }  // namespace luxel

@@ -31,7 +31,7 @@ Json light_metadata(const char* form, TargetApplication program, Json light, con
           {"light", std::move(light)},
           {"method", valid_utf8(from.method)},
           {"rays", from.rays},
-          {"seed", fmt::format("{}", from.seed)},  // text: JSON's numbers have 53 bits in many programs
+          {"seed", fmt::format("{}", from.seed)},  // text: many programs read JSON's numbers with 53 bits
           {"unshot_fraction", solution.unshot_fraction},
           {"seen_error", solution.seen_error},
           {"predicted_error", solution.predicted_error},

@@ -43,7 +43,7 @@ std::vector<std::vector<std::uint32_t>> patches_by_side(const PatchSet& patches,
   return sides;
 }
 
-// number: [smooth vertex]; its vertex in the part at hand, or unnumbered; left as it was found.
+// number: [smooth vertex]; its vertex in the current part, or unnumbered; unchanged on return.
 constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
 
 LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, const SmoothLight& light,

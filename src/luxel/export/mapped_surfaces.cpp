@@ -7,15 +7,15 @@
 
 #include "luxel/core/barycentric.h"
 #include "luxel/core/none.h"
-#include "luxel/export/cut_along_edges.h"
 #include "luxel/export/surface_maker.h"
 #include "luxel/patch/side.h"
+#include "luxel/surface/cut_along_edges.h"
 
 namespace luxel {
 namespace {
 
-// Where the triangle's corners come to lie on a chart that has all of it: what its largest patch says, for
-// charts are flat.
+// Corners of the triangle on a chart that contains all of it, extrapolated from its largest patch, as charts
+// are flat.
 std::array<Vec2, 3> whole_uv(const RoundTripScene& round_trip, std::uint32_t triangle, bool back,
                              const Atlas& atlas) {
   const auto& area = round_trip.patches.area;
@@ -34,7 +34,7 @@ std::array<Vec2, 3> whole_uv(const RoundTripScene& round_trip, std::uint32_t tri
   return uv;
 }
 
-// Surfaces by side and page, in the order in which they are first wanted.
+// Surfaces by side and page, in the order of first use.
 class PagedSurfaces {
  public:
   PagedSurfaces(const RoundTripScene& round_trip, const RoundTripPart& part, const Atlas& atlas,
@@ -54,17 +54,17 @@ class PagedSurfaces {
   std::vector<RoundTripSurface> finish() { return filled(std::move(makers_)); }
 
  private:
-  // A corner of the border of a triangle that is not cut.
+  // A border point of a triangle that is not cut.
   struct OnBorder {
     DrawnCorner corner;
     BorderPoint point;
     Vec2 uv{0.0f};
   };
 
-  // The triangle's corners, and between them the points that its neighbours need.
+  // The triangle's corners, and between them the points that its neighbours have.
   std::vector<OnBorder> border_of(std::size_t i, std::size_t back) const {
     const auto t = part_.triangles[i];
-    std::array<std::map<double, std::uint32_t>, 3> between;  // [edge][share of the way]
+    std::array<std::map<double, std::uint32_t>, 3> between;  // [edge][fraction of its length]
     for (auto p = round_trip_.of_triangles.begin(t); p < round_trip_.of_triangles.end(t); ++p)
       for (const auto point : round_trip_.patches.corners[p])
         if (cuts_.is_drawn(point))

@@ -3,31 +3,32 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "luxel/core/json.h"
 
 namespace luxel {
 
-// The numbers of a page, array after array, and the index by which the page finds them. Each array is stored
-// byte by byte: the first bytes of all numbers come first, then the second ones. Similar bytes are then
-// adjacent and deflate to two thirds.
+// The numbers of a page, array after array, and the index by which the page finds them. The bytes of an array
+// are stored by place: the first bytes of all numbers come first, then the second ones. Similar bytes are
+// then adjacent and deflate well.
 class PageArrays {
  public:
-  void add(std::string_view name, const std::vector<float>& values);
-  void add(std::string_view name, const std::vector<std::uint32_t>& values);
-  void add(std::string_view name, const std::vector<std::uint16_t>& values);  // halves
-  void add(std::string_view name, const std::vector<std::uint8_t>& values);
+  // Each number is stored as its difference from the one `stride` before it, which is small where neighbours
+  // are alike; positive and negative differences alternate (0, -1, 1, -2, ...). stride 0: the numbers
+  // themselves.
+  void add_differences(std::string_view name, std::span<const std::int32_t> values, std::size_t stride);
+  void add(std::string_view name, std::span<const std::uint8_t> values);
+  // A file, as it is.
+  void add_file(std::string_view name, std::string_view bytes);
 
   const std::string& bytes() const { return bytes_; }
-  // [{"name":...,"type":"f32","count":...}, ...] in the order of the bytes.
+  // [{"name":...,"type":"i32","count":...,"stride":...}, ...] in the order of the bytes; type: i32 or u8.
   const Json& list() const { return list_; }
 
  private:
-  void append(std::string_view name, std::string_view type, const void* from, std::size_t count,
-              std::size_t size);
   std::string bytes_;
   Json list_ = Json::array();
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "luxel/core/half.h"
+#include "luxel/patch/colour_patches.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/scene/luminous_efficacy.h"
 #include "luxel/surface/vertex_texture_ratios.h"
@@ -12,13 +13,15 @@
 namespace luxel {
 namespace {
 
-constexpr float largest_half = 32768.0f;  // what the brightest light is preserved as: far from a half's end
+constexpr float largest_half = 32768.0f;  // the brightest light is scaled to this: far below a half's limit
+constexpr float half_limit = 65504.0f;
 
 const std::vector<float>& irradiance_of(const SmoothLight& light, bool back) {
   return light.irradiance.of(back);
 }
 
-// The shares of the page's vertices; of its triangles, for nothing else knows where a vertex lies.
+// The texture ratios of the page's vertices, found through its triangles, as vertices do not store their
+// place.
 VertexTextureRatios ratios_of(const PatchSet& patches, const PageMesh& mesh) {
   VertexTextureRatios ratios(patches);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -26,7 +29,7 @@ VertexTextureRatios ratios_of(const PatchSet& patches, const PageMesh& mesh) {
   return ratios;
 }
 
-// What a vertex holds of an irradiance [band].
+// Appends what a vertex stores of an irradiance [band].
 void append(std::vector<float>& out, const PatchSet& patches, const BandColours& colours,
             std::size_t material, const TextureRatio& ratio, const std::vector<float>& irradiance) {
   if (patches.wavebands.empty()) {
@@ -51,20 +54,24 @@ class RatioLight {
   RatioLight(const SmoothLight& whole, std::span<const GroupLight> groups, std::size_t bands)
       : whole_(whole), groups_(groups), bands_(bands) {}
 
-  std::vector<float> at(std::size_t group, bool back, std::size_t smooth) const {
-    const auto* whole = &irradiance_of(whole_, back)[smooth * bands_];
-    std::vector<float> light(whole, whole + bands_);
-    if (groups_.empty()) return light;
-    for (std::size_t b = 0; b < bands_; ++b) light[b] *= ratio(group, back, smooth * bands_ + b);
+  std::vector<float> at(std::size_t group, bool back, const DrawnPoint& point) const {
+    std::vector<float> light(bands_);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      light[b] = point.at(irradiance_of(whole_, back), b, bands_);
+      if (!groups_.empty()) light[b] *= ratio(group, back, point, b);
+    }
     return light;
   }
 
  private:
-  float ratio(std::size_t group, bool back, std::size_t at) const {
+  float ratio(std::size_t group, bool back, const DrawnPoint& point, std::size_t band) const {
+    const auto of = [&](const GroupLight& g) {
+      return static_cast<double>(point.at(irradiance_of(g.light, back), band, bands_));
+    };
     double sum = 0.0;
-    for (const auto& g : groups_) sum += static_cast<double>(irradiance_of(g.light, back)[at]);
-    if (!(sum > 0.0)) return group == 0 ? 1.0f : 0.0f;  // nobody's: as if it were of the first
-    return static_cast<float>(static_cast<double>(irradiance_of(groups_[group].light, back)[at]) / sum);
+    for (const auto& g : groups_) sum += of(g);
+    if (!(sum > 0.0)) return group == 0 ? 1.0f : 0.0f;  // no group's light: counted as the first one's
+    return static_cast<float>(of(groups_[group]) / sum);
   }
 
   const SmoothLight& whole_;
@@ -72,7 +79,7 @@ class RatioLight {
   std::size_t bands_;
 };
 
-// Lux that a side's standard error makes, its bands' errors added as if they went together.
+// Lux of a side's standard error; the errors of bands are added as if fully correlated.
 double lux_error(const BandColours& colours, const std::vector<float>& error, std::size_t patch) {
   double lux = 0.0;
   for (std::size_t b = 0; b < colours.bands(); ++b) {
@@ -94,7 +101,7 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
     for (const bool back : {false, true})
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const auto& v = mesh.vertices[i];
-        append(values, patches, colours, v.material, ratios.at(i), shared.at(g, back, v.smooth));
+        append(values, patches, colours, v.material, ratios.at(i), shared.at(g, back, v.point));
       }
   float largest = 0.0f;
   for (const auto v : values) largest = std::max(largest, std::abs(v));
@@ -106,27 +113,47 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
   return page;
 }
 
-PageTextureRatios make_page_texture_ratios(const PatchSet& patches, const PageMesh& mesh) {
-  PageTextureRatios page;
+PageColours make_page_colours(const PatchSet& patches, const PageMesh& mesh) {
+  PageColours page;
   if (patches.reflectance_ratio.empty() && patches.emittance_ratio.empty()) return page;
+  const bool is_spectral = !patches.wavebands.empty();
   const auto colours = patches.colours();
-  const auto ratios = ratios_of(patches, mesh);
-  const auto over = [](double here, double of_material) {
-    return half_of(of_material > 0.0 ? static_cast<float>(here / of_material) : 1.0f);
+  const FineColours fine(patches, Context(1));
+  std::vector<Vec3d> reflectance(mesh.vertices.size(), Vec3d(0.0)), emittance = reflectance;
+  std::vector<double> areas(mesh.vertices.size(), 0.0);
+  const auto emitted = [&](std::size_t patch, bool is_of_patch) {
+    std::vector<float> light;
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      light.push_back(is_of_patch ? patches.emittance(patch, b) : patches.material_of(patch).emittance[b]);
+    return colours.rgb(light);
   };
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const auto& material = patches.materials[mesh.vertices[i].material];
-    const auto ratio = ratios.at(i);
-    auto emittance = material.emittance;
-    for (std::size_t b = 0; b < emittance.size() && ratio.emittance; ++b) emittance[b] *= ratio.emittance[b];
-    const auto emitted = colours.rgb(emittance), of_material = colours.rgb(material.emittance);
-    for (int c = 0; c < 3; ++c) {
-      page.emittance.push_back(over(emitted[c], of_material[c]));
-      page.reflectance.push_back(patches.wavebands.empty()
-                                     ? over(reflectance_at(material, ratio, c), material.reflectance[c])
-                                     : half_of(1.0f));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto patch = mesh.patch[t];
+    const auto ratio = texture_ratio_of_patch(patches, patch);
+    const auto& material = patches.material_of(patch);
+    const auto of_patch = emitted(patch, true), of_material = emitted(patch, false);
+    const auto reflected_mean = fine.mean_reflectance(patch), emitted_mean = fine.mean_emittance(patch);
+    const auto area = static_cast<double>(patches.area[patch]);
+    for (const auto v : mesh.triangles[t]) {
+      areas[v] += area;
+      for (int c = 0; c < 3; ++c) {
+        const auto own = is_spectral ? 1.0f : reflectance_at(material, ratio, static_cast<std::size_t>(c));
+        const auto whole = is_spectral ? 1.0f : material.reflectance[static_cast<std::size_t>(c)];
+        reflectance[v][c] +=
+            area * static_cast<double>(own / (whole > 0.0f ? whole : 1.0f) / reflected_mean[c]);
+        emittance[v][c] += area * (of_material[c] > 0.0 ? of_patch[c] / of_material[c] : 1.0) /
+                           static_cast<double>(emitted_mean[c]);
+      }
     }
   }
+  for (std::size_t v = 0; v < areas.size(); ++v)
+    for (int c = 0; c < 3; ++c) {
+      const auto half = [&](double sum) {
+        return half_of(std::min(half_limit, static_cast<float>(areas[v] > 0.0 ? sum / areas[v] : 1.0)));
+      };
+      page.reflectance.push_back(half(reflectance[v][c]));
+      page.emittance.push_back(half(emittance[v][c]));
+    }
   return page;
 }
 

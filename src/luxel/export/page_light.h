@@ -24,14 +24,15 @@ struct PageLight {
 PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const SmoothLight& light,
                           std::span<const GroupLight> groups);
 
-// Reflectance at the page's vertices by textures, or the colours of corners, relative to the material's own,
-// in halves: [vertex][red, green, blue]. Empty where the scene has neither. For light by wavelength the light
-// includes the reflectance already, and this is 1.
-struct PageTextureRatios {
+// What the page's vertices reflect and emit, in halves: [vertex][red, green, blue]. Relative to the
+// material's own where it has no texture, else to that times the texture. Empty where the scene has neither
+// textures nor colours of corners. For light by wavelength the light includes the reflectance of the patch
+// already.
+struct PageColours {
   std::vector<std::uint16_t> reflectance, emittance;
 };
 
-PageTextureRatios make_page_texture_ratios(const PatchSet& patches, const PageMesh& mesh);
+PageColours make_page_colours(const PatchSet& patches, const PageMesh& mesh);
 
 // Standard errors of illuminance of the sides in steps of a twelfth of an octave: [whole, then each
 // group][front, then back][triangle]. 255 is `largest`, 254 a twelfth of an octave less; 0: none, or dark.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/export/closed_patches.h"
+#include "luxel/export/page_textures.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
@@ -19,19 +21,21 @@ struct PagePart {
   std::size_t first = 0, count = 0;  // triangles
 };
 
-// The mesh that a page draws. A triangle is a patch and has both sides; vertices are not shared by materials,
-// so that each may hold the light of its own material.
+// The mesh that a page draws: the patches without T-junctions. A triangle has both sides; vertices are not
+// shared by materials, so that each may hold the light of its own material.
 struct PageMesh {
   struct Vertex {
-    std::uint32_t smooth;  // index into SmoothLight
+    DrawnPoint point;
     std::size_t material;
+    PagePlaces places;  // on the material's textures
   };
-  std::vector<Vertex> vertices;
+  std::vector<Vertex> vertices;                         // in the order in which triangles use them
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into vertices
   std::vector<std::uint32_t> patch;                     // [triangle]
   std::vector<PagePart> parts;                          // by material, lit backs last
 };
 
-PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light);
+PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
+                        const PageTextures& textures);
 
 }  // namespace luxel

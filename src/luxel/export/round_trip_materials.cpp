@@ -28,14 +28,14 @@ bool RoundTripMaterials::is_textured(const JsonValue& material) {
          material["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"];
 }
 
-// The path of the primitive's material where it is still to be changed.
+// Returns the path of the primitive's material where it must still be changed.
 std::optional<std::string> RoundTripMaterials::changed_for(const std::string& path, const JsonValue& index,
                                                            std::size_t texture, std::size_t coordinates) {
   const auto of_file = index ? index.whole() : no_material;
   const auto [found, is_new] = made_.try_emplace({of_file, texture, coordinates}, 0);
   if (is_new) {
     if (!index) {
-      // The colour that the light was solved with; what says nothing of itself would be a mirror.
+      // the reflectance that the light was solved with; glTF's default would be a mirror
       const auto grey = Material().reflectance;
       found->second = copy_.append(
           "/materials", {{"name", "none"},
@@ -54,7 +54,7 @@ std::optional<std::string> RoundTripMaterials::changed_for(const std::string& pa
   return fmt::format("/materials/{}", found->second);
 }
 
-// What older files say of the base colour is said as today's do.
+// Converts the base colour of the older extension to today's properties.
 void RoundTripMaterials::plain_base(const std::string& material) {
   if (!copy_.has(material + older)) return;
   for (const auto& [from, to] :
@@ -64,13 +64,13 @@ void RoundTripMaterials::plain_base(const std::string& material) {
   copy_.erase(material + older);
 }
 
-// Of a dielectric; a metal is gloss and nothing else.
+// Removes the gloss of a dielectric; a metal is nothing but gloss.
 void RoundTripMaterials::take_gloss_off(const std::string& material) {
   copy_.put(material + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
   copy_.use_extension("KHR_materials_specular");
 }
 
-// Those that say how a surface sends light back.
+// Removes extensions that describe how a surface reflects light.
 void RoundTripMaterials::take_extensions_off(const std::string& material) {
   for (const auto& extension : copy_.keys(material + "/extensions"))
     if (extension.starts_with("KHR_materials_") || extension == "MOZ_lightmap")
@@ -90,7 +90,7 @@ void RoundTripMaterials::shadeless(const std::string& path, const JsonValue& ind
   const auto material = changed_for(path, index, no_texture, 0);
   if (!material) return;
   colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
-  take_extensions_off(*material);  // next to this one the others mean nothing
+  take_extensions_off(*material);  // the others have no meaning beside this one
   copy_.put(*material + "/extensions/KHR_materials_unlit", Json::object());
   copy_.use_extension("KHR_materials_unlit");
   if (const auto suffix = profile_of(program_).material_suffix; !suffix.empty())
@@ -112,7 +112,8 @@ void RoundTripMaterials::lightmapped(const std::string& path, const JsonValue& i
   if (profile_of(program_).gloss_dims_lightmaps) take_gloss_off(*material);
   const auto most = std::max({emission.r, emission.g, emission.b});
   if (!(most > 0.0f)) return;
-  // Factors are at most 1, the strength has the rest. With a texture the factor stays, which has the colour.
+  // Factors are at most 1; the strength takes the rest. With a texture the factor, which has the colour,
+  // stays.
   const bool textured = copy_.has(*material + "/emissiveTexture");
   const auto colour = textured ? Vec3(1.0f) : emission / most;
   copy_.put(*material + "/emissiveFactor", {colour.r, colour.g, colour.b});
@@ -125,7 +126,7 @@ void RoundTripMaterials::shining(const std::string& path, const JsonValue& index
   const auto material = changed_for(path, index, texture, coordinates);
   if (!material) return;
   colour_base(*material, 0, 1.0);
-  // On black nothing shows these. The base colour's picture may still say where there are holes.
+  // They are invisible on black. The base colour's picture may still define holes.
   if (copy_.text_at(*material + "/alphaMode", "OPAQUE") == "OPAQUE")
     copy_.erase(*material + base + "/baseColorTexture");
   for (const auto* picture : {"/normalTexture", "/occlusionTexture"}) copy_.erase(*material + picture);

@@ -21,7 +21,7 @@ Vec3d placed(const GltfArray& positions, std::uint32_t vertex, const glm::dmat4&
       "{}: the scene has other triangles than the file: solve the file as it is now", scene.source));
 }
 
-// A triangle that was turned has its second and third corner exchanged.
+// A flipped triangle has its second and third corner exchanged.
 void match_corners(RoundTripPart& part, const GltfArray& positions, const Scene& scene, double scale) {
   for (std::size_t t = 0; t < part.corners.size(); ++t) {
     auto& corners = part.corners[t];

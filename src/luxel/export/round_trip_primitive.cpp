@@ -11,9 +11,9 @@
 namespace luxel {
 namespace {
 
-constexpr double unit_enough = 1e-12;  // squared lengths below have no direction
+constexpr double unit_enough = 1e-12;  // smaller squared lengths have no direction
 
-// What becomes of an attribute between vertices.
+// How an attribute is interpolated between vertices.
 enum class Kind { position, direction, joints, other };
 
 Kind kind_of(const std::string& name) {
@@ -30,7 +30,7 @@ Numbers numbers_at(const GltfArray& array, std::uint32_t element) {
 }
 
 Numbers between(const GltfArray& array, const RoundTripVertex& vertex, Kind kind) {
-  if (kind == Kind::joints) {  // names, not numbers: of the nearest
+  if (kind == Kind::joints) {  // indices, not quantities: taken from the nearest vertex
     const auto& w = vertex.weights;
     return numbers_at(array, vertex.of[w.x >= w.y && w.x >= w.z ? 0 : w.y >= w.z ? 1 : 2]);
   }
@@ -43,7 +43,7 @@ Numbers between(const GltfArray& array, const RoundTripVertex& vertex, Kind kind
     const auto square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
     if (square > unit_enough)
       for (std::size_t c = 0; c < 3; ++c) sum[c] /= std::sqrt(square);
-    if (array.components() == 4) sum[3] = numbers_at(array, vertex.of[0])[3];  // which way a tangent turns
+    if (array.components() == 4) sum[3] = numbers_at(array, vertex.of[0])[3];  // handedness of a tangent
   }
   return sum;
 }
@@ -61,7 +61,7 @@ std::size_t add(GltfWriter& copy, const std::vector<float>& values, int componen
   return copy.add_positions(positions);
 }
 
-// The attributes at `path`, of old and new vertices. vertices: that the part has.
+// Extends the attributes at `path` to the old and new vertices. vertices: the number in the part.
 void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const RoundTripSurface& surface,
             std::size_t vertices, const std::string& path) {
   for (const auto& name : attributes.keys()) {

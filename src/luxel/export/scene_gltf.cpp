@@ -42,7 +42,7 @@ class SceneWriter {
     file_.put(path + "/name", valid_utf8(material.name));
     file_.put(path + "/doubleSided", material.two_sided);
     const auto base = textures.reflectance ? textures.reflectance_factor : material.reflectance;
-    // Where light passes as if it were not there, it is not to be seen either.
+    // A surface that does not block light is invisible.
     file_.put(path + "/pbrMetallicRoughness",
               {{"baseColorFactor", {base.r, base.g, base.b, material.opaque ? 1 : 0}},
                {"metallicFactor", 0},
@@ -54,7 +54,7 @@ class SceneWriter {
       file_.put(path + "/alphaCutoff", textures.cutout_threshold);
     }
     if (!material.opaque) file_.put(path + "/alphaMode", "BLEND");
-    // Luxel's surfaces are diffuse; glTF's have a gloss that takes its share of the light.
+    // Luxel's surfaces are diffuse; glTF's have a gloss that takes a fraction of the light.
     file_.put(path + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
     file_.use_extension("KHR_materials_specular");
     add_emission(material, path);
@@ -72,7 +72,7 @@ class SceneWriter {
     if (textures.emittance) file_.put(path + "/emissiveTexture", texture_of(*textures.emittance));
   }
 
-  // A texture with its wrapping; its place on the surface is in the coordinates already.
+  // A texture with its wrapping; its placement is in the coordinates already.
   Json texture_of(const TextureUse& use) {
     const auto key = std::tuple(use.texture, use.wrap[0], use.wrap[1]);
     const auto [found, is_new] = textures_.try_emplace(key, 0);
@@ -114,7 +114,7 @@ class SceneWriter {
     }
   }
 
-  // Vertices of the scene are split where a texture is.
+  // Vertices of the scene are split where texture coordinates differ.
   Json primitive_of(const std::vector<std::uint32_t>& triangles, std::size_t material) {
     const auto& textures = scene_.materials[material].textures;
     const auto use = textures.reflectance ? textures.reflectance

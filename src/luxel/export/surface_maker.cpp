@@ -12,14 +12,14 @@
 namespace luxel {
 namespace {
 
-constexpr double on_edge = 1e-5;  // weights below are those of points on an edge
+constexpr double on_edge = 1e-5;  // points with smaller weights are on an edge
 
 DrawnCorner own_corner(std::uint32_t vertex) {
   return {.place = {{vertex, vertex, vertex}, {1.0, 0.0, 0.0}}};
 }
 
-// Points on an edge are told from its two ends alone, the one that comes first in space first, so that
-// whatever else shares the edge has them at the same place to the bit.
+// Points on an edge are computed from its two ends alone, in the order of their positions, so that all
+// surfaces at the edge have bitwise the same points.
 RoundTripVertex on_the_edge(const std::array<std::uint32_t, 2>& of, std::array<Vec3, 2> ends,
                             const Vec3& point) {
   auto ordered = of;
@@ -40,7 +40,7 @@ std::array<Vec3, 3> corners_of(const RoundTripScene& round_trip, std::uint32_t t
           round_trip.scene.positions[corners[2]]};
 }
 
-// The edge that a point with these weights lies on; 3: none.
+// Returns the edge on which a point with these weights lies; 3: none.
 std::size_t edge_at(const Vec3d& weights) {
   for (std::size_t c = 0; c < 3; ++c)
     if (std::abs(weights[static_cast<int>(c)]) < on_edge) return (c + 1) % 3;
@@ -105,7 +105,7 @@ void SurfaceMaker::add(const std::array<DrawnCorner, 3>& corners) {
 RoundTripSurface SurfaceMaker::finish() {
   surface_.as_it_was = !surface_.back && surface_.added.empty() && part_.as_read &&
                        surface_.triangles.size() == part_.corners.size();
-  // Arrays that are written anew, or are used by less than half, have no room for what nothing uses.
+  // Arrays that are rewritten, or of which less than half is used, drop unused vertices.
   const auto used = used_of_own();
   if (surface_.back || !surface_.added.empty() || 2 * used.size() < surface_.own.size()) keep_only(used);
   return std::move(surface_);
@@ -121,7 +121,7 @@ std::vector<std::uint32_t> SurfaceMaker::used_of_own() const {
   return used;
 }
 
-// Of the primitive's vertices, which all are there yet, no others.
+// Keeps only these of the primitive's vertices, all of which are still present.
 void SurfaceMaker::keep_only(const std::vector<std::uint32_t>& used) {
   const auto all = surface_.own.size();
   if (used.size() == all) return;
@@ -144,7 +144,7 @@ void SurfaceMaker::keep_only(const std::vector<std::uint32_t>& used) {
   surface_.has_all_own = false;
 }
 
-// A vertex of the file keeps the first light that it is given; for another there is another vertex.
+// A vertex of the file keeps the first light that it gets; a different light needs another vertex.
 std::uint32_t SurfaceMaker::vertex(const DrawnCorner& corner) {
   const auto& place = corner.place;
   const bool is_own = corner.point == none;

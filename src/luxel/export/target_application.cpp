@@ -26,7 +26,7 @@ std::span<const std::string_view> mesh_program_names() { return names; }
 ExportProfile profile_of(TargetApplication program) {
   switch (program) {
     case TargetApplication::godot:
-      // Its importer takes the suffix off again, and sets "use as albedo" and "is sRGB".
+      // Its importer removes the suffix, and sets "use as albedo" and "is sRGB".
       return {.keeps_irradiance = false, .colours_are_srgb = true, .material_suffix = "-vcol"};
     case TargetApplication::three:
       return {.gloss_dims_lightmaps = true};

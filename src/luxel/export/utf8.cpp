@@ -6,8 +6,8 @@
 namespace luxel {
 namespace {
 
-// Length of the well-formed sequence that the text begins with, 0 where it begins with none. The ranges of
-// the second byte are those of RFC 3629, section 4: no overlong forms, no surrogates, nothing above U+10FFFF.
+// Length of the well-formed sequence at the beginning of the text, 0 if there is none. The ranges of the
+// second byte are those of RFC 3629, section 4: no overlong forms, no surrogates, nothing above U+10FFFF.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const auto first = byte(0);

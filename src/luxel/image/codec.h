@@ -36,12 +36,15 @@ inline Raster of_numbers(Image image) { return {image.width, image.height, {}, s
 std::string encode_png(const Image& display, const PictureNotes& notes = {}, const Context& context = {});
 std::string encode_png(const ScreenImage& image);
 std::string encode_png(const Raster& raster);  // of codes
+// Of codes, without alpha. quality: 1 to 100.
+std::string encode_jpeg(const Raster& raster, int quality);
 std::string encode_exr(const Image& linear, const Context& context = {});
 std::string encode_hdr(const Image& linear);
 
 Raster decode_png(std::string_view bytes);
 Raster decode_exr(std::string_view bytes);
 Raster decode_hdr(std::string_view bytes);
-Raster decode_stb(std::string_view bytes);  // JPEG, BMP, TGA
+Raster decode_stb(std::string_view bytes);   // JPEG, BMP, TGA
+Raster decode_webp(std::string_view bytes);  // refuses where Luxel was built without libwebp
 
 }  // namespace luxel

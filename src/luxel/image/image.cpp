@@ -12,7 +12,7 @@ double decode(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-// The linear values at which the code steps from k to k + 1, that is where 255 encode is k + 1/2.
+// The linear values at which the code steps from k to k + 1: where 255 encode equals k + 1/2.
 std::array<float, 255> make_steps() {
   std::array<float, 255> steps;
   for (std::size_t k = 0; k < steps.size(); ++k)

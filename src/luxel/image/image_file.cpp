@@ -47,7 +47,11 @@ Raster decode(const fs::path& path, std::string_view bytes) {
   if (begins("\x76\x2f\x31\x01")) return decode_exr(bytes);
   if (begins("#?RADIANCE") || begins("#?RGBE")) return decode_hdr(bytes);
   if (begins("\xff\xd8") || begins("BM") || ending_of(path) == ".tga") return decode_stb(bytes);
-  throw CodecError("it is no picture that can be read; expected PNG, JPEG, TGA, BMP, HDR or EXR");
+  if (begins("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return decode_webp(bytes);
+  if (begins("\xabKTX"))
+    throw CodecError(
+        "the picture is KTX, which Luxel does not read; convert it by: ktx extract IN.ktx2 OUT.png");
+  throw CodecError("it is no picture that can be read; expected PNG, JPEG, WebP, TGA, BMP, HDR or EXR");
 }
 
 }  // namespace

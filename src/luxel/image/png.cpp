@@ -15,8 +15,8 @@
 namespace luxel {
 namespace {
 
-// libpng leaves through longjmp, which must not cross a C++ object that wants to be destroyed. So all that
-// libpng touches lives here, and the functions that call it own nothing.
+// libpng leaves through longjmp, which must not skip a destructor of a C++ object. So all state that libpng
+// touches is in this struct, and the functions that call libpng own nothing.
 struct Decoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -41,7 +41,7 @@ void on_read(png_structp png, png_bytep to, std::size_t size) {
   rest.remove_prefix(size);
 }
 
-// Up to the size, which check_size() shall see before there is memory for pixels.
+// Reads up to the size, so that check_size() runs before memory for pixels is allocated.
 bool read_header(Decoder& decoder) {
   decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, on_error, on_warning);
   if (!decoder.png) return false;
@@ -49,7 +49,7 @@ bool read_header(Decoder& decoder) {
   decoder.info = png_create_info_struct(decoder.png);
   if (!decoder.info) return false;
   png_set_read_fn(decoder.png, &decoder, on_read);
-  png_set_user_limits(decoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size() has the better words
+  png_set_user_limits(decoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size() reports a better error
   png_set_crc_action(decoder.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   png_read_info(decoder.png, decoder.info);
   return true;
@@ -74,7 +74,7 @@ bool read_pixels(Decoder& decoder, png_bytepp rows) {
   return true;
 }
 
-// As the PNG specification's appendix has it.
+// CRC-32 as in the appendix of the PNG specification.
 std::uint32_t cyclic_redundancy_check(std::string_view bytes) {
   std::uint32_t crc = 0xffffffffu;
   for (const auto byte : bytes) {
@@ -84,7 +84,8 @@ std::uint32_t cyclic_redundancy_check(std::string_view bytes) {
   return ~crc;
 }
 
-// Put behind the header when all is written: where the picture ends does not depend on what it says.
+// A text chunk, inserted after the header once the picture is encoded: the encoder stays independent of the
+// notes.
 std::string text_chunk(const std::string& keyword, const std::string& text) {
   const auto number = [](std::uint32_t value) {
     std::string bytes;
@@ -99,7 +100,7 @@ std::string text_chunk(const std::string& keyword, const std::string& text) {
          number(cyclic_redundancy_check(chunk));
 }
 
-// Like the Decoder.
+// State of the encoder, in a struct for the reason given at Decoder.
 struct Encoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -157,7 +158,7 @@ bool write_end(Encoder& encoder) {
   return true;
 }
 
-// row(y): the codes of a row; empty where the monitor stops the work.
+// row(y): the codes of a row. Returns nothing where the monitor stops the work.
 template <typename Row>
 std::string encode_codes(int width, int height, int channels, const Row& row, const Context& context) {
   constexpr int codes_between_calls = 1 << 20;

@@ -7,7 +7,7 @@
 #include "luxel/image/codec.h"
 
 // Radiance RGBE pictures: G. Ward, "Real Pixels", Graphics Gems II, 1991; the file format in Radiance's
-// manual. Read by hand, as stb_image.h of 2022 turns for ever in a picture that ends inside a packed row.
+// manual. Own reader, as stb_image.h of 2022 loops endlessly on a picture that ends inside a packed row.
 namespace luxel {
 namespace {
 

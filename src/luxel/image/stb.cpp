@@ -22,7 +22,22 @@ struct Free {
   throw CodecError(fmt::format("the picture is damaged: {}", reason ? reason : "no reason is known"));
 }
 
+// Appends to the std::string at `to`.
+void append(void* to, void* data, int size) {
+  static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
 }  // namespace
+
+std::string encode_jpeg(const Raster& raster, int quality) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(3 * raster.codes.size());
+  for (const auto& code : raster.codes) rgb.insert(rgb.end(), code.begin(), code.begin() + 3);
+  std::string bytes;
+  if (!stbi_write_jpg_to_func(append, &bytes, raster.width, raster.height, 3, rgb.data(), quality))
+    throw CodecError("the picture cannot be written as JPEG");
+  return bytes;
+}
 
 std::string encode_hdr(const Image& linear) {
   // Below 2^127, where the shared exponent of a pixel ends.
@@ -33,9 +48,6 @@ std::string encode_hdr(const Image& linear) {
     for (int c = 0; c < 3; ++c) rgb.push_back(pixel[c] > 0.0f ? std::min(pixel[c], largest) : 0.0f);
 
   std::string bytes;
-  const auto append = [](void* to, void* data, int size) {
-    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-  };
   if (!stbi_write_hdr_to_func(append, &bytes, linear.width, linear.height, 3, rgb.data()))
     throw CodecError("the picture cannot be written as Radiance HDR");
   return bytes;

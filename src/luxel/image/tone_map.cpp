@@ -40,29 +40,58 @@ GreyPicture local_adaptation(const GreyPicture& inputs, double key) {
   return adaptation;
 }
 
-Image map_local(const Image& radiance, const ToneCurve& curve) {
-  const auto inputs = curve_inputs(radiance, curve.scale);
-  const auto key = reinhard_key(curve.options) * std::exp2(static_cast<double>(curve.options.exposure));
-  const auto adaptation = local_adaptation(inputs, key);
+// Maps every pixel by map(radiance, pixel), those on edges part by part.
+template <typename Map>
+Image mapped(const Image& radiance, const EdgePixels& edges, const Map& map) {
   Image display(radiance.width, radiance.height);
-  for (std::size_t p = 0; p < display.pixels.size(); ++p) {
-    const auto clean = clean_color(radiance.pixels[p]);
-    const double L = static_cast<double>(curve.scale) * luminance(clean);
-    const double shown = reinhard(L, adaptation.values[p], curve.options.white);
-    display.pixels[p] = with_luminance(clean, curve.scale, L, shown);
+  for (std::size_t p = 0; p < display.pixels.size(); ++p) display.pixels[p] = map(radiance.pixels[p], p);
+  for (std::size_t e = 0; e < edges.pixels.size(); ++e) {
+    const auto p = edges.pixels[e];
+    Vec3d sum(0.0);
+    for (std::size_t part = 0; part < edges.parts; ++part)
+      sum += Vec3d(map(edges.radiance[e * edges.parts + part], p));
+    display.pixels[p] = Vec3(sum / static_cast<double>(edges.parts));
   }
   return display;
 }
 
+Image map_local(const Image& radiance, const ToneCurve& curve, const EdgePixels& edges) {
+  const auto inputs = curve_inputs(radiance, curve.scale);
+  const auto key = reinhard_key(curve.options) * std::exp2(static_cast<double>(curve.options.exposure));
+  const auto adaptation = local_adaptation(inputs, key);
+  return mapped(radiance, edges, [&](const Vec3& colour, std::size_t p) {
+    const auto clean = clean_color(colour);
+    const double L = static_cast<double>(curve.scale) * luminance(clean);
+    return with_luminance(clean, curve.scale, L, reinhard(L, adaptation.values[p], curve.options.white));
+  });
+}
+
 }  // namespace
 
-Image tone_map(const Image& radiance, const ToneOptions& options) {
-  const std::vector<float> weights(radiance.pixels.size(), 1.0f);
-  const auto curve = fit_curve(radiance.pixels, weights, options);
-  if (options.op == ToneOperator::reinhard_local) return map_local(radiance, curve);
-  Image display(radiance.width, radiance.height);
-  std::transform(radiance.pixels.begin(), radiance.pixels.end(), display.pixels.begin(), curve);
-  return display;
+std::vector<float> exposure_weights(const Image& radiance, const SkyPixels& sky) {
+  constexpr double fewest = 0.02;
+  std::vector<float> weights(radiance.pixels.size(), 1.0f);
+  double covered = 0.0;
+  for (std::size_t i = 0; i < sky.pixels.size(); ++i) {
+    weights[sky.pixels[i]] = 1.0f - sky.fraction[i];
+    covered += static_cast<double>(sky.fraction[i]);
+  }
+  const auto all = static_cast<double>(weights.size());
+  if (all - covered < fewest * all) std::fill(weights.begin(), weights.end(), 1.0f);
+  return weights;
+}
+
+ToneCurve fit_curve(const Image& radiance, const SkyPixels& sky, const ToneOptions& options) {
+  return fit_curve(radiance.pixels, exposure_weights(radiance, sky), options);
+}
+
+Image tone_map(const Image& radiance, const ToneOptions& options, const EdgePixels& edges,
+               const SkyPixels& sky) {
+  const auto curve = fit_curve(radiance, sky, options);
+  auto shown = radiance;
+  for (std::size_t i = 0; i < sky.pixels.size(); ++i) shown.pixels[sky.pixels[i]] = sky.radiance[i];
+  if (options.op == ToneOperator::reinhard_local) return map_local(shown, curve, edges);
+  return mapped(shown, edges, [&](const Vec3& colour, std::size_t) { return curve(colour); });
 }
 
 }  // namespace luxel

@@ -11,14 +11,15 @@ namespace {
 
 constexpr std::size_t alignment = 4;
 
-// Extensions that name neither accessors nor views of buffers, and textures only as glTF itself does.
+// Extensions that reference neither accessors nor buffer views, and textures only as glTF itself does.
 bool is_harmless(const std::string& extension) {
   return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_transform") ||
          extension == "KHR_lights_punctual" || extension == "KHR_mesh_quantization" ||
+         extension == "EXT_texture_webp" || extension == "KHR_texture_basisu" ||
          extension == "KHR_xmp_json_ld" || extension == "MOZ_lightmap";
 }
 
-// Goes to every place that names an accessor, every one that names a view, and so on.
+// Visits every place that references an accessor, a buffer view, and so on.
 using Visit = std::function<void(SortedJson&)>;
 using Names = std::function<void(SortedJson&, const Visit&)>;
 
@@ -61,7 +62,7 @@ void visit_view_names(SortedJson& root, const Visit& visit) {
   each_of(root, "images", [&](SortedJson& image) { at_member(image, "bufferView", visit); });
 }
 
-// The members of a material, at any depth, that name textures: all of glTF's are called so.
+// The members of a material, at any depth, that reference textures: glTF names them all alike.
 void visit_texture_names_of(SortedJson& owner, const Visit& visit) {
   if (!owner.is_object()) return;
   for (const auto& [key, member] : owner.items()) {
@@ -76,14 +77,17 @@ void visit_texture_names(SortedJson& root, const Visit& visit) {
 }
 
 void visit_picture_names(SortedJson& root, const Visit& visit) {
-  each_of(root, "textures", [&](SortedJson& texture) { at_member(texture, "source", visit); });
+  each_of(root, "textures", [&](SortedJson& texture) {
+    at_member(texture, "source", visit);
+    each_of(texture, "extensions", [&](SortedJson& extension) { at_member(extension, "source", visit); });
+  });
 }
 
 void visit_sampler_names(SortedJson& root, const Visit& visit) {
   each_of(root, "textures", [&](SortedJson& texture) { at_member(texture, "sampler", visit); });
 }
 
-// Errors in parts of a file that are not read are left as they are.
+// Errors in parts of a file that are not read are ignored.
 bool names_one_of(const SortedJson& name, std::size_t count) {
   return name.is_number_unsigned() && name.get<std::size_t>() < count;
 }

@@ -22,7 +22,7 @@ EarClipper::EarClipper(std::span<const glm::dvec2> points)
   build_grid();
 }
 
-// About one corner of the ring a cell, as a counting sort; a small ring has one cell.
+// About one corner of the ring per cell, as a counting sort; a small ring has one cell.
 void EarClipper::build_grid() {
   std::vector<std::uint32_t> ring(left_);
   for (auto& corner : ring) corner = here_ = next_[here_];
@@ -65,10 +65,10 @@ void EarClipper::clip(Triangles& triangles) {
   while (left_ >= 3) cut(next_[here_], triangles);
 }
 
-// Visits each corner once and returns the number of cuts. Where ears are many it leaves every second one for
-// the next round: fewer slivers. Where they are few (along a winding corridor only its two ends are ears) it
-// visits both neighbours of a cut at once. Cuts that break the shape are made one per round, for there may be
-// true ears again behind them.
+// Visits each corner once and returns the number of cuts. Where ears are frequent it leaves every second one
+// for the next round: fewer slivers. Where they are rare (along a winding corridor only its two ends are
+// ears) it visits both neighbours of a cut at once. Cuts that break the shape are limited to one per round,
+// as true ears may follow.
 std::size_t EarClipper::go_round(Demand demand, Triangles& triangles) {
   std::size_t cuts = 0;
   auto visits = left_;
@@ -77,7 +77,7 @@ std::size_t EarClipper::go_round(Demand demand, Triangles& triangles) {
     cut(here_, triangles);
     ++cuts;
     if (demand >= Demand::convex) {
-      here_ = next_[here_];  // what was cut is a corner no more
+      here_ = next_[here_];  // a corner that was cut is no longer in the ring
       break;
     }
     if (are_ears_few_) {
@@ -131,8 +131,8 @@ bool EarClipper::is_ear(std::uint32_t corner) {
   return true;
 }
 
-// True where another corner lies in the ear or on its boundary. One that stands on a corner of the ear, as
-// along a seam, blocks it only where the polygon goes on from there into the ear.
+// Returns whether another corner lies in the ear or on its boundary. A corner that coincides with one of the
+// ear, as along a seam, blocks it only where the polygon continues from there into the ear.
 bool EarClipper::blocks(std::uint32_t other, std::uint32_t corner) const {
   const auto before = previous_[corner], after = next_[corner];
   if (other == before || other == corner || other == after) return false;
@@ -143,7 +143,7 @@ bool EarClipper::blocks(std::uint32_t other, std::uint32_t corner) const {
   return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
 }
 
-// True where one of the two edges at a corner points strictly between the directions to right and left.
+// Returns whether one of the two edges at a corner points strictly between the directions to right and left.
 bool EarClipper::leads_between(std::uint32_t other, const glm::dvec2& right, const glm::dvec2& left) const {
   const auto& at = points_[other];
   const auto is_between = [&](const glm::dvec2& q) {

@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "numbers of glTF are l
 template <typename T>
 T read(const char* place) {
   T value;
-  std::memcpy(&value, place, sizeof(T));  // which need not lie at a multiple of its size
+  std::memcpy(&value, place, sizeof(T));  // place may be unaligned
   return value;
 }
 
@@ -83,7 +83,7 @@ GltfArray::Bytes GltfArray::bytes_of(GltfFile& file, const JsonValue& owner, std
     stride.refuse(
         fmt::format("expected {} to 252 bytes from one element to the next, found {}", element, step));
   if (count == 0) return {};
-  // Divided, since products of such numbers can be beyond all counting.
+  // Division, since the product of such numbers can overflow.
   if (offset > bytes.size() || bytes.size() - offset < element ||
       (bytes.size() - offset - element) / step < count - 1)
     owner.refuse(
@@ -118,7 +118,7 @@ std::uint32_t GltfArray::whole(const char* place, Type type) {
   return type == Type::u16 ? read<std::uint16_t>(place) : read<std::uint32_t>(place);
 }
 
-// By bisection where some are replaced.
+// Bisects the replaced elements of a sparse accessor.
 const char* GltfArray::place_of(std::size_t element) const {
   std::size_t low = 0, high = replaced_;
   while (low < high) {

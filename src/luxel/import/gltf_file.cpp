@@ -9,6 +9,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
+#include "luxel/import/gltf_decompress.h"
 #include "luxel/import/uri.h"
 
 namespace luxel {
@@ -36,10 +37,17 @@ GltfFile::GltfFile(std::string bytes, const std::filesystem::path& path,
       text_(read_container()),
       root_(JsonValue::parse(text_, source_)) {
   check_version(extensions);
+  if (auto decoded = decompress_gltf(*this)) {
+    for (auto& [number, buffer] : decoded->buffers) buffers_[number] = std::move(buffer);
+    decoded_text_ = std::move(decoded->text);
+    text_ = decoded_text_;
+    root_ = JsonValue::parse(text_, source_);
+  }
 }
 
-// A header of 12 bytes (magic, version, length), then chunks of length, kind and bytes: JSON first, then one
-// of bytes; further ones are for extensions. Gives the JSON, which is all there is in a .gltf.
+// A GLB has a header of 12 bytes (magic, version, length), then chunks of length, kind and bytes: JSON first,
+// then one of binary data; further ones are for extensions. Returns the JSON, which is the whole file in a
+// .gltf.
 std::string_view GltfFile::read_container() {
   if (!bytes_.starts_with(magic)) return bytes_;
   constexpr std::size_t header = 12, chunk_header = 8;
@@ -81,8 +89,10 @@ void GltfFile::check_version(const std::vector<std::string_view>& extensions) co
   for (std::size_t i = 0; i < required.size(); ++i) {
     const auto name = required[i].text();
     if (std::find(extensions.begin(), extensions.end(), name) == extensions.end())
-      required[i].refuse(
-          fmt::format("the file cannot be read without {}, which Luxel lacks; save it without", name));
+      required[i].refuse(fmt::format(
+          "the file cannot be read without {}, which Luxel lacks; export it without, for example by: npx "
+          "@gltf-transform/cli copy IN.glb OUT.glb",
+          name));
   }
 }
 
@@ -100,14 +110,15 @@ std::string_view GltfFile::view(const JsonValue& index) {
   return view(index.whole());
 }
 
-std::string_view GltfFile::view(std::size_t number) {
-  const auto view = root_["bufferViews"][number];
-  object(view["buffer"], "buffers");
-  const auto whole = buffer(view["buffer"].whole());
-  const auto offset = view["byteOffset"].whole(0), length = view["byteLength"].whole();
+std::string_view GltfFile::view(std::size_t number) { return range(root_["bufferViews"][number]); }
+
+std::string_view GltfFile::range(const JsonValue& of) {
+  object(of["buffer"], "buffers");
+  const auto whole = buffer(of["buffer"].whole());
+  const auto offset = of["byteOffset"].whole(0), length = of["byteLength"].whole();
   if (offset > whole.size() || length > whole.size() - offset)
-    view.refuse(fmt::format("it takes {} bytes from byte {} on, but the buffer has {}", length, offset,
-                            whole.size()));
+    of.refuse(fmt::format("it takes {} bytes from byte {} on, but the buffer has {}", length, offset,
+                          whole.size()));
   return whole.substr(offset, length);
 }
 
@@ -115,10 +126,10 @@ std::string_view GltfFile::buffer(std::size_t number) {
   const auto buffer = root_["buffers"][number];
   const auto length = buffer["byteLength"].whole();
   std::string_view bytes = binary_;
-  if (const auto uri = buffer["uri"]) {
-    const auto [place, is_new] = buffers_.try_emplace(number);
-    if (is_new) place->second = resource(uri);
-    bytes = place->second;
+  if (const auto found = buffers_.find(number); found != buffers_.end()) {
+    bytes = found->second;
+  } else if (const auto uri = buffer["uri"]) {
+    bytes = buffers_[number] = resource(uri);
   } else if (number != 0) {
     buffer.refuse("expected a uri, found none; only the first buffer may lie inside the file");
   }

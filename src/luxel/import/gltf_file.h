@@ -14,8 +14,9 @@
 namespace luxel {
 
 // A glTF 2.0 file as it is written down: its JSON, and the bytes it refers to, inside it, in data URIs or in
-// files beside it. Files are named relative to its folder, and may lie above it ("../textures/wood.png"), as
-// scenes in the wild have it; whole paths and addresses of the net are refused.
+// files beside it. Meshes that Draco or meshoptimizer compressed are decoded when it is opened, so that what
+// it shows has none. Files are named relative to its folder, and may lie above it ("../textures/wood.png"),
+// as scenes in the wild have it; whole paths and addresses of the net are refused.
 class GltfFile {
  public:
   // Reads a GLB (recognised by its first bytes) or the JSON of a .gltf. Throws InputError where it is
@@ -42,10 +43,13 @@ class GltfFile {
   // The same by its number, below how many there are.
   std::string_view view(std::size_t number);
 
+  // The bytes that an object with buffer, byteOffset and byteLength means, likewise.
+  std::string_view range(const JsonValue& of);
+
   // The bytes of a buffer, by its number, likewise.
   std::string_view buffer(std::size_t number);
 
-  // The JSON as it is written.
+  // The JSON as it is written, but for what was decoded.
   std::string_view text() const { return text_; }
 
   // The bytes that a URI stands for.
@@ -60,8 +64,9 @@ class GltfFile {
   std::string bytes_;        // the whole file
   std::string_view binary_;  // what a GLB has behind it
   std::string_view text_;
+  std::string decoded_text_;  // in place of the file's own where it was compressed
   JsonValue root_;
-  std::map<std::size_t, std::string> buffers_;  // those read from elsewhere
+  std::map<std::size_t, std::string> buffers_;  // those read from elsewhere, or decoded
 };
 
 }  // namespace luxel

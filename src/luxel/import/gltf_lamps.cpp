@@ -24,7 +24,7 @@ Vec3 place_of(const PlacedNode& placed, double scale, const Scene& scene) {
   return Vec3(at - scene.origin);
 }
 
-// An axis of the node as the scene sees it, of length 1.
+// Returns an axis of the node in scene coordinates, of length 1.
 Vec3 axis_of(const PlacedNode& placed, const Vec3d& axis) {
   const auto turned = glm::dmat3(placed.world) * axis;
   const auto length = glm::length(turned);
@@ -47,8 +47,8 @@ Vec3 intensity_of(const JsonValue& light) {
   return watts;
 }
 
-// Some programs write equal angles for a spot with a sharp boundary: it fades within a thousandth, as the
-// extension's own formula has it.
+// Some programs write equal angles for a spot with a sharp boundary. The light then fades within a
+// thousandth, as in the extension's own formula.
 void read_cone(const JsonValue& spot, PointLight& lamp) {
   constexpr double narrowest = 1e-3;
   const auto inner = spot["innerConeAngle"].number(0.0);
@@ -90,8 +90,8 @@ Camera camera_of(const PlacedNode& placed, const JsonValue& perspective, double 
   camera.up = axis_of(placed, Vec3d(0.0, 1.0, 0.0));
   if (!(glm::length(glm::cross(ahead, camera.up)) > 1e-3f))
     placed.node.refuse("expected a camera whose up is not along its view");
-  camera.target =
-      camera.eye + std::max(1.0f, 1e-3f * glm::length(camera.eye)) * ahead;  // told apart in floats
+  camera.target = camera.eye +
+                  std::max(1.0f, 1e-3f * glm::length(camera.eye)) * ahead;  // distinct from the eye in floats
   camera.vertical_fov = static_cast<float>(degrees);
   return camera;
 }

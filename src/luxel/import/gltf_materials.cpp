@@ -16,8 +16,9 @@
 namespace luxel {
 namespace {
 
-// Where alpha is the share of the light that a surface blocks: the half from which on it counts as solid.
+// Alpha is the fraction of the light that a surface blocks; from one half on it counts as solid.
 constexpr double half_solid = 0.5;
+constexpr float half_metal = 0.5f;
 
 // The places where a material may name a picture that matters to diffuse light.
 std::array<JsonValue, 3> pictures_of(const JsonValue& json) {
@@ -28,7 +29,7 @@ std::array<JsonValue, 3> pictures_of(const JsonValue& json) {
           metallic["metallicRoughnessTexture"], json["emissiveTexture"]};
 }
 
-// The n of TEXCOORD_n that a picture lies by.
+// Returns the n of the picture's TEXCOORD_n.
 std::size_t coordinates_of(const JsonValue& info) {
   return info["extensions"]["KHR_texture_transform"]["texCoord"].whole(info["texCoord"].whole(0));
 }
@@ -49,7 +50,7 @@ Vec3 colour_of(const JsonValue& factor, const std::vector<double>& numbers) {
   return colour;
 }
 
-// In W/(m² sr) a band, from cd/m².
+// In W/(m² sr) per band, from cd/m².
 Vec3 radiance_of(const JsonValue& json) {
   constexpr double most = 1e30;
   const auto factor = json["emissiveFactor"];
@@ -68,10 +69,11 @@ struct GltfMaterials::Surface {
   std::string name;
   Vec3 base = Vec3(1.0f);
   double alpha = 1.0;
-  float metal = 0.0f;   // [0, 1]
-  double cutoff = 0.0;  // alpha below it is a hole
+  float metal = 0.0f;      // [0, 1]
+  bool is_mirror = false;  // of specular and glossiness: dark but for its reflections, which base has
+  double cutoff = 0.0;     // alpha below it is a hole
   bool is_blended = false;
-  double passes = 0.0;  // share of the light that goes through
+  double passes = 0.0;  // fraction of the light that is transmitted
   bool is_unlit = false, two_sided = false;
   Vec3 emittance = Vec3(0.0f);  // W/m²
   TextureInput base_picture, metal_picture, emission_picture;
@@ -121,8 +123,9 @@ GltfMaterials::Surface GltfMaterials::read(const JsonValue& json, const JsonValu
   surface.base = colour_of(factor, base);
   surface.alpha = base[3];
   surface.is_unlit = static_cast<bool>(json["extensions"]["KHR_materials_unlit"]);
-  if (!is_specular && !surface.is_unlit)  // which means the base colour and nothing else
+  if (!is_specular && !surface.is_unlit)  // unlit: the base colour and nothing else
     surface.metal = static_cast<float>(std::clamp(metallic["metallicFactor"].number(1.0), 0.0, 1.0));
+  if (is_specular && !surface.is_unlit) light_mirror(specular, surface);
   surface.emittance = pi * radiance_of(json);
   const auto [base_info, metal_info, emission_info] = pictures_of(json);
   surface.base_picture = texture_input(base_info, attributes);
@@ -138,6 +141,19 @@ GltfMaterials::Surface GltfMaterials::read(const JsonValue& json, const JsonValu
   surface.passes = json["extensions"]["KHR_materials_transmission"]["transmissionFactor"].number(0.0);
   surface.two_sided = json["doubleSided"].truth(false);
   return surface;
+}
+
+// A mirror or metal of KHR_materials_pbrSpecularGlossiness has a dark diffuse colour and a bright specular
+// one.
+void GltfMaterials::light_mirror(const JsonValue& specular, Surface& surface) {
+  constexpr float dark = 0.2f, bright = 0.3f;
+  const auto largest = [](const Vec3& v) { return std::max({v.r, v.g, v.b}); };
+  if (specular["diffuseTexture"] || specular["specularGlossinessTexture"]) return;
+  const auto factor = specular["specularFactor"];
+  const auto colour = colour_of(factor, factor.numbers({1.0, 1.0, 1.0}));
+  if (!(largest(surface.base) < dark && largest(colour) >= bright)) return;
+  surface.base += colour;
+  surface.is_mirror = true;
 }
 
 GltfMaterials::TextureInput GltfMaterials::texture_input(const JsonValue& info, const JsonValue& attributes) {
@@ -180,7 +196,7 @@ void GltfMaterials::emit(const Surface& surface, Material& material) const {
   material.textures.emittance_factor = surface.emittance;
 }
 
-// Alpha becomes a hole or none: a hole where the picture's times the factor's is below the cutoff.
+// Alpha becomes a binary hole mask: a hole where the picture's alpha times the factor's is below the cutoff.
 void GltfMaterials::let_through(const Surface& surface, Material& material) {
   const auto& picture = surface.base_picture;
   bool has_hole = surface.alpha < surface.cutoff;
@@ -201,36 +217,45 @@ void GltfMaterials::let_through(const Surface& surface, Material& material) {
 
 void GltfMaterials::reflect(const Surface& surface, Material& material) {
   auto base = surface.base_picture;
-  const auto colour = surface.base * diffuse_fraction(surface, base);
+  const auto colour = surface.base * diffuse_fraction(surface, base, material);
   material.reflectance = colour;
-  if (!base.is_given) return;
-  material.reflectance *=
-      base.texture ? mean_colour(textures_.raster(*base.texture)) : Vec3(default_reflectance);
-  material.textures.reflectance = base.use;
-  material.textures.reflectance_factor = colour;
+  if (base.is_given) {
+    material.reflectance *=
+        base.texture ? mean_colour(textures_.raster(*base.texture)) : Vec3(default_reflectance);
+    material.textures.reflectance = base.use;
+    material.textures.reflectance_factor = colour;
+  }
+  if (surface.is_mirror || material.textures.max_reflectance < options_.max_reflectance)
+    material.reflectance = glm::min(material.reflectance, Vec3(max_metal_reflectance));
 }
 
-// What metal leaves to diffuse light, 1 - metallic. Where a picture says how metallic each place is, the base
-// colour's is replaced by one that has it inside, if they lie alike; if not, the mean is taken.
-float GltfMaterials::diffuse_fraction(const Surface& surface, TextureInput& base) {
+// Returns the fraction of the base colour that is diffuse reflectance. A metal reflects light of its base
+// colour, but no diffuse light: where there is more metal than not, the whole base colour stands for it, up
+// to a limit; elsewhere the fraction is 1 - metallic. Where a picture gives metallic per texel, the base
+// colour picture is replaced by one of stand-ins if their placements agree; otherwise the mean is used.
+float GltfMaterials::diffuse_fraction(const Surface& surface, TextureInput& base, Material& material) {
+  if (surface.is_mirror) metals_.push_back(surface.name);
   const auto& picture = surface.metal_picture;
   if (surface.metal == 0.0f || (picture.is_given && !picture.texture)) return 1.0f;
-  auto fraction = 1.0f - surface.metal;
+  auto metallic = surface.metal;
   if (picture.texture) {
     const auto metal = metal_range(textures_.raster(*picture.texture));
     auto same_use = base.use;
     if (same_use && picture.use) same_use->texture = picture.use->texture;
     if (metal.least < metal.most && picture.use && (!base.is_given || same_use == picture.use)) {
       base.use = picture.use;
-      base.texture = textures_.without_metal(base.texture, *picture.texture, surface.metal);
+      base.texture = textures_.with_metal(base.texture, *picture.texture, surface.metal);
       base.use->texture = *base.texture;
       base.is_given = true;
+      if (surface.metal * metal.most > half_metal) metals_.push_back(surface.name);
       return 1.0f;
     }
-    fraction = 1.0f - surface.metal * metal.mean;
+    metallic = surface.metal * metal.mean;
   }
-  if (fraction < 0.5f) metals_.push_back(surface.name);
-  return fraction;
+  if (metallic <= half_metal) return 1.0f - metallic;
+  metals_.push_back(surface.name);
+  material.textures.max_reflectance = std::min(options_.max_reflectance, max_metal_reflectance);
+  return 1.0f;
 }
 
 void GltfMaterials::cap(Material& material) {
@@ -261,7 +286,12 @@ void GltfMaterials::say_warnings(const Context& context) const {
   say("light passes freely through what is more transparent than not, which is left out:", transparent_, "");
   say("surfaces are solid or not there: alpha (BLEND) is taken as a hole where it is below 0.5, for",
       blended_, "");
-  say("metals reflect no diffuse light, so they are darker than they look elsewhere:", metals_, "");
+  if (!metals_.empty())
+    context.note(
+        fmt::format("{}: stand-ins, since metals and mirrors are not modelled: their colour, at most {}, is "
+                    "taken as diffuse "
+                    "for {}",
+                    file_.source(), max_metal_reflectance, name_list(metals_)));
   say("what is drawn without light elsewhere (KHR_materials_unlit) is a diffuse surface of its colour here:",
       unlit_, "");
   say("there are no texture coordinates for some surfaces of", without_coordinates_,

@@ -44,7 +44,8 @@ class GltfMaterials {
   std::uint32_t set_of(std::size_t coordinates);
   Material make(const Surface& surface);
   void reflect(const Surface& surface, Material& material);
-  float diffuse_fraction(const Surface& surface, TextureInput& base);
+  float diffuse_fraction(const Surface& surface, TextureInput& base, Material& material);
+  static void light_mirror(const JsonValue& specular, Surface& surface);
   void emit(const Surface& surface, Material& material) const;
   void let_through(const Surface& surface, Material& material);
   void cap(Material& material);

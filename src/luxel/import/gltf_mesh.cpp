@@ -16,7 +16,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;  // numbers of vertices in the primitive's arrays
 
-// 0 for what is no number.
+// Clamps to [0, 1]; NaN becomes 0.
 float in_unit(float x) { return x > 0.0f ? std::min(x, 1.0f) : 0.0f; }
 
 }  // namespace
@@ -30,9 +30,6 @@ void GltfMesh::add(const JsonValue& primitive, const glm::dmat4& world, const st
                    MaterialId material) {
   const auto place = primitive["attributes"]["POSITION"];
   const GltfArray positions(file_, place, 3, 3);
-  if (primitive["extensions"]["KHR_draco_mesh_compression"] && !positions.accessor()["bufferView"])
-    primitive.refuse(
-        "its mesh is compressed (KHR_draco_mesh_compression), which Luxel lacks; save it without");
   auto corners = triangle_corners(file_, primitive, positions.size());
   if (mirrors(world))
     for (auto& [a, b, c] : corners) std::swap(b, c);
@@ -80,7 +77,8 @@ std::uint32_t GltfMesh::number_of(const std::string& object) {
   return found->second;
 }
 
-// Materials that want a set which a primitive lacks are not given to it, so what fills the place is not seen.
+// A primitive never gets a material that needs a set it lacks, so the values that fill the gap are not
+// visible.
 void GltfMesh::add_uvs(const JsonValue& primitive, const std::vector<Corners>& corners) {
   for (std::size_t set = 0; set < scene_.uv_sets.size(); ++set) {
     auto& uvs = scene_.uv_sets[set];

@@ -23,7 +23,7 @@ bool draws_triangles(const JsonValue& primitive) {
   return mode_of(primitive) >= triangles && primitive["attributes"]["POSITION"];
 }
 
-// The places in the order of drawing of triangle number t, counter-clockwise.
+// Returns the positions of triangle t in drawing order, counter-clockwise.
 std::array<std::size_t, 3> places(std::size_t mode, std::size_t t) {
   if (mode == strip) return {t, t + 1 + t % 2, t + 2 - t % 2};
   if (mode == fan) return {t + 1, t + 2, 0};
@@ -38,23 +38,18 @@ std::string object_name(const PlacedNode& placed, const JsonValue& mesh) {
 }  // namespace
 
 const std::vector<std::string_view>& known_extensions() {
-  static const std::vector<std::string_view> known = {"KHR_lights_punctual",
-                                                      "KHR_materials_emissive_strength",
-                                                      "KHR_materials_unlit",
-                                                      "KHR_materials_pbrSpecularGlossiness",
-                                                      "KHR_texture_transform",
-                                                      "KHR_mesh_quantization",
-                                                      "KHR_materials_anisotropy",
-                                                      "KHR_materials_clearcoat",
-                                                      "KHR_materials_dispersion",
-                                                      "KHR_materials_ior",
-                                                      "KHR_materials_iridescence",
-                                                      "KHR_materials_sheen",
-                                                      "KHR_materials_specular",
-                                                      "KHR_materials_transmission",
-                                                      "KHR_materials_variants",
-                                                      "KHR_materials_volume",
-                                                      "KHR_xmp_json_ld"};
+  static const std::vector<std::string_view> known = {
+      "KHR_lights_punctual",       "KHR_materials_emissive_strength",
+      "KHR_materials_unlit",       "KHR_materials_pbrSpecularGlossiness",
+      "KHR_texture_transform",     "KHR_mesh_quantization",
+      "KHR_materials_anisotropy",  "KHR_materials_clearcoat",
+      "KHR_materials_dispersion",  "KHR_materials_ior",
+      "KHR_materials_iridescence", "KHR_materials_sheen",
+      "KHR_materials_specular",    "KHR_materials_transmission",
+      "KHR_materials_variants",    "KHR_materials_volume",
+      "KHR_xmp_json_ld",           "KHR_draco_mesh_compression",
+      "EXT_meshopt_compression",   "EXT_texture_webp",
+      "KHR_texture_basisu"};
   return known;
 }
 

@@ -8,6 +8,7 @@
 
 #include "luxel/core/error.h"
 #include "luxel/core/trig.h"
+#include "luxel/import/make_materials.h"
 #include "luxel/import/name_list.h"
 #include "luxel/import/raster_colours.h"
 #include "luxel/import/uri.h"
@@ -28,8 +29,8 @@ Wrap wrap_of(const JsonValue& mode) {
   }
 }
 
-// KHR_texture_transform: scaled, turned, shifted. Turned the way of its test model and of all viewers, which
-// is not the way of the matrix in its text (KhronosGroup/glTF, 1563).
+// KHR_texture_transform: scale, rotation, offset. The rotation has the direction of its test model and of all
+// viewers, which differs from the matrix in its text (KhronosGroup/glTF, 1563).
 std::array<float, 6> placement_of(const JsonValue& transform) {
   constexpr double most = 1e6;
   const auto offset = transform["offset"].numbers({0.0, 0.0});
@@ -41,6 +42,18 @@ std::array<float, 6> placement_of(const JsonValue& transform) {
   const auto f = [](double x) { return static_cast<float>(x); };
   return {f(cosine * scale[0]), f(sine * scale[1]),   f(offset[0]),  //
           f(-sine * scale[0]),  f(cosine * scale[1]), f(offset[1])};
+}
+
+// Returns the index of a texture's picture: that of glTF itself, or that of an extension.
+JsonValue source_of(const JsonValue& texture) {
+  if (const auto webp = texture["extensions"]["EXT_texture_webp"]["source"]) return webp;
+  if (const auto source = texture["source"]) return source;
+  if (texture["extensions"]["KHR_texture_basisu"])
+    texture.refuse(
+        "its picture is KTX2, which Luxel does not read; convert the file by: npx @gltf-transform/cli "
+        "ktxdecompress "
+        "IN.glb OUT.glb");
+  texture.refuse("expected a source that is PNG, JPEG or WebP, found none");
 }
 
 }  // namespace
@@ -60,9 +73,8 @@ GltfTextures::Picture GltfTextures::picture(const JsonValue& info) {
 }
 
 std::optional<std::uint32_t> GltfTextures::decoded(const JsonValue& texture) {
-  const auto source = texture["source"];
   try {
-    if (!source) texture.refuse("expected a source that is PNG or JPEG, found none");
+    const auto source = source_of(texture);
     const auto image = file_.object(source, "images");
     const auto [place, is_new] = images_.try_emplace(source.whole());
     if (!is_new) return place->second;
@@ -80,14 +92,14 @@ std::optional<std::uint32_t> GltfTextures::decoded(const JsonValue& texture) {
   }
 }
 
-std::uint32_t GltfTextures::without_metal(std::optional<std::uint32_t> base, std::uint32_t metal,
-                                          float factor) {
+std::uint32_t GltfTextures::with_metal(std::optional<std::uint32_t> base, std::uint32_t metal, float factor) {
   const auto key = std::tuple(base ? std::int64_t{*base} : -1, metal, factor);
-  const auto [place, is_new] = without_metal_.try_emplace(key, static_cast<std::uint32_t>(textures_.size()));
+  const auto [place, is_new] = with_metal_.try_emplace(key, static_cast<std::uint32_t>(textures_.size()));
   if (is_new) {
-    auto left = luxel::without_metal(base ? &raster(*base) : nullptr, raster(metal), factor);
+    auto lowered =
+        with_lowered_metal(base ? &raster(*base) : nullptr, raster(metal), factor, max_metal_reflectance);
     textures_.push_back(
-        {textures_[base.value_or(metal)].name, std::make_shared<const Raster>(std::move(left))});
+        {textures_[base.value_or(metal)].name, std::make_shared<const Raster>(std::move(lowered))});
   }
   return place->second;
 }

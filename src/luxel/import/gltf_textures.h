@@ -31,9 +31,9 @@ class GltfTextures {
 
   const Raster& raster(std::uint32_t texture) const { return *textures_[texture].raster; }
 
-  // A texture with the colours of `base` (white where there is none) less what metal takes: times 1 - factor
-  // times the blue of `metal`.
-  std::uint32_t without_metal(std::optional<std::uint32_t> base, std::uint32_t metal, float factor);
+  // A texture with the colours of `base` (white where there is none), lowered to max_metal_reflectance where
+  // they are of metal: by factor times the blue of `metal`.
+  std::uint32_t with_metal(std::optional<std::uint32_t> base, std::uint32_t metal, float factor);
 
   const std::vector<Texture>& textures() const { return textures_; }
 
@@ -45,7 +45,7 @@ class GltfTextures {
   GltfFile& file_;
   std::vector<Texture> textures_;
   std::map<std::size_t, std::optional<std::uint32_t>> images_;  // those that were requested
-  std::map<std::tuple<std::int64_t, std::uint32_t, float>, std::uint32_t> without_metal_;
+  std::map<std::tuple<std::int64_t, std::uint32_t, float>, std::uint32_t> with_metal_;
   std::size_t unreadable_ = 0;
   std::string first_reason_;
 };

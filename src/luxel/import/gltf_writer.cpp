@@ -37,6 +37,8 @@ std::string little_endian(std::size_t number) {
 std::string_view picture_type(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return "image/png";
   if (bytes.starts_with("\xff\xd8")) return "image/jpeg";
+  if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "image/webp";
+  if (bytes.starts_with("\xabKTX 20\xbb")) return "image/ktx2";
   return {};
 }
 
@@ -57,7 +59,7 @@ struct GltfWriter::Element {
 
 namespace {
 
-// Data that is copied without having been read.
+// Checks data that is copied without being read.
 void check_unread(GltfFile& file) {
   const auto views = file.root()["bufferViews"];
   for (std::size_t i = 0; i < views.size(); ++i) file.view(i);
@@ -65,7 +67,7 @@ void check_unread(GltfFile& file) {
   for (std::size_t i = 0; i < used.size(); ++i) used[i].text();
 }
 
-// Returns an array that is to be added to. A value of another kind is replaced.
+// Returns an array to append to. A value of another kind is replaced.
 SortedJson& array_at(SortedJson& root, const std::string& path) {
   auto& array = root[pointer(path)];
   if (!array.is_array()) array = SortedJson::array();
@@ -114,7 +116,7 @@ void GltfWriter::take_buffers(GltfFile& file) {
   root["buffers"] = SortedJson::array({SortedJson::object()});
 }
 
-// Pictures that cannot be read, or are of other kinds than glTF's own, stay under their names.
+// Pictures that cannot be read, or whose format is not one of glTF's own, stay as references to their files.
 void GltfWriter::take_pictures(GltfFile& file) {
   const auto images = file.root()["images"];
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -124,7 +126,7 @@ void GltfWriter::take_pictures(GltfFile& file) {
     try {
       picture = file.resource(uri);
     } catch (const InputError&) {
-      continue;  // whoever reads it is told so
+      continue;  // reported by the program that reads it
     }
     const auto type = picture_type(picture);
     if (type.empty()) continue;

@@ -15,7 +15,7 @@ namespace {
 
 const SortedJson& json(const void* node) { return *static_cast<const SortedJson*>(node); }
 
-// As much of a value as a person needs to recognise it by.
+// An excerpt of a value, long enough to recognise it.
 std::string excerpt(const SortedJson& value) {
   constexpr std::size_t most = 40;
   if (value.is_object()) return "an object";

@@ -41,12 +41,12 @@ class GltfLoader {
   GltfParts drawn_;
 };
 
-// Few bytes can declare very large scenes: by instances, and by arrays of zeros without any bytes.
+// Few bytes can declare very large scenes: by instances, and by accessors without a buffer view, which are
+// zero.
 void GltfLoader::check_counts() const {
   constexpr std::size_t max_corners = 300'000'000;  // some 30 bytes each
   std::size_t corners = 0, zeros = 0;
   for (const auto& part : drawn_.parts) {
-    if (part.primitive["extensions"]["KHR_draco_mesh_compression"]) continue;
     const GltfArray positions(file_, part.primitive["attributes"]["POSITION"], 3, 3);
     auto count = positions.size();
     bool is_zero = !positions.accessor()["bufferView"];
@@ -71,7 +71,7 @@ void GltfLoader::check_counts() const {
 bool GltfLoader::add_triangles(Scene& scene, GltfMaterials& materials) {
   check_counts();
   const auto& parts = drawn_.parts;
-  // Which sets of texture coordinates are wanted shows only when all materials are known.
+  // The required sets of texture coordinates are known only after all materials.
   std::vector<MaterialId> material_of;
   for (const auto& part : parts) {
     material_of.push_back(materials.of(part.primitive));
@@ -106,6 +106,7 @@ void GltfLoader::say_warnings() const {
 Scene GltfLoader::load() {
   Scene scene;
   scene.source = file_.source();
+  scene.up = Vec3(0.0f, 1.0f, 0.0f);
   GltfMaterials materials(file_, options_);
   if (!add_triangles(scene, materials)) return {};
   materials.give(scene);

@@ -12,21 +12,29 @@
 #include "luxel/import/is_gltf.h"
 #include "luxel/import/load_gltf.h"
 #include "luxel/import/load_obj.h"
+#include "luxel/import/load_ply.h"
+#include "luxel/import/load_stl.h"
 #include "luxel/import/name_list.h"
 #include "luxel/scene/name_pattern.h"
 #include "luxel/scene/orient_windings.h"
+#include "luxel/scene/scale_doubt.h"
 #include "luxel/scene/weld_vertices.h"
 
 namespace luxel {
 namespace {
 
 bool is_obj(const std::filesystem::path& path) { return ending_of(path) == ".obj"; }
+bool is_ply(const std::filesystem::path& path) { return ending_of(path) == ".ply"; }
+bool is_stl(const std::filesystem::path& path) { return ending_of(path) == ".stl"; }
+
+constexpr const char* endings = ".obj, .glb, .gltf, .ply or .stl";
 
 struct Reader {
   bool (*reads)(const std::filesystem::path&);
   Scene (*load)(const std::filesystem::path&, const LoadOptions&, const Context&);
 };
-constexpr auto readers = std::to_array<Reader>({{is_obj, load_obj}, {is_gltf, load_gltf}});
+constexpr auto readers =
+    std::to_array<Reader>({{is_obj, load_obj}, {is_gltf, load_gltf}, {is_ply, load_ply}, {is_stl, load_stl}});
 
 void check_options(const LoadOptions& options) {
   if (!(options.scale > 0.0 && std::isfinite(options.scale)))
@@ -49,22 +57,21 @@ void check_is_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError(path.string(), "no such file");
   if (std::filesystem::is_directory(status))
-    throw InputError(path.string(), "it is a folder; name the scene's file inside it (.obj, .glb or .gltf)");
+    throw InputError(path.string(),
+                     fmt::format("it is a folder; name the scene's file inside it ({})", endings));
 }
 
 const Reader& reader_of(const std::filesystem::path& path) {
   for (const auto& reader : readers)
     if (reader.reads(path)) return reader;
   const auto ending = ending_of(path);
-  throw InputError(
-      path.string(),
-      fmt::format(
-          "expected a file that ends in .obj, .glb or .gltf, found {}; convert the scene to one of these",
-          ending.empty() ? "no ending" : "'" + ending + "'"));
+  throw InputError(path.string(),
+                   fmt::format("expected a file that ends in {}, found {}; convert the scene to one of these",
+                               endings, ending.empty() ? "no ending" : "'" + ending + "'"));
 }
 
-// For each material, whether any of the patterns names it. A pattern that names none is most likely a typing
-// error, so it is refused.
+// For each material, whether any pattern matches it. A pattern without a match is most likely a typing error,
+// so it is refused.
 std::vector<bool> select(const std::vector<std::string>& patterns, const Scene& scene, const char* option) {
   std::vector<bool> selected(scene.materials.size(), false);
   for (const auto& pattern : patterns) {
@@ -99,6 +106,22 @@ void repair(const LoadOptions& options, Scene& scene, const Context& context) {
   if (options.orient) context.note(orient_windings(scene).as_text());
 }
 
+void doubt_units(const LoadOptions& options, const Scene& scene, const Context& context) {
+  if (const auto doubt = doubt_scale(scene)) {
+    const auto scale = fmt::format("{:g}", options.scale * doubt->metres);
+    const auto condition =
+        options.scale == 1.0 ? fmt::format("if the file counts in {}, ", doubt->unit) : std::string();
+    context.warn(
+        fmt::format("{}: the scene is {:.3g} m long, too {} for a room; {}a scale of {} makes it {:.3g} "
+                    "m long",
+                    scene.source, doubt->extent, doubt->is_large ? "large" : "small", condition, scale,
+                    doubt->extent * doubt->metres),
+        {{Setting::scale, scale}});
+  } else if (const auto sentence = doubt_lumens(scene); !sentence.empty()) {
+    context.warn(fmt::format("{}: {}", scene.source, sentence));
+  }
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const Context& context) {
@@ -106,6 +129,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, 
   check_is_file(path);
   auto scene = reader_of(path).load(path, options, context);
   if (scene.triangles.empty()) return scene;  // stopped
+  doubt_units(options, scene, context);
   repair(options, scene, context);
   apply_one_sided(options.one_sided, scene);
   apply_flip(options.flip, scene);

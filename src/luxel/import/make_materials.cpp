@@ -38,6 +38,7 @@ class MaterialMaker {
   void cut_holes(const MaterialLibrary::Entry& entry, Material& material);
   void reflect(const MaterialLibrary::Entry& entry, Material& material);
   void emit(const MaterialLibrary::Entry& entry, Material& material);
+  void let_through(const MtlMaterial& mtl, Material& material);
   void light_mirror(const MtlMaterial& mtl, Material& material);
 
   const MaterialLibrary& library_;
@@ -45,7 +46,8 @@ class MaterialMaker {
   TextureFiles files_;
 
   // Names of materials, for the warnings.
-  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, mirrors_, emitting_twice_;
+  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, glasses_, mirrors_,
+      emitting_twice_;
   std::size_t first_unknown_line_ = 0;
 };
 
@@ -59,8 +61,7 @@ Material MaterialMaker::make(const NamedLine& use) {
     cut_holes(found->second, material);
     reflect(found->second, material);
     emit(found->second, material);
-    material.opaque = material.is_lamp() || found->second.material.opacity.value_or(1.0f) >= half_solid;
-    if (!material.opaque) transparent_.push_back(use.name);
+    let_through(found->second.material, material);
     if (material.opaque) light_mirror(found->second.material, material);
   } else if (use.line > 0) {
     if (unknown_.empty()) first_unknown_line_ = use.line;
@@ -75,17 +76,30 @@ Material MaterialMaker::make(const NamedLine& use) {
   return material;
 }
 
-// A surface of specular colour alone would be black here, though it sends on most of the light that meets it.
-// Taken as diffuse it keeps the room's energy right, if not the reflections.
+void MaterialMaker::let_through(const MtlMaterial& mtl, Material& material) {
+  if (material.is_lamp()) return;
+  const bool is_clear = mtl.opacity.value_or(1.0f) < half_solid;
+  if (is_clear) transparent_.push_back(mtl.name);
+  if (!is_clear && is_glass(mtl)) glasses_.push_back(mtl.name);
+  material.opaque = !is_clear && !is_glass(mtl);
+}
+
+// A surface with specular colour alone would be black here, though it reflects most of the light. Treated as
+// diffuse, it preserves the room's energy, if not the reflections.
 void MaterialMaker::light_mirror(const MtlMaterial& mtl, Material& material) {
-  const bool is_black = material.reflectance == Vec3(0.0f) && !material.is_lamp();
-  if (!is_black || mtl.ks.value_or(Vec3(0.0f)) == Vec3(0.0f)) return;
-  material.reflectance = *mtl.ks;
+  constexpr float dark = 0.2f, bright = 0.3f;
+  const auto largest = [](const Vec3& v) { return std::max({v.r, v.g, v.b}); };
+  const auto ks = mtl.ks.value_or(Vec3(0.0f));
+  const bool is_black = material.reflectance == Vec3(0.0f) && ks != Vec3(0.0f);
+  const bool is_metal = is_polished(mtl) && mtl.map_kd.name.empty() && largest(material.reflectance) < dark &&
+                        largest(ks) >= bright;
+  if (material.is_lamp() || !(is_black || is_metal)) return;
+  material.reflectance = glm::min(material.reflectance + ks, Vec3(max_metal_reflectance));
   material.textures.reflectance = std::nullopt;
   mirrors_.push_back(mtl.name);
 }
 
-// Where what holds back light, d times the picture, is less than half there.
+// A hole is where the opacity, d times the picture, is below one half.
 void MaterialMaker::cut_holes(const MaterialLibrary::Entry& entry, Material& material) {
   const auto& mtl = entry.material;
   const auto opacity = mtl.opacity.value_or(1.0f);
@@ -113,7 +127,7 @@ void MaterialMaker::reflect(const MaterialLibrary::Entry& entry, Material& mater
   material.reflectance = factor * mean_colour(files_.raster(*picture));
 }
 
-// Ke alone where both are given: exporters write it beside map_Ke in two meanings, as a factor and as 0.
+// Uses Ke alone where both are given: exporters write it beside map_Ke in two meanings, as a factor and as 0.
 void MaterialMaker::emit(const MaterialLibrary::Entry& entry, Material& material) {
   const auto& mtl = entry.material;
   material.emittance = pi * mtl.ke.value_or(Vec3(0.0f));
@@ -145,7 +159,15 @@ void MaterialMaker::say_warnings(const std::string& source, const Context& conte
       fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
   say("light passes freely through what is more transparent than not (d below 0.5), which is left out:",
       transparent_, "");
-  say("mirrors are not modelled: the specular colour Ks is taken as diffuse for", mirrors_, "");
+  if (!mirrors_.empty() || !glasses_.empty())
+    context.note(fmt::format(
+        "{}: stand-ins, since mirrors and glass are not modelled:{}{}", source,
+        mirrors_.empty() ? ""
+                         : fmt::format(" the specular colour Ks, at most {}, is taken as diffuse for {}",
+                                       max_metal_reflectance, name_list(mirrors_)),
+        glasses_.empty() ? ""
+                         : fmt::format("{} light passes freely through {}, which is left out",
+                                       mirrors_.empty() ? "" : ";", name_list(glasses_))));
   say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
   files_.say_warnings(source, context);
 }

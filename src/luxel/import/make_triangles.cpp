@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t faces_per_report = 1 << 14;
 
-bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 3>& corners,
+bool opposes_its_normals(const PolygonMesh& mesh, const std::array<PolygonMesh::Corner, 3>& corners,
                          const Scene& scene) {
   Vec3d normals(0.0);
   for (const auto& corner : corners) {
@@ -27,12 +27,12 @@ bool opposes_its_normals(const ObjMesh& mesh, const std::array<ObjMesh::Corner, 
   return glm::dot(front, normals) < 0.0;
 }
 
-// The materials of faces, some of which cannot be textured.
+// The materials of faces, including faces that cannot be textured.
 class FaceMaterials {
  public:
   explicit FaceMaterials(Scene& scene) : scene_(scene), plain_(scene.materials.size()) {}
 
-  // Returns its number in the scene, or that of its copy without pictures, created on first use.
+  // Returns the scene's number of the material's copy without pictures, created on first use.
   std::uint32_t plain(std::uint32_t material) {
     auto& twin = plain_[material];
     if (!twin) {
@@ -49,9 +49,9 @@ class FaceMaterials {
   std::vector<std::optional<std::uint32_t>> plain_;
 };
 
-bool lacks_uv(std::span<const ObjMesh::Corner> corners) {
+bool lacks_uv(std::span<const PolygonMesh::Corner> corners) {
   return std::any_of(corners.begin(), corners.end(),
-                     [](const ObjMesh::Corner& corner) { return corner.uv == none; });
+                     [](const PolygonMesh::Corner& corner) { return corner.uv == none; });
 }
 
 void reserve(Scene& scene, std::size_t count, bool has_objects) {
@@ -63,13 +63,21 @@ void reserve(Scene& scene, std::size_t count, bool has_objects) {
   for (auto& set : scene.uv_sets) set.reserve(count);
 }
 
-Vec2 uv_of(const ObjMesh& mesh, const ObjMesh::Corner& corner) {
+bool has_colours(const PolygonMesh& mesh) {
+  return !mesh.face_colours.empty() || !mesh.vertex_colours.empty();
+}
+
+Vec3 colour_of(const PolygonMesh& mesh, std::size_t face, const PolygonMesh::Corner& corner) {
+  return mesh.face_colours.empty() ? mesh.vertex_colours[corner.position] : mesh.face_colours[face];
+}
+
+Vec2 uv_of(const PolygonMesh& mesh, const PolygonMesh::Corner& corner) {
   return corner.uv == none ? Vec2(0.0f) : mesh.uvs[corner.uv];
 }
 
 }  // namespace
 
-std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene, const Context& context) {
+std::optional<TriangleTallies> make_triangles(const PolygonMesh& mesh, Scene& scene, const Context& context) {
   TriangleTallies tallies;
   std::vector<bool> is_textured;
   for (const auto& material : scene.materials) is_textured.push_back(material.textures.any());
@@ -107,6 +115,9 @@ std::optional<TriangleTallies> make_triangles(const ObjMesh& mesh, Scene& scene,
       if (!mesh.objects.empty()) scene.triangle_object.push_back(face.object);
       for (auto& set : scene.uv_sets)
         set.push_back({uv_of(mesh, triangle[0]), uv_of(mesh, triangle[1]), uv_of(mesh, triangle[2])});
+      if (has_colours(mesh))
+        scene.corner_colours.push_back({colour_of(mesh, i, triangle[0]), colour_of(mesh, i, triangle[1]),
+                                        colour_of(mesh, i, triangle[2])});
     }
   }
   return tallies;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "luxel/core/context.h"
-#include "luxel/import/obj_mesh.h"
+#include "luxel/import/polygon_mesh.h"
 #include "luxel/import/read_mtl.h"
 
 namespace luxel {

@@ -22,7 +22,8 @@ std::optional<double> read_precise_number(std::string_view word) {
   return value;
 }
 
-// By way of double, so that what underflows a float (1e-40 is common in exported matrices) is not refused.
+// Parses as double, so that a value that underflows a float (1e-40 is common in exported matrices) is not
+// refused.
 std::optional<float> read_number(std::string_view word) {
   const auto number = read_precise_number(word);
   return number ? std::optional(static_cast<float>(*number)) : std::nullopt;

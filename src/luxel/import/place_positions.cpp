@@ -9,7 +9,7 @@ namespace {
 
 double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 
-// Subtracting it is exact where it matters: from coordinates between half of it and twice as much.
+// Subtracting the origin is exact where it matters: from coordinates between half of it and twice as much.
 Vec3d origin_of(const Reach& reach, double scale) {
   const auto low = scale * reach.low, high = scale * reach.high;
   const auto size = largest(high - low);

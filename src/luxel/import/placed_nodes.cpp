@@ -66,12 +66,12 @@ class NodeWalk {
   std::vector<PlacedNode> walk();
 
  private:
-  // Puts those that an array names on the stack, the first on top.
+  // Pushes the nodes that an array names onto the stack, the first on top.
   void push(const JsonValue& indices, const glm::dmat4& world);
 
   const GltfFile& file_;
   std::vector<bool> reached_;
-  std::vector<PlacedNode> stack_;  // still without their own placement
+  std::vector<PlacedNode> stack_;  // the node's own transform is not yet applied
 };
 
 void NodeWalk::push(const JsonValue& indices, const glm::dmat4& world) {

@@ -6,7 +6,8 @@
 namespace luxel {
 namespace {
 
-// Newell's normal (Sutherland, Sproull, Schumacker 1974): twice the area vector, whatever the corners do.
+// Newell's normal (Sutherland, Sproull, Schumacker 1974): twice the area vector, for any positions of the
+// corners.
 Vec3d newell_normal(std::span<const Vec3> corners) {
   const Vec3d origin(corners[0]);
   Vec3d sum(0.0);
@@ -15,8 +16,8 @@ Vec3d newell_normal(std::span<const Vec3> corners) {
   return sum;
 }
 
-// Drops the coordinate along which the polygon is thinnest, so that the other two stay as exact as the file
-// gave them, and turns the result counter-clockwise.
+// Drops the coordinate along which the polygon is thinnest, so that the other two stay exact, and orients the
+// result counter-clockwise.
 void project(std::span<const Vec3> corners, const Vec3d& normal, std::vector<glm::dvec2>& plane) {
   const Vec3d size = glm::abs(normal);
   const int drop = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -26,7 +27,8 @@ void project(std::span<const Vec3> corners, const Vec3d& normal, std::vector<glm
   for (const auto& corner : corners) plane.emplace_back(corner[u], corner[v]);
 }
 
-// All turns are to the left and no triangle of the fan is turned over (as in a five-pointed star).
+// Returns whether all turns are to the left and no triangle of the fan is flipped (as in a five-pointed
+// star).
 bool is_strictly_convex(std::span<const glm::dvec2> plane) {
   const std::size_t n = plane.size();
   for (std::size_t i = 0; i < n; ++i)

@@ -13,7 +13,7 @@ float metal_at(const Raster& metal, std::size_t pixel) {
   return static_cast<float>(metal.codes[pixel][2]) / 255.0f;
 }
 
-// The pixel of `other` that lies where (x, y) does.
+// Returns the pixel of `other` at the place of (x, y).
 std::size_t pixel_there(const Raster& other, const Raster& raster, int x, int y) {
   const auto along = [](int at, int count, int other_count) {
     return static_cast<int>((2 * std::int64_t{at} + 1) * other_count / (2 * std::int64_t{count}));
@@ -70,23 +70,24 @@ MetalRange metal_range(const Raster& raster) {
   return range;
 }
 
-Raster without_metal(const Raster* base, const Raster& metal, float factor) {
-  Raster left;
-  left.width = base ? base->width : metal.width;
-  left.height = base ? base->height : metal.height;
+Raster with_lowered_metal(const Raster* base, const Raster& metal, float factor, float most) {
+  Raster lowered;
+  lowered.width = base ? base->width : metal.width;
+  lowered.height = base ? base->height : metal.height;
   const bool has_codes = !base || !base->codes.empty();
-  for (int y = 0; y < left.height; ++y)
-    for (int x = 0; x < left.width; ++x) {
-      const auto fraction = 1.0f - factor * metal_at(metal, pixel_there(metal, left, x, y));
-      const auto pixel = left.index(x, y);
-      const auto colour = fraction * (base ? base->colour(pixel) : Vec3(1.0f));
+  for (int y = 0; y < lowered.height; ++y)
+    for (int x = 0; x < lowered.width; ++x) {
+      const auto metallic = factor * metal_at(metal, pixel_there(metal, lowered, x, y));
+      const auto pixel = lowered.index(x, y);
+      const auto whole = base ? base->colour(pixel) : Vec3(1.0f);
+      const auto colour = whole - metallic * glm::max(whole - most, Vec3(0.0f));
       if (has_codes)
-        left.codes.push_back({srgb_code(colour.r), srgb_code(colour.g), srgb_code(colour.b),
-                              base ? base->codes[pixel][3] : std::uint8_t{255}});
+        lowered.codes.push_back({srgb_code(colour.r), srgb_code(colour.g), srgb_code(colour.b),
+                                 base ? base->codes[pixel][3] : std::uint8_t{255}});
       else
-        left.linear.push_back(colour);
+        lowered.linear.push_back(colour);
     }
-  return left;
+  return lowered;
 }
 
 }  // namespace luxel

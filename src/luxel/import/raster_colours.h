@@ -22,8 +22,8 @@ struct MetalRange {
 };
 MetalRange metal_range(const Raster& raster);
 
-// Returns the diffuse part of the colours of `base` (white where there is none): times 1 - factor * metal,
-// which covers the same surface and may be of another size.
-Raster without_metal(const Raster* base, const Raster& metal, float factor);
+// The colours of `base` (white where there is none), lowered to `most` where they are of metal, in proportion
+// to factor * metal, which covers the same surface and may be of another size.
+Raster with_lowered_metal(const Raster* base, const Raster& metal, float factor, float most);
 
 }  // namespace luxel

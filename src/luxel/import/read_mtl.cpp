@@ -30,7 +30,7 @@ struct Statement {
 Vec3 read_color(const Statement& statement) {
   auto words = statement.operands.substr(0, statement.operands.find('#'));
   auto color = read_three_numbers(words);
-  if (!color) {  // one number alone stands for all three
+  if (!color) {  // a single number stands for all three
     const auto grey = read_number(take_word(words));
     if (grey && words.empty()) color = Vec3(*grey);
   }
@@ -39,7 +39,7 @@ Vec3 read_color(const Statement& statement) {
   return *color;
 }
 
-// As an emittance, pi times as large, it must still fit a float.
+// The emittance, pi times as large, must still fit a float.
 Vec3 read_radiance(const Statement& statement) {
   const auto radiance = read_color(statement);
   if (!is_finite(pi * radiance)) statement.refuse("numbers below 1e38");
@@ -57,7 +57,7 @@ float read_opacity(const Statement& statement) {
 
 struct TextureOption {
   std::string_view name;
-  int least, most;  // arguments; those beyond the least are taken while they are numbers
+  int least, most;  // number of arguments; those beyond the least are consumed while they are numbers
 };
 constexpr auto texture_options = std::to_array<TextureOption>({{"-blendu", 1, 1},
                                                                {"-blendv", 1, 1},
@@ -74,7 +74,7 @@ constexpr auto texture_options = std::to_array<TextureOption>({{"-blendu", 1, 1}
                                                                {"-texres", 1, 1},
                                                                {"-type", 1, 1}});
 
-// Reads one option, if it matters. "-s 2" scales u alone, as the format defines.
+// Reads one option, if it is supported. "-s 2" scales u alone, as the format defines.
 void take_option(std::string_view option, std::span<const std::string_view> arguments, MtlTexture& texture) {
   if (option == "-clamp") texture.clamps = arguments[0] == "on";
   auto* pair = option == "-s" ? &texture.scale : option == "-o" ? &texture.offset : nullptr;
@@ -82,7 +82,7 @@ void take_option(std::string_view option, std::span<const std::string_view> argu
     if (const auto number = read_number(arguments[static_cast<std::size_t>(i)])) (*pair)[i] = *number;
 }
 
-// Takes options such as "-s 1 1 1 -clamp on", then the name behind them, which may hold blanks.
+// Reads options such as "-s 1 1 1 -clamp on", then the name after them, which may contain blanks.
 MtlTexture read_texture(std::string_view operands) {
   MtlTexture texture;
   auto rest = operands;
@@ -108,7 +108,31 @@ MtlTexture read_texture(std::string_view operands) {
   return texture;
 }
 
+// These are hints: what cannot be read does without.
+void read_hints(const std::string& key, std::string_view operands, MtlMaterial& material) {
+  auto words = operands;
+  const auto number = read_number(take_word(words));
+  if (key == "illum" && number && *number >= 0.0f && *number <= 10.0f)
+    material.illumination = static_cast<int>(*number);
+  if (key == "ni" && number) material.refraction = *number;
+  if (key == "tf" && number) material.transmitted = read_three_numbers(operands).value_or(Vec3(*number));
+}
+
 }  // namespace
+
+bool is_glass(const MtlMaterial& material) {
+  constexpr float refracts = 1.05f, dark = 0.2f, clear = 0.5f;
+  const auto largest = [](const Vec3& v) { return std::max({v.r, v.g, v.b}); };
+  const bool has_refraction = material.illumination == 4 || material.illumination == 6 ||
+                              material.illumination == 7 || material.illumination == 9;
+  return has_refraction && material.refraction > refracts && material.map_kd.name.empty() &&
+         largest(material.kd.value_or(Vec3(0.0f))) < dark &&
+         largest(material.transmitted.value_or(Vec3(1.0f))) >= clear;
+}
+
+bool is_polished(const MtlMaterial& material) {
+  return material.illumination >= 3 && material.illumination <= 9;
+}
 
 std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& source) {
   std::vector<MtlMaterial> materials;
@@ -128,6 +152,7 @@ std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& sour
     if (key == "map_kd") material.map_kd = read_texture(operands);
     if (key == "map_ke") material.map_ke = read_texture(operands);
     if (key == "map_d") material.map_d = read_texture(operands);
+    read_hints(key, operands, material);
     if (key == "d") material.opacity = read_opacity(statement);
   }
   return materials;

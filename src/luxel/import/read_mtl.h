@@ -26,8 +26,18 @@ struct MtlMaterial {
   std::optional<Vec3> ks;  // specular colour, 0 or more
   std::optional<Vec3> ke;  // radiance, W/(m² sr), 0 or more
   MtlTexture map_kd, map_ke, map_d;
-  std::optional<float> opacity;  // d; Tr is passed over, since exporters disagree about its meaning
+  int illumination = 0;             // illum, 0 to 10; see is_glass() and is_polished()
+  std::optional<Vec3> transmitted;  // Tf
+  float refraction = 1.0f;          // Ni
+  std::optional<float> opacity;     // d; Tr is passed over, since exporters disagree about its meaning
 };
+
+// Whether illum, Ni and Tf describe glass, whatever its d: refraction, and little diffuse light. Writers that
+// give every material an illum of 4 leave its Ni at 1.
+bool is_glass(const MtlMaterial& material);
+
+// Whether illum asks for reflections of other surfaces, as metal and mirrors have them.
+bool is_polished(const MtlMaterial& material);
 
 // Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ks, Ke or d that is not
 // the number it should be or a colour that is negative; all other statements are passed over.

@@ -27,7 +27,7 @@ struct CornerIndices {
   int normal = 0;
 };
 
-// One of 3, 3/1, 3/1/2, 3//2; exporters also write 3/ and 3//. Anything else is nothing.
+// Parses 3, 3/1, 3/1/2 or 3//2; exporters also write 3/ and 3//. Returns nothing for other text.
 std::optional<CornerIndices> read_corner(std::string_view word) {
   std::array<int, 3> indices = {0, 0, 0};
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -74,13 +74,13 @@ class ObjReader {
   ObjReader(std::string_view text, const std::string& source, double scale)
       : text_(text), statements_(text), source_(source), scale_(scale) {}
 
-  std::optional<ObjMesh> read(const Context& context);
+  std::optional<PolygonMesh> read(const Context& context);
 
  private:
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError(source_, statements_.line(), message);
   }
-  // A number may be followed by a comment, while a name may hold a #.
+  // A number may be followed by a comment, while a name may contain a #.
   std::string_view numbers() const { return operands_.substr(0, operands_.find('#')); }
   std::string name() const { return operands_.empty() ? default_name : std::string(operands_); }
 
@@ -98,10 +98,10 @@ class ObjReader {
 
   std::string_view text_;
   Statements statements_;
-  std::string_view operands_;  // of the statement: what stands behind its first word
+  std::string_view operands_;  // the text after the statement's first word
   const std::string& source_;
   double scale_;
-  ObjMesh mesh_;
+  PolygonMesh mesh_;
   std::vector<std::string> material_names_;
   NamesInUse materials_{material_names_};  // of the last usemtl
   NamesInUse groups_{mesh_.groups};        // of the last g or o
@@ -132,14 +132,14 @@ void ObjReader::add_position() {
   mesh_.positions.push_back(*p);
 }
 
-// Exporters do write nan for the normal of a face without area; it only fails to say which side is the front.
+// Some exporters write nan for the normal of a face without area; such a normal does not define the front.
 void ObjReader::add_normal() {
   const auto n = read_three_numbers(numbers());
   if (!n) mesh_.unreadable_normals.add(statements_.line());
   mesh_.normals.push_back(n.value_or(Vec3(0.0f)));
 }
 
-// One number alone is of a picture that is a line; a third one is a depth that no picture has.
+// A single number belongs to a one-dimensional picture; a third one is a depth, which pictures do not have.
 void ObjReader::add_uv() {
   auto words = numbers();
   const auto u = read_number(take_word(words));
@@ -168,8 +168,8 @@ void ObjReader::add_face() {
                          groups_.number(), objects_.number()});
 }
 
-// From OBJ's counting (from 1, or backwards from -1) to ours. Positive indices may name what the file gives
-// later, so check_ranges() looks at them when all is read.
+// Converts OBJ indices (from 1, or backwards from -1) to indices from 0. Positive ones may refer to data that
+// comes later, so check_ranges() tests them at the end of the file.
 std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what) const {
   if (index > 0) return static_cast<std::uint32_t>(index - 1);
   if (index == 0) refuse(fmt::format("a corner names {} 0, expected indices that count from 1", what));
@@ -179,8 +179,8 @@ std::uint32_t ObjReader::resolve(int index, std::size_t count, const char* what)
   return static_cast<std::uint32_t>(count - back);
 }
 
-// One that leads nowhere costs the face its picture, not the scene its face: tools that strip coordinates
-// leave such behind. check_ranges() finds those beyond the end.
+// An invalid index costs the face its picture, not the scene its face: tools that strip coordinates leave
+// such indices behind. check_ranges() finds those beyond the end.
 std::uint32_t ObjReader::resolve_uv(int index) const {
   const auto from_start =
       index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(mesh_.uvs.size()) + index;
@@ -222,7 +222,7 @@ void ObjReader::check_ranges() {
   }
 }
 
-std::optional<ObjMesh> ObjReader::read(const Context& context) {
+std::optional<PolygonMesh> ObjReader::read(const Context& context) {
   for (std::size_t i = 0; statements_.next(); ++i) {
     if (i % statements_per_report == 0) {
       const auto left = static_cast<double>(statements_.left()) / static_cast<double>(text_.size());
@@ -237,8 +237,8 @@ std::optional<ObjMesh> ObjReader::read(const Context& context) {
 
 }  // namespace
 
-std::optional<ObjMesh> read_obj(std::string_view text, const std::string& source, double scale,
-                                const Context& context) {
+std::optional<PolygonMesh> read_obj(std::string_view text, const std::string& source, double scale,
+                                    const Context& context) {
   return ObjReader(text, source, scale).read(context);
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "luxel/core/context.h"
-#include "luxel/import/obj_mesh.h"
+#include "luxel/import/polygon_mesh.h"
 
 namespace luxel {
 
@@ -17,7 +17,7 @@ inline constexpr const char* default_name = "default";
 // per megabyte. Coordinates are as in the file, `scale` metres per unit. Throws InputError with source and
 // line for a coordinate that is not finite or lies beyond `farthest`, and for an index that is out of range.
 // Reads about 130 MB per second.
-std::optional<ObjMesh> read_obj(std::string_view text, const std::string& source, double scale,
-                                const Context& context = {});
+std::optional<PolygonMesh> read_obj(std::string_view text, const std::string& source, double scale,
+                                    const Context& context = {});
 
 }  // namespace luxel

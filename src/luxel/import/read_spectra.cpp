@@ -18,7 +18,7 @@ namespace {
 using Quantity = MeasuredSpectrum::Quantity;
 
 constexpr std::string_view header = "material,quantity,wavelength_nm,value";
-constexpr double longest_wavelength = 1e6;  // nm; what is longer was not meant in nanometres
+constexpr double longest_wavelength = 1e6;  // nm; a longer one is not in nanometres
 constexpr double max_radiance = 1e12;       // W/(m² sr nm)
 
 struct Row {
@@ -26,7 +26,7 @@ struct Row {
   double wavelength = 0.0, value = 0.0;
 };
 
-// The non-empty lines of a text, one after the other.
+// Iterates over the non-empty lines of a text.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
@@ -71,7 +71,8 @@ class SpectraReader {
     throw InputError(source_, std::max<std::size_t>(1, lines_.line()), sentence);
   }
 
-  // Parted by commas; a field in double quotes may hold commas, and two double quotes for one.
+  // Fields are separated by commas; a field in double quotes may contain commas, and two double quotes for
+  // one.
   std::vector<std::string> fields() const {
     std::vector<std::string> result;
     auto rest = lines_.text();

@@ -13,7 +13,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 bool is_not_blank(char c) { return !is_blank(c); }
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-// Windows programs write UTF-16 for "Unicode"; the pair FF FE opens UTF-32 little-endian as well.
+// Windows programs write UTF-16 for "Unicode"; UTF-32 little-endian begins with FF FE as well.
 bool has_wide_mark(std::string_view bytes) {
   using namespace std::string_view_literals;
   return bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv) ||
@@ -23,7 +23,10 @@ bool has_wide_mark(std::string_view bytes) {
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path, const std::string& source) {
-  auto bytes = read_file(path);
+  return text_of(read_file(path), source);
+}
+
+std::string text_of(std::string bytes, const std::string& source) {
   if (has_wide_mark(bytes))
     throw InputError(source, "expected UTF-8 text, found UTF-16 or UTF-32; save it as UTF-8");
   if (const auto zero = bytes.find('\0'); zero != std::string::npos) {
@@ -35,8 +38,8 @@ std::string read_text(const std::filesystem::path& path, const std::string& sour
   return bytes;
 }
 
-// A third of the time of loading went into string_view::find_first_of, which searches its set again for each
-// character; hence std::find_if here and below.
+// std::find_if, here and below: string_view::find_first_of, which searches its set for each character, took a
+// third of the loading time.
 std::string_view Statements::take_line() {
   const auto end = std::find_if(rest_.begin(), rest_.end(), ends_line);
   const auto length = static_cast<std::size_t>(end - rest_.begin());

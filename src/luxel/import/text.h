@@ -12,6 +12,9 @@ namespace luxel {
 // cannot be read, is UTF-16 or UTF-32, or is binary (holds a zero byte).
 std::string read_text(const std::filesystem::path& path, const std::string& source);
 
+// The same from the bytes of a file.
+std::string text_of(std::string bytes, const std::string& source);
+
 // Walks a text statement by statement. Lines end with \n, \r\n or a lone \r and count from 1; a backslash at
 // the end of a line joins the next one to it (not in comments: "# made in C:\" must not swallow a line).
 class Statements {

@@ -44,7 +44,8 @@ const TextureFiles::File& TextureFiles::read(const std::filesystem::path& path, 
   if (!is_new) return file;
   try {
     auto raster = read_raster(path);
-    for (auto& colour : raster.linear) colour = glm::max(colour, Vec3(0.0f));  // no light is negative
+    for (auto& colour : raster.linear)
+      colour = glm::max(colour, Vec3(0.0f));  // negative light does not exist
     if (!is_finite(mean_colour(raster))) throw InputError(path.string(), "its mean colour is not finite");
     file.texture = static_cast<std::uint32_t>(textures_.size());
     textures_.push_back({name, std::make_shared<const Raster>(std::move(raster))});

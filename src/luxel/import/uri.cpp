@@ -70,10 +70,10 @@ std::optional<std::string> data_of_uri(std::string_view uri) {
 std::optional<std::filesystem::path> file_of_uri(std::string_view uri) {
   auto plain = without_percents(uri.substr(0, uri.find_first_of("?#")));
   if (!plain || plain->empty() || plain->find('\0') != std::string::npos) return std::nullopt;
-  // A colon before the first slash ends a scheme, or a drive's letter.
+  // A colon before the first slash ends a scheme or a drive letter.
   const auto colon = uri.find(':');
   if (colon != std::string_view::npos && colon < uri.find('/')) return std::nullopt;
-  std::replace(plain->begin(), plain->end(), '\\', '/');  // no URI has one, but files of some programs do
+  std::replace(plain->begin(), plain->end(), '\\', '/');  // not valid in a URI, but some programs write it
   const std::filesystem::path path(*plain);
   if (path.is_absolute()) return std::nullopt;
   return path;

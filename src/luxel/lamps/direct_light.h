@@ -6,9 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "luxel/lamps/lamp_rays.h"
 #include "luxel/lamps/lamps.h"
-#include "luxel/lamps/light_tree.h"
-#include "luxel/lamps/portals.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/side.h"
 #include "luxel/trace/tracer.h"
@@ -77,17 +76,6 @@ class DirectLight {
   struct Side;
   std::uint64_t add_point_lights(const Side& side, std::uint32_t position, std::uint32_t round,
                                  std::uint32_t per_replicate, std::span<double> sum) const;
-  // The result of one ray.
-  struct Term {
-    std::size_t choice = 0;
-    std::uint32_t lamp = 0;
-    double given = 0.0;  // W/m² at unit radiance, were nothing between
-    bool seen = false;
-    std::uint64_t rays = 0;  // traced
-  };
-  struct Ends {
-    Vec3 from{0.0f}, to{0.0f};
-  };
   // Which samples of a side, as in estimate().
   struct Samples {
     std::uint32_t position, round, per_replicate;
@@ -96,24 +84,14 @@ class DirectLight {
   void choose_lamps(LampChoices& choices, const Side& side, std::uint32_t samples) const;
   // Calls body(replicate, term) for every sample; ends: its ends are written there, if anywhere.
   template <typename Body>
-  void for_each_term(const Side& side, const LampChoices& choices, const Samples& samples, Ends* ends,
+  void for_each_term(const Side& side, const LampChoices& choices, const Samples& samples, LampRayEnds* ends,
                      Body body) const;
-  Term ask_lamp(const Side& side, const LampChoices& choices, const Vec3& from, const std::array<float, 4>& u,
-                Ends* ends) const;
-  Term ask_ball(const Side& side, const LampChoices& choices, std::size_t choice, const Vec3& from,
-                const std::array<double, 2>& u, Ends* ends) const;
-  Term look_round(const Side& side, const LampChoices& choices, const Ray& ray, Ends* ends) const;
-  double given(double cosine, double lamp_density) const;
-  bool sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const;
-  bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float min_lift) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;
   const Lamps& lamps_;
   DirectOptions options_;
-  LightTree tree_;
-  Portals portals_;
-  std::vector<float> lift_;           // [triangle], m
+  LampRays rays_;
   std::vector<double> point_weight_;  // [point light]: intensity summed over bands
 };
 

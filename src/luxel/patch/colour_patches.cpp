@@ -13,9 +13,11 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t patches_grain = 1024;  // patches that a thread takes at a time
-constexpr float smallest_coverage = 1e-4f;   // a patch of holes alone is next to nothing, but it is a patch
-constexpr Vec3 darkest_mean(1e-6f);          // below it a texture is black, and no finer than its patch
+constexpr std::size_t patches_grain = 1024;  // patches per chunk of a thread
+constexpr float smallest_coverage =
+    1e-4f;  // a patch that is only holes has almost no area, but stays a patch
+constexpr Vec3 darkest_mean(
+    1e-6f);  // a texture whose mean is darker counts as black, and constant over the patch
 
 template <typename T>
 T between(const std::array<T, 3>& corners, const Vec3d& weight) {
@@ -23,7 +25,7 @@ T between(const std::array<T, 3>& corners, const Vec3d& weight) {
          corners[2] * static_cast<float>(weight[2]);
 }
 
-// Values at the corners of wholes, at the corners of their parts.
+// Interpolates values at the corners of wholes to the corners of their parts.
 template <typename T, typename PointsOf>
 std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& wholes, const PatchSet& parts,
                                        std::span<const std::uint32_t> whole_of, const PointsOf& points_of,
@@ -41,7 +43,7 @@ std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& whol
   return result;
 }
 
-// Means of the textures of patches: one table for each texture as materials of the patches use it.
+// Means of textures over patches: one table per texture and per way the patches' materials use it.
 class PatchMeans {
  public:
   PatchMeans(const PatchSet& patches, const Context& context)
@@ -56,7 +58,7 @@ class PatchMeans {
     }
   }
 
-  // Textures that the patch's material has.
+  // The patch's material must have the texture.
   Vec3 reflectance(std::size_t p) const {
     return over(p, *of(p).reflectance, *patches_.material_of(p).textures.reflectance).colour;
   }
@@ -74,7 +76,7 @@ class PatchMeans {
     const TexelSums* cutout = nullptr;
   };
 
-  // With holes where the same texture lies the same way as the cut-out's.
+  // The table has holes where the texture has the same placement as the cut-out's.
   const TexelSums* sums(const std::optional<TextureUse>& use, const MaterialTextures& material,
                         const Context& context) {
     if (!use) return nullptr;
@@ -102,7 +104,7 @@ class PatchMeans {
   std::vector<OfMaterial> of_material_;  // [material]
 };
 
-// From colours to the patches' bands.
+// Converts colours to the patches' bands.
 class BandsOfColours {
  public:
   explicit BandsOfColours(const PatchSet& patches) {
@@ -222,6 +224,25 @@ Vec3 FineColours::reflectance(std::size_t patch, float u, float v) const {
 Vec3 FineColours::emittance(std::size_t patch, float u, float v) const {
   if (emittance_mean_.empty()) return Vec3(1.0f);
   return at(patches_.material_of(patch).textures.emittance, emittance_mean_, patch, u, v);
+}
+
+namespace {
+
+Vec3 or_one(const std::optional<TextureUse>& use, const std::vector<Vec3>& means, std::size_t patch) {
+  Vec3 mean(1.0f);
+  for (int c = 0; use && !means.empty() && c < 3; ++c)
+    if (means[patch][c] > darkest_mean[c]) mean[c] = means[patch][c];
+  return mean;
+}
+
+}  // namespace
+
+Vec3 FineColours::mean_reflectance(std::size_t patch) const {
+  return or_one(patches_.material_of(patch).textures.reflectance, reflectance_mean_, patch);
+}
+
+Vec3 FineColours::mean_emittance(std::size_t patch) const {
+  return or_one(patches_.material_of(patch).textures.emittance, emittance_mean_, patch);
 }
 
 Vec3 FineColours::at(const std::optional<TextureUse>& use, const std::vector<Vec3>& mean, std::size_t patch,

@@ -33,6 +33,10 @@ class FineColours {
   Vec3 reflectance(std::size_t patch, float u, float v) const;
   Vec3 emittance(std::size_t patch, float u, float v) const;
 
+  // Linear sRGB: the means of the textures over a patch. Where there is no texture, or a channel is black: 1.
+  Vec3 mean_reflectance(std::size_t patch) const;
+  Vec3 mean_emittance(std::size_t patch) const;
+
  private:
   Vec3 at(const std::optional<TextureUse>& use, const std::vector<Vec3>& mean, std::size_t patch, float u,
           float v) const;

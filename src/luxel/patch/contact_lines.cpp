@@ -5,22 +5,22 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/flat_triangle.h"
-#include "luxel/patch/triangle_pairs.h"
+#include "luxel/patch/line_search.h"
 #include "luxel/patch/vertex_triangles.h"
 
 namespace luxel {
 namespace {
 
-constexpr double gap_of_edge = 0.01;     // of the shortest edge, at most
-constexpr double shortest_part = 32.0;   // an edge that only dips into the gap counts from so many gaps on
-constexpr double flat_sine = 1e-3;       // lower than that, a triangle lies on the other one
-constexpr double goes_on_cosine = -0.1;  // of the directions from an edge into two triangles of one surface
-constexpr double folded_cosine = 0.999;  // likewise, of two that lie on each other
+constexpr double gap_of_edge = 0.01;    // of the shortest edge, at most
+constexpr double shortest_part = 32.0;  // in gaps; minimum length of an edge's part within the gap
+constexpr double flat_sine = 1e-3;      // below this sine a triangle lies on the other one
+constexpr double goes_on_cosine =
+    -0.1;  // cosine between the directions from an edge into two triangles of one surface
+constexpr double folded_cosine = 0.999;  // the same, of two triangles that lie on each other
 constexpr std::size_t shapes_grain = 8192;
 
 using Triangle = std::array<Vec3, 3>;
@@ -45,27 +45,18 @@ class Finder {
   }
 
   std::vector<ContactLine> find() const {
-    const OverlappingPairs pairs(boxes(), context_);
-    std::vector<std::vector<ContactLine>> of_part(pairs.parts());
-    context_.for_chunks(pairs.parts(), 1, [&](std::size_t part, std::size_t, int) {
-      pairs.for_pairs(part, [&](std::uint32_t i, std::uint32_t j) { meet(i, j, of_part[part]); });
-    });
-    std::vector<ContactLine> lines;
-    for (const auto& some : of_part) lines.insert(lines.end(), some.begin(), some.end());
-    // All lines of one (on, other) are of one part, in the order in which they were found.
-    std::stable_sort(lines.begin(), lines.end(), [](const ContactLine& a, const ContactLine& b) {
-      return std::tuple(a.on, a.other) < std::tuple(b.on, b.other);
-    });
-    return lines;
+    return lines_of_pairs(
+        boxes(), context_,
+        [this](std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) { meet(i, j, lines); });
   }
 
  private:
   struct Shape {
     Vec3d normal;         // unit
-    double slack, reach;  // m: what rounding may do; how near another one may be that touches it
+    double slack, reach;  // m: bound of rounding; maximum distance of a triangle that touches it
   };
 
-  // How the corners of one triangle stand to the plane of another.
+  // Heights of one triangle's corners above the plane of another.
   struct Heights {
     std::array<double, 3> of{};
     bool all_above(double h) const { return of[0] > h && of[1] > h && of[2] > h; }
@@ -81,7 +72,7 @@ class Finder {
     std::vector<Bounds> result(triangles_.size());
     context_.for_chunks(triangles_.size(), shapes_grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
-        // As much as may be between two that touch; and what adding it rounds.
+        // The maximum distance of two triangles in contact, plus the rounding of the sum.
         const auto reach = static_cast<float>(1.5 * shapes_[i].slack + shapes_[i].reach);
         for (const auto& corner : points(static_cast<std::uint32_t>(i))) {
           result[i].add(corner - reach);
@@ -97,7 +88,7 @@ class Finder {
                      glm::distance(Vec3d(p[2]), Vec3d(p[0]))});
   }
 
-  // A common corner is in the plane, whatever the rounding.
+  // A common corner is set exactly into the plane, as rounding would move it.
   Heights heights(std::uint32_t on, std::uint32_t other) const {
     const auto& c = triangles_[on].corners;
     const Vec3d origin(positions_[c[0]]);
@@ -125,7 +116,7 @@ class Finder {
     EdgeIntersection(*this, j, i, of_i, {slack, reach}, lines).find();
   }
 
-  // Whether they share an edge, and do not lie on each other: then they share no more than that.
+  // Returns whether they share an edge without lying on each other; then they have only that edge in common.
   bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
     const auto& a = triangles_[i].corners;
     const auto& b = triangles_[j].corners;
@@ -138,13 +129,14 @@ class Finder {
     const auto k = apex_of(a, b);
     if (k >= 3) return false;
     const auto l = apex_of(b, a);
-    // Away from the edge into either, at right angles to it: as the normals are to each other, turned.
+    // The cosine of the directions from the edge into each of them, at right angles to it: that of the
+    // normals, or its negative.
     const auto cosine = glm::dot(shapes_[i].normal, shapes_[j].normal);
     return (a[(k + 1) % 3] == b[(l + 1) % 3] ? cosine : -cosine) < folded_cosine;
   }
 
-  // Whether a plane through an edge of `on` parts it from `other`: what that has within reach of the plane is
-  // one corner at most, or stands beside the edge.
+  // Returns whether a plane through an edge of `on` separates it from `other`: at most one corner of `other`
+  // is within reach of the plane, or the part within reach lies beside the edge.
   bool are_beside(std::uint32_t on, std::uint32_t other, double slack, double reach) const {
     const auto p = points(on);
     const auto q = points(other);
@@ -170,8 +162,8 @@ class Finder {
     return false;
   }
 
-  // Whether a triangle of which two corners are within reach of an edge's line, and one is outside, is there
-  // only before one end of the edge or behind the other.
+  // For a triangle with two corners within reach of an edge's line and one outside: returns whether it is
+  // within reach only before one end of the edge or beyond the other.
   static bool is_off_the_ends(const std::array<double, 3>& inside, const std::array<double, 3>& along,
                               double slack, double reach, double length2) {
     const auto length = std::sqrt(length2);
@@ -189,7 +181,7 @@ class Finder {
     return low >= length2 - slack * length || high <= slack * length;
   }
 
-  // m: what rounding may do; how near one may be that touches the other.
+  // m: bound of rounding; maximum distance of a contact.
   struct Tolerances {
     double slack, reach;
   };
@@ -238,7 +230,7 @@ class Finder {
       touches_.push_back({line.ends[0], line.ends[1]});
       if (interval->begin == 0.0 && std::fabs(height_[k]) <= slack_) line.vertices[0] = vertex_[k];
       if (interval->end == 1.0 && std::fabs(height_[l]) <= slack_) line.vertices[1] = vertex_[l];
-      const auto inward = finder_.away(vertex_[k], vertex_[l], vertex_[(k + 2) % 3]);
+      const auto inward = away_from_edge(finder_.positions_, vertex_[k], vertex_[l], vertex_[(k + 2) % 3]);
       const auto sine = glm::dot(inward, plane_.normal);
       if (std::fabs(sine) > flat_sine && std::fabs(height_[(k + 2) % 3]) > reach_) {
         line.into[0] = inward;
@@ -252,8 +244,8 @@ class Finder {
       add(line);
     }
 
-    // Keeps of the interval what is within reach of the plane. An edge that goes through it steeply does not
-    // lie on it; nor need one that leaves it slowly lie on it as a whole.
+    // Clips the interval to the part within reach of the plane. An edge that crosses the plane steeply does
+    // not lie on it; one that leaves it slowly may lie on it in part.
     bool dip(std::size_t k, std::size_t l, Interval& interval) const {
       const auto slope = height_[l] - height_[k];
       const auto at = [&](double t) { return height_[k] + t * slope; };
@@ -264,12 +256,12 @@ class Finder {
       return (interval.end - interval.begin) * glm::distance(place_[k], place_[l]) >= shortest_part * reach_;
     }
 
-    // Whether the other one's surface ends at its edge k, or turns back there.
+    // Returns whether the surface of `other` ends at its edge k, or folds back there.
     bool is_boundary(std::size_t k, const Vec3d& inward) const {
       const auto a = vertex_[k];
       const auto b = vertex_[(k + 1) % 3];
       return !finder_.neighbours_.any_across(a, b, other_, [&](std::uint32_t apex) {
-        return glm::dot(inward, finder_.away(a, b, apex)) < folded_cosine;
+        return glm::dot(inward, away_from_edge(finder_.positions_, a, b, apex)) < folded_cosine;
       });
     }
 
@@ -283,7 +275,7 @@ class Finder {
           vertices[count] = vertex_[k];
           ends[count++] = place_[k];
         } else if (height_[l] != 0.0 && (height_[k] < 0.0) != (height_[l] < 0.0)) {
-          // From the lower vertex, so that both triangles of an edge find the same place.
+          // From the lower vertex, so that both triangles at an edge compute the same point.
           const auto [i, j] = vertex_[k] < vertex_[l] ? std::pair(k, l) : std::pair(l, k);
           const auto t = height_[i] / (height_[i] - height_[j]);
           ends[count] = place_[i] + t * (place_[j] - place_[i]);
@@ -307,7 +299,7 @@ class Finder {
       if (interval->begin == 0.0) line.vertices[0] = vertices[0];
       if (interval->end == 1.0) line.vertices[1] = vertices[1];
       if (glm::distance(line.ends[0], line.ends[1]) <= slack_ || is_a_touch(line)) return;
-      // What goes on by no more than a hair ends here.
+      // A surface that continues by no more than the gap ends here.
       auto into = glm::normalize(glm::cross(finder_.shapes_[other_].normal, step));
       if (glm::dot(into, plane_.normal) < 0.0) into = -into;
       line.into[0] = above > reach_ ? into : -into;
@@ -315,7 +307,7 @@ class Finder {
       add(line);
     }
 
-    // An edge that dips through the plane by a hair is where the other one ends, and is known as that.
+    // An edge that dips slightly through the plane is where `other` ends, and is already found as a touch.
     bool is_a_touch(const ContactLine& line) const {
       const auto is_near = [&](const Vec3d& p, const Touch& t) {
         const auto along = t.q - t.p;
@@ -327,7 +319,7 @@ class Finder {
       });
     }
 
-    // Unless it lies on an edge, or no farther from it than what touches, where it parts no light.
+    // Skips a line on an edge, or within touching distance of one, where it does not separate light.
     void add(const ContactLine& line) {
       const auto on_edge = interval_on_edge(plane_, line.ends[0], line.ends[1], slack_);
       if (on_edge && (on_edge->length <= slack_ || !parts(on_edge->edge))) return;
@@ -336,36 +328,28 @@ class Finder {
       lines_.push_back(line);
     }
 
-    // Whether a surface that stands on edge k parts the light on both sides of it: not where it is a
-    // neighbour that has the edge too, and not where the surface itself ends or bends.
+    // Returns whether a surface that stands on edge k separates the light on both sides of it: not where it
+    // is a neighbour that also has the edge, and not where the surface `on` itself ends or bends.
     bool parts(std::size_t k) const {
       const auto a = finder_.triangles_[on_].corners[k];
       const auto b = finder_.triangles_[on_].corners[(k + 1) % 3];
       const auto has = [&](std::uint32_t v) { return std::count(vertex_.begin(), vertex_.end(), v) > 0; };
       if (has(a) && has(b)) return false;
       return finder_.neighbours_.any_across(a, b, on_, [&](std::uint32_t apex) {
-        return glm::dot(plane_.inward[k], finder_.away(a, b, apex)) < goes_on_cosine;
+        return glm::dot(plane_.inward[k], away_from_edge(finder_.positions_, a, b, apex)) < goes_on_cosine;
       });
     }
 
     const Finder& finder_;
     std::uint32_t on_, other_;
-    std::array<double, 3> height_;  // of the other one's corners
-    double slack_, reach_;          // m: what rounding may do; how near is touching
+    std::array<double, 3> height_;  // of the corners of `other`
+    double slack_, reach_;          // m: bound of rounding; touching distance
     FlatTriangle plane_;
-    std::array<std::uint32_t, 3> vertex_;  // of the other one
+    std::array<std::uint32_t, 3> vertex_;  // of `other`
     std::array<Vec3d, 3> place_{};
     std::vector<Touch> touches_;
     std::vector<ContactLine>& lines_;  // found so far
   };
-
-  // From the edge to the vertex, at right angles to the edge; unit.
-  Vec3d away(std::uint32_t a, std::uint32_t b, std::uint32_t vertex) const {
-    const Vec3d origin(positions_[a]);
-    const auto along = glm::normalize(Vec3d(positions_[b]) - origin);
-    const auto d = Vec3d(positions_[vertex]) - origin;
-    return glm::normalize(d - glm::dot(d, along) * along);
-  }
 
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;

@@ -16,14 +16,14 @@
 namespace luxel {
 namespace {
 
-constexpr float same_way = 0.999f;  // cosine between two ways into what is one surface
+constexpr float same_way = 0.999f;  // minimum cosine between directions into the same surface
 
-// Where on a patch a line ends: at a corner, on an edge, or inside.
+// Position of a line's end on a patch: at a corner, on an edge, or inside.
 struct LineEnd {
   enum class At { corner, edge, inside } at = At::inside;
   std::size_t k = 0;            // corner or edge
   std::uint32_t request = 0;    // of a point on an edge
-  std::uint32_t vertex = none;  // that stands there, if one does
+  std::uint32_t vertex = none;  // vertex at the end, if there is one
   Vec3d place{0.0};             // m
 };
 
@@ -34,12 +34,12 @@ struct InnerLine {
   LineEnd from, to;
 };
 
-// A line that runs along an edge, from one share of its length to another. A share that is not 0 or 1 is a
+// A line along an edge, from one fraction of its length to another. A fraction other than 0 or 1 is a
 // request.
 struct EdgeLine {
   std::array<std::uint32_t, 2> edge;  // the lower vertex first
   std::uint32_t line;
-  std::array<std::optional<std::uint32_t>, 2> requests;  // none: an end of the edge, below
+  std::array<std::optional<std::uint32_t>, 2> requests;  // none: the fraction below is an end of the edge
   std::array<double, 2> fractions;
 };
 
@@ -124,7 +124,7 @@ class Cutter {
     edge_lines_.push_back(line);
   }
 
-  // Notes the contact on each part of the edge between the line's ends.
+  // Records the contact on each part of the edge between the line's ends.
   void mark(const EdgeLine& line) {
     auto fractions = line.fractions;
     for (std::size_t i = 0; i < 2; ++i)
@@ -195,7 +195,7 @@ class Cutter {
         if (point == vertex.size()) vertex.push_back(s.vertex);
       }
     }
-    // All points before the lines, so that a line bends to them.
+    // All points precede the lines, so that a line bends to them.
     std::vector<std::array<std::uint32_t, 2>> ends;
     for (const auto& line : inner)
       ends.push_back({point_of(line.from, fragments, vertex), point_of(line.to, fragments, vertex)});
@@ -229,8 +229,8 @@ class Cutter {
     return point;
   }
 
-  // Sorted; of two on one edge that go the same way the first stays: from both halves of a wall, or found
-  // from both sides of an edge.
+  // Sorts the contacts. Of several on one edge with the same direction the first remains: the others come
+  // from the second half of a wall, or from the other side of the edge.
   void finish_contacts() {
     auto& all = patches_.contacts;
     const auto order = [](const Contact& c) { return std::tuple(c.edge, c.into.x, c.into.y, c.into.z); };

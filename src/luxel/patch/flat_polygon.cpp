@@ -10,11 +10,11 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t angle_classes = 180;  // of a quarter turn: half a degree each
-constexpr double normal_classes = 64.0;     // of a normal's coordinates: about a degree
-constexpr double class_shift = 0.377;       // keeps round numbers away from the limits of classes
+constexpr std::size_t angle_classes = 180;  // per quarter turn: half a degree each
+constexpr double normal_classes = 64.0;     // per unit of a normal's coordinate: about a degree each
+constexpr double class_shift = 0.377;       // moves round numbers away from the limits of classes
 
-// Faces one of two opposite ways, always the same one.
+// Returns n or -n: the same result for both.
 Vec3d canonical(const Vec3d& n) {
   for (int i = 0; i < 3; ++i)
     if (std::fabs(n[i]) > 1e-3) return n[i] < 0.0 ? -n : n;
@@ -34,7 +34,7 @@ struct PlaneHash {
   }
 };
 
-// The direction along which most edges run, modulo a quarter turn, given as a vector of the plane.
+// The direction of the maximum length of edges, modulo a quarter turn, as a vector of the plane.
 Vec3d main_direction(std::span<const Triangle3> triangles, std::span<const std::uint32_t> members,
                      const Vec3d& a, const Vec3d& b) {
   std::array<double, angle_classes> length{};
@@ -46,7 +46,7 @@ Vec3d main_direction(std::span<const Triangle3> triangles, std::span<const std::
       auto x = glm::dot(edge, a), y = glm::dot(edge, b);
       const auto l = std::sqrt(x * x + y * y);
       if (!(l > 0.0)) continue;
-      // Into the first quarter: (x, y) turned by quarter turns.
+      // Into the first quadrant by quarter turns.
       while (!(x > 0.0 && y >= 0.0)) {
         const auto old = x;
         x = y;

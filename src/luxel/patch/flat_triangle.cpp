@@ -62,8 +62,8 @@ std::optional<Interval> interval_on(const FlatTriangle& triangle, const Vec3d& p
     return over;
   const auto beside = interval_over(triangle, p, q, slack);
   if (!beside) return std::nullopt;
-  constexpr double rounded = 1.0 + 1e-6;  // its ends may be as far out as slack to the bit
-  constexpr double shortest = 32.0;       // in slacks: less is had by any line that leaves the corner
+  constexpr double rounded = 1.0 + 1e-6;  // the ends may be out by exactly slack
+  constexpr double shortest = 32.0;       // in slacks: any line that leaves the corner is this long within it
   const auto edge = interval_on_edge(triangle, at(beside->begin), at(beside->end), rounded * slack);
   return edge && edge->length > shortest * slack ? beside : std::nullopt;
 }

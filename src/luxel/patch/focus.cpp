@@ -10,18 +10,15 @@
 #include "luxel/scene/name_pattern.h"
 
 namespace luxel {
-namespace {
-
-bool is_called(const Scene& scene, const PatchSet& patches, std::size_t patch, const std::string& pattern) {
+bool is_called(const Scene* scene, const PatchSet& patches, std::size_t patch, const std::string& pattern) {
+  if (matches(pattern, patches.material_of(patch).name)) return true;
+  if (scene == nullptr) return false;
   const auto triangle = patches.triangle[patch];
-  return matches(pattern, patches.material_of(patch).name) ||
-         (triangle < scene.triangle_object.size() &&
-          matches(pattern, scene.objects[scene.triangle_object[triangle]])) ||
-         (triangle < scene.triangle_group.size() &&
-          matches(pattern, scene.groups[scene.triangle_group[triangle]]));
+  return (triangle < scene->triangle_object.size() &&
+          matches(pattern, scene->objects[scene->triangle_object[triangle]])) ||
+         (triangle < scene->triangle_group.size() &&
+          matches(pattern, scene->groups[scene->triangle_group[triangle]]));
 }
-
-}  // namespace
 
 void set_focus(const Scene& scene, const std::string& focus, PatchSet& patches) {
   patches.focus.clear();
@@ -35,7 +32,7 @@ void set_focus(const Scene& scene, const std::string& focus, PatchSet& patches) 
   }
   patches.focus.resize(patches.size());
   for (std::size_t p = 0; p < patches.size(); ++p)
-    patches.focus[p] = is_called(scene, patches, p, focus) ? 1 : 0;
+    patches.focus[p] = is_called(&scene, patches, p, focus) ? 1 : 0;
   if (std::none_of(patches.focus.begin(), patches.focus.end(), [](auto f) { return f != 0; }))
     throw with_hints(
         InputError(fmt::format(

@@ -38,7 +38,7 @@ std::uint32_t FragmentMesh::fragment_with(std::uint32_t point) const {
     const auto& v = fragments_[fragment].v;
     return turn(v[k], v[(k + 1) % 3], point) >= 0;
   };
-  // Walks towards the point, from the triangle of the last one. In a mesh that is not Delaunay the walk may
+  // Walks towards the point, starting from the latest triangle. In a mesh that is not Delaunay the walk may
   // cycle; then every fragment is tested.
   auto fragment = next_number() - 1;
   for (std::size_t steps = 0; steps < fragments_.size(); ++steps) {
@@ -60,13 +60,13 @@ std::vector<FragmentMesh::Edge> FragmentMesh::spokes(std::uint32_t point) const 
   std::vector<Edge> result;
   const auto start = fragment_at_[point];
   auto fragment = start;
-  do {  // to the left
+  do {  // leftwards
     const auto e = edge_of(fragment);
     result.push_back(e);
     fragment = fragments_[fragment].across[(e.k + 2) % 3];
   } while (fragment != none && fragment != start);
   if (fragment == start) return result;
-  // The point is on the boundary: what is to the right is still missing.
+  // The point is on the boundary: the fragments to the right are still missing.
   for (fragment = fragments_[start].across[result[0].k]; fragment != none;) {
     const auto e = edge_of(fragment);
     result.push_back(e);

@@ -16,7 +16,7 @@
 namespace luxel {
 namespace {
 
-// The names that a triangle's lamp goes by.
+// Names by which a rule can select the triangle's lamp.
 std::vector<std::string> names_of(const Scene& scene, const PatchSet& patches, std::size_t patch) {
   const auto triangle = patches.triangle[patch];
   std::vector<std::string> names = {patches.material_of(patch).name};

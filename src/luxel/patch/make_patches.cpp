@@ -3,33 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "luxel/core/bounds.h"
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/cut_contacts.h"
+#include "luxel/patch/line_search.h"
+#include "luxel/patch/near_lines.h"
 #include "luxel/patch/set_bands.h"
 #include "luxel/patch/triangle_splitter.h"
 #include "luxel/scene/clean_triangles.h"
+#include "luxel/scene/up_axis.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::size_t triangles_per_report = 1 << 14;
 
-// Area of a triangle whose longest edge bisection has brought between h / sqrt(2) and h, as a share of h²: a
-// right isosceles triangle on such a hypotenuse, averaged.
+// Mean area, as a fraction of h², of a triangle whose longest edge bisection has brought between h / sqrt(2)
+// and h: a right isosceles triangle on that hypotenuse, averaged.
 constexpr double split_area_fraction = 0.18;
 
-// An estimate, good to some tens of per cent: parts by area, and for slivers by the length of their longest
-// edge.
+// Estimates the number of parts to some tens of per cent: by area, and for slivers by the length of the
+// longest edge.
 double expected_parts(double area, double longest, double max_edge) {
   if (longest <= max_edge) return 1.0;
   return std::max({1.0, area / (split_area_fraction * max_edge * max_edge), 1.5 * longest / max_edge});
@@ -40,7 +45,7 @@ struct Shape {
   double longest = 0.0;
 };
 
-// Of the triangles that become patches.
+// Shapes of the triangles that become patches.
 std::vector<Shape> shapes(const Scene& scene) {
   std::vector<Shape> result;
   result.reserve(scene.triangles.size());
@@ -60,7 +65,7 @@ double expected_count(const std::vector<Shape>& all, double max_edge) {
   return count;
 }
 
-// The shortest edge (to 1 %) that keeps the expected count within the given one.
+// Returns the shortest edge (to 1 %) whose expected count is within the given one.
 double edge_for_count(const std::vector<Shape>& all, double count) {
   double longest = 0.0;
   for (const auto& s : all) longest = std::max(longest, s.longest);
@@ -104,7 +109,7 @@ void reserve(PatchSet& patches, std::size_t count) {
   patches.triangle.reserve(count);
 }
 
-// The edge to split to, or 0 for none; refuses one that would fill the memory.
+// Returns the maximum edge, or 0 for none; refuses one whose patches would not fit into memory.
 double chosen_edge(const Scene& scene, const PatchOptions& options) {
   if (options.max_edge == automatic_edge) return automatic_max_edge(scene, options.target_count);
   if (!(options.max_edge >= 0.0f))
@@ -121,7 +126,25 @@ double chosen_edge(const Scene& scene, const PatchOptions& options) {
   return options.max_edge;
 }
 
-// The numbers of the contact lines on each triangle; lines are sorted by triangle.
+// Contacts, and outlines of things before a surface that patches of this size do not resolve.
+std::vector<ContactLine> lines_to_cut(const std::vector<CleanTriangle>& triangles, const VertexWeld& weld,
+                                      float gap, double max_edge, const Context& context) {
+  constexpr double of_edge = 0.35;   // of the longest edge of a patch, that things are close at
+  constexpr double of_scene = 0.01;  // of its diagonal, at most
+  const auto& positions = weld.positions();
+  auto lines = find_contact_lines(triangles, positions, gap, context);
+  if (!(max_edge > 0.0)) return lines;
+  Bounds box;
+  for (const auto& p : positions) box.add(p);
+  const auto distance = std::min(of_edge * max_edge, of_scene * static_cast<double>(glm::length(box.size())));
+  const auto near = find_near_lines(triangles, positions, gap, distance, context);
+  const auto contacts = static_cast<std::ptrdiff_t>(lines.size());
+  lines.insert(lines.end(), near.begin(), near.end());
+  std::inplace_merge(lines.begin(), lines.begin() + contacts, lines.end(), comes_before);
+  return lines;
+}
+
+// Returns the numbers of the contact lines on a triangle; lines are sorted by triangle.
 std::vector<std::uint32_t> lines_on(std::span<const ContactLine> lines, std::uint32_t triangle) {
   const auto comes_before = [](const ContactLine& line, std::uint32_t t) { return line.on < t; };
   const auto first = std::lower_bound(lines.begin(), lines.end(), triangle, comes_before);
@@ -147,7 +170,7 @@ void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, co
 
 float automatic_max_edge(const Scene& scene, std::size_t target_count) {
   const auto all = shapes(scene);
-  // The target is for what splitting adds: triangles that are finer already stay as they are.
+  // The target limits the patches that splitting adds: triangles that are already finer stay unchanged.
   return static_cast<float>(edge_for_count(all, static_cast<double>(all.size() + target_count)));
 }
 
@@ -156,6 +179,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
   set_bands(patches, scene);
   patches.scene_fingerprint = fingerprint(scene);
   patches.origin = scene.origin;
+  patches.up = scene.up == Vec3(0.0f) ? up_axis(scene) : scene.up;
   patches.cameras = scene.cameras;
 
   VertexWeld weld;
@@ -165,11 +189,11 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
                      "expected at least one triangle with area, found none: there is nothing to light");
 
   reserve(patches, triangles.size());
-  const auto lines = options.contacts
-                         ? find_contact_lines(triangles, weld.positions(), options.contact_gap, context)
-                         : std::vector<ContactLine>();
+  const auto max_edge = chosen_edge(scene, options);
+  const auto lines = options.contacts ? lines_to_cut(triangles, weld, options.contact_gap, max_edge, context)
+                                      : std::vector<ContactLine>();
   TwoSidedTwins twins(patches);
-  TriangleSplitter splitter(patches, weld, chosen_edge(scene, options), options.max_count);
+  TriangleSplitter splitter(patches, weld, max_edge, options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(triangles.size());
     if (i % triangles_per_report == 0 && context.report({.stage = "patches", .done = done}) == Next::stop)

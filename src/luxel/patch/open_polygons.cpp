@@ -15,9 +15,10 @@ namespace luxel {
 namespace {
 
 constexpr double plane_tolerance = 2e-4;  // of the extent: how far apart triangles of one pane may lie
-constexpr double narrow_side = 0.1;       // of the largest face of the same object of glass, area
-constexpr double rim_flatness = 0.02;     // of a loop's extent: how far from a plane its corners may lie
-constexpr double parallel = 0.9;          // cosine: a triangle in the plane of the loop that it ends at
+constexpr double narrow_side = 0.1;       // area, relative to the largest face of the same glass object
+constexpr double rim_flatness = 0.02;     // of a loop's extent: maximum distance of its corners from a plane
+constexpr double parallel =
+    0.9;  // cosine: above it, a triangle lies in the plane of the loop at which it ends
 
 Triangle3 triangle_of(const Scene& scene, std::size_t t) {
   const auto& c = scene.triangles[t];
@@ -37,8 +38,8 @@ double area_of(const OpenPolygon& polygon) {
   return 0.5 * glm::length(area2);
 }
 
-// The convex hull of points that lie nearly in one plane, or nothing. The plane goes through three of them
-// that are far apart.
+// The convex hull of points that lie nearly in one plane, or nothing. The plane contains three of them that
+// are far apart.
 OpenPolygon flat_hull(const std::vector<Vec3>& points, Vec3d& normal) {
   const auto farthest = [&](const auto& distance) {
     return *std::max_element(points.begin(), points.end(), [&](const Vec3& p, const Vec3& q) {
@@ -67,7 +68,7 @@ OpenPolygon flat_hull(const std::vector<Vec3>& points, Vec3d& normal) {
 
 namespace {
 
-// Triangles that share corners, by their first one, [triangle].
+// For each triangle, the first one of those connected to it by corners, [triangle].
 std::vector<std::uint32_t> connected(std::span<const Triangle3> triangles,
                                      std::span<const std::uint32_t> members) {
   std::map<std::array<float, 3>, std::uint32_t> first_at;
@@ -82,8 +83,9 @@ std::vector<std::uint32_t> connected(std::span<const Triangle3> triangles,
 
 }  // namespace
 
-// Triangles of one plane that share corners are one pane; it may be drawn larger than it is, by its convex
-// hull: any set of portals is right. Of a thin box of glass the narrow sides are none.
+// Triangles of one plane that share corners are one pane, represented by its convex hull; a hull larger than
+// the pane is valid, as any set of portals is unbiased. The narrow sides of a thin box of glass are not
+// panes.
 std::vector<OpenPolygon> find_panes(std::span<const Triangle3> glass, double extent) {
   std::vector<std::uint32_t> all(glass.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -110,8 +112,8 @@ std::vector<OpenPolygon> find_panes(std::span<const Triangle3> glass, double ext
   return wide;
 }
 
-// A loop whose triangles stand on its plane: the boundary of a box without a lid. (Where they lie in it, it
-// is the outline of a sheet, or a hole that find_wall_holes() finds.)
+// A loop whose triangles stand on its plane: the boundary of a box without a lid. (Where they lie in the
+// plane, the loop is the outline of a sheet, or a hole that find_wall_holes() finds.)
 std::vector<OpenPolygon> find_missing_walls(const Scene& scene) {
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld).kept;

@@ -15,18 +15,18 @@ namespace {
 
 constexpr float cone_cosine = 0.9f;        // normals of a region lie within 26 degrees of their mean
 constexpr float cone_width = 0.9f;         // so no two ends of them are farther apart: 2 sin(26 degrees)
-constexpr float thickness_exact = 1e-3f;   // of a plane region's extent: rounding of a modeller
+constexpr float thickness_exact = 1e-3f;   // of a plane region's extent: rounding by modelling programs
 constexpr std::uint32_t large_plane = 32;  // patches
 constexpr std::uint32_t region_unit = 64;
 constexpr float normal_weight = 0.5f;  // metres per unit of normal, over the node's extent
 
-// Where a patch is and where it faces.
+// Centroid and normal of a patch.
 struct Item {
   std::uint32_t patch = 0;
   std::array<float, 6> at{};  // centroid, normal
 };
 
-// A box of places and normals together.
+// A box in the space of centroids and normals.
 struct ItemBounds {
   std::array<float, 6> low, high;
   ItemBounds() {
@@ -45,10 +45,10 @@ struct ItemBounds {
 Vec3 place_of(const Item& i) { return {i.at[0], i.at[1], i.at[2]}; }
 Vec3 normal_of(const Item& i) { return {i.at[3], i.at[4], i.at[5]}; }
 
-// Whether the items lie on one plane, or on one sheet that bends gently: as thick as its bend explains.
+// Returns whether the items lie on one plane, or on one sheet whose thickness its slight curvature explains.
 bool is_flat(const Item* begin, const Item* end, const ItemBounds& bounds) {
   for (std::size_t d = 3; d < 6; ++d)
-    if (bounds.extent(d) > cone_width) return false;  // as a look at every one of them would say
+    if (bounds.extent(d) > cone_width) return false;  // a test of each item would fail too
   Vec3 sum(0.0f);
   for (const auto* i = begin; i != end; ++i) sum += normal_of(*i);
   const auto length = glm::length(sum);
@@ -68,7 +68,7 @@ bool is_flat(const Item* begin, const Item* end, const ItemBounds& bounds) {
   return cosine > cone_cosine && high - low <= glm::length(extent) * (thickness_exact + 0.5f * bend);
 }
 
-// Halves that begin at a multiple of a power of two, an eighth of the whole or less.
+// Returns a size of the first half that is a multiple of a power of two, at most an eighth of the whole.
 std::uint32_t aligned_half(std::uint32_t count) {
   std::uint32_t unit = 1;
   while (unit * 16 <= count) unit *= 2;
@@ -90,7 +90,7 @@ class Builder {
   void build(const Context& context) {
     tree_.nodes.push_back({0, static_cast<std::uint32_t>(items_.size()), 0, false});
     tree_.level_begin = {0};
-    // Level by level: the nodes of one level are disjoint, so threads can split them apart from each other.
+    // Level by level: nodes of one level are disjoint, so threads can split them independently.
     for (std::size_t begin = 0; begin < tree_.nodes.size();) {
       const auto end = tree_.nodes.size();
       tree_.level_begin.push_back(static_cast<std::uint32_t>(end));
@@ -112,7 +112,7 @@ class Builder {
   }
 
  private:
-  // Large planes first, each for itself, in the order in which they are met; then all else.
+  // Large planes first, each as a group, in order of occurrence; then all other patches as one.
   void group(const std::vector<std::uint64_t>& planes) {
     std::unordered_map<std::uint64_t, std::uint32_t> size;
     for (const auto plane : planes) ++size[plane];
@@ -133,8 +133,8 @@ class Builder {
     items_ = std::move(grouped);
   }
 
-  // Where a node that holds several groups is cut: between two of them, as near its middle as can be. Its end
-  // where it holds but one.
+  // Returns where to cut a node with several groups: between two of them, as near its middle as possible. Its
+  // end if it has only one.
   std::uint32_t cut_between_groups(const PatchTree::Node& node) const {
     const auto end = node.first + node.count;
     const auto above =
@@ -151,7 +151,8 @@ class Builder {
     return best;
   }
 
-  // Finds whether the node is flat and parts its items. Returns the number of the left ones; 0 for a leaf.
+  // Determines whether the node is flat, and splits its items. Returns the number of items on the left; 0 for
+  // a leaf.
   std::uint32_t split(PatchTree::Node& node) {
     auto* const begin = items_.data() + node.first;
     auto* const end = begin + node.count;
@@ -169,12 +170,12 @@ class Builder {
     }
 
     const auto widest = widest_dimension(bounds, node.is_flat);
-    // Ties go by patch, so that the halves are the same sets with every library's nth_element.
+    // Ties are ordered by patch, so that the halves are the same sets with every library's nth_element.
     const auto before = [widest](const Item& a, const Item& b) {
       return a.at[widest] != b.at[widest] ? a.at[widest] < b.at[widest] : a.patch < b.patch;
     };
     if (!node.is_flat) {
-      // Into the middle: it falls between planes more often than the median does.
+      // At the middle of the box, which falls between planes more often than the median does.
       const auto middle = 0.5f * (bounds.low[widest] + bounds.high[widest]);
       const auto* cut = std::partition(begin, end, [&](const Item& i) { return i.at[widest] < middle; });
       if (cut != begin && cut != end) return static_cast<std::uint32_t>(cut - begin);
@@ -199,7 +200,7 @@ class Builder {
     return widest;
   }
 
-  // Places, positions and regions.
+  // Numbers the patches, and lists the regions.
   void number() {
     const auto n = items_.size();
     tree_.order.resize(n);
@@ -220,7 +221,7 @@ class Builder {
     std::uint32_t position = 0;
     for (const auto r : tree_.regions) {
       const auto& node = tree_.nodes[r];
-      // A region of few patches begins where its size fits.
+      // A small region begins at a multiple of its size, rounded up to a power of two.
       std::uint32_t unit = 1;
       while (unit < region_unit && unit < node.count) unit *= 2;
       position = (position + unit - 1) / unit * unit;
@@ -232,7 +233,7 @@ class Builder {
 
   PatchTree& tree_;
   std::vector<Item> items_;
-  std::vector<std::uint32_t> group_begins_;  // of large planes, and where all else begins
+  std::vector<std::uint32_t> group_begins_;  // of large planes, and where the other patches begin
   std::uint32_t planar_ = 0;                 // items in large planes
 };
 

@@ -14,8 +14,7 @@ namespace {
 
 constexpr float plane_step = 1e-3f;  // of a normal's components, and of the scene's size
 
-// The plane of each patch's input triangle: rounded, so that triangles that a modeller put on one plane
-// agree.
+// The plane of each patch's input triangle, rounded so that triangles modelled on one plane agree.
 std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
   float size = 0.0f;
   for (const auto& v : patches.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -39,7 +38,7 @@ std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
   return planes;
 }
 
-// Components connected by edges that are no contacts, of the planes that have contacts.
+// Components connected by edges without contacts, for planes that have contacts.
 class Parts {
  public:
   Parts(const PatchSet& patches, const std::vector<std::uint64_t>& planes)
@@ -56,7 +55,7 @@ class Parts {
       if (touched_[p]) touched_[sets_.of(p)] = true;
   }
 
-  // The part's first patch, where it has contacts.
+  // The first patch of the part, if the part has contacts.
   std::uint64_t of(std::uint32_t patch) {
     const auto first = sets_.of(patch);
     return touched_[first] ? first + 1ull : 0;

@@ -50,7 +50,8 @@ class EdgeCuts {
     middle_.assign(edges_.size(), none);
   }
 
-  // Halves all edges of the marked patches, and wherever an edge of a patch is halved its longest one too.
+  // Halves all edges of the marked patches; where an edge of a patch is halved, its longest edge is halved
+  // too.
   void mark(std::span<const std::uint8_t> is_marked) {
     for (std::uint32_t p = 0; p < patches_.size(); ++p)
       if (is_marked[p] != 0)
@@ -63,7 +64,7 @@ class EdgeCuts {
     }
   }
 
-  // Makes the middles of halved edges, in the order of edges.
+  // Creates the midpoints of halved edges, in the order of edges.
   void add_vertices(std::vector<Vec3>& vertices) {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (middle_[e] == none) continue;
@@ -75,13 +76,13 @@ class EdgeCuts {
 
   // The edge from corner k of the patch to the next one.
   std::uint32_t edge(std::uint32_t patch, std::uint32_t k) const { return edge_of_corner_[3 * patch + k]; }
-  // The vertex in its middle; none: it is not halved.
+  // The vertex at its midpoint; none: the edge is not halved.
   std::uint32_t middle(std::uint32_t edge) const { return middle_[edge]; }
   std::uint32_t middle(const Edge& edge) const {
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge);
     return at != edges_.end() && *at == edge ? middle_[static_cast<std::size_t>(at - edges_.begin())] : none;
   }
-  // Which of its edges is the longest; ties go by vertices, so that all patches at an edge agree.
+  // Returns the longest edge of a patch; ties are ordered by vertices, so that all patches at an edge agree.
   std::uint32_t longest(std::uint32_t patch) const {
     const auto order = [&](std::uint32_t k) {
       const auto& e = edges_[edge(patch, k)];
@@ -110,12 +111,12 @@ class EdgeCuts {
   }
 
   const PatchSet& patches_;
-  std::vector<Edge> edges_;                    // rising
+  std::vector<Edge> edges_;                    // ascending
   std::vector<std::uint32_t> begins_;          // [edge], into corners_
   std::vector<std::uint32_t> corners_;         // 3 * patch + corner that the edge begins at
   std::vector<std::uint32_t> edge_of_corner_;  // [3 * patch + corner]
   std::vector<std::uint32_t> middle_;          // [edge]
-  std::vector<std::uint32_t> open_;            // halved, and their patches not yet looked at
+  std::vector<std::uint32_t> open_;            // halved; their patches are still to be processed
 };
 
 class Refiner {
@@ -130,9 +131,14 @@ class Refiner {
     set.materials = old.materials;
     set.scene_fingerprint = old.scene_fingerprint;
     set.origin = old.origin;
+    set.up = old.up;
     set.sky = old.sky;
     set.point_lights = old.point_lights;
     set.portals = old.portals;
+    set.light_groups = old.light_groups;
+    set.cameras = old.cameras;
+    set.focuses_on_cameras = old.focuses_on_cameras;
+    set.view = old.view;
     for (std::uint32_t p = 0; p < old.size(); ++p) cut(p);
     inherit_contacts();
   }
@@ -152,7 +158,7 @@ class Refiner {
     cut_half({apex, m, j}, cuts_.middle(cuts_.edge(p, (k + 1) % 3)), p);
   }
 
-  // middle: that of the edge from the last corner to the first.
+  // middle: midpoint of the edge from the last corner to the first.
   void cut_half(const std::array<std::uint32_t, 3>& c, std::uint32_t middle, std::uint32_t p) {
     if (middle == none) return append(c, p);
     append({c[0], c[1], middle}, p);
@@ -163,13 +169,14 @@ class Refiner {
     auto& set = result_.patches;
     const auto& v = set.vertices;
     // A triangle that floats cannot distinguish from a line carries no light; its neighbours share its
-    // corners all the same.
+    // corners anyway.
     if (c != old_.corners[p] && !has_area(v[c[0]], v[c[1]], v[c[2]])) return;
     set.corners.push_back(c);
     set.normal.push_back(old_.normal[p]);
     set.area.push_back(static_cast<float>(triangle_area(v[c[0]], v[c[1]], v[c[2]])));
     set.material.push_back(old_.material[p]);
     set.triangle.push_back(old_.triangle[p]);
+    if (!old_.focus.empty()) set.focus.push_back(old_.focus[p]);
     result_.parent.push_back(p);
   }
 

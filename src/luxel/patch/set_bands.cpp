@@ -12,7 +12,8 @@
 namespace luxel {
 namespace {
 
-// What was measured goes before textures; without one, the colour of corners is on the material's own.
+// Measured spectra override textures. Without a texture, the vertex colour multiplies the material's own
+// colour.
 MaterialTextures textures_of(const Material& m) {
   auto textures = m.textures;
   if (!m.reflectance_spectrum.empty()) textures.reflectance.reset();
@@ -32,7 +33,7 @@ void set_plain_bands(PatchSet& patches, const Scene& scene) {
   if (scene.sky != Vec3(0.0f)) patches.sky = three(scene.sky);
 }
 
-// Spectra of what was measured, and of what is known by its colour.
+// Spectra of measured materials and of those given by a colour, at the bands.
 class SpectraAtBands {
  public:
   explicit SpectraAtBands(const Scene& scene) : scene_(scene), bands_(make_wavebands(scene.wavelengths)) {}

@@ -8,9 +8,9 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t rows_grain = 16;  // rows of a table that a thread takes at a time
-constexpr double max_repeats = 24.0;    // of the picture, along a side of a triangle
-constexpr double farthest_place = 1e9;  // in repeats; beyond, floats know no pixels
+constexpr std::size_t rows_grain = 16;  // rows of a table per chunk of a thread
+constexpr double max_repeats = 24.0;    // of the picture, along one side of a triangle
+constexpr double farthest_place = 1e9;  // in repeats; beyond it floats do not resolve pixels
 constexpr int samples_along = 256;
 
 std::int64_t floored(double x) {
@@ -42,7 +42,7 @@ TexelSums::TexelSums(std::shared_ptr<const Raster> raster, std::array<Wrap, 2> w
   const auto width = static_cast<std::size_t>(raster_->width);
   table_.resize((width / block + 1) * height);
   std::vector<Sum> all_of_row(height);
-  std::vector<Vec3d> plain(height, Vec3d(0.0));  // with the colours of holes
+  std::vector<Vec3d> plain(height, Vec3d(0.0));  // including the colours of holes
   context.for_chunks(height, rows_grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto y = begin; y < end; ++y) {
       Sum sum(0.0);
@@ -73,7 +73,7 @@ TexelSums::Sum TexelSums::value(const Vec3& colour) const {
   return first_solid_ > 255 ? Sum(0.0) : Sum(colour, 1.0);
 }
 
-// A row of the picture, which goes on without end.
+// One row of the infinitely repeated picture.
 class TexelSums::Row {
  public:
   Row(const TexelSums& sums, std::size_t row)
@@ -126,11 +126,11 @@ class TexelSums::Row {
 
  private:
   const Block& block_of(std::int64_t x) const { return table_[x / block * height_]; }
-  // x: a column of the picture.
+  // x: column of the picture.
   Sum within(std::int64_t x) const {
     return linear_ ? sums_.value(linear_[x]) : sums_.value(block_of(x).codes[x % block]);
   }
-  // x: from 0 to the width.
+  // x: 0 to the width.
   Sum before_within(std::int64_t x) const {
     auto sum = block_of(x).before;
     for (auto i = x / block * block; i < x; ++i) sum += within(i);
@@ -141,7 +141,7 @@ class TexelSums::Row {
   std::int64_t width_;
   const Block* table_;
   std::int64_t height_;
-  const Vec3* linear_;  // where the raster has no codes
+  const Vec3* linear_;  // for rasters without codes
 };
 
 TexelSums::Row TexelSums::row_at(std::int64_t y) const {
@@ -149,7 +149,7 @@ TexelSums::Row TexelSums::row_at(std::int64_t y) const {
   return {*this, static_cast<std::size_t>(y >= 0 && y < height ? y : wrapped(y, height, wrap_[1]))};
 }
 
-// The integral of before(x) over y, along an edge; the same but for its sign the other way.
+// The integral of before(x) over y, along an edge; the opposite direction changes only its sign.
 TexelSums::Sum TexelSums::along_edge(const Point& a, const Point& b) const {
   const bool is_down = a.y < b.y;
   const auto& top = is_down ? a : b;
@@ -195,7 +195,7 @@ TexelSums::Mean TexelSums::over(const std::array<Vec2, 3>& places) const {
   }
   const auto columns = extent(t, 0), rows = extent(t, 1);
   if (columns.size() > max_repeats * size.x || rows.size() > max_repeats * size.y) return whole_;
-  // On the picture itself, if it can be, sums are shorter and pixels are found without a division.
+  // Moved onto the picture itself where possible: sums are shorter and pixels are found without a division.
   const std::array extents = {columns, rows};
   for (int axis = 0; axis < 2; ++axis) {
     if (wrap_[static_cast<std::size_t>(axis)] == Wrap::clamp) continue;
@@ -204,7 +204,7 @@ TexelSums::Mean TexelSums::over(const std::array<Vec2, 3>& places) const {
   }
   const auto ab = t[1] - t[0], ac = t[2] - t[0];
   const auto area = 0.5 * (ab.x * ac.y - ab.y * ac.x);
-  // Areas of a sliver that floats cannot distinguish from a line are mostly rounding.
+  // The area of a sliver that floats cannot distinguish from a line is mostly rounding.
   if (!(std::fabs(area) > 1e-12 * columns.reach() * rows.reach()))
     return mean_of(along_side(t), samples_along, whole_);
   const auto sum = along_edge(t[0], t[1]) + along_edge(t[1], t[2]) + along_edge(t[2], t[0]);

@@ -11,8 +11,8 @@
 namespace luxel {
 namespace {
 
-// How much less than half a turn the angles across an edge must sum to, as a sine, for it to stay: flips end,
-// whatever doubles round.
+// An edge is flipped where the angles opposite it sum to more than half a turn by at least this, as a sine:
+// flips then end in spite of rounding.
 constexpr double better_by = 1e-9;
 
 FragmentMesh::Ends sorted(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -37,7 +37,7 @@ std::uint32_t TriangleCut::add_on_edge(std::size_t k, double fraction) {
                                              : FragmentMesh::Point{0, n - steps};
   const auto point = mesh_.add_point(place);
   const auto edge = mesh_.edge_between(last_on_edge_[k], static_cast<std::uint32_t>((k + 1) % 3));
-  if (!mesh_.can_split(edge, point)) {  // it is where the one before is
+  if (!mesh_.can_split(edge, point)) {  // it coincides with the previous point
     mesh_.take_back();
     return last_on_edge_[k];
   }
@@ -82,8 +82,8 @@ std::uint32_t TriangleCut::add_inside(const Vec3d& place) {
 }
 
 void TriangleCut::add_line(std::uint32_t a, std::uint32_t b, std::uint32_t tag) {
-  // Parted at points and crossings: the parts still to do, the next one last. Each is shorter than what it is
-  // a part of; should rounding go round in circles all the same, the rest of the line is given up.
+  // Split at points and crossings: a stack of the remaining parts, the next one last. Each is shorter than
+  // the part it comes from; if rounding causes a cycle anyway, the rest of the line is dropped.
   std::vector<Ends> parts{{a, b}};
   for (std::size_t steps = 0; !parts.empty() && steps < 100 + 4 * mesh_.points().size(); ++steps) {
     const auto [from, to] = parts.back();
@@ -164,7 +164,7 @@ void TriangleCut::split_edge(Edge e, std::uint32_t point) {
   mesh_.split_edge(e, point);
 }
 
-// Whether the angles that look at the edge from both sides sum to more than half a turn.
+// Returns whether the angles opposite the edge sum to more than half a turn.
 bool TriangleCut::would_better(Edge e) const {
   const auto a = in_plane(mesh_.from(e));
   const auto b = in_plane(mesh_.to(e));
@@ -206,14 +206,14 @@ std::uint32_t TriangleCut::advance(std::uint32_t a, std::uint32_t b) {
   const auto first = std::find_if(spokes.begin(), spokes.end(), faces_it);
   if (first == spokes.end()) return none;
 
-  // From fragment to fragment: each edge on the way has a to its left and b to its right.
+  // From fragment to fragment: each crossed edge has a to its left and b to its right.
   std::vector<Ends> crossed;
   for (Edge e{first->fragment, (first->k + 1) % 3};;) {
     const auto beyond = mesh_.other_side(e);
     if (beyond.fragment == none) return none;
     const auto apex = mesh_.apex(beyond);
     if (is_line(e)) {
-      // A line that runs past an end of this one by a hair is bent to run through it.
+      // A line that passes within the tolerance of this one's end is bent to run through it.
       if (crossed.empty() && distance_to_segment(a, mesh_.from(e), mesh_.to(e)) <= tolerance_) {
         move_tags(e, a);
       } else if (apex == b && distance_to_segment(b, mesh_.from(e), mesh_.to(e)) <= tolerance_) {

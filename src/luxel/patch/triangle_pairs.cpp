@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 4;
 constexpr std::size_t items_grain = 1 << 14;
-constexpr std::uint32_t task_boxes = 1 << 13;  // a node of so many is one thread's work
+constexpr std::uint32_t task_boxes = 1 << 13;  // a node of at most this many boxes is one task
 
 bool overlap(const Bounds& a, const Bounds& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
@@ -59,7 +59,7 @@ void OverlappingPairs::build(std::span<Item> items, const Context& context) {
   const auto count = static_cast<std::uint32_t>(items.size());
   nodes_.resize(tree_size(count));
   nodes_[0].count = count;
-  // Large nodes level by level, then each small one with all that is below it.
+  // Large nodes level by level, then each small one with its whole subtree.
   std::vector<std::uint32_t> tasks, large_nodes, level = {0};
   while (!level.empty()) {
     std::vector<std::uint32_t> large;
@@ -75,7 +75,7 @@ void OverlappingPairs::build(std::span<Item> items, const Context& context) {
     nodes_[*n].box = join(nodes_[*n + 1].box, nodes_[nodes_[*n].right].box);
 }
 
-// Gives the node its children, which know their boxes but not yet the space they take.
+// Creates the node's children and their boxes; the children's tree sizes are set later.
 void OverlappingPairs::cut_in_half(std::uint32_t number, std::span<Item> items) {
   auto& node = nodes_[number];
   const auto own = items.subspan(node.first, node.count);
@@ -84,7 +84,7 @@ void OverlappingPairs::cut_in_half(std::uint32_t number, std::span<Item> items) 
   const auto size = centers.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
   const auto half = node.count / 2;
-  // Ties go by number, so that the halves are the same sets with every library's nth_element.
+  // Ties are ordered by index, so that the halves are the same sets with every library's nth_element.
   std::nth_element(own.begin(), own.begin() + half, own.end(), [axis](const Item& a, const Item& b) {
     const auto c = a.box.low[axis] + a.box.high[axis];
     const auto d = b.box.low[axis] + b.box.high[axis];
@@ -115,7 +115,7 @@ void OverlappingPairs::build_below(std::uint32_t number, std::span<Item> items) 
   }
 }
 
-// From the top, each pair once, until none is of more boxes than one thread should have.
+// From the root, each pair once, until no node of a pair has more boxes than one task.
 void OverlappingPairs::part_the_pairs() {
   std::vector<NodePair> open = {{0, 0}};
   while (!open.empty()) {
@@ -128,7 +128,7 @@ void OverlappingPairs::part_the_pairs() {
   }
 }
 
-// The pairs one step below one that is not of leaves only.
+// Adds the pairs one level below a pair that is not of two leaves.
 void OverlappingPairs::descend(const NodePair& pair, std::vector<NodePair>& open) const {
   const auto [i, j] = pair;
   const auto& a = nodes_[i];

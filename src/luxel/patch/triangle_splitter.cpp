@@ -35,17 +35,17 @@ void TriangleSplitter::split(const std::array<std::uint32_t, 3>& c, const std::v
   const auto j = c[(k + 1) % 3];
   const auto apex = c[(k + 2) % 3];
   if (max_edge2_ <= 0.0 || edge2[k] <= max_edge2_) return append(c, lines);
-  // a + b is the same number as b + a: both neighbours of the edge find the same place.
+  // a + b equals b + a exactly: both neighbours of the edge compute the same point.
   const auto& p = weld_.positions();
   const auto place = 0.5f * (p[i] + p[j]);
   if (!has_area(p[i], place, p[apex]) || !has_area(place, p[j], p[apex]))
-    return append(c, lines);  // as small as floats can tell
+    return append(c, lines);  // halves would have no area in floats
   const auto middle = weld_.index_of(place);
   for (const auto& half : {std::array{i, middle, apex}, std::array{middle, j, apex}})
     split(half, near(half, lines));
 }
 
-// Those of the lines that lie over the part or along its boundary.
+// Returns the lines that lie over the part or along its boundary.
 std::vector<std::uint32_t> TriangleSplitter::near(const std::array<std::uint32_t, 3>& c,
                                                   const std::vector<std::uint32_t>& lines) const {
   if (lines.empty()) return {};

@@ -4,7 +4,7 @@
 namespace luxel {
 namespace {
 
-constexpr float flat = 1e-6f;  // one less the cosine between normals
+constexpr float flat = 1e-6f;  // 1 minus the cosine between normals
 
 }  // namespace
 
@@ -14,7 +14,7 @@ std::vector<std::uint32_t> uncut_faces(const Scene& scene, const PatchSet& patch
   std::vector<std::uint32_t> face(patches.size());
   std::uint32_t count = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    // Patches stand in the order of triangles, and these in the order of the file.
+    // Patches are in the order of triangles, and these in the order of the file.
     const auto belongs_to = [&](std::size_t before) {
       const auto a = patches.triangle[before];
       const auto b = patches.triangle[p];

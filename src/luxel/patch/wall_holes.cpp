@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes in flat walls: each plane that has several triangles becomes a picture; what stays empty in it, and
-// hangs together, is a hole. The picture's edge counts as closed, so that a door, which the floor closes, is
-// a hole too.
+// Holes in flat walls: each plane with several triangles is rasterised; a connected empty region is a hole.
+// The edge of the raster counts as closed, so that a door, which the floor closes, is a hole too.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,14 +14,14 @@ namespace {
 
 constexpr double plane_tolerance = 2e-4;  // of the extent: how far apart triangles of one wall may lie
 constexpr std::size_t min_triangles = 3;
-constexpr std::size_t max_planes = 512;                          // the largest
-constexpr std::size_t all_cells = 1 << 23;                       // of all pictures together: some 0.1 s
-constexpr std::size_t min_cells = 1 << 12, max_cells = 1 << 18;  // of one picture
-constexpr std::size_t min_hole_cells = 8;                        // of a hole
+constexpr std::size_t max_planes = 512;                          // the largest planes only
+constexpr std::size_t all_cells = 1 << 23;                       // of all rasters together: about 0.1 s
+constexpr std::size_t min_cells = 1 << 12, max_cells = 1 << 18;  // per raster
+constexpr std::size_t min_hole_cells = 8;                        // per hole
 constexpr std::size_t min_width = 3;                             // of a hole, cells
 constexpr double min_fill = 0.4;                                 // area of a hole over that of its polygon
 constexpr double min_hull = 0.95;        // area of the hull of corners over that of the cells
-constexpr std::size_t max_corners = 12;  // else its upright rectangle stands for it
+constexpr std::size_t max_corners = 12;  // a hole with more is replaced by its axis-aligned rectangle
 
 using Flat = std::array<double, 2>;
 
@@ -44,7 +43,7 @@ class Picture {
     cell_ = std::sqrt(size[0] * size[1] / static_cast<double>(cells));
     if (!(cell_ > 0.0)) return;
     for (std::size_t i = 0; i < 2; ++i) count_[i] = static_cast<std::size_t>(size[i] / cell_) + 1;
-    if (count_[0] * count_[1] > 2 * cells) return;  // a strip
+    if (count_[0] * count_[1] > 2 * cells) return;  // a narrow strip
     label_.assign(count_[0] * count_[1], none);
     for (const auto& triangle : triangles_) fill(triangle);
   }
@@ -70,7 +69,7 @@ class Picture {
   double centre(std::size_t axis, std::size_t i) const {
     return low_[axis] + (static_cast<double>(i) + 0.5) * cell_;
   }
-  // The first cell whose centre is not below x.
+  // The first cell whose centre is at x or above.
   std::size_t first_from(std::size_t axis, double x) const {
     const auto at = std::ceil((x - low_[axis]) / cell_ - 0.5);
     return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(count_[axis])));
@@ -123,7 +122,7 @@ class Picture {
         if (label_[row * count_[0] + i] == label) label_[row * count_[0] + i] = speck;
   }
 
-  // Corners of triangles beside a hole are those of the hole.
+  // Corners of triangles beside a hole are corners of the hole.
   void collect_corners() {
     for (const auto& triangle : triangles_)
       for (const auto& p : triangle) {

@@ -54,6 +54,7 @@ Vote lamps_downwards(const PatchSet& patches) {
 }  // namespace
 
 Vec3 automatic_up(const PatchSet& patches) {
+  if (patches.up != Vec3(0.0f)) return glm::normalize(patches.up);
   auto lead = level_surfaces(patches).lead();
   if (std::abs(lead) < clear_lead) lead = lamps_downwards(patches).lead();
   return lead < 0.0 ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(0.0f, 1.0f, 0.0f);

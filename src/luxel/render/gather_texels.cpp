@@ -266,8 +266,11 @@ TexelReport gather_texels(const LightmapInput& input, const SmoothLight& light, 
   if (options.directional && !(tracer && options.error > 0.0))
     throw InputError("the directions of light come from a final gather: ask for one");
   const auto& atlas = lightmap.atlas;
-  const auto places = find_texel_places(atlas, context);
   const SolvedLight solved(patches, input.solution, light);
+  std::vector<bool> is_dark(atlas.chart_of.size());
+  for (std::size_t i = 0; i < is_dark.size(); ++i)
+    is_dark[i] = !(glm::length(solved.mean(SideId::at(i))) > 0.0);
+  const auto places = find_texel_places(atlas, is_dark, context);
   const auto least = options.dark * mean_light(patches, solved, atlas);
   TexelReport report;
   lightmap.pages.clear();

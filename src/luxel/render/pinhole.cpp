@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/address.h"
 #include "luxel/core/error.h"
 #include "luxel/core/warp.h"
 
@@ -65,6 +66,12 @@ Pinhole::Pinhole(const Camera& camera, int width, int height) : eye_(camera.eye)
 
 Ray Pinhole::ray(double x, double y) const {
   return {eye_, Vec3(glm::normalize(corner_ + x * right_ + y * down_))};
+}
+
+Ray Pinhole::ray_in_cell(double x, double y, std::uint64_t key, int cell, int side) const {
+  const auto jitter = uniform4(key, static_cast<std::uint64_t>(cell));
+  return ray(x + (cell % side + static_cast<double>(jitter[0])) / side,
+             y + (cell / side + static_cast<double>(jitter[1])) / side);
 }
 
 double tangent_of_degrees(double degrees) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "luxel/core/vector.h"
 #include "luxel/scene/camera.h"
 #include "luxel/trace/tracer.h"
@@ -18,6 +20,9 @@ class Pinhole {
   // x in [0, width] from the left, y in [0, height] from the top; the middle of the top left pixel is (0.5,
   // 0.5).
   Ray ray(double x, double y) const;
+  // A ray at random in each cell of a grid of side x side over the pixel in column x and row y. key: of the
+  // pixel, see address.h; cell: 0 to side² - 1, by rows.
+  Ray ray_in_cell(double x, double y, std::uint64_t key, int cell, int side) const;
 
  private:
   Vec3 eye_;

@@ -11,14 +11,14 @@
 #include "luxel/core/address.h"
 #include "luxel/core/sobol.h"
 #include "luxel/render/batch_means.h"
+#include "luxel/render/doubled_samples.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_irradiance.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t replicates = 8;
-constexpr std::uint32_t first_samples = 4;  // per replicate
+constexpr auto replicates = gather_replicates;
 
 }  // namespace
 
@@ -41,7 +41,8 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
     return static_cast<double>(patches_.reflectance(hit.patch, b)) *
            smooth_irradiance(light_, hit.side(), {hit.u, hit.v}, b, bands);
   };
-  const auto sample = [&](const OwenSobol& points, std::uint32_t i, std::uint32_t r) {
+  const auto sample = [&](std::uint32_t r, std::uint32_t i) {
+    const OwenSobol points(nth_key(key, r));
     const auto sum = std::span(sums).subspan(r * bands, bands);
     if (!limits.with_light_vector) {
       const auto trail = paths_.direct(point, numbers_of(points, i), one, sum);
@@ -63,8 +64,8 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
       sum[b] = vector[b].w;
     }
   };
-  Vec3d before(0.0);  // variance of the previous pass
-  const auto judge = [&](std::uint32_t samples) {
+  DoubledVariance<Vec3d> doubled;
+  const auto is_enough = [&](std::uint32_t samples) {
     std::array<Vec3d, replicates> means;
     result.irradiance = Vec3d(0.0);
     for (std::size_t r = 0; r < replicates; ++r) {
@@ -75,30 +76,20 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
     for (const auto& mean : means)
       variance += (mean - result.irradiance) * (mean - result.irradiance) /
                   static_cast<double>(replicates * (replicates - 1));
-    // Stopping where the spread happens to be small would underestimate errors: the spread of the first half
-    // of the samples has the same weight.
-    const auto of_half = before;
-    before = variance;
-    if (samples > first_samples) variance = 0.5 * (variance + 0.5 * of_half);
+    variance = doubled.of(variance);
     result.standard_error = widening_of(replicates) * glm::sqrt(variance);
     const auto whole = std::max(glm::length(result.irradiance), limits.least);
-    result.reached = samples > first_samples && samples * replicates >= limits.min_rays &&
+    result.reached = samples > first_gather_samples && samples * replicates >= limits.min_rays &&
                      std::sqrt(variance.x + variance.y + variance.z) <= limits.error * whole;
+    return result.reached;
   };
 
-  for (std::uint32_t from = 0, to = first_samples;; from = to, to *= 2) {
-    for (std::uint32_t r = 0; r < replicates; ++r) {
-      const OwenSobol points(nth_key(key, r));
-      for (auto i = from; i < to; ++i) sample(points, i, r);
-    }
-    judge(to);
-    if (!result.reached && 2 * to * replicates <= limits.max_rays) continue;
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        result.light_vector[axis] += colours_.of(i % bands) * vectors[i][static_cast<int>(axis)] /
-                                     static_cast<double>(to * replicates);
-    return result;
-  }
+  const auto taken = double_samples(limits.max_rays, sample, is_enough);
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result.light_vector[axis] += colours_.of(i % bands) * vectors[i][static_cast<int>(axis)] /
+                                   static_cast<double>(taken * replicates);
+  return result;
 }
 
 }  // namespace luxel

@@ -19,7 +19,7 @@ constexpr std::size_t texels_per_chunk = 1024;
 
 std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& lightmap, const Context& context) {
   check_is_of(patches, lightmap);
-  const auto places = find_texel_places(lightmap.atlas, context);
+  const auto places = find_texel_places(lightmap.atlas, {}, context);
   if (places.empty()) return {};
   const FineColours fine(patches, context);
   const auto colours = patches.colours();

@@ -103,6 +103,9 @@ std::vector<SeamPlace> find_seam_places(const Charts& charts, const Atlas& atlas
   for (const auto& edge : charts.edges) {
     const auto side_a = edge.halves[0].side, side_b = edge.halves[1].side;
     if (!edge.smooth || !atlas.has(side_a) || !atlas.has(side_b)) continue;
+    if (charts.charts[charts.of_side[side_a.index()]].is_point ||
+        charts.charts[charts.of_side[side_b.index()]].is_point)
+      continue;
     std::array<std::array<Vec2, 2>, 2> ends;  // [half][end], texels
     double length = 0.0;
     for (std::size_t h = 0; h < 2; ++h) {

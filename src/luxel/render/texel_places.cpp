@@ -9,6 +9,7 @@
 #include "luxel/core/none.h"
 #include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
+#include "luxel/surface/texel_support.h"
 
 namespace luxel {
 namespace {
@@ -47,33 +48,17 @@ Nearest nearest_point(const Triangle& t, const Point& p) {
   return best;
 }
 
-// Whether the open square of two by two texels around p, the support of its bilinear weight, overlaps the
-// triangle.
-bool is_read_from(const Triangle& t, const Point& p) {
-  constexpr double reach = 1.0 - 1e-4;
-  const auto low = glm::min(glm::min(t[0], t[1]), t[2]) - p;
-  const auto high = glm::max(glm::max(t[0], t[1]), t[2]) - p;
-  if (low.x >= reach || low.y >= reach || high.x <= -reach || high.y <= -reach) return false;
-  // Looks for an edge of the triangle that separates the square from the third corner.
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto a = t[k] - p, edge = t[(k + 1) % 3] - t[k];
-    const auto middle = cross(edge, -a);
-    const auto corner = cross(edge, t[(k + 2) % 3] - t[k]);
-    const auto half = reach * (std::abs(edge.x) + std::abs(edge.y));
-    if (corner != 0.0 && (corner > 0.0 ? middle + half <= 0.0 : middle - half >= 0.0)) return false;
-  }
-  return true;
-}
-
 // The texels of a chart, row by row.
 class ChartTexels {
  public:
   explicit ChartTexels(const Atlas::Place& place)
       : place_(place),
         nearest_(static_cast<std::size_t>(place.width) * static_cast<std::size_t>(place.height),
-                 std::numeric_limits<double>::infinity()) {}
+                 std::numeric_limits<double>::infinity()),
+        is_dark_(nearest_.size(), false) {}
 
-  void add(const Atlas& atlas, SideId side, std::vector<TexelPlace>& page) {
+  // Dark sides are to be added after all others.
+  void add(const Atlas& atlas, SideId side, bool is_dark, std::vector<TexelPlace>& page) {
     Triangle t;
     for (std::size_t k = 0; k < 3; ++k) t[k] = Point(atlas.corners[side.index()][k]) - 0.5;
     const auto low = glm::floor(glm::min(glm::min(t[0], t[1]), t[2]));
@@ -83,25 +68,31 @@ class ChartTexels {
     for (auto y = first(low.y, place_.y); y <= last(high.y, place_.y + place_.height); ++y)
       for (auto x = first(low.x, place_.x); x <= last(high.x, place_.x + place_.width); ++x) {
         const Point middle(x, y);
-        auto& best = nearest_[static_cast<std::size_t>((y - place_.y) * place_.width + x - place_.x)];
-        if (!(best > 0.0) || !is_read_from(t, middle)) continue;
+        const auto at = static_cast<std::size_t>((y - place_.y) * place_.width + x - place_.x);
+        auto& best = nearest_[at];
+        if (!(best > 0.0) || !is_read_from(t, middle, filling_rounding)) continue;
         const auto near = nearest_point(t, middle);
         if (!(near.distance2 < best)) continue;
+        auto& place = page[static_cast<std::size_t>(y) * static_cast<std::size_t>(atlas.page_size) + x];
+        if (is_dark && place.kind != Texel::empty && !is_dark_[at]) continue;
+        is_dark_[at] = is_dark;
         best = near.distance2;
         constexpr double rounding = 1e-6;  // texels²: a border may coincide with texel centres
-        page[static_cast<std::size_t>(y) * static_cast<std::size_t>(atlas.page_size) + x] = {
-            side, Vec2(near.weights), best < rounding ? Texel::inside : Texel::beside};
+        place = {side, Vec2(near.weights), best < rounding ? Texel::inside : Texel::beside};
       }
   }
 
  private:
   Atlas::Place place_;
   std::vector<double> nearest_;
+  std::vector<bool> is_dark_;  // whether the nearest is
 };
 
 }  // namespace
 
-std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Context& context) {
+std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const std::vector<bool>& is_dark,
+                                                       const Context& context) {
+  const auto dark = [&](SideId side) { return !is_dark.empty() && is_dark[side.index()]; };
   std::vector<std::vector<SideId>> sides(atlas.places.size());
   for (std::size_t i = 0; i < atlas.chart_of.size(); ++i)
     if (atlas.chart_of[i] != none) sides[atlas.chart_of[i]].push_back(SideId::at(i));
@@ -120,7 +111,9 @@ std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const
     context.for_chunks(last - first, 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto c = first + begin; c < first + end; ++c) {
         ChartTexels texels(atlas.places[c]);
-        for (const auto side : sides[c]) texels.add(atlas, side, pages[atlas.places[c].page]);
+        for (const bool of_dark : {false, true})
+          for (const auto side : sides[c])
+            if (dark(side) == of_dark) texels.add(atlas, side, of_dark, pages[atlas.places[c].page]);
       }
     });
   }

@@ -19,9 +19,14 @@ struct TexelPlace {
 };
 
 // [page][texel]: for every texel that is read where a chart is looked up between texels, the point of that
-// chart nearest to its middle. So each is a point of the surface, none beyond its border, and where that
-// border runs along another surface none behind it. The same on any number of threads; about 0.1 us per texel
-// and side that it touches. After the monitor's stop there are no pages.
-std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const Context& context = {});
+// chart nearest to its middle, of those of lit sides if there are any. So each is a point of the surface,
+// none beyond its border, and where that border runs along another surface none behind it. The same on any
+// number of threads; about 0.1 us per texel and side that it touches. After the monitor's stop there are no
+// pages.
+//
+// is_dark: [side], of no light at all, as a floor below a box: its darkness would be read beside the box.
+// Empty: none is.
+std::vector<std::vector<TexelPlace>> find_texel_places(const Atlas& atlas, const std::vector<bool>& is_dark,
+                                                       const Context& context = {});
 
 }  // namespace luxel

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double lumens_per_watt_of_y = 683.0;  // lm/W at 555 nm, the definition of the candela
 
-// IEC 61966-2-1, by columns. Its middle row is the luminance that RGB counts with, so that lumens come out
-// alike either way.
+// IEC 61966-2-1, by columns. The middle row is the luminance used for RGB, so that lumens agree between both
+// representations.
 glm::dmat3 xyz_of_rgb() {
   return {{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.1192}, {0.1805, 0.0722, 0.9505}};
 }

@@ -18,6 +18,7 @@ void check_lengths(const Scene& scene) {
   };
   if (scene.triangles.empty()) throw InputError(scene.source, "expected at least one triangle, found none");
   if (scene.materials.empty()) throw InputError(scene.source, "expected at least one material, found none");
+  if (!is_finite(scene.up)) throw InputError(scene.source, "expected a finite up direction");
   if (scene.groups.empty()) throw InputError(scene.source, "expected at least one group, found none");
   expect(scene.triangle_material.size(), "triangle_material");
   expect(scene.triangle_line.size(), "triangle_line");

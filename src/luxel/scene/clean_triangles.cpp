@@ -54,10 +54,10 @@ std::array<std::uint32_t, 3> sorted(std::array<std::uint32_t, 3> c) {
   return c;
 }
 
-// The triangles in an order where those on the same three vertices stand together, the one to keep first.
+// Orders the triangles so that those on the same three vertices are adjacent, the one to keep first.
 std::vector<std::uint32_t> by_place(const Scene& scene, const std::vector<CleanTriangle>& triangles,
                                     std::size_t vertices) {
-  // Counted out by their smallest corner, which leaves short runs to sort.
+  // A counting sort by the smallest corner leaves short runs to sort.
   std::vector<std::uint32_t> begin(vertices + 1, 0);
   const auto smallest = [](const CleanTriangle& t) {
     return std::min({t.corners[0], t.corners[1], t.corners[2]});
@@ -90,7 +90,7 @@ CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const Conte
                              result.without_area.size(), scene.triangles.size(),
                              where(scene, result.without_area.front())));
 
-  // Piles of triangles on the same three vertices, the one to keep first in each.
+  // Groups of triangles on the same three vertices, the one to keep first in each.
   auto& triangles = result.kept;
   const auto order = by_place(scene, triangles, weld.positions().size());
   std::vector<std::uint32_t> lies_on(triangles.size(), none);
@@ -102,7 +102,7 @@ CleanTriangles clean_triangles(const Scene& scene, VertexWeld& weld, const Conte
     if (rotated(kept.corners) != rotated(triangles[order[i]].corners)) kept.opposite_twin = true;
   }
 
-  // Close up, and say who lay on whom.
+  // Compact the array, and record the triangle that each removed one lies on.
   std::vector<std::uint32_t> place(triangles.size());
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -25,8 +25,8 @@ double inverse_sigmoid(double y) {
 
 bool is_grey(const Vec3d& rgb) { return rgb.r == rgb.g && rgb.g == rgb.b; }
 
-// The parabola whose sigmoid has the colour, by Levenberg and Marquardt's steps from the grey of the same
-// mean. colour_of(parabola, derivative): both of the surface that it stands for.
+// Finds the parabola whose sigmoid has the colour, by Levenberg-Marquardt steps from the grey of the same
+// mean. colour_of(parabola, derivative): the colour of that surface, and its derivative.
 template <typename ColourOf>
 Vec3d find_parabola(const Vec3d& rgb, const ColourOf& colour_of) {
   constexpr int max_steps = 200;
@@ -100,7 +100,7 @@ std::vector<float> ColourSpectra::reflectance(const Vec3& rgb) const {
   return result;
 }
 
-// As a surface of half the brightness that it can have, where spectra are smoothest, and then brighter.
+// As a surface of half the maximum brightness, where spectra are smoothest, scaled up afterwards.
 std::vector<float> ColourSpectra::tint(const Vec3& rgb) const {
   const auto scale = 2.0 * static_cast<double>(std::max({rgb.r, rgb.g, rgb.b}));
   std::vector<float> result(white_.size(), 0.0f);

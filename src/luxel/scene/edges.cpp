@@ -15,7 +15,7 @@ struct Side {
 }  // namespace
 
 Edges find_edges(std::span<const CleanTriangle> triangles, std::size_t vertices) {
-  // Sides are counted out by their lower vertex, which leaves short runs to sort.
+  // A counting sort of the sides by their lower vertex leaves short runs to sort.
   std::vector<std::uint32_t> begin(vertices + 1, 0);
   for (const auto& t : triangles)
     for (std::size_t k = 0; k < 3; ++k) ++begin[std::min(t.corners[k], t.corners[(k + 1) % 3]) + 1];

@@ -6,10 +6,9 @@
 namespace luxel {
 namespace {
 
-// Takes 32-bit words one after the other; each step is the output function of SplitMix64 (Steele, Lea, Flood,
-// "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014), a bijection of the state, so that two
-// scenes that differ in one word never meet again by that word alone. Only integer arithmetic: the same on
-// every host.
+// Hashes 32-bit words one after the other; each step is the output function of SplitMix64 (Steele, Lea,
+// Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014), a bijection of the state, so that
+// two scenes that differ in exactly one word never collide. Only integer arithmetic: the same on every host.
 class WordHash {
  public:
   void add(std::uint32_t word) {
@@ -18,7 +17,7 @@ class WordHash {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     state_ = z ^ (z >> 31);
   }
-  // -0 and +0 light alike, so they count alike.
+  // -0 and +0 are the same light, so they hash alike.
   void add(float value) { add(value == 0.0f ? 0u : std::bit_cast<std::uint32_t>(value)); }
   void add(const Vec3& v) {
     add(v.x);
@@ -30,7 +29,7 @@ class WordHash {
     add(static_cast<std::uint32_t>(bits));
     add(static_cast<std::uint32_t>(bits >> 32));
   }
-  // The length goes before the array: words cannot wander from one array to the next.
+  // The length precedes the array, so that words cannot move unnoticed from one array to the next.
   void add_length(std::size_t length) {
     add(static_cast<std::uint32_t>(length));
     add(static_cast<std::uint32_t>(std::uint64_t{length} >> 32));

@@ -3,8 +3,8 @@
 
 namespace luxel {
 
-// A mismatch behind a star is mended by letting the latest star take one character more; earlier stars never
-// need a second look.
+// A mismatch after a star is resolved by extending the latest star by one character; earlier stars need no
+// second attempt.
 bool matches(std::string_view pattern, std::string_view name) {
   std::size_t p = 0, n = 0;
   std::size_t star = std::string_view::npos, taken = 0;

@@ -14,7 +14,7 @@ bool is_lamp(const Scene& scene, std::uint32_t triangle) {
   return scene.materials[static_cast<std::size_t>(scene.triangle_material[triangle])].is_lamp();
 }
 
-// Area of a component's lamps: as its first triangle faces, and turned, m².
+// Area of a component's lamps with the winding of its first triangle, and with the opposite one, m².
 struct LampArea {
   double with = 0.0, against = 0.0;
 };

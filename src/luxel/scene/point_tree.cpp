@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t leaf_points = 8;
 
-// Whether the segment from a along d meets the box made wider by `distance` on all sides: by slabs.
+// Returns whether the segment from a along d meets the box widened by `distance` on all sides (slab test).
 bool meets(const Bounds& box, const Vec3d& a, const Vec3d& d, double distance) {
   double enter = 0.0;
   double leave = 1.0;

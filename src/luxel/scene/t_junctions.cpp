@@ -27,7 +27,7 @@ struct OpenFans {
   }
 };
 
-// A line from a to b, and where points lie along and beside it.
+// A line from a to b, and the position of points along and beside it.
 struct Line {
   Vec3d a, direction;
   double length;

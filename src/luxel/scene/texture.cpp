@@ -7,7 +7,7 @@
 namespace luxel {
 namespace {
 
-// In pixels; far enough that no surface comes there, near enough that whole numbers stay exact.
+// In pixels; beyond the coordinates of any surface, and small enough that integers stay exact.
 double pixels_along(float place, int count) {
   constexpr double farthest_pixel = 1e15;
   const auto pixels = static_cast<double>(place) * count;

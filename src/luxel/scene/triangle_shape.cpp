@@ -10,7 +10,7 @@
 namespace luxel {
 namespace {
 
-constexpr double smallest_area2 = 1e-34;  // m²; a float still holds it, and a power over it
+constexpr double smallest_area2 = 1e-34;  // m²; this value, and a power divided by it, still fit a float
 
 double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto length2 = [](const Vec3d& edge) { return glm::dot(edge, edge); };

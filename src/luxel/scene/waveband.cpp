@@ -4,15 +4,15 @@
 namespace luxel {
 namespace {
 
-// Integral of the spectrum from one wavelength to another, weighed by what runs linearly from 0 at `zero` to
-// 1 at `full`, which are those two in either order.
+// Integral of the spectrum between the two wavelengths, weighted by a ramp from 0 at `zero` to 1 at `full`;
+// either may be the lower one.
 double ramp(const Spectrum& spectrum, Beyond beyond, double zero, double full) {
   const auto low = zero < full ? zero : full;
   const auto high = zero < full ? full : zero;
   const auto weight = [&](double x) { return (x - zero) / (full - zero); };
   double sum = 0.0;
-  // Between its samples the product is a parabola, for which Simpson's rule is exact. A spectrum that ends
-  // here jumps: its pieces are evaluated inside.
+  // Between samples the product is a parabola, for which Simpson's rule is exact. A spectrum jumps where it
+  // ends, so its intervals are evaluated inside.
   const auto add = [&](double a, double b) {
     if (!(b > a)) return;
     const auto middle = 0.5 * (a + b);

@@ -28,19 +28,19 @@ struct CellHash {
   }
 };
 
-// The points that stayed, by cells as wide as the distance.
+// The points that remain, in a grid of cells as wide as the distance.
 class Stayed {
  public:
   Stayed(std::span<const Vec3> points, double distance)
       : points_(points), distance_(distance), width_(distance), next_(points.size(), none) {
     first_.reserve(points.size());
-    for (const auto& p : points)  // wider where floats are, so that 64 bits count all cells
+    for (const auto& p : points)  // wider than the spacing of floats, so that 64 bits count all cells
       width_ = std::max(
           width_, 0x1p-60 * std::max({std::abs(static_cast<double>(p.x)), std::abs(static_cast<double>(p.y)),
                                       std::abs(static_cast<double>(p.z))}));
   }
 
-  // The nearest of those within reach, or none.
+  // Returns the nearest point within reach, or none.
   std::uint32_t near(const Vec3& p) const {
     const auto home = cell(p);
     auto best = none;
@@ -78,7 +78,7 @@ class Stayed {
 
   std::span<const Vec3> points_;
   double distance_, width_;
-  std::unordered_map<Cell, std::uint32_t, CellHash> first_;  // of a cell; never walked
+  std::unordered_map<Cell, std::uint32_t, CellHash> first_;  // first point of a cell; never iterated
   std::vector<std::uint32_t> next_;                          // in the same cell
 };
 

@@ -11,7 +11,7 @@ namespace luxel {
 BackgroundQueries::BackgroundQueries(SessionChannels& channels, std::filesystem::path file, int threads)
     : channels_(channels), file_(std::move(file)), context_(threads) {}
 
-// Questions that come before the file is open wait for it. A comparison is the quicker one.
+// Queries that come before the file is open wait for it. A comparison runs first, as it is faster.
 void BackgroundQueries::run() {
   while (true) {
     channels_.to_background.wait();
@@ -53,7 +53,7 @@ void BackgroundQueries::compare(const SessionLight& light) {
     difference.comparison = compare_solutions(second_->baked, shown);
     difference.relative = relative_differences(second_->baked, shown);
   } catch (...) {
-    second_.reset();  // each light to come would fail likewise
+    second_.reset();  // every further light would fail in the same way
     throw;
   }
   difference.file = second_->file;

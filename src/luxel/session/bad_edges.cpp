@@ -57,7 +57,7 @@ void find_t_vertices(const ScannedMesh& mesh, std::size_t places, std::vector<Di
   diagnostics.push_back(std::move(diagnostic));
 }
 
-// What --weld would do to the open edges: found by welding their ends alone.
+// The effect of --weld on the open edges, found by welding only their ends.
 struct WeldTrial {
   double distance = 0.0;   // m
   std::size_t closed = 0;  // open edges that would meet another one
@@ -90,15 +90,15 @@ std::size_t closed_by(const ScannedMesh& mesh, double distance) {
   std::size_t closed = 0;
   for (std::size_t i = 0; i + 1 < open.size(); ++i)
     if (open[i] == open[i + 1]) closed += i > 0 && open[i] == open[i - 1] ? 1 : 2;
-  return closed > 10 * collapsed ? closed : 0;  // a distance that swallows detail is no repair
+  return closed > 10 * collapsed ? closed : 0;  // a distance that destroys detail is no repair
 }
 
-// The shortest of a few distances that closes nearly all that the longest does: rounding of the file's
-// digits, and a gap that a modeller would not see.
+// The shortest of a few distances that closes nearly as many as the longest: rounding of the file's digits,
+// and a gap that is invisible to a modeller.
 WeldTrial try_weld(const ScannedMesh& mesh) {
   const auto size = mesh.box.size();
   const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
-  // One digit, as a person would write it.
+  // One digit, as a person would type it.
   const auto one_digit = [](double x) { return std::stod(fmt::format("{:.0e}", x)); };
   WeldTrial best;
   for (const auto fraction : {1e-5, 1e-4, 1e-3}) {
@@ -179,7 +179,7 @@ void find_non_manifold_edges(const ScannedMesh& mesh, std::size_t places,
   diagnostics.push_back(std::move(diagnostic));
 }
 
-// Neighbours that face opposite ways: told by what --orient would turn.
+// Neighbours that face opposite ways, found by what --orient would flip.
 void find_windings(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   std::vector<std::size_t> inconsistent;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/none.h"
+#include "luxel/scene/scale_doubt.h"
 #include "luxel/session/mesh_diagnostics.h"
 #include "luxel/session/words.h"
 
@@ -56,38 +57,20 @@ void find_reflectances(const ScannedMesh& mesh, std::size_t places, std::vector<
   diagnostics.push_back(std::move(diagnostic));
 }
 
-struct Unit {
-  const char* name;
-  double metres;
-};
-constexpr Unit units[] = {{"kilometres", 1000.0},
-                          {"feet", 0.3048},
-                          {"inches", 0.0254},
-                          {"centimetres", 0.01},
-                          {"millimetres", 0.001}};
-constexpr double room = 6.0;       // m, a common extent
-constexpr double smallest = 0.3;   // m
-constexpr double largest = 500.0;  // m
-
-double away_from_a_room(double extent) { return std::max(extent / room, room / extent); }
-
 void find_units(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   if (mesh.clean.kept.empty()) return;
   const auto size = mesh.box.size();
-  const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
-  if (extent >= smallest && extent <= largest) return;
-  const auto* likely = &units[0];
-  for (const auto& unit : units)
-    if (away_from_a_room(extent * unit.metres) < away_from_a_room(extent * likely->metres)) likely = &unit;
+  const auto doubt = doubt_scale(*mesh.scene);
+  if (!doubt) return;
   Diagnostic diagnostic{DiagnosticKind::units, Severity::warning, 1};
-  diagnostic.fact = fmt::format("the scene is {} long: {}", in_metres(extent),
-                                extent > largest ? "too large for a room" : "too small for a room");
+  diagnostic.fact = fmt::format("the scene is {} long: {}", in_metres(doubt->extent),
+                                doubt->is_large ? "too large for a room" : "too small for a room");
   diagnostic.consequence =
       "takes coordinates as metres: lumens and the size of patches go by that, light per m² and pictures do "
       "not";
-  diagnostic.remedy = fmt::format("if these are {}, a scale of {:g} makes it {} long", likely->name,
-                                  likely->metres, in_metres(extent * likely->metres));
-  diagnostic.hints = {{Setting::scale, fmt::format("{:g}", likely->metres)}};
+  diagnostic.remedy = fmt::format("if these are {}, a scale of {:g} makes it {} long", doubt->unit,
+                                  doubt->metres, in_metres(doubt->extent * doubt->metres));
+  diagnostic.hints = {{Setting::scale, fmt::format("{:g}", doubt->metres)}};
   tell_places(
       *mesh.scene, {{mesh.in_scene(0), mesh.box.center()}}, places,
       [&](const Candidate&) {

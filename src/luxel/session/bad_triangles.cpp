@@ -11,9 +11,9 @@
 namespace luxel {
 namespace {
 
-constexpr double thin = 100.0;  // a triangle this much longer than high is a sliver
+constexpr double thin = 100.0;  // ratio of length to height above which a triangle is a sliver
 
-// The middle of a triangle without area: that of its longest edge.
+// The longest edge stands for a triangle without area.
 std::array<Vec3, 2> longest_edge(const Scene& scene, std::uint32_t triangle) {
   const auto& t = scene.triangles[triangle];
   std::array<Vec3, 2> longest = {scene.positions[t[0]], scene.positions[t[1]]};

@@ -20,7 +20,7 @@ void summarise(const ScannedMesh& mesh, CheckReport& report) {
   report.box = mesh.box;
 }
 
-// What rays tell. False: stopped.
+// The checks that trace rays. Returns false if stopped.
 bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const Context& context,
                    CheckReport& report) {
   const auto patches = make_patches(*mesh.scene, {.max_edge = no_max_edge}, context.quiet());
@@ -33,7 +33,7 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const C
   find_bad_lamps(mesh, patches, views, report.walks, report.diagnostics);
   find_lost_light(mesh, patches, report.walks, openings, options.places, report.diagnostics);
   report.rays = report.walks.rays + 2000 * views.size();
-  if (views.empty() && !patches.has_sky()) return true;  // no light at all: not worth a list
+  if (views.empty() && !patches.has_sky()) return true;  // no light at all: a list is useless
   const auto unlit = find_unlit(
       patches, tracer,
       {.has_sky = patches.has_sky(), .seed = options.seed, .is_known_lit = report.walks.is_met}, context);

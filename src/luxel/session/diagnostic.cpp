@@ -11,7 +11,7 @@ struct Kind {
   FaultColour colour;
 };
 
-// In the order of DiagnosticKind. What concerns faces is bold, what concerns edges bright.
+// In the order of DiagnosticKind. Diagnostics of faces are bold, those of edges bright.
 constexpr Kind kinds[] = {
     {"no-lamp", {{0.5f, 0.5f, 0.5f}, "grey"}},
     {"lamp-lights-nothing", {{0.9f, 0.05f, 0.6f}, "pink"}},

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-// A rod of three sides around an edge, no thicker than a third of its length or than `radius`.
+// Adds a three-sided rod around an edge, no thicker than a third of its length or than `radius`.
 void add_rod(const std::array<Vec3, 2>& edge, float radius, FaultPart& part) {
   const auto way = edge[1] - edge[0];
   const auto length = glm::length(way);
@@ -34,7 +34,7 @@ void add_triangle(const Scene& scene, std::uint32_t triangle, FaultPart& part) {
   part.triangles.push_back({first, first + 1, first + 2});
 }
 
-// Whether the faces themselves are what is the matter, and not the edges between them.
+// Returns whether the diagnostic is about faces, not about the edges between them.
 bool concerns_faces(const Diagnostic& diagnostic) { return diagnostic.edges.empty(); }
 
 }  // namespace

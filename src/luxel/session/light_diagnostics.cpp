@@ -13,9 +13,9 @@
 namespace luxel {
 namespace {
 
-constexpr double worth_telling = 0.001;   // of the light
-constexpr double shut_in = 0.02;          // a lamp of which less gets away
-constexpr std::size_t enough_paths = 64;  // to say so
+constexpr double worth_telling = 0.001;   // of the light; less is not reported
+constexpr double shut_in = 0.02;          // a lamp is enclosed if a smaller fraction escapes
+constexpr std::size_t enough_paths = 64;  // minimum for that diagnostic
 
 // The triangles of a material, and the largest of them.
 struct MaterialPart {
@@ -39,7 +39,7 @@ MaterialPart part_of(const ScannedMesh& mesh, std::size_t material) {
   return part;
 }
 
-// A patch's material as the scene numbers them: make_patches() adds two-sided twins behind the scene's own.
+// Converts a patch's material to the scene's number: make_patches() appends two-sided twins.
 std::size_t scene_material(const ScannedMesh& mesh, const PatchSet& patches, std::size_t material) {
   if (material < mesh.scene->materials.size()) return material;
   for (std::size_t p = 0; p < patches.size(); ++p)
@@ -132,7 +132,7 @@ std::string describe(const ScannedMesh& mesh, const Opening& opening) {
   return fmt::format("{} through a hole of {}", percent(opening.weight), extent(mesh.loops[opening.loop]));
 }
 
-// A triangle to name the place by: one on the loop, or the nearest to where the rays left.
+// A triangle that identifies the place: one on the loop, or the one nearest to where the rays left.
 std::uint32_t triangle_near(const ScannedMesh& mesh, const Opening& opening) {
   if (opening.loop != none)
     return mesh.in_scene(mesh.edges.uses_of(mesh.loops[opening.loop].edges[0])[0].triangle);
@@ -217,7 +217,7 @@ void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const 
   for (const auto t : patches.triangle) ++patches_of[t];
   for (const auto p : unlit.patches) --patches_of[patches.triangle[p]];
 
-  // Told by what a person would call one thing: connected, of one group and one material.
+  // Reported by connected parts of one group and one material, which a person sees as one thing.
   struct Part {
     std::uint32_t triangles = 0, largest = 0;
     double area = 0.0, max_area = -1.0;

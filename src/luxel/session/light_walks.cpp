@@ -21,18 +21,18 @@ namespace {
 
 constexpr int max_bounces = 16;
 constexpr float near_fraction = 0.03f;  // of the diagonal
-constexpr double too_faint = 0.002;     // of what set out
+constexpr double too_faint = 0.002;     // of the emitted power
 
 struct Path {
   double escaped = 0.0, escaped_at_once = 0.0, lost = 0.0;
   std::uint32_t hits = 0, backs = 0;
-  std::array<SideId, max_bounces + 1> met{};  // sides, one a hit
+  std::array<SideId, max_bounces + 1> met{};  // one side per hit
   float reach = 0.0f;
   std::uint32_t lamp = 0, back_material = 0;  // materials
   Ray last;
 };
 
-// Of plain white light, or of all wavebands alike.
+// Reflected fraction of white light, or of all wavebands equally.
 double reflected_fraction(const PatchSet& patches, const BandMaterial& material) {
   const auto& of = material.reflectance;
   if (patches.wavebands.empty()) return static_cast<double>(luminance({of[0], of[1], of[2]}));
@@ -87,8 +87,8 @@ Vec3 any_direction(float u1, float u2) {
   return glm::normalize(Vec3(s * d.x, s * d.y, 1.0f - 2.0f * r2));
 }
 
-// Points of the box from which most directions meet a surface, and not one right before the eye: the inside
-// of rooms, not of tables.
+// Points of the box from which most directions meet a surface, but none right in front of the eye: inside
+// rooms, not tables.
 std::vector<Vec3> points_inside(const PatchSet& patches, const Tracer& tracer, std::uint64_t seed,
                                 const Context& context) {
   constexpr std::size_t candidates = 1024;

@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-// The lids of all loops, as something that rays can meet. PatchSet::triangle is the loop.
+// The lids of all loops, as geometry for rays. PatchSet::triangle is the loop.
 PatchSet make_lids(const ScannedMesh& mesh) {
   PatchSet lids;
   for (std::uint32_t r = 0; r < mesh.loops.size(); ++r) {
@@ -35,9 +35,9 @@ struct Crossing {
   Vec3 at{0.0f};
 };
 
-// The last lid on the way.
+// Returns the last lid on the ray's way.
 Crossing last_lid(const PatchSet& lids, const Tracer& tracer, const Ray& ray) {
-  constexpr int most = 64;  // lids on one way: beyond that any of them will do
+  constexpr int most = 64;  // lids on one way; beyond that any of them is good enough
   Crossing crossing;
   auto rest = ray;
   for (int i = 0; i < most; ++i) {
@@ -45,7 +45,7 @@ Crossing last_lid(const PatchSet& lids, const Tracer& tracer, const Ray& ray) {
     if (!hit) break;
     const auto at = rest.origin + hit.distance * rest.direction;
     crossing = {lids.triangle[hit.patch], 0, at};
-    // On by more than rounding, so that the same lid is not met again.
+    // Advances by more than rounding, so that the same lid is not hit again.
     const auto size = glm::max(glm::abs(at), glm::abs(rest.origin));
     const auto step = 0x1p-18f * std::max({size.x, size.y, size.z, hit.distance});
     rest.origin = at + step * rest.direction;
@@ -53,7 +53,7 @@ Crossing last_lid(const PatchSet& lids, const Tracer& tracer, const Ray& ray) {
   return crossing;
 }
 
-// Where a ray from inside leaves the box: the direction by the side it goes through.
+// Where a ray from inside leaves the box: the direction is that of the box's side.
 Crossing through_box(const Bounds& box, const Ray& ray) {
   Crossing crossing;
   auto nearest = std::numeric_limits<float>::infinity();

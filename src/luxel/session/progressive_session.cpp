@@ -13,7 +13,7 @@
 namespace luxel {
 namespace {
 
-// What a command will have set once the solver has taken it: shown before it has.
+// The value that a command will have set, shown before the solver has taken the command.
 struct Expected {
   std::uint64_t command = 0;
   bool value = false;
@@ -29,7 +29,7 @@ struct ProgressiveSession::State {
     first.options = std::make_shared<const LightOptions>(settings.light);
     first.status.method = name(settings.light.method);
     channels.solver.publish(first);
-    // Who looks must not wait: the window draws first.
+    // The window draws first, at a higher thread priority.
     solver = std::thread([this, settings] {
       give_way();
       SolverThread(channels, file, settings).run();
@@ -58,7 +58,7 @@ const std::filesystem::path& ProgressiveSession::file() const { return state_->f
 
 SessionSnapshot ProgressiveSession::snapshot() const {
   const auto& channels = state_->channels;
-  // The solver's state first: a light that it holds has been passed on to the background by then.
+  // The solver's state is read first: a light in it has already been passed to the background worker.
   const auto solver = channels.solver.get();
   const auto questions = channels.to_background.pushed();
   const auto answers = channels.answers.get();

@@ -15,9 +15,9 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t first_of_none = 32;  // samples per replicate, where the light knows none
+constexpr std::uint32_t first_of_none = 32;  // samples per replicate, for a light without samples
 
-// A side, and where it stands among those that gather.
+// A side, and its index among the receivers.
 struct Place {
   SideId side;
   std::uint32_t position = 0;           // in the patch tree's order
@@ -39,10 +39,10 @@ std::optional<Place> place_of(const SessionLight& light, std::uint32_t patch, bo
   return place;
 }
 
-// Rounds of gather rays that the side had a part in: their level, and rays per replicate.
+// Rounds of gather rays that included the side: their level, and rays per replicate.
 std::vector<std::array<std::uint32_t, 2>> rounds_of(const SessionLight& light, const Place& place) {
   if (!light.samples || light.samples->rounds.empty()) return {{0, first_of_none}};
-  // The first round was everybody's; then sides that no light reaches were left out.
+  // The first round included all sides; later ones leave out sides that no light reaches.
   if (!place.receiver) return {{0, light.samples->rounds[0].per_replicate}};
   std::vector<std::array<std::uint32_t, 2>> rounds;
   for (const auto& round : light.samples->rounds)
@@ -100,7 +100,7 @@ std::vector<DirectRay> direct_rays(const SessionLight& light, std::uint32_t patc
       if (found.size() == most) return found;
       found.push_back({ray.from, ray.to, ray.seen, ray.replicate});
     }
-    if (round > 0) more *= 2;  // the second has as many as the first
+    if (round > 0) more *= 2;  // the second round has as many rays as the first
   }
   return found;
 }

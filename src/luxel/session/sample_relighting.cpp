@@ -44,8 +44,8 @@ void SampleRelighting::find_group_light(const Monitor& monitor) {
   if (samples) samples_ = std::move(samples);
 }
 
-// Setting lamps and setting reflectances costs something each, so what has not changed is not set again. What
-// is empty is as in the scene.
+// Setting lamps or reflectances has a cost, so unchanged values are not set again. Empty values mean those of
+// the scene.
 SampleRelighting::Relit SampleRelighting::relight(const Lighting& lighting) {
   if (!relighter_) {
     lighting_ = {};

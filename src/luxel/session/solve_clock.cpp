@@ -8,7 +8,7 @@
 namespace luxel {
 namespace {
 
-constexpr double window = 2.0;  // s, over which rays per second are counted
+constexpr double window = 2.0;  // s, interval over which rays per second are averaged
 
 }  // namespace
 

@@ -12,17 +12,12 @@
 #include "luxel/solution/solution_file.h"
 
 namespace luxel {
-namespace {
-
-int threads_of(int asked) { return asked > 0 ? asked : std::max(1, Context().threads() - 1); }
-
-}  // namespace
 
 SolverThread::SolverThread(SessionChannels& channels, std::filesystem::path file, SessionSettings settings)
     : channels_(channels),
       file_(std::move(file)),
       settings_(std::move(settings)),
-      context_(threads_of(settings_.threads)),
+      context_(settings_.threads),
       state_(*channels.solver.get()),
       light_(settings_.light),
       relighting_(context_) {
@@ -40,7 +35,7 @@ void SolverThread::run() {
   while (wait_for_commands()) {
     while (const auto order = next_solve()) {
       attempt([&] { solve(*order); });
-      solve_.is_running = false;  // also where it failed
+      solve_.is_running = false;  // also after an error
     }
     const auto bounces = std::exchange(pending_.bounces, {});
     take_lighting();
@@ -133,7 +128,7 @@ void SolverThread::open() {
   if (mesh_.tracer) relighting_.set_mesh(mesh_);
 }
 
-// Its light is seen before the tracer is there.
+// Shows its light before the tracer is built.
 void SolverThread::open_solution(const SceneOpener& opener) {
   auto opened = opener.open_solution();
   auto& solution = opened.solution;
@@ -183,7 +178,7 @@ void SolverThread::write(const FileCommand& order) {
     export_glb(file, *light->mesh.patches, light->solution, *light->smooth, glb->up, {.tone = glb->tone});
   } else if (light->is_relit) {
     auto patches = *light->mesh.patches;
-    join_light_groups(patches);  // the file has no samples, so the light of each group is not in it
+    join_light_groups(patches);  // the file has no samples, so the light of single groups is not in it
     write_solution(file, patches, light->solution);
   } else if (light->bounces || !settings_.stores_transport) {
     write_solution(file, *light->mesh.patches, light->solution);
@@ -194,7 +189,7 @@ void SolverThread::write(const FileCommand& order) {
     if (samples && samples->gathered.empty())
       done += ", without the light of each lamp apart, which is not known yet: its first relighting finds it";
   }
-  state_.status.messages.push_back({Severity::note, std::move(done)});
+  state_.status.messages.push_back({.severity = Severity::note, .text = std::move(done)});
   publish();
 }
 

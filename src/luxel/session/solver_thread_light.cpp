@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the solutions of a session become the lights that it publishes: smooth, relit, bounce by bounce.
+// Turns the solutions of a session into the lights that it publishes: smoothed, relit, bounce by bounce.
 #include <algorithm>
 #include <utility>
 
@@ -37,8 +37,8 @@ std::shared_ptr<const SessionLight> SolverThread::publish_light(SessionLight lig
   return state_.light;
 }
 
-// Lights that come faster than they can be shown are left out, but for the last, and where a person waits for
-// each.
+// Lights that come faster than they can be shown are dropped, except the last one, and except while a person
+// waits for each.
 void SolverThread::show(Solution solution, bool is_last) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -95,12 +95,12 @@ void SolverThread::show_own_light() {
   if (own_.shown) {
     publish_light(*own_.shown);
   } else if (own_.hidden) {
-    solve_.shown = {};  // so that it is not left out, however soon it comes
+    solve_.shown = {};  // so that it is not dropped, however early it comes
     show(*own_.hidden, !solve_.is_running);
   }
 }
 
-// The provenance of the light that it was made from, and what was changed.
+// Copies the provenance of the original light, and adds the changes.
 void SolverThread::describe_relit(Solution& relit, const Lighting& lighting) const {
   const auto& own = own_.shown ? own_.shown->solution : *own_.hidden;
   auto provenance = own.provenance;

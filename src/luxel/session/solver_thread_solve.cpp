@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solves of a session: how one begins, reports, pauses and ends.
+// The solves of a session: their start, reports, pauses and end.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -32,7 +32,7 @@ void SolverThread::refuse_long_solve(const command::Solve& order) {
             static_cast<double>(forecast->bytes) / (1024.0 * 1024.0 * 1024.0), forecast->sides));
 }
 
-// The samples of the sampled method are relit with other lamps and colours; other methods solve for these.
+// Samples of the sampled method are relit with other lamps and colours; other methods solve again.
 void SolverThread::begin_solve(const command::Solve& order, SolveHooks& hooks) {
   auto face = std::move(light_.dense.face);
   light_ = order.light;
@@ -71,7 +71,7 @@ void SolverThread::solve(const command::Solve& order) {
   refuse_long_solve(order);
   SolveHooks hooks;
   begin_solve(order, hooks);
-  // The solver's own clock would count pauses; on_progress() has one that does not.
+  // The solver's own clock would count pauses; the one in on_progress() does not.
   auto options = light_;
   if (options.sampled.seconds > 0.0) options.sampled.seconds = std::numeric_limits<double>::infinity();
   Solution solution;
@@ -86,7 +86,7 @@ void SolverThread::solve(const command::Solve& order) {
       return solve_light(*solve_.mesh.patches, *mesh_.tracer, solution, options, hooks,
                          context_.with_monitor(monitor));
     } catch (const InputError& error) {
-      throw with_file(file_.string(), error);  // it has no light; the solver does not know the file
+      throw with_file(file_.string(), error);  // the scene has no light; the solver does not know its file
     }
   }();
   solve_.is_running = false;
@@ -97,7 +97,7 @@ void SolverThread::solve(const command::Solve& order) {
   status.rays = std::max(status.rays, report.rays);
   if (const auto error = error_of(report); error > 0.0) status.error = error;
   take_commands();
-  if (pending_.solve || pending_.error || needs_new_solve()) return;  // another one follows at once
+  if (pending_.solve || pending_.error || needs_new_solve()) return;  // another one follows immediately
   status.stop = stop;
   end_solve(std::move(solution));
 }
@@ -105,14 +105,14 @@ void SolverThread::solve(const command::Solve& order) {
 void SolverThread::end_solve(Solution solution) {
   if (lighting_ == Lighting{} || !relighting_.has_samples()) {
     show(std::move(solution), true);
-    find_group_light();  // so that it is saved, and the first change of a lamp is as quick as others
+    find_group_light();  // so that it is saved, and the first change of a lamp is as fast as later ones
     return;
   }
   own_ = {std::move(solution), nullptr};
   relight(lighting_);
 }
 
-// Shows the light of each answer, pauses, and ends the solve.
+// Shows the light of each result, pauses, and ends the solve.
 Next SolverThread::on_progress(Progress progress) {
   const auto* light = std::exchange(solve_.new_light, nullptr);
   const bool has_light = light != nullptr;
@@ -139,9 +139,9 @@ Next SolverThread::on_progress(Progress progress) {
   if (has_light && pending_.is_stepping) state_.status.is_paused = pending_.is_paused = true;
   publish();
   wait_while_paused(progress, has_light);
-  pending_.begins_step = false;  // it was this solve's
+  pending_.begins_step = false;  // the step belonged to this solve
   solve_.clock.resume();
-  // Out of time only with an answer.
+  // The time limit takes effect only once there is a result.
   solve_.is_out_of_time = limit > 0.0 && spent >= limit && progress.error > 0.0;
   return solve_.is_out_of_time || must_end(progress, has_light) ? Next::stop : Next::go_on;
 }
@@ -162,8 +162,8 @@ bool SolverThread::needs_new_solve() const {
   return !is_sampled() && pending_.lighting && *pending_.lighting != lighting_;
 }
 
-// Whether the solve is to be left. A command that continues from its samples waits for the answer that is on
-// its way, unless the present one will do.
+// Returns whether to end the solve. A command that continues from its samples waits for the next result,
+// unless the present one is sufficient.
 bool SolverThread::must_end(const Progress& progress, bool has_light) const {
   if (is_closing() || pending_.stops) return true;
   const auto& next = pending_.solve;

@@ -7,7 +7,7 @@ namespace luxel {
 
 std::vector<std::vector<Bounds>> tree_boxes(const PatchSet& patches, const PatchTree& tree) {
   std::vector<Bounds> boxes(tree.nodes.size());
-  for (auto n = tree.nodes.size(); n-- > 0;) {  // children stand after their parents
+  for (auto n = tree.nodes.size(); n-- > 0;) {  // children come after their parents
     const auto& node = tree.nodes[n];
     auto& box = boxes[n];
     if (node.child != 0) {

@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::uint32_t stops = 4;
 constexpr float small_fraction =
-    0.02f;  // of the scene's diagonal: light does not end within so short an edge
+    0.02f;  // of the scene's diagonal: light does not end within such a short edge
 
-// How a walk ends. To come by a patch that is known to be lit is to find light, though perhaps not on that
-// part of it: what is known from such a walk is not built upon.
+// Result of a walk. A walk that meets a patch known to be lit finds light, though perhaps not on that part of
+// the patch: other patches are not marked from such a walk.
 enum class End { in_the_dark, near_light, in_light };
 
-// The sides a walk came by.
+// The sides that a walk met.
 struct Trail {
   std::array<SideId, stops + 1> side{};
   std::uint32_t length = 0;
@@ -32,7 +32,7 @@ struct Trail {
 
 class Looker {
  public:
-  // is_lit: [side], what is known so far; must outlive this.
+  // is_lit: [side], results so far; must outlive this.
   Looker(const PatchSet& patches, const Tracer& tracer, const UnlitOptions& options,
          const std::vector<std::uint8_t>& is_lit)
       : patches_(patches), tracer_(tracer), options_(options), is_lit_(is_lit), lamps_(patches) {
@@ -47,7 +47,7 @@ class Looker {
     }
   }
 
-  // How a walk from a patch ends: from its front those of even numbers, from its back the others.
+  // Result of a walk from a patch: even numbers start at its front, odd ones at its back.
   End walk(std::uint32_t patch, std::uint32_t number, Trail& trail) const {
     const bool back = number % 2 == 1;
     trail.side[trail.length++] = SideId(patch, back);
@@ -79,7 +79,7 @@ class Looker {
                  std::uint32_t& rays) const {
     const auto lamp = lamps_.at(static_cast<double>(u[2]));
     const auto p = patches_.points(lamp);
-    // One number gives two: its high digits and its low ones.
+    // One number yields two: from its high and its low digits.
     const auto digits = 4096.0f * u[3];
     const auto high = static_cast<float>(static_cast<int>(digits)) / 4096.0f;
     const auto w = uniform_triangle(high, digits - 4096.0f * high);
@@ -117,14 +117,14 @@ Unlit find_unlit(const PatchSet& patches, const Tracer& tracer, const UnlitOptio
   for (std::uint32_t p = 0; p < patches.size(); ++p)
     if (is_lit[SideId(p, false).index()] == 0 && is_lit[SideId(p, true).index()] == 0)
       result.patches.push_back(p);
-  // Rounds of ever more looks at the ever fewer that are left: 1, 2, ... 32 in all.
+  // Rounds with more and more walks for the fewer and fewer patches that are left: 1, 2, ... 32 in total.
   for (const std::uint32_t upto : {1u, 2u, 3u, 5u, 9u, 17u, 32u}) {
     auto& left = result.patches;
     const auto begin = static_cast<std::uint32_t>(result.walks);
     const auto expected = static_cast<double>(left.size()) * (upto - begin) * 4.0 * stops;
     if (begin >= 3 && static_cast<double>(result.rays) + expected > static_cast<double>(options.max_rays))
       break;
-    // In parts, so that somebody can be told. What was found lit is marked when all are done.
+    // In parts, to report progress. Patches found lit are marked when all are done.
     std::vector<SideId> sides;
     std::vector<std::uint8_t> is_done(left.size(), 0);
     const auto part = std::max<std::size_t>(grain, left.size() / 16 / grain * grain);

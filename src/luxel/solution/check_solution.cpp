@@ -151,6 +151,7 @@ std::string fault_in(const PatchSet& patches, const Solution& solution) {
   if (auto fault = fault_in_surface(patches); !fault.empty()) return fault;
   if (const auto& o = patches.origin; !(std::isfinite(o.x) && std::isfinite(o.y) && std::isfinite(o.z)))
     return "the origin is not finite";
+  if (!is_finite(patches.up)) return "the up direction is not finite";
   for (std::size_t i = 0; i < patches.vertices.size(); ++i)
     if (!is_finite(patches.vertices[i])) return fmt::format("vertex {} is not finite", i);
   for (std::size_t i = 0; i < patches.size(); ++i)

@@ -12,7 +12,7 @@ struct Types {
   Hdf5Id file;
 };
 
-// HDF5's names of types are calls that start the library, so this is a function and no table.
+// HDF5's type names are calls that start the library, so this is a function, not a table.
 Types types_of(Hdf5Element element) {
   switch (element) {
     case Hdf5Element::float32:

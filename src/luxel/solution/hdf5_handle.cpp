@@ -19,9 +19,9 @@ herr_t keep_first(unsigned position, const H5E_error2_t* entry, void* result) {
 }  // namespace
 
 Hdf5Silence::Hdf5Silence() {
-  // HDF5 1.10.8 loses some memory over a damaged header, and at the program's end prints that it "loops"
-  // because of it. We close what we open, so nothing is left to do then. Refused, rightly, where another part
-  // of the program has started the library before.
+  // HDF5 1.10.8 leaks some memory on a damaged header, and therefore prints that it "loops" at the program's
+  // end. Luxel closes everything that it opens, so no clean-up is left then. The call fails, rightly, where
+  // another part of the program started the library before.
   H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &print_, &print_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -20,7 +20,7 @@ namespace {
 // Deflate packs 1,032 bytes into one at best (zlib, "Maximum Compression Factor"), which bounds the size of a
 // dataset by its storage in the file.
 constexpr std::size_t max_bytes_per_stored_byte = 1040;
-constexpr double max_chunk = 64 << 20;     // bytes; ours are far smaller
+constexpr double max_chunk = 64 << 20;     // bytes; Luxel's are far smaller
 constexpr std::size_t longest_word = 256;  // bytes
 
 void check_is_readable(const fs::path& path) {
@@ -62,7 +62,7 @@ void Hdf5Reader::refuse(const std::string& sentence) const { throw FormatError(p
 void Hdf5Reader::refuse_as_damaged(const std::string& sentence) const { refuse("damaged: " + sentence); }
 
 std::string Hdf5Reader::name_in_file(const std::string& name) const {
-  const auto begin = name.rfind('/') + 1;  // 0 without a path
+  const auto begin = name.rfind('/') + 1;  // 0 for a name without a path
   for (const auto& [asked, stored] : renamed_)
     if (name.compare(begin, std::string::npos, asked) == 0)
       return name.substr(0, begin) + std::string(stored);
@@ -82,7 +82,7 @@ bool Hdf5Reader::has_attribute(const std::string& group, const std::string& name
   return exists > 0;
 }
 
-// A link could lead into another file; ours have none.
+// Refuses links, which could lead into another file; Luxel's files have none.
 void Hdf5Reader::check_links(const std::string& name) const {
   for (auto end = name.find('/');; end = name.find('/', end + 1)) {
     const auto part = name.substr(0, end);
@@ -161,7 +161,7 @@ void Hdf5Reader::check_shape(const Hdf5Handle& dataset, const std::string& name,
                                   fmt::join(found, ", "), fmt::join(expected, ", ")));
 }
 
-// Checked before memory is allocated: whether the file can hold this much, and holds it itself.
+// Checks, before memory is allocated, that the file can hold this much and holds it itself.
 void Hdf5Reader::check_storage(const Hdf5Handle& dataset, const std::string& name, std::size_t rows,
                                std::size_t row_size) const {
   const Hdf5Handle creation(H5Dget_create_plist(dataset.id()), H5Pclose);

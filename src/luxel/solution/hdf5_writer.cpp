@@ -13,7 +13,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t max_compact = 4096;    // bytes; such an array stands in its header (64 KiB at most)
+constexpr std::size_t max_compact = 4096;    // bytes; such an array is stored in its header (64 KiB at most)
 constexpr std::size_t chunk_size = 1 << 19;  // bytes; two fit into HDF5's default chunk cache
 
 void require(bool success, const std::string& what) {
@@ -29,7 +29,7 @@ Hdf5Handle properties(Hdf5Id list_class) {
   return require(H5Pcreate(list_class), H5Pclose, "a property list");
 }
 
-// Time stamps would make two runs differ.
+// Without time stamps, which would make two runs differ.
 Hdf5Handle properties_without_times(Hdf5Id list_class) {
   auto list = properties(list_class);
   require(H5Pset_obj_track_times(list.id(), false) >= 0, "a file without time stamps");
@@ -62,9 +62,9 @@ void set_storage(Hdf5Id list, std::size_t rows, std::size_t columns, std::size_t
   require(is_set && H5Pset_fletcher32(list) >= 0, "an array in chunks");
 }
 
-// The file in memory is taken when the library closes it, not copied before (H5Fget_file_image): while it is
-// open its first block is marked as open, and the library's copy lacks that mark but has the checksum of the
-// block with it, so that it cannot be opened (HDF5 1.10.8).
+// Takes the memory image when the library closes the file, instead of copying it before (H5Fget_file_image):
+// while the file is open its first block is marked as open, and the library's copy lacks that mark but has
+// the checksum of the block with it, so it cannot be opened (HDF5 1.10.8).
 herr_t keep_image(void* bytes, H5FD_file_image_op_t operation, void* keeper) {
   if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
     static_cast<Hdf5Image*>(keeper)->reset(bytes);
@@ -77,7 +77,7 @@ void* grow_image(void* bytes, std::size_t size, H5FD_file_image_op_t, void*) {
   return std::realloc(bytes, size);
 }
 
-// The library wants its own copy of the pointer to the keeper.
+// The library requires its own copy of the pointer to the keeper.
 void* same_keeper(void* keeper) { return keeper; }
 herr_t forget_keeper(void*) { return 0; }
 
@@ -93,7 +93,7 @@ Hdf5Writer::Hdf5Writer(unsigned deflate) : deflate_(deflate) {
               H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0,
           "a file in memory");
   const auto creation = properties_without_times(H5P_FILE_CREATE);
-  // The name is for the library's own book of open files only.
+  // The name is only for the library's own list of open files.
   file_ = require(H5Fcreate("luxel-solution", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose,
                   "a file in memory");
 }

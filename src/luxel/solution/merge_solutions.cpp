@@ -52,7 +52,7 @@ void check(const std::vector<NamedSolution>& all) {
   }
 }
 
-// By seeds, so that the order of the arguments does not matter; and no seed twice.
+// Sorts by seed, so that the order of the arguments does not matter; refuses a repeated seed.
 void sort_by_seed(std::vector<NamedSolution>& all) {
   const auto seed = [](const NamedSolution& s) { return streams_of(s.baked.solution).front().seed; };
   std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
@@ -73,7 +73,7 @@ void sort_by_seed(std::vector<NamedSolution>& all) {
                        {{Setting::seed}});
 }
 
-// The data of each run that enters the mean.
+// The data of each run that contribute to the mean.
 struct Fraction {
   const Solution* solution;
   double weight;
@@ -94,7 +94,7 @@ struct Errors {
   std::vector<float> standard_error, bias;
 };
 
-// Variances add up with the squares of weights, biases with weights.
+// Variances add up with squared weights, biases with weights.
 Errors errors(const std::vector<Fraction>& fractions, bool back, double widening) {
   const auto count = fractions.front().solution->standard_error.of(back).size();
   const bool any_bias = std::any_of(fractions.begin(), fractions.end(), [&](const Fraction& s) {
@@ -155,7 +155,8 @@ Baked merge_solutions(std::vector<NamedSolution> all) {
     const auto& s = each.baked.solution;
     const auto weight = static_cast<double>(s.provenance.rays) / rays;
     fractions.push_back({&s, weight, student_widening(s.error_degrees_of_freedom)});
-    // Variances fall as rays grow, so each share of the whole variance is the share of the rays.
+    // Variances are inversely proportional to rays, so each fraction of the whole variance is the fraction of
+    // the rays.
     inverse_degrees_of_freedom += weight * weight / s.error_degrees_of_freedom;
     variance +=
         weight * weight * (s.predicted_error * s.predicted_error - s.predicted_bias * s.predicted_bias);

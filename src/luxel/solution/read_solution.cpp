@@ -43,7 +43,7 @@ std::vector<std::array<std::uint32_t, 3>> read_corners(const Hdf5Reader& file, s
   std::vector<std::array<std::uint32_t, 3>> corners(n);
   for (std::size_t i = 0; i < connectivity.size(); ++i) {
     const auto index = connectivity[i];
-    // Whether the vertex exists is checked later; here the number must survive narrowing.
+    // The vertex number itself is checked later; here it must survive narrowing.
     if (index < 0 || index > std::numeric_limits<std::uint32_t>::max())
       file.refuse_as_damaged(fmt::format("patch {} names vertex {}", i / 3, index));
     corners[i / 3][i % 3] = static_cast<std::uint32_t>(index);
@@ -51,7 +51,7 @@ std::vector<std::array<std::uint32_t, 3>> read_corners(const Hdf5Reader& file, s
   return corners;
 }
 
-// Offsets and types say that every cell is a triangle; they must not say otherwise.
+// Checks that offsets and types describe triangles only.
 void check_cells(const Hdf5Reader& file, std::size_t n) {
   const auto types = file.array<std::uint8_t>("VTKHDF/Types", n);
   if (!std::all_of(types.begin(), types.end(), [](auto type) { return type == vtk_triangle; }))
@@ -66,6 +66,10 @@ void read_mesh(const Hdf5Reader& file, PatchSet& patches) {
   const auto n = file.rows("VTKHDF/Types");
   check_cells(file, n);
   patches.origin = read_origin(file, "Luxel/origin");
+  if (file.has("Luxel/up")) {
+    const auto up = file.array<float>("Luxel/up", 3);
+    patches.up = {up[0], up[1], up[2]};
+  }
   patches.vertices = read_places(file, "VTKHDF/Points", file.rows("VTKHDF/Points"), patches.origin);
   patches.corners = read_corners(file, n);
   check_count(file, "VTKHDF/NumberOfPoints", patches.vertices.size());
@@ -110,7 +114,7 @@ StopReason read_stop_reason(const Hdf5Reader& file) {
   file.refuse_as_damaged(fmt::format("the stop reason '{}' is not known", found));
 }
 
-// For spectra; plain colour has none, and files from before there were spectra have none.
+// Wavebands exist for spectra only; colour, and files from before spectra, have none.
 std::vector<Waveband> read_wavebands(const Hdf5Reader& file, std::size_t bands) {
   if (!file.has("Luxel/wavelengths")) return {};
   const auto wavelengths = file.array<double>("Luxel/wavelengths", bands);
@@ -125,8 +129,8 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   solution.bands = bands;
   for (const auto& [name, values] : light_arrays(solution))
     *values = file.array<float>(name, n, light_columns(bands.size()));
-  // Parts that were added later, and that not every method gives. Where only one of a pair is present the
-  // check reports an error.
+  // Optional arrays: added later, or not given by every method. A missing half of a pair is reported by the
+  // check.
   for (const auto& [name, values] : error_arrays(solution))
     if (file.has(name)) *values = file.array<float>(name, n, light_columns(bands.size()));
   const auto later = [&](const char* name, double& value) {
@@ -144,7 +148,7 @@ Solution read_light(const Hdf5Reader& file, const std::vector<std::string>& band
   return solution;
 }
 
-// Which light group each material's lamps are in.
+// Reads the light group of each material's lamps.
 void read_light_groups(const Hdf5Reader& file, PatchSet& patches) {
   if (!file.has("Luxel/light_groups")) return;
   patches.light_groups = file.strings("Luxel/light_groups", file.rows("Luxel/light_groups"));

@@ -20,7 +20,7 @@ Hdf5Array flat(const std::vector<T>& values) {
 
 std::string round_name(std::size_t index) { return fmt::format("{}/round_{:02}", group, index); }
 
-// [replicate][number], as one table.
+// Writes light[replicate][number] as one table.
 void add_light(Hdf5Writer& file, const std::string& name, const std::vector<std::vector<float>>& light) {
   std::vector<float> all;
   all.reserve(light.size() * light[0].size());

@@ -28,7 +28,7 @@ Hdf5Array rows_of(const std::vector<T>& values, std::size_t columns) {
   return table(std::span<const T>(values), values.size() / columns, columns);
 }
 
-// One column of the table of materials: how a texture lies on each.
+// One column of the table of materials: the use of a texture by each.
 struct UseColumn {
   const char* name;
   std::optional<TextureUse> MaterialTextures::*use;

@@ -32,7 +32,7 @@ void add_count(Hdf5Writer& file, const std::string& name, std::size_t count) {
   file.add_array(name, flat(std::vector{static_cast<std::int64_t>(count)}));
 }
 
-// One piece, one triangle cell a patch. VTK reads indices as its own 64-bit type.
+// One partition, with one triangle cell per patch. VTK reads indices as its own 64-bit type.
 void add_mesh(Hdf5Writer& file, const PatchSet& patches) {
   const auto n = patches.size();
   file.add_group("VTKHDF");
@@ -103,7 +103,7 @@ void add_contacts(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/contacts/into", vectors(into), "1");
 }
 
-// And for readers that are not ours what the bands look like.
+// Writes the appearance of the bands, for other readers.
 void add_wavebands(Hdf5Writer& file, const PatchSet& patches) {
   if (patches.wavebands.empty()) return;
   std::vector<double> wavelengths, widths, rgb;
@@ -132,10 +132,12 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   if (solution.mesh_error > 0.0) file.add_number("Luxel", "mesh_error", solution.mesh_error);
   file.add_strings("Luxel/bands", solution.bands);
   add_wavebands(file, patches);
-  // Not recomputed from the corners when read: a normal is that of the input triangle, to the bit.
+  // Stored, not recomputed from the corners on reading: a normal is exactly that of the input triangle.
   file.add_array("Luxel/normals", vectors(patches.normal), "1");
   add_materials(file, patches);
   add_origin(file, "Luxel/origin", patches.origin);
+  if (patches.up != Vec3(0.0f))
+    file.add_array("Luxel/up", flat_array(std::span<const float>(&patches.up.x, 3)), "1");
   if (!patches.sky.empty()) file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
   add_contacts(file, patches);
   add_surface(file, patches);

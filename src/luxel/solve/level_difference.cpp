@@ -10,31 +10,29 @@ namespace {
 
 using Pair = std::array<double, 2>;  // of both solutions
 
-// differences(patch, back, band, add): calls add(weight, pair) for each term of the sum over a patch side.
+// differences(patch, back, band, add): calls add(weight, pair) for each term of the mean over a patch side.
 template <typename Differences>
 FieldDifference summed(const PatchSet& patches, const Context& context, const Differences& differences) {
   constexpr std::size_t chunk = 4096;
+  const auto bands = patches.band_count();
   FieldDifference result;
-  result.squared.resize(patches.size());
-  result.noise.resize(patches.size());
-  context.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
-    for (auto p = begin; p < end; ++p) {
-      double product = 0.0;
-      double noise = 0.0;
-      const auto add = [&](double weight, const Pair& d) {
-        const auto half = 0.5 * (d[0] - d[1]);
-        product += weight * d[0] * d[1];
-        noise += weight * half * half;
-      };
-      for (const bool back : {false, true}) {
+  for (const bool back : {false, true}) {
+    auto& squared = result.squared.of(back);
+    auto& noise = result.noise.of(back);
+    squared.assign(patches.size() * bands, 0.0);
+    noise.assign(patches.size() * bands, 0.0);
+    context.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
+      for (auto p = begin; p < end; ++p) {
         if (back && !patches.material_of(p).two_sided) continue;
-        for (std::size_t b = 0; b < patches.band_count(); ++b) differences(p, back, b, add);
+        for (std::size_t b = 0; b < bands; ++b)
+          differences(p, back, b, [&](double weight, const Pair& d) {
+            const auto half = 0.5 * (d[0] - d[1]);
+            squared[p * bands + b] += weight * d[0] * d[1];
+            noise[p * bands + b] += weight * half * half;
+          });
       }
-      const double area = patches.area[p];
-      result.squared[p] = area * product;
-      result.noise[p] = area * noise;
-    }
-  });
+    });
+  }
   return result;
 }
 
@@ -68,17 +66,13 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
   });
 }
 
-FieldDifference difference_within_patches(const PatchSet& patches, const Answers& answers,
-                                          const Context& context) {
+FieldDifference residual_within_patches(const PatchSet& patches, const Answers& answers,
+                                        const Context& context) {
   return summed(patches, context, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
-    for (int corner = 0; corner < 3; ++corner) {
-      Vec3d weights(0.0);
-      weights[corner] = 1.0;
-      Pair d;
-      for (std::size_t i = 0; i < 2; ++i)
-        d[i] = field_at(answers[i], p, weights, back, b) - mean_at(answers[i], p, back, b);
-      add(1.0 / 12.0, d);  // the variance of a linear function over a triangle
-    }
+    Pair d;
+    for (std::size_t i = 0; i < 2; ++i)
+      d[i] = field_at(answers[i], p, Vec3d(1.0 / 3.0), back, b) - mean_at(answers[i], p, back, b);
+    add(1.0, d);
   });
 }
 

@@ -21,11 +21,10 @@ struct Answer {
 // Two independent estimates: the squares of either contain its noise, their products do not.
 using Answers = std::array<Answer, 2>;
 
-// Differences per patch of a field that represents the light. Arrays are [patch]: squared differences of
-// irradiance, summed over sides and bands, times area: (W/m²)² m².
+// Squared differences of irradiance per side and band, in the mean over the patch: [patch][band], (W/m²)².
 struct FieldDifference {
-  std::vector<double> squared;  // the product of both answers' differences: unbiased, so below 0 in places
-  std::vector<double> noise;    // of the mean of both, in squares: from how they differ from each other
+  FrontAndBack<double> squared;  // the product of both answers' differences: unbiased, so below 0 in places
+  FrontAndBack<double> noise;    // of the mean of both, in squares: from how they differ from each other
 };
 
 // How far the light of parts lies from the light reconstructed on the wholes.
@@ -33,10 +32,11 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
                                      const Answers& fine, std::span<const std::uint32_t> parent,
                                      const Context& context);
 
-// The squared difference of the reconstructed light of patches from their constant value: its variance over
-// the patch. The only estimate where nothing was cut; it overestimates the error.
-FieldDifference difference_within_patches(const PatchSet& patches, const Answers& answers,
-                                          const Context& context);
+// The squared residual of the reconstruction: the mean over a patch against that of the field reconstructed
+// on it, 0 where light is linear. The estimate where nothing was cut: the same order as the error of the
+// field where light bends or jumps from patch to patch.
+FieldDifference residual_within_patches(const PatchSet& patches, const Answers& answers,
+                                        const Context& context);
 
 // The light of wholes: the area-weighted mean of that of their parts, as if it had been solved on them.
 // Irradiance alone. parent: [part].

@@ -13,6 +13,7 @@
 #include "luxel/core/error.h"
 #include "luxel/patch/refine_patches.h"
 #include "luxel/solve/level_difference.h"
+#include "luxel/solve/seen_measure.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -20,9 +21,10 @@ namespace {
 
 constexpr double light_fraction =
     2.0;  // of the mesh error target: error to which each of the two solutions is solved
-constexpr double poorest_light = 0.03;  // largest error to which a solution is ever solved
-constexpr double ratio = 0.5;           // of squared errors: left by halving a patch where the light jumps
-constexpr double aim = 0.8;             // of the allowed squared error: the target of the next mesh
+// Largest error to which a solution is ever solved, seen and of the power: the same light in most rooms.
+constexpr double poorest_seen = 0.1, poorest_power = 0.03;
+constexpr double ratio = 0.5;  // of squared errors: left by halving a patch where the light jumps
+constexpr double aim = 0.8;    // of the allowed squared error: the target of the next mesh
 // fraction of the estimated error that may stay in uncut patches in one pass
 constexpr double max_unrefined_fraction = 0.35;
 constexpr double min_growth = 0.05;  // of the patches: cutting fewer is not worth another solve
@@ -42,7 +44,6 @@ struct Level {
   PatchSet patches;
   Answers answers;
   std::uint64_t rays = 0;
-  double squared_light = 0.0;  // see squared_light()
 };
 
 class Refinement {
@@ -61,7 +62,7 @@ class Refinement {
       const auto marks = marked_by_difference();
       if (std::count(marks.begin(), marks.end(), 1) == 0) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
-      auto refined = refine_within_limit(marks, difference_.squared);
+      auto refined = refine_within_limit(marks, squared_);
       if (!refined) return end(RefineStop::patch_limit);
       if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
     }
@@ -78,20 +79,19 @@ class Refinement {
 
   // How accurately to solve each mesh: a rough solution suffices while the error is large.
   double light_error() const {
-    const auto known = report_.levels.empty() ? poorest_light : report_.levels.back().mesh_error;
+    const auto poorest = options_.light.error_measure == ErrorMeasure::power ? poorest_power : poorest_seen;
+    const auto known = report_.levels.empty() ? poorest : report_.levels.back().mesh_error;
     return std::max(options_.light.error,
-                    std::min(poorest_light, std::max(known, light_fraction * options_.mesh_error)));
+                    std::min(poorest, std::max(known, light_fraction * options_.mesh_error)));
   }
 
-  bool solve(Level& level) {
-    const Tracer tracer(level.patches, context_);
+  bool solve(Level& level, const Tracer& tracer) {
     const auto on_the_way = [&](const Progress& p) {
       return context_.report({"refine", 0.0, rays_before_ + p.rays, p.error});
     };
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
-      how.error_measure = ErrorMeasure::power;  // the measure of the mesh error
       how.seed = stream_key(options_.light.seed, RandomPurpose::refinement,
                             2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
       auto& [solution, smooth] = level.answers[i];
@@ -102,16 +102,17 @@ class Refinement {
       if (solved.stop == StopReason::stopped_by_user) return false;
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
     }
-    level.squared_light = squared_light(level.patches, level.answers);
     return true;
   }
 
   // Continues with the finer mesh and estimates the error of the coarser one.
   bool look(RefinedPatches refined) {
     const auto& parent = refined.parent;
+    const auto bands = refined.patches.band_count();
     Level next;
     next.patches = std::move(refined.patches);
-    if (!solve(next)) return false;
+    const Tracer tracer(next.patches, context_);
+    if (!solve(next, tracer)) return false;
     // The error estimate with the coarser mesh alone: the noise of both is the same then.
     Answers coarse;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -121,37 +122,93 @@ class Refinement {
     auto difference =
         difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, context_);
     if (report_.levels.empty())
-      keep_of_wholes(difference_within_patches(now_.patches, coarse, context_), parent, difference);
+      keep_of_wholes(residual_within_patches(now_.patches, coarse, context_), parent, bands, difference);
     else
-      keep_of_wholes(difference_, parent, difference);
+      keep_of_wholes(difference_, parent, bands, difference);
     difference_ = std::move(difference);
     now_ = std::move(next);
+    weigh(tracer);
     note_level();
     return true;
   }
 
   // Patches that were not cut keep their previous estimate.
   static void keep_of_wholes(const FieldDifference& known, const std::vector<std::uint32_t>& parent,
-                             FieldDifference& difference) {
+                             std::size_t bands, FieldDifference& difference) {
     for (std::size_t p = 0; p < parent.size(); ++p) {
       const bool is_whole =
           (p == 0 || parent[p - 1] != parent[p]) && (p + 1 == parent.size() || parent[p + 1] != parent[p]);
       if (!is_whole) continue;
-      difference.squared[p] = known.squared[parent[p]];
-      difference.noise[p] = known.noise[parent[p]];
+      for (const bool back : {false, true}) {
+        copy_row(known.squared.of(back), parent[p], difference.squared.of(back), p, bands);
+        copy_row(known.noise.of(back), parent[p], difference.noise.of(back), p, bands);
+      }
     }
+  }
+
+  static void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to,
+                       std::size_t part, std::size_t bands) {
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(patch * bands), bands,
+                to.begin() + static_cast<std::ptrdiff_t>(part * bands));
+  }
+
+  // Weighs the differences: what each patch adds to the square of the mesh error, and to that of its noise.
+  void weigh(const Tracer& tracer) {
+    const auto weights = weights_of_sides(tracer);
+    const auto bands = now_.patches.band_count();
+    squared_.assign(now_.patches.size(), 0.0);
+    noise_.assign(now_.patches.size(), 0.0);
+    for (std::size_t p = 0; p < now_.patches.size(); ++p)
+      for (const bool back : {false, true})
+        for (auto i = p * bands; i < (p + 1) * bands; ++i) {
+          const auto weight = weights[SideId(p, back).index()];
+          squared_[p] += weight * difference_.squared.of(back)[i];
+          noise_[p] += weight * difference_.noise.of(back)[i];
+        }
+  }
+
+  // [side]: squared error of the whole per squared difference of irradiance, summed over bands.
+  std::vector<double> weights_of_sides(const Tracer& tracer) const {
+    if (options_.light.error_measure == ErrorMeasure::seen) {
+      auto seen = seen_sides(now_.patches, tracer, mean_irradiance(), difference_.squared, context_);
+      if (!seen.importance.empty()) return std::move(seen.importance);
+    }
+    const auto light = squared_light(now_.patches, now_.answers);
+    std::vector<double> weights(side_count(now_.patches.size()), 0.0);
+    for (std::size_t s = 0; s < weights.size(); ++s)
+      weights[s] = light > 0.0 ? static_cast<double>(now_.patches.area[SideId::at(s).patch()]) / light : 0.0;
+    return weights;
+  }
+
+  SideValues mean_irradiance() const {
+    auto mean = now_.answers[0].solution.irradiance;
+    for (const bool back : {false, true})
+      for (std::size_t i = 0; i < mean.of(back).size(); ++i)
+        mean.of(back)[i] = 0.5f * (mean.of(back)[i] + now_.answers[1].solution.irradiance.of(back)[i]);
+    return mean;
   }
 
   // Parts inherit what is left of the error found by cutting.
   void note_level() {
-    const auto sum = std::accumulate(difference_.squared.begin(), difference_.squared.end(), 0.0);
-    const auto squared_error =
-        now_.squared_light > 0.0 ? std::max(0.0, sum) / now_.squared_light * ratio / (1.0 - ratio) : 0.0;
+    const auto sum = std::accumulate(squared_.begin(), squared_.end(), 0.0);
+    const auto squared_error = (std::max(0.0, sum) + error_of_sum()) * ratio / (1.0 - ratio);
     double squared_noise = 0.0;  // of the mean of both solutions
-    for (const auto& answer : now_.answers)
-      squared_noise += 0.25 * answer.solution.predicted_error * answer.solution.predicted_error;
+    for (const auto& [solution, smooth] : now_.answers) {
+      const auto error = options_.light.error_measure == ErrorMeasure::seen && solution.seen_error > 0.0
+                             ? solution.seen_error
+                             : solution.predicted_error;
+      squared_noise += 0.25 * error * error;
+    }
     report_.levels.push_back(
         {now_.patches.size(), std::sqrt(squared_error), std::sqrt(squared_noise), now_.rays});
+  }
+
+  // Standard error of the sum of squared differences. A product of two differences of noise σ has the
+  // standard deviation σ²; noise_ is σ²/2 times a chi-squared variable of one degree of freedom, its mean
+  // square 3/4 σ⁴.
+  double error_of_sum() const {
+    const auto sum = std::inner_product(noise_.begin(), noise_.end(), noise_.begin(), 0.0);
+    return std::sqrt(4.0 / 3.0 * sum);
   }
 
   // The fewest patches that reduce the error to about the target. Where that would require cutting patches
@@ -161,13 +218,12 @@ class Refinement {
     std::vector<std::uint32_t> order;
     double left = 0.0;
     for (std::uint32_t p = 0; p < now_.patches.size(); ++p) {
-      if (difference_.squared[p] <= difference_.noise[p]) continue;
+      if (squared_[p] <= noise_[p]) continue;
       order.push_back(p);
-      left += difference_.squared[p];
+      left += squared_[p];
     }
-    sort_by(difference_.squared, order);
-    const auto aimed =
-        aim * options_.mesh_error * options_.mesh_error * now_.squared_light * (1.0 - ratio) / ratio;
+    sort_by(squared_, order);
+    const auto aimed = aim * options_.mesh_error * options_.mesh_error * (1.0 - ratio) / ratio;
     const auto least = max_unrefined_fraction * left;
     const auto few = static_cast<std::size_t>(min_growth * static_cast<double>(now_.patches.size()));
     std::size_t count = 0;
@@ -177,8 +233,8 @@ class Refinement {
       if ((left <= least && count >= few) || left + ratio * cut <= aimed) break;
       marks[p] = 1;
       ++count;
-      left -= difference_.squared[p];
-      cut += difference_.squared[p];
+      left -= squared_[p];
+      cut += squared_[p];
     }
     return marks;
   }
@@ -227,7 +283,8 @@ class Refinement {
   RefineReport& report_;
   const Context& context_;
   Level now_;
-  FieldDifference difference_;  // of the current patches
+  FieldDifference difference_;           // of the current patches
+  std::vector<double> squared_, noise_;  // [patch]: see weigh()
   std::uint64_t rays_before_ = 0;
 };
 

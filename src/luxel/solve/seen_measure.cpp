@@ -86,10 +86,14 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
 }
 
 void SeenMeasure::take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context) {
+  take(answer);
   const auto light = light_of(views_.stating, answer);
-  const SeenError stating(views_.stating, light);
-  error_ = stating.percentile_95();
-  estimate_uncertainty(stating, light, answer, direct, gathered, context);
+  estimate_uncertainty(SeenError(views_.stating, light), light, answer, direct, gathered, context);
+}
+
+void SeenMeasure::take(const Spread& answer) {
+  error_ = error_of(answer);
+  uncertainty_ = 0.0;
   const auto dealing = light_of(views_.dealing, answer);
   spread_importance(SeenError(views_.dealing, dealing).importance(), answer);
 }
@@ -171,6 +175,29 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
   const auto by_area = whole > 0.0 ? area_fraction * seen / whole : 0.0;
   for (std::size_t s = 0; s < importance_.size(); ++s)
     importance_[s] = (1.0 - area_fraction) * importance_[s] + by_area * area(s);
+}
+
+SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideValues& irradiance,
+                     const FrontAndBack<double>& squared_error, const Context& context) {
+  const auto sides = all_gather_sides(patches, make_patch_tree(patches, context));
+  const auto units = neighbour_begins(sides, sequence_positions);
+  SeenMeasure measure(patches, sides, units, tracer, context);
+  if (!measure.has_views()) return {};
+  const auto bands = patches.band_count();
+  Spread answer;
+  for (const auto side : sides.side)
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto at = side.patch() * bands + b;
+      const auto squared = static_cast<float>(squared_error.of(side)[at]);
+      answer.mean.push_back(irradiance.of(side)[at]);
+      answer.squared_error.push_back(squared);
+      answer.standard_error.push_back(std::sqrt(std::max(0.0f, squared)));
+    }
+  measure.take(answer);
+  SeenSides result{measure.error(), std::vector<double>(side_count(patches.size()), 0.0)};
+  for (std::size_t receiver = 0; receiver < sides.size(); ++receiver)
+    result.importance[sides.side[receiver].index()] = measure.importance()[receiver];
+  return result;
 }
 
 double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,

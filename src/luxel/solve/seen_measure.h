@@ -38,6 +38,9 @@ class SeenMeasure {
   // receiver seen and 50 ns per direction, some 20 ms for a room of 50,000 patches.
   void take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context);
 
+  // The same of an answer without replicates: its uncertainty is 0.
+  void take(const Spread& answer);
+
   // The error of the last answer taken.
   double error() const { return error_; }              // see Solution::seen_error
   double uncertainty() const { return uncertainty_; }  // its relative standard error, by the jackknife
@@ -62,6 +65,17 @@ class SeenMeasure {
   double error_ = 0.0, uncertainty_ = 0.0;
   std::vector<double> importance_;
 };
+
+// The seen error of light with given errors, and what each side adds to it.
+struct SeenSides {
+  double error = 0.0;
+  // [side], (m² / W)²: see SeenMeasure::importance(); empty: no open space was found
+  std::vector<double> importance;
+};
+// irradiance, squared_error: [patch][band], W/m² and its square; a squared error is an estimate that may be
+// below 0. Cost: that of place_views() and of a patch tree.
+SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideValues& irradiance,
+                     const FrontAndBack<double>& squared_error, const Context& context);
 
 // The seen error of a solution (Solution::seen_error) from its light and the standard errors of its sides,
 // with the same views as a solve of these patches has. widening: of the standard errors, see Solution; from

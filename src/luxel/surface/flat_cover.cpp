@@ -14,7 +14,7 @@ using Point = glm::dvec2;
 
 constexpr double rounding = 1e-5;  // of the box
 
-// Whether an edge of a has all of b beyond it, but for so much.
+// Returns whether an edge of a has all of b beyond it, within the tolerance.
 bool has_edge_between(const FlatCover::Triangle& a, const FlatCover::Triangle& b, double tolerance) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto edge = a[(k + 1) % 3] - a[k];
@@ -83,11 +83,15 @@ void FlatCover::put(const Triangle& t, const Box& box) {
   boxes_.push_back(box);
 }
 
-bool FlatCover::has(const Point& place) const {
-  const auto at = place - low_;
-  if (!(at.x >= 0.0 && at.y >= 0.0) || cell_of(at.x) >= width_ || cell_of(at.y) >= height_) return false;
-  const auto& cell = cells_[cell_of(at.y) * width_ + cell_of(at.x)];
-  return std::any_of(cell.begin(), cell.end(), [&](auto i) { return is_inside(triangles_[i], place); });
+std::uint32_t FlatCover::at(const Point& place) const {
+  const auto from_low = place - low_;
+  if (!(from_low.x >= 0.0 && from_low.y >= 0.0) || cell_of(from_low.x) >= width_ ||
+      cell_of(from_low.y) >= height_)
+    return none;
+  const auto& cell = cells_[cell_of(from_low.y) * width_ + cell_of(from_low.x)];
+  const auto found =
+      std::find_if(cell.begin(), cell.end(), [&](auto i) { return is_inside(triangles_[i], place); });
+  return found == cell.end() ? none : *found;
 }
 
 }  // namespace luxel

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/core/none.h"
 #include "luxel/core/vector.h"
 
 namespace luxel {
@@ -21,8 +22,8 @@ class FlatCover {
   bool add(const Triangle& t);
   // One that is known to cover none.
   void put(const Triangle& t);
-  // Whether one lies there.
-  bool has(const glm::dvec2& place) const;
+  // Which one lies there, counted in the order of adding; or none.
+  std::uint32_t at(const glm::dvec2& place) const;
 
  private:
   struct Box {

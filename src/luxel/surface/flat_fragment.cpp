@@ -24,7 +24,7 @@ struct Box {
   Point size() const { return high - low; }
 };
 
-// Andrew 1979; counter-clockwise.
+// Monotone chain, Andrew 1979; counter-clockwise.
 std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto before = [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
   std::sort(points.begin(), points.end(), before);
@@ -51,9 +51,9 @@ Box box_along(const std::vector<Point>& points, const Point& axis) {
   return box;
 }
 
-// The direction, unit, along which the box is smallest.
+// The direction, unit, along which the bounding box is smallest.
 Point best_axis(const std::vector<Point>& hull) {
-  constexpr std::size_t max_edges = 256;  // a rounder hull has no edge to prefer
+  constexpr std::size_t max_edges = 256;  // a rounder hull has no preferred edge
   constexpr double better = 1.0 - 1e-6;
   Point best(1.0, 0.0);
   const auto first = box_along(hull, best).size();
@@ -93,6 +93,19 @@ std::array<Vec3d, 2> axes_across(const Vec3d& direction) {
   return {s, glm::cross(direction, s)};
 }
 
+// By how much lengths are to grow so that the projection has the area of the sides.
+double stretch_of(const PatchSet& patches, std::span<const SideId> sides, const Vec3d& direction) {
+  double area = 0.0, projected = 0.0;
+  for (const auto side : sides) {
+    const auto own = static_cast<double>(patches.area[side.patch()]);
+    area += own;
+    projected += own * std::max(0.0, glm::dot(facing(patches, side), direction));
+  }
+  constexpr double most = 1.5, rounding = 1e-5;
+  const auto stretch = projected > 0.0 ? std::sqrt(area / projected) : 1.0;
+  return stretch < 1.0 + rounding ? 1.0 : std::min(most, stretch);
+}
+
 }  // namespace
 
 Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d& direction) {
@@ -109,11 +122,12 @@ Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d
   }
   Chart chart;
   chart.axes = {along.x * axes[0] + along.y * axes[1], along.x * axes[1] - along.y * axes[0]};
-  // Any depth will do: it is seen along it.
+  // Any depth is valid: the projection is along it.
   chart.origin = box.low.x * chart.axes[0] + box.low.y * chart.axes[1];
   chart.size = {box.size().x, box.size().y};
   chart.sides = std::move(sides);
   std::sort(chart.sides.begin(), chart.sides.end());
+  chart.stretch = stretch_of(patches, chart.sides, direction);
   return chart;
 }
 

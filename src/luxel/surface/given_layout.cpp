@@ -37,10 +37,10 @@ double uv_area(const std::array<Vec2, 3>& uv) {
   return 0.5 * std::abs(cross(b, c));
 }
 
-// Calls for each texel whose middle lies well inside the triangle.
+// Calls visit for each texel whose middle lies well inside the triangle.
 template <typename Visit>
 void for_texels_inside(const std::array<Vec2, 3>& uv, int size, const Visit& visit) {
-  constexpr double well = 1e-3;  // of the triangle's height: neighbours share their edges
+  constexpr double well = 1e-3;  // of the triangle's height, as neighbours share their edges
   std::array<Point, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = static_cast<double>(size) * Point(uv[k]) - 0.5;
   const auto b = t[1] - t[0], c = t[2] - t[0];
@@ -76,7 +76,7 @@ bool overlaps(const Scene& scene, const PatchSet& patches, const GivenLayout& gi
       if (taken[at]) ++twice;
       taken[at] = true;
     });
-    // The others cannot make it less: of them, no more than all texels are claimed once.
+    // The remaining triangles cannot lower the result: they claim at most every texel once.
     if (static_cast<double>(twice) > tolerated * static_cast<double>(twice + taken.size())) return true;
   }
   return static_cast<double>(twice) > tolerated * static_cast<double>(all);
@@ -120,7 +120,7 @@ LaidOut lay_out(const Scene& scene, const PatchSet& patches, const GivenLayout& 
 }
 
 int page_size_for(const Scene& scene, const GivenLayout& given, double texels_per_metre, int most) {
-  std::vector<double> metres(given.pages, 0.0), pages(given.pages, 0.0);  // areas: m², shares of a page
+  std::vector<double> metres(given.pages, 0.0), pages(given.pages, 0.0);  // areas: m², fractions of a page
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     const auto& c = scene.triangles[t];
     metres[given.page[t]] +=

@@ -9,7 +9,7 @@
 namespace luxel {
 namespace {
 
-struct OpenEdge {
+struct PatchEdge {
   std::uint32_t patch, edge;
 };
 
@@ -20,8 +20,8 @@ struct EdgeName {
   bool same(const EdgeName& o) const { return low == o.low && high == o.high; }
 };
 
-std::vector<OpenEdge> open_edges(const PatchSet& patches) {
-  // Sorted by their lower ends in a counting sort, then few by few.
+std::vector<PatchEdge> open_edges(const PatchSet& patches) {
+  // A counting sort by their lower ends, then a sort of each short run.
   std::vector<std::size_t> begin(patches.vertices.size() + 1, 0);
   const auto ends = [&](std::size_t patch, std::size_t k) {
     const auto& c = patches.corners[patch];
@@ -37,7 +37,7 @@ std::vector<OpenEdge> open_edges(const PatchSet& patches) {
       const auto [low, high] = ends(p, k);
       edges[next[low]++] = {low, high, 3 * p + k};
     }
-  std::vector<OpenEdge> open;
+  std::vector<PatchEdge> open;
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     const auto first = edges.begin() + static_cast<std::ptrdiff_t>(begin[v]);
     const auto last = edges.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
@@ -50,7 +50,7 @@ std::vector<OpenEdge> open_edges(const PatchSet& patches) {
   return open;
 }
 
-std::array<std::uint32_t, 2> ends_of(const PatchSet& patches, const OpenEdge& e) {
+std::array<std::uint32_t, 2> ends_of(const PatchSet& patches, const PatchEdge& e) {
   const auto& c = patches.corners[e.patch];
   return {c[e.edge], c[(e.edge + 1) % 3]};
 }
@@ -97,11 +97,12 @@ double line_tolerance(const Vec3& vertex, double length) {
   return hair * length + rounding * static_cast<double>(far);
 }
 
-std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches) {
-  const auto open = open_edges(patches);
+namespace {
+
+std::vector<HangingVertex> hanging_on(const PatchSet& patches, const std::vector<PatchEdge>& edges) {
   std::vector<std::uint32_t> vertices;
   double length = 0.0;
-  for (const auto& e : open) {
+  for (const auto& e : edges) {
     const auto [a, b] = ends_of(patches, e);
     vertices.insert(vertices.end(), {a, b});
     length += glm::distance(Vec3d(patches.vertices[a]), Vec3d(patches.vertices[b]));
@@ -109,20 +110,20 @@ std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches) {
   if (!(length > 0.0)) return {};
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const auto step = length / static_cast<double>(open.size());
+  const auto step = length / static_cast<double>(edges.size());
   const Cells cells(patches, vertices, step);
 
   std::vector<HangingVertex> hanging;
-  for (const auto& e : open) {
+  for (const auto& e : edges) {
     const auto ends = ends_of(patches, e);
     const auto a = Vec3d(patches.vertices[ends[0]]), b = Vec3d(patches.vertices[ends[1]]);
     const auto along = b - a;
     const auto edge = glm::length(along);
-    // Of a very long edge no more than of one of ten thousand steps, so that boxes stay small.
+    // A very long edge counts as at most ten thousand steps, so that boxes stay small.
     const auto counted = std::min(edge, 1e4 * step);
     const auto tolerance = std::max(line_tolerance(patches.vertices[ends[0]], counted),
                                     line_tolerance(patches.vertices[ends[1]], counted));
-    // Piece by piece, so that the box around a slanting edge does not hold half the scene.
+    // In steps, so that the box around a slanting edge does not hold half the scene.
     const auto pieces = static_cast<int>(std::ceil(edge / step));
     for (int i = 0; i < pieces; ++i) {
       const auto p = a + along * (static_cast<double>(i) / pieces);
@@ -145,6 +146,20 @@ std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches) {
                             [&](const auto& a, const auto& b) { return order(a) == order(b); }),
                 hanging.end());
   return hanging;
+}
+
+}  // namespace
+
+std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches) {
+  return hanging_on(patches, open_edges(patches));
+}
+
+std::vector<HangingVertex> find_all_hanging_vertices(const PatchSet& patches) {
+  std::vector<PatchEdge> edges;
+  edges.reserve(3 * patches.size());
+  for (std::uint32_t p = 0; p < patches.size(); ++p)
+    for (std::uint32_t k = 0; k < 3; ++k) edges.push_back({p, k});
+  return hanging_on(patches, edges);
 }
 
 }  // namespace luxel

@@ -24,4 +24,9 @@ double line_tolerance(const Vec3& vertex, double length);
 // by vertex, patch and edge. Cost: a sort of the open edges.
 std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches);
 
+// The same for all edges and the vertices of all patches, whether light continues there or not: where a wall
+// stands on a floor that is divided otherwise. Cost: a sort of the vertices, and for each edge searches in
+// it.
+std::vector<HangingVertex> find_all_hanging_vertices(const PatchSet& patches);
+
 }  // namespace luxel

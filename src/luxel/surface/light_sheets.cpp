@@ -14,9 +14,9 @@
 namespace luxel {
 namespace {
 
-// Sides that meet at a sharper angle are different surfaces: 30 degrees, as in SmoothOptions.
+// Sides that meet at a sharper angle belong to different surfaces: 30 degrees, as in SmoothOptions.
 constexpr float min_edge_cosine = 0.866f;
-// A sheet is flat where normals are within 2.5 degrees of their mean and it is as thin as this.
+// A sheet is flat where normals are within 2.5 degrees of their mean and it is this thin.
 constexpr float min_flat_cosine = 0.999f;
 constexpr float max_flat_thickness = 0.01f;  // relative to the distance of its farthest point from its middle
 
@@ -68,7 +68,7 @@ void join_planes(const PatchTree& tree, DisjointSets& sheets) {
   }
 }
 
-// Puts the receivers of a sheet into its frame.
+// Transforms the receivers of a sheet into its frame.
 void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& sheet) {
   Vec3d centre(0.0);
   Vec3d normals(0.0);

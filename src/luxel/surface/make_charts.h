@@ -16,16 +16,19 @@ namespace luxel {
 struct ChartOptions {
   float texel = 0.05f;         // m, of a side: gaps thinner than two of them part a chart
   float crease_angle = 30.0f;  // degrees; charts end where neighbours meet at a sharper angle, as SmoothLight
-  float max_angle = 40.0f;  // degrees, 1 to 60; sides that face farther away from a chart's middle leave it
+  float max_angle = 50.0f;  // degrees, 1 to 60; sides that face farther away from a chart's middle leave it
   int max_texels = 1000;    // a chart is no wider and no higher: it must fit on a page
 };
 
-// Sides of patches that lie flat together: projected along one direction none covers another.
+// Sides of patches that lie flat together: projected along one direction none covers another. Or, as a point,
+// backs that are all but dark: all of them are one place.
 struct Chart {
   std::vector<SideId> sides;     // ascending
   Vec3d origin{0.0};             // m; a corner of the smallest box around it
   std::array<Vec3d, 2> axes{};   // unit, at right angles; the box lies along them, the longer side first
   std::array<double, 2> size{};  // m, of the box
+  bool is_point = false;
+  double stretch = 1.0;  // to lay it out by: then its sides cover as many texels as if none were averted
 };
 
 struct Charts {

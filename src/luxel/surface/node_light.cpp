@@ -11,7 +11,7 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t elements_per_chunk = 4096;
-// Two sweeps, each half again as far as a plain one, come as near as four plain ones; more bring noise.
+// Two sweeps with over-relaxation of 1.5 are as accurate as four plain ones; more sweeps amplify noise.
 constexpr int sweeps = 2;
 constexpr double reach = 1.5;
 
@@ -69,7 +69,7 @@ class NodeFit {
   std::vector<float> take() { return std::move(value_); }
 
  private:
-  // body(node, scratch of a number a band)
+  // body(node, scratch of one number per band)
   template <typename Body>
   void for_nodes(Body body) {
     context_.for_chunks(nodes_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, int) {
@@ -78,7 +78,7 @@ class NodeFit {
     });
   }
 
-  // Weighed by area; nothing where no member has any.
+  // The mean weighted by area; unchanged from 0 where no member has a weight.
   template <typename Value>
   void mean_over_members(std::size_t node, std::vector<double>& mean, Value value) const {
     std::fill(mean.begin(), mean.end(), 0.0);
@@ -93,7 +93,7 @@ class NodeFit {
       for (auto& x : mean) x /= whole;
   }
 
-  // The side's linear function at the member's place, less the side's mean.
+  // The side's linear function at the member's place, minus the side's mean.
   double rise_at(const SideNodes::Member& m, std::size_t b) const {
     if (m.place < 3) return slopes_.rise(m.side, m.place, b);
     const auto& h = nodes_.hanging[m.place - 3];
@@ -119,7 +119,7 @@ class NodeFit {
   const Context& context_;
   std::size_t bands_;
   std::vector<float> value_;  // [node][band]
-  std::vector<float> lack_;   // [side][band]: its value less the mean of what is drawn over it
+  std::vector<float> lack_;   // [side][band]: its value minus the mean of its interpolated light
 };
 
 void close_seams(const PatchSet& patches, const SideNodes& nodes, std::size_t bands,

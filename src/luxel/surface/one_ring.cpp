@@ -11,8 +11,8 @@
 namespace luxel {
 namespace {
 
-// The direction from the edge into the patch, at right angles to the edge: n x e for a patch to whose left
-// the edge runs, as a counter-clockwise winding has it.
+// The direction from the edge into the patch, at right angles to the edge: n x e for a patch to the left of
+// the edge, as with a counter-clockwise winding.
 Vec3d into_patch(const Vec3& normal, const Vec3d& edge, bool outwards) {
   const auto d = glm::cross(Vec3d(normal), edge);
   return outwards ? d : -d;
@@ -68,9 +68,10 @@ void OneRing::list_sectors() {
   if (join_open_edges()) sort();
 }
 
-// Where one patch's edge goes on beyond its neighbours' (a T-junction), both leave this vertex on one line.
+// Where one patch's edge extends beyond its neighbours' (a T-junction), both leave this vertex along one
+// line.
 bool OneRing::join_open_edges() {
-  constexpr std::size_t most = 32;  // at a vertex where more edges are open nothing is sought
+  constexpr std::size_t most = 32;  // a vertex with more open edges is not searched
   open_.clear();
   for (std::uint32_t i = 0; i < sectors_.size(); ++i)
     if ((i == 0 || sectors_[i - 1].edge != sectors_[i].edge) &&
@@ -98,8 +99,8 @@ bool OneRing::on_one_line(const Sector& a, const Sector& b) const {
          glm::length(glm::cross(u, v)) / longer <= line_tolerance(vertex, length);
 }
 
-// Around an edge the patches stand like the pages of a book, and so does what only touches the edge. Two
-// sides see each other's light run on smoothly only if they face the same gap between neighbouring pages.
+// Patches stand around an edge like the pages of a book, and so does a surface that only touches the edge.
+// Light is continuous between two sides only if they face the same gap between neighbouring pages.
 void OneRing::join_around_edge(std::span<const Sector> sectors) {
   if (sectors.size() < 2) return;
   const auto along = Vec3d(patches_.vertices[sectors[0].other]) - Vec3d(patches_.vertices[vertex_]);
@@ -129,7 +130,7 @@ void OneRing::join_around_edge(std::span<const Sector> sectors) {
   for (std::size_t i = 0; i < pages_.size(); ++i) join_facing(pages_[i], pages_[(i + 1) % pages_.size()]);
 }
 
-// Turning around the edge, a front looks forwards if its winding runs outwards: e x (n x e) = n.
+// Seen along a turn around the edge, a front faces forwards if its winding runs outwards: e x (n x e) = n.
 void OneRing::join_facing(const Sector& from, const Sector& to) {
   if (from.member == none || to.member == none) return;
   const auto from_back = !from.outwards;

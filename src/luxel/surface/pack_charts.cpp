@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
-#include "luxel/image/pack_rectangles.h"
+#include "luxel/image/pack_shapes.h"
 #include "luxel/patch/side.h"
+#include "luxel/surface/texel_support.h"
 
 namespace luxel {
 namespace {
@@ -26,30 +27,86 @@ void check_texels(double count) {
         1e-6 * count, 1e-6 * most));
 }
 
-// Steps from the first texel to the last, at least one.
+// Number of steps from the first texel to the last, at least one.
 int steps(double length, double texel) {
   constexpr double rounding = 1e-4;  // of a texel
   return std::max(1, static_cast<int>(std::ceil(length / texel - rounding)));
 }
 
-// Puts all charts on pages of this size; a margin goes with each to its right and below.
-int pack(std::vector<Rectangle>& rectangles, int page_size, int margin) {
-  const auto room = page_size - margin;
-  for (const auto& r : rectangles)
-    if (r.width > room || r.height > room) return 0;
-  return pack_rectangles(rectangles, room);
+int texels_along(const Chart& chart, std::size_t axis, double texel) {
+  return steps(chart.stretch * chart.size[axis], texel) + 1;
+}
+
+// Corners of a side in its chart's box, in texels: the middle of the first is 0.
+std::array<glm::dvec2, 3> in_box(const PatchSet& patches, const Chart& chart, int width, int height,
+                                 SideId side) {
+  const auto along = [&](std::size_t axis, int count, double at) {
+    const auto fraction = chart.size[axis] > 0.0 ? std::clamp(at / chart.size[axis], 0.0, 1.0) : 0.0;
+    return fraction * (count - 1);
+  };
+  std::array<glm::dvec2, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = Charts::place(chart, patches.vertices[patches.corners[side.patch()][k]]);
+    corners[k] = {along(0, width, at[0]), along(1, height, at[1])};
+  }
+  return corners;
+}
+
+// The texels that lookups within a chart read.
+PixelShape shape_of(const PatchSet& patches, const Chart& chart, double texel) {
+  PixelShape shape(texels_along(chart, 0, texel), texels_along(chart, 1, texel));
+  for (const auto side : chart.sides) {
+    const auto t = in_box(patches, chart, shape.width(), shape.height(), side);
+    const auto low = glm::floor(glm::min(glm::min(t[0], t[1]), t[2]));
+    const auto high = glm::ceil(glm::max(glm::max(t[0], t[1]), t[2]));
+    for (auto y = static_cast<int>(low.y); y <= std::min(shape.height() - 1, static_cast<int>(high.y)); ++y)
+      for (auto x = static_cast<int>(low.x); x <= std::min(shape.width() - 1, static_cast<int>(high.x)); ++x)
+        if (!shape.has(x, y) && is_read_from(t, {x, y}, layout_rounding)) shape.add(x, y);
+  }
+  return shape;
+}
+
+int rounded_up(double size) {
+  constexpr int multiple = 4;  // texels, the blocks of compressed textures
+  return multiple * static_cast<int>(std::ceil(size / multiple));
+}
+
+// The smallest square pages found that hold all charts on as few of them as their area allows.
+PackedShapes pack(const std::vector<PixelShape>& shapes, const PackOptions& options, int& page_size) {
+  const auto margin = options.margin;
+  double area = 0.0;
+  int longest = 0;
+  for (const auto& shape : shapes) {
+    area += static_cast<double>(shape.width() + margin) * (shape.height() + margin) *
+            static_cast<double>(shape.count()) / (static_cast<double>(shape.width()) * shape.height());
+    longest = std::max({longest, shape.width(), shape.height()});
+  }
+  constexpr double densest = 0.97;  // of a page, with margins: first tried
+  constexpr double growth = 1.015;
+  const auto most = static_cast<double>(options.page_size);
+  for (auto pages = std::max(1.0, std::ceil(area / (most * most)));; ++pages) {
+    auto size = std::max<double>(smallest_page, std::sqrt(area / pages / densest) + margin);
+    if (longest + 2 * margin > size) size = longest + 2 * margin;
+    for (page_size = rounded_up(size); page_size < options.page_size;
+         page_size = std::max(page_size + 4, rounded_up(growth * page_size)))
+      if (auto packed = pack_shapes(shapes, page_size, margin, static_cast<int>(pages)); packed.pages > 0)
+        return packed;
+    page_size = options.page_size;
+    if (auto packed = pack_shapes(shapes, page_size, margin, static_cast<int>(pages)); packed.pages > 0)
+      return packed;
+    if (longest + 2 * margin > options.page_size) return {};
+  }
 }
 
 std::array<Vec2, 3> on_page(const PatchSet& patches, const Chart& chart, const Atlas::Place& place,
-                            SideId side) {
+                            int quarters, SideId side) {
+  const auto width = quarters % 2 == 0 ? place.width : place.height;
+  const auto height = quarters % 2 == 0 ? place.height : place.width;
+  const auto in = in_box(patches, chart, width, height, side);
   std::array<Vec2, 3> corners;
-  const auto along = [&](std::size_t axis, int first, int count, double at) {
-    const auto fraction = chart.size[axis] > 0.0 ? std::clamp(at / chart.size[axis], 0.0, 1.0) : 0.0;
-    return static_cast<float>(first + 0.5 + fraction * (count - 1));
-  };
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = Charts::place(chart, patches.vertices[patches.corners[side.patch()][k]]);
-    corners[k] = {along(0, place.x, place.width, at[0]), along(1, place.y, place.height, at[1])};
+    const auto [x, y] = turned_place<double>(quarters, in[k].x, in[k].y, width - 1, height - 1);
+    corners[k] = {static_cast<float>(place.x + 0.5 + x), static_cast<float>(place.y + 0.5 + y)};
   }
   return corners;
 }
@@ -73,43 +130,34 @@ void check_pack_options(const PatchSet& patches, const PackOptions& options) {
 
 Atlas pack_charts(const PatchSet& patches, const Charts& charts, const PackOptions& options) {
   check_pack_options(patches, options);
-  std::vector<Rectangle> rectangles;
-  std::int64_t area = 0;
-  for (const auto& chart : charts.charts) {
-    Rectangle r;
-    r.width = steps(chart.size[0], static_cast<double>(options.texel)) + 1 + options.margin;
-    r.height = steps(chart.size[1], static_cast<double>(options.texel)) + 1 + options.margin;
-    area += std::int64_t{r.width} * r.height;
-    rectangles.push_back(r);
-  }
-
-  check_texels(static_cast<double>(area));
+  const auto texel = static_cast<double>(options.texel);
+  double area = 0.0;
+  for (const auto& chart : charts.charts)
+    area += static_cast<double>(texels_along(chart, 0, texel)) * texels_along(chart, 1, texel);
+  check_texels(area);
+  std::vector<PixelShape> shapes;
+  for (const auto& chart : charts.charts) shapes.push_back(shape_of(patches, chart, texel));
 
   Atlas atlas;
   atlas.margin = options.margin;
-  for (auto size = smallest_page; size < options.page_size && atlas.pages != 1; size *= 2) {
-    if (std::int64_t{size} * size < area) continue;
-    atlas.page_size = size;
-    atlas.pages = pack(rectangles, size, options.margin);
-  }
-  if (atlas.pages != 1) {
-    atlas.page_size = options.page_size;
-    atlas.pages = pack(rectangles, options.page_size, options.margin);
-  }
-  if (atlas.pages == 0 && !rectangles.empty())
+  const auto packed = pack(shapes, options, atlas.page_size);
+  atlas.pages = packed.pages;
+  if (atlas.pages == 0 && !shapes.empty())
     throw InputError(
         fmt::format("a chart fits on no page of {} texels: take larger pages or fewer texels a "
                     "metre",
                     options.page_size));
 
-  for (const auto& r : rectangles)
-    atlas.places.push_back({static_cast<std::uint32_t>(r.page), r.x + options.margin, r.y + options.margin,
-                            r.width - options.margin, r.height - options.margin});
   atlas.chart_of = charts.of_side;
   atlas.corners.resize(charts.of_side.size());
-  for (std::size_t c = 0; c < charts.charts.size(); ++c)
+  for (std::size_t c = 0; c < charts.charts.size(); ++c) {
+    const auto& at = packed.shapes[c];
+    const auto width = shapes[c].width(), height = shapes[c].height();
+    atlas.places.push_back({static_cast<std::uint32_t>(at.page), at.x, at.y,
+                            at.quarters % 2 == 0 ? width : height, at.quarters % 2 == 0 ? height : width});
     for (const auto side : charts.charts[c].sides)
-      atlas.corners[side.index()] = on_page(patches, charts.charts[c], atlas.places[c], side);
+      atlas.corners[side.index()] = on_page(patches, charts.charts[c], atlas.places[c], at.quarters, side);
+  }
   return atlas;
 }
 

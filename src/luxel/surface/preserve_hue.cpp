@@ -7,7 +7,7 @@
 namespace luxel {
 namespace {
 
-// Smallest fraction of the unit's colour that a band retains. Chosen by eye: less shows as a tint.
+// Smallest fraction of the unit's colour that a band retains. Chosen by eye: less is visible as a tint.
 constexpr double min_of_hue = 0.25;
 
 // One unit: receivers [first, end).

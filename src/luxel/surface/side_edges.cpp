@@ -13,7 +13,7 @@ namespace {
 // A part of a patch's edge; the lower vertex first.
 struct Part {
   std::array<std::uint32_t, 2> ends;
-  std::array<float, 2> at;  // of the ends, as shares of the way along the edge
+  std::array<float, 2> at;  // of the ends, as fractions of the edge's length
   std::uint32_t patch, edge;
   std::array<std::array<std::uint32_t, 2>, 2> nodes;  // [front, back][end]
   bool upwards;                                       // the winding runs from the lower vertex to the higher
@@ -21,7 +21,7 @@ struct Part {
   auto order() const { return std::tuple(ends, patch, edge, at); }
 };
 
-// A point on a patch's edge, a corner or a vertex that hangs there.
+// A point on a patch's edge: a corner or a hanging vertex.
 struct Stop {
   std::uint32_t vertex;
   float at;
@@ -92,7 +92,7 @@ class Parts {
   std::vector<Part> parts_;
 };
 
-// Whether something stands on the edge where these two sides look.
+// Returns whether a contact lies on the edge in front of these two sides.
 bool is_touched(const PatchSet& patches, const SideEdge& e) {
   const auto before = [](const Contact& c, const auto& ends) { return c.edge < ends; };
   const auto looks = patches.normal_of(e.halves[0].side) + patches.normal_of(e.halves[1].side);
@@ -109,7 +109,7 @@ std::vector<SideEdge> find_side_edges(const PatchSet& patches, const SideNodes& 
   std::vector<SideEdge> edges;
   const auto meet = [&](const Part& a, const Part& b) {
     for (std::uint32_t back = 0; back < 2; ++back) {
-      // Windings that run the same way along an edge face opposite ways.
+      // Windings that run the same way along an edge face opposite directions.
       const auto other = a.upwards == b.upwards ? 1 - back : back;
       SideEdge e;
       e.halves = {SideEdge::Half{{a.patch, back == 1}, a.edge, a.at[0], a.at[1]},

@@ -10,7 +10,7 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t vertices_per_chunk = 4096;
-constexpr std::uint32_t begins_node = 0x80000000u;  // in Member::place, while nodes have no numbers yet
+constexpr std::uint32_t begins_node = 0x80000000u;  // in Member::place, until nodes are numbered
 
 // The corners (3 * patch + corner) at each vertex, in rows: row v is corners[begin[v]] to
 // corners[begin[v+1]].
@@ -37,10 +37,10 @@ CornersOfVertex corners_of_vertices(const PatchSet& patches) {
   return rows;
 }
 
-// Lays out the sides of one ring surface by surface.
+// Lays out the sides of one ring, surface by surface.
 class Surfaces {
  public:
-  // Ranks surfaces in the order of their names; returns how many there are.
+  // Ranks surfaces in the order of their names; returns their number.
   std::uint32_t rank(const OneRing& ring) {
     rank_.resize(2 * ring.size());
     place_.clear();
@@ -101,7 +101,7 @@ SideNodes make_side_nodes(const PatchSet& patches, float cos_crease, const Conte
         nodes.hanging.begin());
   };
 
-  // 1. Each vertex for itself.
+  // 1. Each vertex independently.
   context.for_chunks(vertices, vertices_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     OneRing ring(patches, cos_crease);
     Surfaces surfaces;

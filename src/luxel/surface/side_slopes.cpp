@@ -12,10 +12,10 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t sides_per_chunk = 4096;
-// The hub of a great ring would make every patch of it a neighbour of every other: such nodes are passed
-// over, the patches beside each other share the node at the boundary.
+// The hub of a large fan would make every patch of it a neighbour of every other. Such nodes are skipped:
+// adjacent patches share the node at the boundary.
 constexpr std::size_t max_at_node = 64;
-// Least over greatest eigenvalue, about, of neighbours that do not stand on one line.
+// Approximate ratio of the smallest to the largest eigenvalue, for neighbours that are not collinear.
 constexpr double min_spread = 1e-5;
 
 Vec3d centroid(const PatchSet& patches, std::size_t patch) {
@@ -23,7 +23,7 @@ Vec3d centroid(const PatchSet& patches, std::size_t patch) {
   return (Vec3d(p[0]) + Vec3d(p[1]) + Vec3d(p[2])) / 3.0;
 }
 
-// Of differences to the side at hand, itself among them.
+// Range of differences from the current side, which is included as 0.
 struct Range {
   double low = 0.0, high = 0.0;
 
@@ -39,7 +39,7 @@ class Fit {
       std::span<const Vec3d> centroids)
       : patches_(patches), light_(light), nodes_(nodes), centroids_(centroids) {}
 
-  // rise: [band][corner], zero before.
+  // rise: [band][corner], initially zero.
   void fill(SideId side, float* rise) {
     if (!(light_.weight(side) > 0.0) || !list_sides(side)) return;
     lay_out(side);
@@ -56,7 +56,7 @@ class Fit {
     for (std::size_t b = 0; b < light_.bands(); ++b) {
       const auto own = static_cast<double>(light_.at(side)[b]);
       double x = 0.0, y = 0.0, all = 0.0, explained = 0.0;
-      Range met;  // by the neighbours' values
+      Range met;  // over the neighbours' values
       for (const auto& n : neighbours_) {
         const auto more = static_cast<double>(light_.at(n.side)[b]) - own;
         x += n.weight * n.x * more;
@@ -65,7 +65,7 @@ class Fit {
         met.add(more);
       }
       const auto slope_x = (yy * x - xy * y) / determinant, slope_y = (xx * y - xy * x) / determinant;
-      Range reached;  // by the plane at their centroids
+      Range reached;  // over the plane at the neighbours' centroids
       for (const auto& n : neighbours_) {
         const auto more = slope_x * n.x + slope_y * n.y;
         explained += n.weight * more * more;
@@ -83,14 +83,14 @@ class Fit {
   }
 
  private:
-  // Another side on the plane of the one at hand, seen from that one's centroid.
+  // Another side in the plane of the current one, relative to its centroid.
   struct Neighbour {
     SideId side;
     double x, y;    // m
     double weight;  // 1/m²
   };
 
-  // Fills sides_ with the lit sides that share a node with this one, each once. Returns false where all is
+  // Fills sides_ with the lit sides that share a node with this one, each once. Returns false where all are
   // dark.
   bool list_sides(SideId side) {
     const auto is_bright = [&](SideId s) {
@@ -114,9 +114,9 @@ class Fit {
     return bright;
   }
 
-  // How far the plane may lead beyond all the neighbours, given what share of their squares it explains: in
-  // full where it explains all, not at all where it leaves a quarter or more. A slope has two numbers, so
-  // that of few neighbours much is explained by chance.
+  // Fraction by which the plane may exceed the values of all neighbours, given the fraction of their squared
+  // differences that it explains: 1 where it explains all, 0 where it leaves a quarter or more. A slope has
+  // two parameters, so with few neighbours much is explained by chance.
   double trust_in(double explained) const {
     constexpr double min_explained = 0.75;
     const auto count = static_cast<double>(neighbours_.size());
@@ -126,7 +126,7 @@ class Fit {
 
   void lay_out(SideId side) {
     constexpr double steepest =
-        0.01;  // of the square of a way, along the plane: what folds back says nothing
+        0.01;  // of the squared distance, along the plane: folded neighbours carry no information
     const auto points = patches_.points(side.patch());
     x_ = glm::normalize(Vec3d(points[1]) - Vec3d(points[0]));
     y_ = glm::normalize(glm::cross(area_vector2(points[0], points[1], points[2]), x_));
@@ -145,7 +145,7 @@ class Fit {
   const SideLight& light_;
   const SideNodes& nodes_;
   std::span<const Vec3d> centroids_;
-  Vec3d x_{0.0}, y_{0.0};  // unit, along the plane of the side at hand
+  Vec3d x_{0.0}, y_{0.0};  // unit, in the plane of the current side
   std::vector<SideId> sides_;
   std::vector<Neighbour> neighbours_;
 };

@@ -38,7 +38,7 @@ struct CornerNodes {
   auto order() const { return std::tuple(front, back, patch); }
 };
 
-// Of what runs on smoothly from the front of a corner: unit, area-weighted.
+// Area-weighted unit normal of the surface that continues smoothly from the front of a corner.
 Vec3 normal_at(const PatchSet& patches, const SideNodes& nodes, const CornerNodes& c) {
   Vec3d sum(0.0);
   for (const auto& m : nodes.at(c.front)) {

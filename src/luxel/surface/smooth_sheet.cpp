@@ -14,34 +14,34 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t min_sheet = 4;  // receivers; fewer keep their own values
-// Spacing of the finest windows, in edges of a median patch: some 9 patches count in one. Measured on the
-// Cornell box and the reading room: 1 to 2 within 2 % of the best error, 3 is 7 % worse.
+// Spacing of the finest windows, in edges of a median patch: about 9 patches count in one. Measured on the
+// Cornell box and the reading room: 1 to 2 are within 2 % of the best error, 3 is 7 % worse.
 constexpr double finest_spacing = 1.5;
-// Weight of the bias in the choice, and the part of the variance that is taken off it, about what noise alone
-// makes of it where it is above 0. Measured on the Cornell box and the reading room: weights of 2 to 8 and
-// parts of 0 to 0.5 are within 5 % of the best error.
+// Weight of the bias in the choice, and the fraction of the variance that is subtracted from it: about the
+// bias that noise alone produces where it is above 0. Measured on the Cornell box and the reading room:
+// weights of 2 to 8 and fractions of 0 to 0.5 are within 5 % of the best error.
 constexpr double bias_weight = 4.0;
 constexpr double noise_of_bias = 0.3;
-// A window is left alone where the scale before moved its receivers by less than this in the mean: what a
-// small window cannot fit a large one does not.
+// A window is skipped where the previous scale moved its receivers by less than this in the mean: structure
+// that a small window cannot fit a large one cannot fit either.
 constexpr float min_moved = 0.1f;
-constexpr std::size_t min_judged = 6;  // members; with fewer the scale before does not count
+constexpr std::size_t min_judged = 6;  // members; with fewer the previous scale does not count
 // Sides of a curved sheet count fully in a window where the cosine to the window's mean normal is above the
 // second, and not at all below the first.
 constexpr float facing_none = 0.4f;
 constexpr float facing_full = 0.8f;
-constexpr float min_mean_normal = 0.3f;  // below this a window holds sides that face everywhere: no fit
+constexpr float min_mean_normal = 0.3f;  // below it a window holds sides of all directions: no fit
 
-// The first scale whose bias is estimated place by place. Changes of the finest two carry nearly all the
-// noise of single receivers, beside which their bias drowns: with one scale more the error of a Cornell box
-// of 53,000 patches is stated up to 1.8 times too large. See FineChange.
+// The first scale whose bias is estimated locally. Changes of the finest two carry nearly all the noise of
+// single receivers, which hides their bias: with one scale more the stated error of a Cornell box of 53,000
+// patches is up to 1.8 times too large. See FineChange.
 constexpr int first_seen_scale = 2;
 
-// Data of one window that is used again when its receivers take their values.
+// Data of one window that are reused when its receivers get their values.
 struct Window {
   Vec3 normal{0.0f}, u{1.0f, 0.0f, 0.0f}, v{0.0f, 1.0f, 0.0f};
   std::size_t terms = 0;            // 0: no fit
-  std::array<float, 2> fraction{};  // that each half of the replicates moves by
+  std::array<float, 2> fraction{};  // by which each half of the replicates moves
   bool is_judged = true;            // false: too few members to find structure in
 };
 
@@ -52,7 +52,7 @@ class Scale {
       : sheet_(sheet),
         columns_(columns),
         degree_(number == 0 ? 1 : 2),
-        // Other lines at every scale: irrational steps.
+        // Different positions at every scale: irrational steps.
         grid_(sheet, static_cast<float>(spacing),
               {std::fmod(0.31f + 0.37f * static_cast<float>(number), 1.0f),
                std::fmod(0.77f + 0.59f * static_cast<float>(number), 1.0f),
@@ -61,7 +61,7 @@ class Scale {
         windows_(grid_.nodes()),
         coefficients_(grid_.nodes() * max_terms_ * columns.size()) {}
 
-  // moved: [index], the fraction that the scale before moved each receiver by; 1 where it could not judge.
+  // moved: [index], the fraction by which the previous scale moved each receiver; 1 where it was not judged.
   void fit(const std::vector<float>& values, const SmoothingWeights& weights, const std::vector<float>& moved,
            const LoopRunner& run) {
     run(grid_.nodes(), [&](std::size_t begin, std::size_t end) {
@@ -120,7 +120,7 @@ class Scale {
       for (auto cell = begin; cell < end; ++cell)
         for (const auto index : grid_.in_cell(cell)) {
           std::fill(of_receiver.begin(), of_receiver.end(), 0.0f);
-          float rest = 1.0f;  // of the partition of unity: no windows with a fit
+          float rest = 1.0f;  // of the partition of unity: windows without a fit
           for_windows(cell, index, [&](std::size_t node, const WindowMember& m) {
             rest -= m.weight;
             for (std::size_t b = 0; b < bands; ++b) of_receiver[b] += m.weight * means[node * bands + b];
@@ -132,7 +132,7 @@ class Scale {
   }
 
  private:
-  // A receiver as a member of a window whose axes are known; weight 0: it is none.
+  // A receiver as a member of a window whose axes are set; weight 0: not a member.
   WindowMember member(std::size_t node, std::uint32_t index) const {
     const auto at = grid_.from_node(node, index);
     auto weight = WindowGrid::weight(at);
@@ -153,7 +153,7 @@ class Scale {
     }
   }
 
-  // Finds the window's axes, and its members.
+  // Computes the window's axes and its members.
   void collect(std::size_t node, std::vector<WindowMember>& members) {
     auto& window = windows_[node];
     if (!sheet_.is_flat()) {
@@ -215,7 +215,7 @@ class Scale {
     if (window.fraction[0] == 0.0f && window.fraction[1] == 0.0f) window.terms = 0;
   }
 
-  // Calls body(node, member) for the windows with a fit that a receiver of a cell is in.
+  // Calls body(node, member) for the windows with a fit that contain a receiver of a cell.
   template <typename Body>
   void for_windows(std::size_t cell, std::uint32_t index, Body body) const {
     for (std::size_t corner = 0; corner < grid_.corners(); ++corner) {
@@ -266,7 +266,7 @@ double median_edge(const LightSheet& sheet) {
   return std::sqrt(static_cast<double>(*middle));
 }
 
-// Of two changes a and b of one receiver in one band.
+// Sums over two changes a and b of one receiver in one band.
 struct ChangeSums {
   float a = 0.0f, b = 0.0f, ab = 0.0f, bb = 0.0f;
 };
@@ -287,15 +287,15 @@ ChangeSums change_sums(const float* now, const float* before, const float* first
   return sums;
 }
 
-// Values after the last scale, before it, and before the one before it.
+// Values after the last scale, before it, and before the previous one.
 struct LastScales {
   const std::vector<float>&now, &before, &first;
 };
 
-// The contribution of the last scale to the squared bias: the square of its change, and twice the product
-// with the change of the scale before. Products are of different replicates, in which noise cancels: of the
-// same half where all are independent, since these were moved by fractions that their own noise did not
-// choose; else of different halves. added: [index * bands + band].
+// The contribution of the last scale to the squared bias: the square of its change, plus twice the product
+// with the change of the previous scale. Products are of different replicates, in which noise cancels: of the
+// same half where all are independent, as these were moved by fractions that their own noise did not choose;
+// otherwise of different halves. added: [index * bands + band].
 void write_added_bias(const LastScales& scales, WindowColumns columns, bool are_independent,
                       std::vector<float>& added, const LoopRunner& run) {
   const auto& now = scales.now;

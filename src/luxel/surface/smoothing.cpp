@@ -11,14 +11,14 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t receiver_grain = 4096;
-// Sheets above this share the threads; smaller ones are one thread's work each.
+// The threads share one sheet larger than this; a smaller one is the work of one thread.
 constexpr std::size_t large_sheet = 8192;
 constexpr std::size_t sheet_grain = 8;    // small sheets per chunk
 constexpr std::size_t window_grain = 64;  // windows or cells of a large sheet per chunk
-// Noise of direct or gathered light that is not worth a fit, over the variance of both: a hundredth of what
-// smoothing leaves of it where it works best.
+// Noise of direct or gathered light below which a fit is not worth its cost, over the variance of both: a
+// hundredth of the noise that smoothing leaves at best.
 constexpr float quiet_part = 1e-4f;
-// The light beside which errors do not count, over the mean irradiance: that of the seen error.
+// The light, over the mean irradiance, relative to which errors do not count: that of the seen error.
 constexpr double dim_part = 0.05;
 
 using Replicates = std::span<std::vector<float>>;
@@ -37,10 +37,10 @@ std::vector<float> noise_of(const LightSheet& sheet, Replicates replicates, std:
   return noise;
 }
 
-// Of all receivers, [receiver * bands + band].
+// Bias of all receivers, [receiver * bands + band].
 struct BiasOfAll {
   std::span<float> squared;
-  FineChange* fine;  // or nothing, where replicates are not independent
+  FineChange* fine;  // null where replicates are not independent
 };
 
 void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t bands,
@@ -69,10 +69,10 @@ void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t b
   }
 }
 
-// Only the sum of the bias of the finest scales over all receivers, in the error that is seen, can be
+// Only the sum of the bias of the finest scales over all receivers, weighted as in the seen error, can be
 // separated from noise. It is distributed to where these scales removed most noise. Where replicates are not
 // independent even the sum cannot be separated: products of those of gathered light are 1 to 9 % of their
-// variance, less with more rays, as correlated noise is and bias is not.
+// variance, less with more rays, which is the behaviour of correlated noise and not of bias.
 // weight: area times risk weight, [receiver].
 void add_fine_bias(FineChange& fine, std::span<const float> weight, std::size_t bands,
                    std::span<float> squared_bias, const Context& context, const LoopPartition& mine) {
@@ -153,7 +153,7 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
       smooth_one(sheet, on_all_threads);
     }
   }
-  // Large ones first, so that no thread is left with one at the end.
+  // Large ones first, so that no thread starts one at the end.
   std::stable_sort(small.begin(), small.end(),
                    [](const auto* a, const auto* b) { return a->size() > b->size(); });
   std::size_t tiny = 0;
@@ -170,7 +170,7 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
   add_fine_bias(fine, area_weight, bands, squared_bias, context, mine);
 }
 
-// 1 over the square of a receiver's light and a part of the mean: [receiver], (m²/W)².
+// 1 over the square of a receiver's light plus a fraction of the mean: [receiver], (m²/W)².
 std::vector<float> Smoothing::risk_weights(std::span<const std::vector<float>> direct,
                                            std::span<const std::vector<float>> gathered,
                                            const Context& context) const {

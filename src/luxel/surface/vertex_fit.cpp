@@ -19,7 +19,7 @@ namespace luxel {
 namespace {
 
 constexpr int max_steps = 200;
-constexpr double enough = 1e-7;  // of the residual, over that of no light
+constexpr double enough = 1e-7;  // of the residual, relative to that of no light
 
 using Corners = std::array<std::uint32_t, 3>;
 
@@ -30,12 +30,12 @@ void check(const Scene& scene, const PatchSet& patches, const SmoothLight& light
     throw MismatchError(fmt::format("the light is not of {}: solve this scene", scene.source));
 }
 
-// Of linear functions over a triangle of unit area: the integral of f g, given their values at the corners.
+// Integral of f g over a triangle of unit area, for linear functions given by their values at the corners.
 double integral(const Vec3d& f, const Vec3d& g) {
   return (glm::dot(f, g) + (f.x + f.y + f.z) * (g.x + g.y + g.z)) / 12.0;
 }
 
-// The triangles that have patches, and their unknowns.
+// The triangles with patches, and their unknowns.
 class Fit {
  public:
   Fit(const Scene& scene, const PatchSet& patches, const SmoothLight& light)
@@ -44,8 +44,8 @@ class Fit {
     measure();
   }
 
-  // values: [smooth vertex][band]; fitted: [scene vertex][band]. Adds to the squares, of light and of what is
-  // missed.
+  // values: [smooth vertex][band]; fitted: [scene vertex][band]. Adds to the sums of squares of the light and
+  // of the residual.
   void solve(const std::vector<float>& values, std::size_t band, std::vector<float>& fitted, double& all,
              double& missed) const;
 
@@ -61,7 +61,7 @@ class Fit {
     const auto bands = patches_.band_count();
     return {values[c[0] * bands + band], values[c[1] * bands + band], values[c[2] * bands + band]};
   }
-  // Of the unknowns of a triangle's corners.
+  // The unknowns of a triangle's corners.
   Corners unknowns(std::size_t triangle) const {
     const auto& c = scene_.triangles[triangle];
     return {unknown_of_[c[0]], unknown_of_[c[1]], unknown_of_[c[2]]};
@@ -73,12 +73,12 @@ class Fit {
   const SmoothLight& light_;
   std::vector<std::uint32_t> unknown_of_;   // [scene vertex]
   std::vector<double> area_;                // [triangle], m²: of its patches
-  std::vector<double> patch_area_;          // [patch], m², holes or not
+  std::vector<double> patch_area_;          // [patch], m², including holes
   std::vector<std::array<Vec3d, 3>> hats_;  // [patch][its corner]: weights of the triangle's corners
   std::vector<double> diagonal_;            // [unknown]
 };
 
-// Vertices of the file at one place where smooth light goes on from one to the other are one unknown.
+// Vertices of the file at one position between which smooth light is continuous are one unknown.
 void Fit::join_vertices() {
   DisjointSets sets(scene_.positions.size());
   std::vector<std::uint32_t> vertex_of(light_.size(), none);  // [smooth vertex]
@@ -136,7 +136,7 @@ void Fit::solve(const std::vector<float>& values, std::size_t band, std::vector<
     all += patch_area_[p] * integral(light, light);
   }
 
-  // From the lumped matrix's answer on, preconditioned by the diagonal.
+  // Starts from the solution of the lumped matrix, preconditioned by the diagonal.
   for (std::size_t i = 0; i < n; ++i)
     if (diagonal_[i] > 0.0) x[i] = wanted[i] / (2.0 * diagonal_[i]);
   const auto apply = [&](const auto& v, auto& product) { multiply(v, product); };

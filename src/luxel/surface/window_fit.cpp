@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t terms_max = WindowFit::max_terms;
 constexpr std::size_t usual_columns = 32;  // 8 replicates of 3 bands
 
-// Smallest pivot that counts, relative to the diagonal: below it a term is a combination of those before it.
+// Smallest accepted pivot, relative to the diagonal: below it a term is a combination of the previous ones.
 constexpr std::array<double, terms_max> min_pivot = {0.0, 1e-3, 1e-3, 1e-2, 1e-2, 1e-2};
 
 using Gram = std::array<std::array<double, terms_max>, terms_max>;
@@ -37,7 +37,7 @@ struct Factors {
   }
 };
 
-// The kernels. known: the number of columns where it is known beforehand, else 0.
+// The kernels. known: the number of columns where it is known at compile time, otherwise 0.
 
 template <std::size_t known>
 LUXEL_INLINE void add_members(std::span<const WindowMember> members, std::size_t terms,
@@ -63,7 +63,7 @@ LUXEL_INLINE void subtract_from_fit(const WindowFit::Powers& powers, std::size_t
     for (std::size_t c = 0; c < n; ++c) difference[c] += powers[i] * coefficients[i * n + c];
 }
 
-// Four bands at a time.
+// Four bands at once.
 using Group = std::array<float, 4>;
 
 struct HalfSums {

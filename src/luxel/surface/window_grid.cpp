@@ -12,7 +12,7 @@ using CellPlace = std::array<std::int32_t, 3>;
 
 constexpr int bits_per_axis = 21;
 
-// The order of cells and nodes; places are counted from 0 and below two millions.
+// The order of cells and nodes; places are counted from 0 and are below two million.
 std::uint64_t key_of(const CellPlace& place) {
   std::uint64_t key = 0;
   for (const auto c : place) key = (key << bits_per_axis) | static_cast<std::uint64_t>(c);

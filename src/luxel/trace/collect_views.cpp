@@ -33,7 +33,7 @@ Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, st
   }
   const auto sum = std::accumulate(views.weight.begin(), views.weight.end(), 0.0);
   for (auto& w : views.weight) w = static_cast<float>(w / sum);
-  // Sides become indices into the list of those seen.
+  // Replaces sides by indices into the list of seen sides.
   for (const auto s : views.seen)
     if (s != Views::sky) views.sides.push_back(SideId::at(s & ~Views::unfocused));
   std::sort(views.sides.begin(), views.sides.end());

@@ -11,8 +11,8 @@
 namespace luxel {
 namespace {
 
-// Point on the patch (two), direction (two): directions matter more, and the first two dimensions are the
-// best.
+// Dimensions for the point on the patch (two) and the direction (two): directions have more influence, and
+// the first two dimensions are the best.
 constexpr std::array<int, 4> dimension = {2, 3, 0, 1};
 
 LUXEL_WIDE void sobol_numbers(const std::uint32_t* __restrict raw, std::uint32_t more, std::uint32_t seed,
@@ -20,8 +20,8 @@ LUXEL_WIDE void sobol_numbers(const std::uint32_t* __restrict raw, std::uint32_t
   for (std::size_t i = 0; i < count; ++i) out[i] = OwenSobol::number(raw[i] ^ more, seed);
 }
 
-// From four uniform numbers to weights of corners and a direction, and the cell that it lies in: along one
-// row of cells and back along the next.
+// Maps four uniform numbers to corner weights and a direction, and to its cell, in boustrophedon order of
+// rows.
 LUXEL_WIDE void warp_weights(float* __restrict a, float* __restrict b, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto weights = uniform_triangle(a[i], b[i]);
@@ -40,7 +40,7 @@ LUXEL_WIDE void warp_directions(float* __restrict x, float* __restrict y, float*
   }
 }
 
-// Cells of two numbers, 16 a row: along one row and back along the next.
+// Cells of two numbers, 16 per row, in boustrophedon order: along one row and back along the next.
 LUXEL_WIDE void find_cells(const float* __restrict x, const float* __restrict y,
                            std::uint8_t* __restrict cell, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -90,8 +90,8 @@ void GatherRays::make(std::span<const Row> rows) {
   sort(rows.size());
 }
 
-// The four numbers of a ray: of one sequence per block of neighbouring sides that face the same way, or one
-// per side, or plain random ones.
+// Draws the four numbers of a ray: from one sequence per block of neighbouring sides with similar normals,
+// from one per side, or plain random numbers.
 void GatherRays::draw(const Row& row, std::size_t at) {
   const auto key = key_of(row.replicate);
   if (points_.low_discrepancy && points_.stratified) {

@@ -11,8 +11,8 @@
 namespace luxel {
 namespace {
 
-// From a room whose window is a thousandth of its walls one path in twenty finds out, two looks in three of
-// all those in the room: enough to find the room.
+// In a room whose window is a thousandth of its walls, one path in twenty escapes, so two looks in three of
+// those in the room detect it: enough for the room.
 constexpr std::uint32_t paths = 24;
 constexpr std::uint32_t path_rays = 48;
 
@@ -35,7 +35,7 @@ class Paths {
 
   bool has_points() const { return !points_.empty() || !towards_.empty(); }
 
-  // Whether the point sees a lamp without a surface, or an eye.
+  // Returns whether a punctual light or an eye is visible from the point.
   bool sees_point(const Vec3& from) const {
     for (const auto& to : points_) {
       const auto line = to - from;

@@ -9,9 +9,9 @@
 namespace luxel {
 namespace {
 
-// How far, as a share of the way to the centroid, corners are drawn in so that every point is `margin` off
-// each edge. The centroid is a third of a height away from each edge, and the smallest height is 2 area /
-// longest edge.
+// Fraction of the way to the centroid by which corners move inwards so that every point is `margin` off each
+// edge. The centroid is a third of a height away from each edge, and the smallest height is 2 area / longest
+// edge.
 float draw_in(const std::array<Vec3, 3>& p, float area, float margin) {
   const auto longest =
       std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});

@@ -19,14 +19,15 @@
 namespace luxel {
 namespace {
 
-constexpr auto seed = seed_of(RandomSeed::views);  // views do not follow the seed of a solve
+constexpr auto seed = seed_of(RandomSeed::views);  // views are independent of the seed of a solve
 enum Stage : std::uint32_t { scout_start, scout_look, scout_path, view_start, view_look, eye_look };
 
-constexpr float clearance_of_extent = 0.03f;  // without it insides of furniture own the error: measured
-constexpr float max_clearance = 0.3f;         // m; about what a person's head needs, in rooms of any size
+constexpr float clearance_of_extent =
+    0.03f;  // measured: without clearance, the insides of furniture dominate the error
+constexpr float max_clearance = 0.3f;  // m; about the space that a person's head needs, in rooms of any size
 constexpr double min_surface_fraction = 1.0 / 16.0;
 constexpr double min_focus_fraction = 1.0 / 256.0;
-constexpr int tries = 8;  // starts of a view before its scout gets none
+constexpr int tries = 8;  // starts of a view per scout before the scout is skipped
 
 class Placing {
  public:
@@ -78,8 +79,8 @@ class Placing {
       if (look) scouts_.push_back(std::move(*look));
   }
 
-  // Looks around at a random point of a random cosine ray from the side; nothing if all tries end too near to
-  // a surface or see too few.
+  // Looks around from a random point of a random cosine-distributed ray of the side; nothing if all tries end
+  // too near a surface or see too little.
   std::optional<Panorama> look_near(SideId side, std::uint64_t start_key, std::uint64_t look_key,
                                     const LookGrid& grid) const {
     for (std::uint32_t t = 0; t < tries; ++t) {
@@ -97,7 +98,7 @@ class Placing {
     return {};
   }
 
-  // Traces a few rays that separate most places without clearance before the whole view is traced.
+  // Traces a few rays first, which reject most places without clearance before the whole view is traced.
   bool may_stand(const Vec3& eye) const {
     for (const auto& d :
          {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
@@ -145,7 +146,7 @@ class Placing {
     return looks;
   }
 
-  // One of the sides that a look meets, in the focus where there is one.
+  // Returns a random side that a look meets, in the focus if there is one.
   SideId side_seen(const Panorama& look, float u) const {
     std::vector<SideId> sides;
     for (const auto side : look.side)
@@ -173,7 +174,7 @@ class Placing {
   std::vector<Panorama> scouts_;
 };
 
-// The picture's directions of equal solid angle, nearly: a grid on the picture plane.
+// Directions of nearly equal solid angle in the picture: a grid on the picture plane.
 Panorama look_through(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
                       std::uint64_t key) {
   constexpr std::size_t width = 72, height = 54;

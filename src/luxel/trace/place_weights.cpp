@@ -6,8 +6,9 @@
 namespace luxel {
 namespace {
 
-constexpr int iterations = 6;  // equal to 5 % for two rooms of 30 and 1,000 views; more favour hidden corners
-constexpr float all_outside = 2.0f;  // half of the directions in the open: outside and nowhere else
+constexpr int iterations =
+    6;  // equal to 5 % for two rooms of 30 and 1,000 views; more iterations favour hidden corners
+constexpr float all_outside = 2.0f;  // half of the directions in the open: entirely outside
 
 bool sees(const Tracer& tracer, const Vec3& from, const Vec3& to) {
   const auto line = to - from;

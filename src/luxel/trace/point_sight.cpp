@@ -41,7 +41,7 @@ PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& no
 double emitting_angle(const PointLight& light) {
   if (light.kind == PointLightKind::directional) return 0.0;
   if (light.kind == PointLightKind::point) return 4.0 * std::numbers::pi;
-  // The square of a share that rises evenly with the cosine has the mean 1/3.
+  // The square of a fraction that rises linearly with the cosine has the mean 1/3.
   const double inner = light.cos_inner, outer = light.cos_outer;
   return 2.0 * std::numbers::pi * ((1.0 - inner) + (inner - outer) / 3.0);
 }

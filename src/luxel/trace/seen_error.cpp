@@ -11,8 +11,8 @@
 namespace luxel {
 namespace {
 
-constexpr double adaptation_fraction = 0.05;  // of a, below which differences of light are not seen
-constexpr double max_of_median = 10.0;        // lamps dazzle no more than that
+constexpr double adaptation_fraction = 0.05;  // of a, below which differences of light are invisible
+constexpr double max_of_median = 10.0;        // limit of the brightness of lamps
 constexpr double floor_of_median_view = 0.1;  // of the median of a over views
 constexpr double quantile = 0.95;
 
@@ -25,7 +25,7 @@ double median(std::vector<double>& values) {
 
 double squared(double x) { return x * x; }
 
-// 1 / (L + 0.05 a)², 0 where there is no light at all.
+// 1 / (L + 0.05 a)², 0 without any light.
 double sensitivity(double radiance, double adaptation) {
   const auto seen = radiance + adaptation;
   return seen > 0.0 ? 1.0 / squared(seen) : 0.0;
@@ -88,7 +88,7 @@ std::vector<double> SeenError::errors(std::span<const float> squared_error) cons
     double sum = 0.0;
     std::size_t count = 0;
     for (const auto s : views_.seen_by(v)) {
-      if (s >= Views::sky) continue;  // or outside of the focus
+      if (s >= Views::sky) continue;  // sky, or outside of the focus
       ++count;
       sum += static_cast<double>(squared_error[s]) *
              sensitivity(static_cast<double>(light_.radiance[s]), adaptation_[v]);

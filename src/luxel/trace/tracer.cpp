@@ -21,7 +21,7 @@
 namespace luxel {
 namespace {
 
-// AVX2 at most: as fast as AVX-512 here, and hosts agree to the bit. A host with less still runs.
+// AVX2 at most: as fast as AVX-512 here, and bitwise equal on all hosts. A host without AVX2 works too.
 constexpr const char* device_config = "max_isa=avx2";
 
 void throw_on_error(RTCDevice device, const char* what) {
@@ -33,7 +33,7 @@ void throw_on_error(RTCDevice device, const char* what) {
   throw DeviceError(failed + "error " + std::to_string(static_cast<int>(error)));
 }
 
-// Of one patch with holes.
+// The holes of one patch.
 struct Holes {
   TextureUse use;
   std::shared_ptr<const Raster> raster;
@@ -46,13 +46,13 @@ struct Holes {
   }
 };
 
-// Some of the patches, as one geometry of Embree.
+// A subset of the patches, as one Embree geometry.
 struct Part {
-  std::vector<std::uint32_t> patch;  // [triangle]; forgotten once attached where it is all patches
+  std::vector<std::uint32_t> patch;  // [triangle]; released after attaching if it holds all patches
   std::vector<Holes> holes;          // [triangle], or none
 };
 
-// Materials are read only where there are holes: bare geometry need not have any.
+// Materials are read only where there are holes: plain geometry may lack them.
 std::array<Part, 2> parts_of(const PatchSet& patches) {
   std::array<Part, 2> parts;
   if (std::none_of(patches.materials.begin(), patches.materials.end(),
@@ -73,7 +73,7 @@ std::array<Part, 2> parts_of(const PatchSet& patches) {
   return parts;
 }
 
-// A ray continues through holes. Embree calls this for each triangle on the way, in any order.
+// Lets a ray continue through holes. Embree calls it for each triangle on the way, in any order.
 void pass_holes(const RTCFilterFunctionNArguments* asked) {
   const auto& part = *static_cast<const Part*>(asked->geometryUserPtr);
   for (unsigned i = 0; i < asked->N; ++i) {
@@ -112,7 +112,7 @@ void attach(RTCDevice device, RTCScene scene, const PatchSet& patches, Part& par
 struct Tracer::State {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::array<Part, 2> parts;  // those without holes, those with
+  std::array<Part, 2> parts;  // patches without holes, and with them
 
   State() = default;
   State(const State&) = delete;
@@ -179,7 +179,7 @@ Hit Tracer::nearest(const Ray& ray) const {
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   const auto& numbers = state_->parts[query.hit.geomID].patch;
   hit.patch = numbers.empty() ? query.hit.primID : numbers[query.hit.primID];
-  // Embree's normal of a triangle with counter-clockwise corners points to the front, as ours.
+  // Embree's normal of a triangle with counter-clockwise corners points to the front, like Luxel's.
   hit.back = glm::dot(ray.direction, Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)) > 0.0f;
   hit.distance = query.ray.tfar;
   hit.u = query.hit.u;
@@ -208,7 +208,7 @@ bool Tracer::occluded(const Ray& ray, float max_distance) const {
 
 float origin_lift(const std::array<Vec3, 3>& points) {
   // With M the largest coordinate and eps = 2^-24: computing the point from its corners errs by at most 5 eps
-  // M a coordinate, a neighbour's split vertex by eps M, the lifted sum by eps M; sqrt(3) for the diagonal
+  // M per coordinate, a neighbour's split vertex by eps M, the lifted sum by eps M; sqrt(3) for the diagonal
   // makes 12 eps M. The sign of the intersection's distance is that of a dot product of three terms over
   // vectors no longer than 2 sqrt(3) M: 4 eps times that is 14 eps M. Together 26, rounded up to a power of
   // two.

@@ -25,6 +25,10 @@ class BackgroundTask {
   void wait() const {
     if (future_.valid()) future_.wait();
   }
+  // Waits up to this many seconds.
+  void wait(double seconds) const {
+    if (future_.valid()) future_.wait_for(std::chrono::duration<double>(seconds));
+  }
   // The result, once. Throws what the work threw.
   std::optional<Result> take() {
     if (!is_ready()) return std::nullopt;

@@ -10,6 +10,11 @@ namespace {
 constexpr float radians_per_pixel = 0.005f;
 constexpr double glide_seconds = 0.25;
 constexpr float faster = 4.0f;  // with shift
+// Per turn of the wheel: of the distance, the same with shift, and of the scene's radius while flying. The
+// first and the last are the HTML page's.
+constexpr float zoom_of_wheel = 0.95f, faster_zoom_of_wheel = 0.84f, step_of_wheel = 0.06f;
+
+constexpr float max_away = 20.0f;  // sizes of the scene, from its middle, by the wheel
 
 float size_of(const Bounds& box) { return std::max(glm::length(box.size()), 1e-6f); }
 
@@ -38,6 +43,11 @@ void CameraController::set_home(const Pose& pose, bool glides) {
 void CameraController::go_to(const Pose& pose) {
   glide_.reset();
   pose_ = pose;
+  has_moved_ = true;
+}
+
+void CameraController::glide_to(const Pose& pose) {
+  glide(pose);
   has_moved_ = true;
 }
 
@@ -77,32 +87,53 @@ bool CameraController::handle(const Event& event) {
       handle_move(event.at);
       return true;
     case Event::Kind::wheel:
-      if (is_down(key::shift) || is_flying_) {
-        if (is_flying_) {
-          speed_ = std::clamp(speed_ * std::exp2(0.25f * event.at.y), size_of(box_) / 1000.0f, size_of(box_));
-          return true;
-        }
-        if (const auto point = pick_(aim().x, aim().y)) {
-          pose_ = approach(pose_, *point, std::exp2(-0.25f * event.at.y));
-          has_moved_ = true;
-        }
-        return true;
-      }
-      return false;
+      return handle_wheel(event.at.y);
     default:
       return false;
   }
 }
 
+// As the HTML page has it: nearer to what is under the cursor, and ahead while flying. Control is for the
+// window's exposure, or the speed while flying.
+bool CameraController::handle_wheel(float turns) {
+  if (is_down(key::control)) {
+    if (!is_flying_) return false;
+    speed_ = std::clamp(speed_ * std::exp2(0.25f * turns), size_of(box_) / 1000.0f, size_of(box_));
+    return true;
+  }
+  if (is_flying_) {
+    pose_ = fly(pose_, space_, Vec3(0.0f, 0.0f, 1.0f), turns * step_of_wheel * 0.5f * size_of(box_));
+    has_moved_ = true;
+    glide_.reset();
+    return true;
+  }
+  approach_at(aim(), std::pow(is_down(key::shift) ? faster_zoom_of_wheel : zoom_of_wheel, turns));
+  return true;
+}
+
+void CameraController::approach_at(const Vec2& place, float factor) {
+  const auto seen = sight(pose_, space_, aspect(), place.x, place.y);
+  const auto hit = pick_(place.x, place.y);
+  const float far = std::max(glm::length(box_.center() - seen.origin), 0.1f * size_of(box_));
+  const auto to = approach(pose_, hit.value_or(seen.origin + far * seen.direction), factor);
+  const auto away = glm::length(to.eye - box_.center());
+  if (away > max_away * size_of(box_) && away > glm::length(pose_.eye - box_.center())) return;
+  pose_ = to;
+  has_moved_ = true;
+  glide_.reset();
+}
+
+void CameraController::zoom(float factor) { approach_at(Vec2(0.0f), factor); }
+
 bool CameraController::handle_key(const Event& event) {
   if (event.key <= 0 || event.key >= key::count) return false;
   if (!event.down) {
     down_[static_cast<std::size_t>(event.key)] = false;
-    return false;  // others may wait for it
+    return false;  // other listeners may need it
   }
   const bool with_control = is_down(key::control);
-  down_[static_cast<std::size_t>(event.key)] = !with_control;
-  if (event.key == key::control) down_[key::control] = true;
+  const bool is_modifier = event.key == key::control || event.key == key::shift || event.key == key::alt;
+  down_[static_cast<std::size_t>(event.key)] = !with_control || is_modifier;
   if (event.repeat) return false;
   if (event.key >= '1' && event.key <= '9') {
     const auto number = static_cast<std::size_t>(event.key - '1');
@@ -140,7 +171,7 @@ void CameraController::handle_move(const Vec2& to) {
   } else if (*dragging_ == MouseButton::right) {
     pose_ = look(pose_, turn, pitch);
   } else if (*dragging_ == MouseButton::left) {
-    // As if the scene were held there: it turns with the hand.
+    // The scene follows the drag: it turns with the hand.
     pose_ = orbit(pose_, space_, pivot_.value_or(box_.center()), turn, pitch);
   } else {
     const auto a = axes(pose_, space_);

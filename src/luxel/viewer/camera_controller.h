@@ -26,7 +26,8 @@ class CameraController {
   // Where one begins, and what home() goes back to. Goes there unless the eye has been moved since the last
   // set_space(); glide: not at once but within a quarter of a second.
   void set_home(const Pose& pose, bool glide);
-  void go_to(const Pose& pose);  // at once
+  void go_to(const Pose& pose);     // at once
+  void glide_to(const Pose& pose);  // within a quarter of a second
 
   bool handle(const Event& event);  // true where it meant something
   void advance(double seconds);
@@ -38,6 +39,11 @@ class CameraController {
   void set_flying(bool flying);
   bool is_moving() const;
   bool is_shifted() const { return is_down(key::shift); }
+  bool has_control() const { return is_down(key::control); }
+  // Nearer to what is in the middle, or further away, by this factor of the distance.
+  void zoom(float factor);
+  // Keys are released elsewhere from here on: none is down.
+  void release_keys() { down_ = {}; }
   // Whether the button that was released last had not moved the cursor.
   bool is_click() const { return travel_ < 4.0f; }
   float speed() const { return speed_; }  // m/s
@@ -57,6 +63,9 @@ class CameraController {
   bool handle_key(const Event& event);
   void handle_button(const Event& event);
   void handle_move(const Vec2& to);
+  bool handle_wheel(float turns);
+  // Scales the distance to what is at a point of the screen; where nothing is, to the middle of the scene.
+  void approach_at(const Vec2& place, float factor);
   void glide(const Pose& to);
   bool is_down(Key key) const { return down_[static_cast<std::size_t>(key)]; }
 

@@ -18,7 +18,7 @@ void CurrentSession::open(const std::filesystem::path& file) {
   }
 }
 
-// Closing takes a fraction of a second, which a frame has not.
+// Closes in the background: it takes a fraction of a second, too long for a frame.
 void CurrentSession::retire(std::unique_ptr<ProgressiveSession> scene) {
   std::erase_if(retiring_, [](const auto& each) {
     return each.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -38,7 +38,7 @@ void CurrentSession::take_place() {
 void CurrentSession::update() {
   if (next_) {
     const auto next = next_->snapshot();
-    // The first scene is shown at once, so that its progress is seen.
+    // The first scene is shown immediately, so that its progress is visible.
     if (next.mesh || (!shown_ && next.status.errors == 0)) {
       take_place();
     } else if (next.status.errors > 0) {

@@ -11,15 +11,20 @@ namespace luxel {
 namespace {
 
 constexpr int columns = 36, rows = 23;
-constexpr double reaction = 0.12;  // s, for two thirds of the way
+constexpr double reaction = 0.12;  // s, time constant: for two thirds of a change
 
-// What leaves the surfaces that are seen through a grid of the view, W/(m² sr), the sky where nothing is.
-std::vector<Vec3> seen_light(const SessionLight& light, const Pose& pose, const Space& space, float aspect) {
+// What is seen through a grid of the view.
+struct Seen {
+  Image radiance{columns, rows};  // W/(m² sr)
+  SkyPixels sky;
+};
+
+Seen seen_light(const SessionLight& light, const Pose& pose, const Space& space, float aspect) {
   const auto& patches = *light.mesh.patches;
   const auto colours = patches.colours();
   const auto bands = patches.band_count();
   const Vec3 sky = patches.sky.empty() ? Vec3(0.0f) : in_gamut(colours.rgb(patches.sky));
-  std::vector<Vec3> seen;
+  Seen seen;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
       const auto at = [](int i, int n) {
@@ -27,14 +32,17 @@ std::vector<Vec3> seen_light(const SessionLight& light, const Pose& pose, const 
       };
       const auto ray = sight(pose, space, aspect, at(x, columns), at(y, rows));
       const auto hit = light.mesh.tracer->nearest({ray.origin, ray.direction});
+      auto& pixel = seen.radiance.at(x, y);
       if (!hit) {
-        seen.push_back(sky);
+        pixel = sky;
+        seen.sky.pixels.push_back(static_cast<std::uint32_t>(y * columns + x));
+        seen.sky.fraction.push_back(1.0f);
         continue;
       }
       const auto& irradiance = light.solution.irradiance.of(hit.side());
-      seen.push_back(in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
-                                          irradiance.data() + hit.patch * bands, colours,
-                                          texture_ratio_of_patch(patches, hit.patch))));
+      pixel = in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
+                                   irradiance.data() + hit.patch * bands, colours,
+                                   texture_ratio_of_patch(patches, hit.patch)));
     }
   return seen;
 }
@@ -56,8 +64,7 @@ ToneCurve Exposure::curve(const ToneOptions& options, bool automatic, const Sess
     auto plain = options;
     plain.exposure = 0.0f;
     const auto seen = seen_light(*light, from.pose, from.space, from.aspect);
-    const std::vector<float> weights(seen.size(), 1.0f);
-    const float goal = std::log(fit_curve(seen, weights, plain).scale);
+    const float goal = std::log(fit_curve(seen.radiance, seen.sky, plain).scale);
     const auto fraction = static_cast<float>(1.0 - std::exp(-seconds / reaction));
     base_ = base_ && !is_other ? *base_ + fraction * (goal - *base_) : goal;
     is_settled_ = std::abs(*base_ - goal) < 0.01f;

@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "luxel/viewer/layout.h"
 #include "luxel/viewer/panels.h"
 
 namespace luxel {
 namespace {
 
-// A line of text that a person edits, and what it says when nobody has.
+// An editable line of text, and its initial suggestion.
 struct PathLine {
   std::array<char, 400> text{};
   std::string said;
@@ -24,7 +25,7 @@ struct PathLine {
   }
 };
 
-// Names beside the scene's: cornell-box.png, and so on.
+// Names derived from the scene's: cornell-box.png, and so on.
 std::string named_like(const Viewer& viewer, const char* ending) {
   return std::filesystem::path(viewer.session.title()).stem().string() + ending;
 }
@@ -33,14 +34,14 @@ std::string named_like(const Viewer& viewer, const char* ending) {
 
 void files_section(Viewer& viewer) {
   if (!viewer.session.mesh() || !ImGui::CollapsingHeader("Files")) return;
-  static PathLine picture, solution, model, other;  // there is one window
+  static PathLine picture, solution, model, other;  // static, as there is only one window
   static int times = 1;
   picture.suggest(named_like(viewer, "-view.png"));
   solution.suggest(named_like(viewer, "-view.vtkhdf"));
   model.suggest(named_like(viewer, "-view.glb"));
   const auto line = [](const char* button, PathLine& path) {
     ImGui::PushID(button);
-    ImGui::SetNextItemWidth(200.0f);
+    ImGui::SetNextItemWidth(em(12.5f));
     ImGui::InputText("##path", path.text.data(), path.text.size());
     ImGui::SameLine();
     const bool pressed = ImGui::Button(button);
@@ -53,7 +54,7 @@ void files_section(Viewer& viewer) {
     viewer.save_picture(picture.text.data(), size);
   }
   if (const auto* making = viewer.picture())
-    ImGui::ProgressBar(static_cast<float>(making->done()), ImVec2(280.0f, 0.0f),
+    ImGui::ProgressBar(static_cast<float>(making->done()), ImVec2(-1.0f, 0.0f),
                        making->is_drawn() ? "writing" : "drawing");
   ImGui::SliderInt("times the window", &times, 1, 8);
   if (line("solution", solution)) viewer.save_solution(solution.text.data());

@@ -22,19 +22,19 @@ void main() { pixel = vec4(texelFetch(source, ivec2(gl_FragCoord.xy), 0).rgb, st
 }  // namespace
 
 struct DrawnFrame::State {
-  // Four samples per pixel: made when they are first asked for.
+  // Four samples per pixel; created on first use.
   struct Sampled {
     ScreenSize size{0, 0};
     GlRenderbuffer colour, depth;
     GlFramebuffer frame;
   } sampled;
-  // A quarter or a ninth of the pixels, likewise.
+  // A quarter or a ninth of the pixels; created on first use.
   struct Coarse {
     ScreenSize size{0, 0};
     GlRenderbuffer colour, depth;
     GlFramebuffer frame;
   } coarse;
-  // One a pixel; the mean of several pictures.
+  // One sample per pixel; the mean of several pictures.
   ScreenSize size{0, 0}, mean_size{0, 0};
   GlTexture pixels, mean;
   GlRenderbuffer depth;
@@ -218,7 +218,7 @@ PicturePart with_margin(const PicturePart& part, int margin) {
 }
 
 Tile shifted_tile(int shift, ScreenSize size) {
-  // A rotated grid: each row and each column of a pixel has one.
+  // A rotated grid: one sample in each row and each column of a pixel.
   constexpr std::array<Vec2, shifts> places = {Vec2(-0.125f, -0.375f), Vec2(0.375f, -0.125f),
                                                Vec2(-0.375f, 0.125f), Vec2(0.125f, 0.375f)};
   const auto off = places[static_cast<std::size_t>(shift % shifts)] * 2.0f / Vec2(size.width, size.height);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <iterator>
 #include <string>
 
@@ -10,13 +11,19 @@
 #include <imgui.h>
 
 #include "luxel/core/error.h"
+#include "luxel/viewer/text_font.h"
 
 namespace luxel {
 namespace {
 
-constexpr float text_height = 13.0f;  // of the built-in font, which is made for it
+constexpr float text_height = 15.0f;      // points
+constexpr float built_in_height = 13.0f;  // of the built-in font, its native size
 
-// Tab is left out: it goes between the two modes, not between fields.
+// Latin, Greek, Cyrillic and punctuation, for names of files and materials. Ends with 0.
+constexpr ImWchar glyphs[] = {0x20,   0x17f,  0x370,  0x3ff,  0x400,  0x4ff, 0x2010,
+                              0x2044, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+
+// Tab is left out: it switches between the two modes, not between fields.
 void map_keys(ImGuiIO& io) {
   const std::pair<int, Key> keys[] = {{ImGuiKey_LeftArrow, key::left},
                                       {ImGuiKey_RightArrow, key::right},
@@ -56,7 +63,7 @@ void share_clipboard(ImGuiIO& io, Screen& screen) {
 Gui::Gui(Screen& screen) : screen_(screen) {
   ImGui::CreateContext();
   auto& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // panels are where they were made, on every host
+  io.IniFilename = nullptr;  // panels have their default places, on every host
   io.LogFilename = nullptr;
   io.BackendPlatformName = "luxel";
   map_keys(io);
@@ -65,7 +72,7 @@ Gui::Gui(Screen& screen) : screen_(screen) {
     ImGui::DestroyContext();
     throw DeviceError("the panels could not be made: OpenGL could not be loaded a second time");
   }
-  set_scale(screen.text_scale());
+  set_scale(screen.text_scale(), screen.text_scale());
 }
 
 Gui::~Gui() {
@@ -73,25 +80,38 @@ Gui::~Gui() {
   ImGui::DestroyContext();
 }
 
-void Gui::set_scale(float scale) {
-  scale_ = scale;
+// pixels: height of a text of one point; units: the same in the cursor's units, which differ where a unit is
+// several pixels.
+void Gui::set_scale(float pixels, float units) {
+  pixels_ = pixels;
+  units_ = units;
   auto& io = ImGui::GetIO();
   io.Fonts->Clear();
-  ImFontConfig font;
-  font.SizePixels = text_height * scale;
-  io.Fonts->AddFontDefault(&font);
+  const auto file = find_text_font();
+  const auto* font =
+      file ? io.Fonts->AddFontFromFileTTF(file->c_str(), std::round(text_height * pixels), nullptr, glyphs)
+           : nullptr;
+  if (font == nullptr) {
+    ImFontConfig built_in;
+    built_in.SizePixels = std::round(built_in_height * pixels);
+    io.Fonts->AddFontDefault(&built_in);
+  }
+  io.FontGlobalScale = units / pixels;
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
   auto style = ImGuiStyle();
   ImGui::StyleColorsDark(&style);
   style.WindowRounding = 6.0f;
+  style.PopupRounding = 4.0f;
   style.FrameRounding = 3.0f;
   style.GrabRounding = 3.0f;
   style.WindowBorderSize = 0.0f;
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.07f, 0.08f, 0.10f, 0.88f);
+  style.Colors[ImGuiCol_PopupBg] = ImVec4(0.07f, 0.08f, 0.10f, 0.98f);
+  style.Colors[ImGuiCol_MenuBarBg] = ImVec4(0.09f, 0.10f, 0.13f, 1.0f);
   style.Colors[ImGuiCol_Header] = ImVec4(0.20f, 0.26f, 0.36f, 0.8f);
   style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.20f, 0.42f, 0.66f, 1.0f);  // progress
-  style.ScaleAllSizes(scale);
+  style.ScaleAllSizes(units);
   ImGui::GetStyle() = style;
 }
 
@@ -127,14 +147,14 @@ void Gui::handle(const Event& event, bool free_cursor) {
 }
 
 void Gui::begin(double seconds) {
-  if (screen_.text_scale() != scale_) set_scale(screen_.text_scale());
   auto& io = ImGui::GetIO();
   const auto size = screen_.size(), pixels = screen_.pixels();
+  const float scale = screen_.text_scale();
+  const float units = scale * static_cast<float>(size.width) / static_cast<float>(pixels.width);
+  if (scale != pixels_ || units != units_) set_scale(scale, units);
   io.DisplaySize = ImVec2(static_cast<float>(size.width), static_cast<float>(size.height));
   io.DisplayFramebufferScale = ImVec2(static_cast<float>(pixels.width) / io.DisplaySize.x,
                                       static_cast<float>(pixels.height) / io.DisplaySize.y);
-  // Where the cursor counts in units of several pixels, text is made in pixels and shown in units.
-  io.FontGlobalScale = 1.0f / io.DisplayFramebufferScale.x;
   io.DeltaTime = static_cast<float>(seconds > 1e-4 ? seconds : 1e-4);
   for (int i = 0; i < 3; ++i) {
     io.MouseDown[i] = down_[i] || clicked_[i];
@@ -150,6 +170,12 @@ void Gui::draw() {
 }
 
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
-bool Gui::wants_keys() const { return ImGui::GetIO().WantTextInput; }
+bool Gui::wants_keys() const { return ImGui::GetIO().WantTextInput || has_popup(); }
+bool Gui::is_typing() const { return ImGui::GetIO().WantTextInput; }
+bool Gui::is_editing() const { return ImGui::IsAnyItemActive(); }
+bool Gui::is_pressed() const { return down_[0] || down_[1] || down_[2]; }
+bool Gui::has_popup() const {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
 
 }  // namespace luxel

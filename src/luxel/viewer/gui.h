@@ -24,14 +24,18 @@ class Gui {
   // Whether the last event of its kind is for a panel, as the last frame had them.
   bool wants_mouse() const;
   bool wants_keys() const;
+  bool is_typing() const;   // a cursor blinks in a line of text
+  bool is_editing() const;  // a value is being changed
+  bool is_pressed() const;  // a button of the mouse is held
 
  private:
-  void set_scale(float scale);
+  void set_scale(float pixels, float units);
+  bool has_popup() const;  // a menu or a dialog is open
 
   Screen& screen_;
-  float scale_ = 0.0f;
-  bool down_[3] = {};     // mouse buttons
-  bool clicked_[3] = {};  // since the last frame: seen for one frame though released in it
+  float pixels_ = 0.0f, units_ = 0.0f;  // see set_scale()
+  bool down_[3] = {};                   // mouse buttons
+  bool clicked_[3] = {};                // since the last frame: seen for one frame though released in it
 };
 
 }  // namespace luxel

@@ -8,7 +8,7 @@
 namespace luxel {
 namespace {
 
-constexpr float default_fov = 50.0f;  // degrees, where the eye is given without a field of view
+constexpr float default_fov = 50.0f;  // degrees, if only the eye is given
 
 Bounds box_of(const PatchSet& patches) {
   Bounds box;
@@ -44,7 +44,7 @@ void HomeView::update(const CurrentSession& session, const WindowSettings& setti
     camera.set_home(found->pose, true);
     is_known_ = true;
   }
-  // The view is judged by the first light; where none will come, by the surfaces.
+  // The view is rated by the first light; without any light, by the surfaces.
   const bool has_light_to_judge = session.light() || session.status().is_idle;
   if (is_known_ || search_.is_busy() || !mesh->tracer || !has_light_to_judge) return;
   search_.start([mesh, light = session.light(), space = camera.space(), aspect = camera.aspect(),

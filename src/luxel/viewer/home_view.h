@@ -19,6 +19,7 @@ class HomeView {
   // Once per frame, while the session has a mesh: sets the camera's space, and its home once it is known.
   void update(const CurrentSession& session, const WindowSettings& settings, CameraController& camera);
   bool is_known() const { return is_known_; }
+  bool is_searching() const { return search_.is_busy(); }
 
  private:
   void begin(const SessionMesh& mesh, const WindowSettings& settings, bool is_first,

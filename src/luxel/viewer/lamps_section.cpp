@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "luxel/image/image.h"
+#include "luxel/viewer/layout.h"
 #include "luxel/viewer/panels.h"
 
 namespace luxel {
@@ -14,7 +15,7 @@ bool lamp_sliders(LightMixer& board) {
   bool changed = false;
   for (auto& lamps : board.lamps) {
     ImGui::PushID(&lamps);
-    ImGui::SetNextItemWidth(120.0f);
+    ImGui::SetNextItemWidth(em(8.0f));
     changed |= ImGui::SliderFloat("##factor", &lamps.factor, 0.0f, 4.0f, "x %.2f");
     ImGui::SameLine();
     changed |=
@@ -26,7 +27,7 @@ bool lamp_sliders(LightMixer& board) {
   return changed;
 }
 
-// The picker shows codes as a screen does; reflectances are linear.
+// The picker shows sRGB codes; reflectances are linear.
 bool colour_pickers(LightMixer& board) {
   bool changed = false;
   for (auto& surface : board.materials) {
@@ -44,7 +45,7 @@ bool colour_pickers(LightMixer& board) {
   return changed;
 }
 
-// Where nothing is known of each lamp apart, what is set here is asked for by a button.
+// Where the light of single lamps is not available, a button solves again with these settings.
 void solve_button(Viewer& viewer, const std::string& method) {
   ImGui::TextWrapped(
       "Light of the method %s does not know its lamps apart: it is solved again for what is set here.",

@@ -19,9 +19,9 @@ constexpr int longest = 8;  // of a blur, texels to either side
 // The blurs that one picture of the scene serves: a whole one, or one of halves or quarters.
 struct Group {
   int first, count;  // of LocalScales
-  float texel;       // pixels of the whole one
-  // What halving and the way back between texels blur by themselves, square texels: (n² - 1) / 12 square
-  // pixels of a mean of n x n, and t (1 - t) between two texels, t from a pixel's middle to a texel's.
+  float texel;       // in pixels of the full size
+  // Blur by the reduction and by the interpolation between texels, square texels: (n² - 1) / 12 square
+  // pixels for a mean of n x n, and t (1 - t) between two texels, t from the centre of a pixel to a texel's.
   float own_variance;
 };
 constexpr std::array<Group, 3> groups = {
@@ -94,8 +94,7 @@ struct LocalTone::State {
   FullScreenTriangle covers;
   GlProgram halve{FullScreenTriangle::vertex_shader, halve_shader},
       blur{FullScreenTriangle::vertex_shader, blur_shader},
-      choose{FullScreenTriangle::vertex_shader, choose_shader},
-      mapped{FullScreenTriangle::vertex_shader, mapped_shader};
+      choose{FullScreenTriangle::vertex_shader, choose_shader};
 
   void resize(ScreenSize to);
   void run(const Target& source, const Target& target, ScreenSize its_size) const;
@@ -141,7 +140,7 @@ void LocalTone::State::blur_level(const Level& level, const Weights& weights) co
 LocalTone::LocalTone() : state_(std::make_unique<State>()) {}
 LocalTone::~LocalTone() = default;
 
-void LocalTone::begin(ScreenSize size, const ToneCurve& curve, const Vec3& around) {
+void LocalTone::begin(ScreenSize size) {
   auto& s = *state_;
   if (size != s.size) s.resize(size);
   glBindFramebuffer(GL_FRAMEBUFFER, s.levels.front().inputs.frame.name());
@@ -149,7 +148,7 @@ void LocalTone::begin(ScreenSize size, const ToneCurve& curve, const Vec3& aroun
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-  glClearColor(std::min(curve.scale * luminance(around), LocalScales::brightest), 0.0f, 0.0f, 1.0f);
+  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
@@ -176,18 +175,5 @@ void LocalTone::finish(const ToneCurve& curve, float pixel) {
 }
 
 void LocalTone::use(int unit) const { bind(state_->chosen, unit); }
-
-void LocalTone::cover(const ToneCurve& curve, const Vec3& radiance, PixelOffset from) const {
-  const auto& s = *state_;
-  glDisable(GL_DEPTH_TEST);
-  s.mapped.use();
-  s.mapped.set("around", 0);
-  s.mapped.set("from", from.left, from.bottom);
-  s.mapped.set("radiance", radiance);
-  s.mapped.set("tone_scale", curve.scale);
-  s.mapped.set("white", curve.options.white);
-  bind(s.chosen, 0);
-  s.covers.draw();
-}
 
 }  // namespace luxel

@@ -22,17 +22,14 @@ class LocalTone {
   LocalTone(const LocalTone&) = delete;
   LocalTone& operator=(const LocalTone&) = delete;
 
-  // Makes it ready to be drawn into with Paint::curve_input, at this size. around: what lies behind all
-  // surfaces, W/(m² sr). Throws DeviceError where the driver has no picture of this size.
-  void begin(ScreenSize size, const ToneCurve& curve, const Vec3& around);
+  // Makes it ready to be drawn into with Paint::curve_input, at this size. Throws DeviceError where the
+  // driver has no picture of this size.
+  void begin(ScreenSize size);
   // Finds the light around each pixel of what was drawn. pixel: how wide it is, in pixels of the picture that
   // people see; the scales go with these.
   void finish(const ToneCurve& curve, float pixel);
   // That light, for what is drawn from here on, as a texture of that unit.
   void use(int unit) const;
-  // Fills the framebuffer that is bound, whose first pixel is at `from`, with that radiance as it is mapped
-  // there.
-  void cover(const ToneCurve& curve, const Vec3& radiance, PixelOffset from) const;
 
  private:
   struct State;

@@ -65,19 +65,4 @@ void main() {
 }
 )";
 
-// One radiance, mapped at each pixel: equation 9.
-inline constexpr std::string_view mapped_shader = R"(
-uniform sampler2D around;
-uniform ivec2 from;
-uniform vec3 radiance;
-uniform float tone_scale, white;
-out vec4 pixel;
-void main() {
-  float L = tone_scale * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
-  float burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
-  float V = texelFetch(around, ivec2(gl_FragCoord.xy) + from, 0).r;
-  pixel = vec4(min(tone_scale * burn_out / (1.0 + V) * radiance, vec3(1.0)), 1.0);
-}
-)";
-
 }  // namespace luxel

@@ -23,7 +23,7 @@ bool on_or_off(std::string_view of, const std::string& text) {
   throw InputError(fmt::format("{} is on or off, not '{}'", of, text));
 }
 
-// The choices that are on or off, by name.
+// The boolean settings, by name.
 struct Switch {
   std::string_view name;
   bool Look::*place;
@@ -39,9 +39,11 @@ constexpr Switch switches[] = {{"automatic-exposure", &Look::automatic_exposure}
                                {"samples", &Look::samples},
                                {"faults", &Look::diagnostics},
                                {"panel", &Look::panel},
-                               {"help", &Look::help}};
+                               {"keys", &Look::keys},
+                               {"help", &Look::help},
+                               {"about", &Look::about}};
 
-// Those that are numbers, with what they may be.
+// The numeric settings, with their ranges.
 struct Number {
   std::string_view name;
   float low, high;

@@ -33,8 +33,10 @@ struct Look {
   bool samples = false;  // its direct light
   bool diagnostics = false;
 
-  bool panel = true;
-  bool help = false;  // all keys
+  bool panel = true;   // with the menus
+  bool keys = true;    // the line of keys at the bottom
+  bool help = false;   // all keys
+  bool about = false;  // version and licence
 
   // Makes the choice of that name: "show", "tone", "exposure", "lux", "log", "low", "isolines", "wires", ...;
   // switches take on and off. Throws InputError, one sentence, where there is no such choice or value.

@@ -21,17 +21,42 @@ void send(GLenum target, const GlBuffer& buffer, std::size_t first, const T* val
 
 }  // namespace
 
-MeshBuffers::MeshBuffers(const PatchSet& patches) : patches_(patches) {}
+MeshBuffers::MeshBuffers(const PatchSet& patches, const std::vector<PatchCut>& cuts)
+    : patches_(patches), has_cuts_(!cuts.empty()) {
+  if (has_cuts_) cut_ = drawn_triangles(patches, cuts);
+  corners_.corners = has_cuts_ ? &cut_ : &patches.corners;
+  if (has_cuts_) edges_.corners = &patches.corners;
+}
 
-MeshBuffers::MeshBuffers(const PatchSet& patches, const SmoothLight& light)
-    : patches_(patches), light_(&light), found_(std::in_place, patches, light) {}
+MeshBuffers::MeshBuffers(const PatchSet& patches, const std::vector<PatchCut>& cuts, const SmoothLight& light)
+    : patches_(patches), found_(std::in_place, patches, cuts, light), has_cuts_(!cuts.empty()) {
+  corners_.corners = &found_->triangles();
+  if (has_cuts_) edges_.corners = &found_->corners();
+}
+
+void MeshBuffers::Elements::allocate() {
+  if (corners != nullptr)
+    allocate_buffer<Corners::value_type>(GL_ELEMENT_ARRAY_BUFFER, buffer, corners->size());
+}
+
+void MeshBuffers::Elements::send() {
+  const auto count = std::min(slice, corners->size() - sent);
+  luxel::send(GL_ELEMENT_ARRAY_BUFFER, buffer, sent, corners->data() + sent, count);
+  sent += count;
+}
+
+void MeshBuffers::Elements::draw() const {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.name());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * sent), GL_UNSIGNED_INT, nullptr);
+}
 
 void MeshBuffers::allocate() {
   glBindVertexArray(array_.name());
   allocate_buffer<Vec3>(GL_ARRAY_BUFFER, places_, vertex_count());
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3), nullptr);
   glEnableVertexAttribArray(0);
-  allocate_buffer<std::array<std::uint32_t, 3>>(GL_ELEMENT_ARRAY_BUFFER, corners_, patches_.size());
+  corners_.allocate();
+  edges_.allocate();
   is_allocated_ = true;
 }
 
@@ -42,10 +67,11 @@ bool MeshBuffers::go_on() {
     return true;
   }
   if (!is_allocated_) allocate();
+  glBindVertexArray(array_.name());  // binds this mesh's element array, not another's
   if (sent_ < vertex_count()) {
     send_places();
   } else {
-    send_triangles();
+    corners_.is_done() ? edges_.send() : corners_.send();
   }
   return true;
 }
@@ -56,19 +82,10 @@ void MeshBuffers::send_places() {
     send(GL_ARRAY_BUFFER, places_, sent_, patches_.vertices.data() + sent_, count);
   } else {
     std::vector<Vec3> places(count);
-    for (std::size_t i = 0; i < count; ++i)
-      places[i] = patches_.vertices[light_->vertex[found_->vertices()[sent_ + i].smooth]];
+    for (std::size_t i = 0; i < count; ++i) places[i] = found_->place(found_->vertices()[sent_ + i]);
     send(GL_ARRAY_BUFFER, places_, sent_, places.data(), count);
   }
   sent_ += count;
-}
-
-void MeshBuffers::send_triangles() {
-  const auto& corners = found_ ? found_->corners() : patches_.corners;
-  const auto count = std::min(slice, corners.size() - triangles_);
-  glBindVertexArray(array_.name());  // its triangles must be meant, not another's
-  send(GL_ELEMENT_ARRAY_BUFFER, corners_, triangles_, corners.data() + triangles_, count);
-  triangles_ += count;
 }
 
 void MeshBuffers::take_values(const GlBuffer& values) const {
@@ -82,9 +99,16 @@ void MeshBuffers::take_values(const GlBuffer& values) const {
 }
 
 void MeshBuffers::draw() const {
-  if (triangles_ == 0) return;
+  if (corners_.sent == 0) return;
   glBindVertexArray(array_.name());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles_), GL_UNSIGNED_INT, nullptr);
+  corners_.draw();
+}
+
+void MeshBuffers::draw_patches() const {
+  if (!has_cuts_) return draw();
+  if (edges_.sent == 0) return;
+  glBindVertexArray(array_.name());
+  edges_.draw();
 }
 
 ValueBuffer::ValueBuffer(const PatchSet& patches, const SmoothLight& light, VertexValue what,
@@ -93,21 +117,34 @@ ValueBuffer::ValueBuffer(const PatchSet& patches, const SmoothLight& light, Vert
   allocate_buffer<TwoSides>(GL_ARRAY_BUFFER, buffer_, vertices.vertices().size());
 }
 
+TwoSides ValueBuffer::value(std::size_t i) const {
+  const auto& vertex = vertices_.vertices()[i];
+  if (!vertex.is_on_edge())
+    return value_of(vertex, vertices_.ratios().at(i), what_, patches_, colours_, light_);
+  const auto from = value(vertex.from), to = value(vertex.to);
+  return {glm::mix(from.front, to.front, vertex.fraction), glm::mix(from.back, to.back, vertex.fraction)};
+}
+
 bool ValueBuffer::go_on() {
   const auto count =
-      std::min(slice / 4, vertices_.vertices().size() - sent_);  // each is worth some arithmetic
+      std::min(slice / 4, vertices_.vertices().size() - sent_);  // each vertex needs some arithmetic
   if (count == 0) return false;
   std::vector<TwoSides> values(count);
-  for (std::size_t i = 0; i < count; ++i)
-    values[i] = value_of(vertices_.vertices()[sent_ + i], vertices_.ratios().at(sent_ + i), what_, patches_,
-                         colours_, light_);
+  for (std::size_t i = 0; i < count; ++i) values[i] = value(sent_ + i);
   send(GL_ARRAY_BUFFER, buffer_, sent_, values.data(), count);
   sent_ += count;
   return true;
 }
 
-SideTexture::SideTexture(const std::vector<float>& values)
-    : values_(values), rows_((values.size() / 2 + width - 1) / width) {
+SideTexture::SideTexture(const PatchSet& patches, const std::vector<PatchCut>& cuts,
+                         const std::vector<float>& values) {
+  if (cuts.empty()) {
+    values_ = values;
+  } else {
+    for (const auto patch : patches_of_triangles(patches, cuts))
+      values_.insert(values_.end(), {values[2 * patch], values[2 * patch + 1]});
+  }
+  rows_ = (values_.size() / 2 + width - 1) / width;
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, width, static_cast<GLsizei>(rows_), 0, GL_RG, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

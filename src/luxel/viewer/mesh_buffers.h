@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,36 +18,54 @@ namespace luxel {
 // How many patches, vertices or values go to the card in one step: well under a millisecond.
 inline constexpr std::size_t slice = 16'384;
 
-// Vertices and triangles on the card. Each go_on() is a slice; false where nothing was left to do.
+// Vertices and triangles on the card, without T-junctions. Each go_on() is a slice; false where nothing was
+// left to do. Keeps references.
 class MeshBuffers {
  public:
   // As the patches have them; triangles are there to be drawn as they come.
-  explicit MeshBuffers(const PatchSet& patches);
+  MeshBuffers(const PatchSet& patches, const std::vector<PatchCut>& cuts);
   // With a vertex for each that DrawVertices finds, for values.
-  MeshBuffers(const PatchSet& patches, const SmoothLight& light);
+  MeshBuffers(const PatchSet& patches, const std::vector<PatchCut>& cuts, const SmoothLight& light);
+
+  MeshBuffers(const MeshBuffers&) = delete;
+  MeshBuffers& operator=(const MeshBuffers&) = delete;
 
   bool go_on();
-  bool is_done() const { return triangles_ == patches_.size(); }
+  bool is_done() const { return is_allocated_ && corners_.is_done() && edges_.is_done(); }
   // Of a mesh for values, when it is done.
   const DrawVertices& vertices() const { return *found_; }
 
   // values: two vec3 a vertex.
   void take_values(const GlBuffer& values) const;
   void draw() const;
+  // The patches, whose edges are not those of the triangles where these are cut.
+  void draw_patches() const;
 
  private:
+  using Corners = std::vector<std::array<std::uint32_t, 3>>;
+  // Triangles on their way to the card.
+  struct Elements {
+    GlBuffer buffer = {};
+    const Corners* corners = nullptr;  // null: none
+    std::size_t sent = 0;
+
+    bool is_done() const { return corners == nullptr || sent == corners->size(); }
+    void allocate();
+    void send();
+    void draw() const;
+  };
   void allocate();
   std::size_t vertex_count() const { return found_ ? found_->vertices().size() : patches_.vertices.size(); }
   void send_places();
-  void send_triangles();
 
   const PatchSet& patches_;
-  const SmoothLight* light_ = nullptr;
   std::optional<DrawVertices> found_;
+  Corners cut_;  // of patches without light, where some are cut
   GlVertexArray array_;
-  GlBuffer places_, corners_;
-  bool is_allocated_ = false;
-  std::size_t sent_ = 0, triangles_ = 0;  // vertices, triangles
+  GlBuffer places_;
+  Elements corners_, edges_;  // triangles; the patches, where these are others
+  bool has_cuts_, is_allocated_ = false;
+  std::size_t sent_ = 0;  // vertices
 };
 
 // Values of the vertices of a mesh, two vec3 each.
@@ -58,6 +77,8 @@ class ValueBuffer {
   const GlBuffer& buffer() const { return buffer_; }
 
  private:
+  TwoSides value(std::size_t vertex) const;
+
   const PatchSet& patches_;
   const SmoothLight& light_;
   VertexValue what_;
@@ -67,16 +88,17 @@ class ValueBuffer {
   std::size_t sent_ = 0;
 };
 
-// One value a patch side, as a texture.
+// One value per side of a triangle that is drawn, as a texture.
 class SideTexture {
  public:
-  explicit SideTexture(const std::vector<float>& values);
+  // values: [2 * patch + 1 for the back]. Keeps no reference.
+  SideTexture(const PatchSet& patches, const std::vector<PatchCut>& cuts, const std::vector<float>& values);
   bool go_on();
   const GlTexture& texture() const { return texture_; }
 
  private:
-  static constexpr std::size_t width = 1024;  // patches per row; every card takes that
-  const std::vector<float>& values_;
+  static constexpr std::size_t width = 1024;  // triangles per row; every card takes that
+  std::vector<float> values_;
   GlTexture texture_;
   std::size_t rows_ = 0, sent_ = 0;
 };

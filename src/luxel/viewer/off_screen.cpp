@@ -15,7 +15,7 @@ bool has_extension(const char* list, std::string_view name) {
   return list != nullptr && std::string_view(list).find(name) != std::string_view::npos;
 }
 
-// A display without a screen. Mesa and NVIDIA have one each.
+// A display without a screen, which Mesa and NVIDIA provide.
 EGLDisplay surfaceless_display() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto open = [](EGLenum platform, void* native) {
@@ -37,7 +37,8 @@ EGLDisplay surfaceless_display() {
 
 class OffScreen final : public Screen {
  public:
-  OffScreen(ScreenSize size, float pixel_ratio) : size_(size), ratio_(pixel_ratio) {
+  OffScreen(ScreenSize size, float pixel_ratio, float text_scale)
+      : size_(size), ratio_(pixel_ratio), text_scale_(text_scale > 0.0f ? text_scale : pixel_ratio) {
     display_ = surfaceless_display();
     if (display_ == EGL_NO_DISPLAY) throw DeviceError("EGL has no display to draw off screen");
     eglBindAPI(EGL_OPENGL_API);
@@ -67,20 +68,23 @@ class OffScreen final : public Screen {
     return {static_cast<int>(std::lround(static_cast<float>(size_.width) * ratio_)),
             static_cast<int>(std::lround(static_cast<float>(size_.height) * ratio_))};
   }
-  float text_scale() const override { return ratio_; }
+  float text_scale() const override { return text_scale_; }
   std::vector<Event> poll(double) override { return {}; }
   void capture_cursor(bool) override {}
   bool is_shown() const override { return true; }
   void set_size(ScreenSize size) override { size_ = size; }
+  void set_full_screen(bool full) override { is_full_ = full; }
+  bool is_full_screen() const override { return is_full_; }
   void set_title(const std::string&) override {}
-  // A frame is over when it is drawn: its time is known, and frames do not pile up in the driver.
+  // A frame ends when it is drawn: its time is measured, and frames do not pile up in the driver.
   void present() override { glFinish(); }
   std::string clipboard() const override { return clipboard_; }
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
 
  private:
   ScreenSize size_;
-  float ratio_;
+  float ratio_, text_scale_;
+  bool is_full_ = false;
   std::string clipboard_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
@@ -88,8 +92,8 @@ class OffScreen final : public Screen {
 
 }  // namespace
 
-std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio) {
-  return std::make_unique<OffScreen>(size, pixel_ratio);
+std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio, float text_scale) {
+  return std::make_unique<OffScreen>(size, pixel_ratio, text_scale);
 }
 
 }  // namespace luxel

@@ -40,7 +40,7 @@ void add_outline(const PatchSet& patches, std::size_t patch, Marks& marks) {
   for (std::size_t i = 0; i < 3; ++i) marks.add_segment(points[i], points[(i + 1) % 3], outline_colour);
 }
 
-// Rays that ask what other surfaces send, to what they hit; those that leave the scene are cut short.
+// Gather rays to the surfaces they hit; those that leave the scene are cut short.
 void add_gather_rays(const SessionLight& light, const Probe& probe, float size, Marks& marks) {
   for (const auto& ray : gather_rays(light, probe.patch, probe.back, max_rays)) {
     const bool hits = static_cast<bool>(ray.hit);
@@ -71,8 +71,7 @@ void add_faults(const Scene& scene, const CheckReport& report, Marks& marks) {
   }
 }
 
-// Where the way of the plot goes, also from other views: dashes of two colours, which one sees on any
-// surface.
+// Marks the line of the plot, also in other views: dashes of two colours, visible on any surface.
 void add_line(const std::vector<ProfilePoint>& profile, Marks& marks) {
   constexpr std::size_t dash = 6;
   std::optional<Vec3> last;

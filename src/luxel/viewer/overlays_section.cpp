@@ -2,12 +2,13 @@
 #include <imgui.h>
 
 #include "luxel/image/image.h"
+#include "luxel/viewer/layout.h"
 #include "luxel/viewer/panels.h"
 
 namespace luxel {
 namespace {
 
-// The light bounce by bounce, of the samples that are there: nothing is traced.
+// The light bounce by bounce, from existing samples: no rays are traced.
 void bounce_choice(Viewer& viewer) {
   if (!viewer.session.status().can_relight) return;
   bool all = !viewer.light.bounces.has_value();
@@ -32,7 +33,7 @@ void fault_list(const Viewer& viewer) {
     const auto linear = colour(diagnostic.kind).linear;
     ImGui::ColorButton("##colour",
                        ImVec4(srgb_encode(linear.r), srgb_encode(linear.g), srgb_encode(linear.b), 1.0f),
-                       ImGuiColorEditFlags_NoTooltip, ImVec2(10.0f, 10.0f));
+                       ImGuiColorEditFlags_NoTooltip, ImVec2(em(0.7f), em(0.7f)));
     ImGui::SameLine();
     ImGui::TextWrapped("%s", diagnostic.fact.c_str());
   }
@@ -44,13 +45,13 @@ void overlays_section(Viewer& viewer) {
   if (!viewer.session.mesh() || !ImGui::CollapsingHeader("Overlays")) return;
   auto& look = viewer.look;
   ImGui::Checkbox("patch edges", &look.wires);
-  ImGui::SameLine(150.0f);
+  ImGui::SameLine(em(10.0f));
   ImGui::Checkbox("normals", &look.normals);
   ImGui::Checkbox("rays of a patch", &look.rays);
-  ImGui::SameLine(150.0f);
+  ImGui::SameLine(em(10.0f));
   ImGui::Checkbox("its rays to lamps", &look.samples);
   ImGui::Checkbox("boxes", &look.boxes);
-  ImGui::SameLine(150.0f);
+  ImGui::SameLine(em(10.0f));
   ImGui::Checkbox("faults", &look.diagnostics);
   if (look.boxes) ImGui::SliderInt("level", &look.box_level, 0, 24);
   bounce_choice(viewer);

@@ -15,7 +15,7 @@ bool is_of_sides(Show show) {
          show == Show::difference || show == Show::unshot;
 }
 
-// What the vertices show, of some of them: the brighter of both sides.
+// Values shown at a sample of the vertices: the brighter of both sides.
 std::vector<float> vertex_values(const SessionLight& light, bool lux) {
   const auto& patches = *light.mesh.patches;
   const auto colours = patches.colours();
@@ -28,7 +28,7 @@ std::vector<float> vertex_values(const SessionLight& light, bool lux) {
   return values;
 }
 
-// As a person has set it, made to hold.
+// The scale chosen by the user, made valid.
 ValueScale chosen_scale(const Look& look, bool logarithmic, ColourMap map) {
   ValueScale scale{.low = look.low, .high = look.high, .logarithmic = logarithmic, .map = map};
   if (logarithmic && !(scale.low > 0.0f)) scale.low = 1e-3f * std::abs(scale.high);
@@ -128,14 +128,18 @@ Paint Painter::paint(const Look& look) const {
   }
 }
 
-// What the local operator asks before it draws anything: how bright each pixel and its surroundings are.
+// Measures the luminance of each pixel and its surroundings, which the local operator needs before drawing.
 void Painter::look_around(Canvas& canvas, const Viewpoint& from, const PicturePart& part, EdgeSmoothing edges,
                           const Tile& all) {
   if (!canvas.local) canvas.local = std::make_unique<LocalTone>();
-  canvas.local->begin(drawn_size(part.size, edges), from.tone, sky());
-  surfaces_.draw({.projection = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all)),
-                  .paint = Paint::curve_input,
-                  .tone = from.tone});
+  canvas.local->begin(drawn_size(part.size, edges));
+  const SurfaceView view{
+      .projection = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all)),
+      .eye = from.pose.eye,
+      .paint = Paint::curve_input,
+      .tone = from.tone};
+  draw_sky(view, from.space);
+  surfaces_.draw(view);
   canvas.local->finish(from.tone, static_cast<float>(pixel_step(edges)));
 }
 
@@ -148,28 +152,26 @@ void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, cons
   const auto around = with_margin(part, LocalTone::reach);
   const PixelOffset offset{part.begin.left - around.begin.left, part.begin.bottom - around.begin.bottom};
   if (is_local) look_around(canvas, from, around, edges, drawn.all);
-  canvas.frame.begin(part.size, background(from.tone), edges);
-  if (is_local && sky() != Vec3(0.0f)) canvas.local->cover(from.tone, sky(), offset);
+  canvas.frame.begin(part.size, Vec3(0.012f), edges);
   const auto to_screen = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, drawn.all));
-  surfaces_.draw({.projection = to_screen,
-                  .eye = from.pose.eye,
-                  .paint = painted,
-                  .tone = from.tone,
-                  .local = is_local ? canvas.local.get() : nullptr,
-                  .from = offset,
-                  .scale = scale_.value_or(ValueScale()),
-                  .wires = look.wires});
+  const SurfaceView view{.projection = to_screen,
+                         .eye = from.pose.eye,
+                         .paint = painted,
+                         .tone = from.tone,
+                         .local = is_local ? canvas.local.get() : nullptr,
+                         .from = offset,
+                         .scale = scale_.value_or(ValueScale()),
+                         .wires = look.wires};
+  draw_sky(view, from.space);
+  surfaces_.draw(view);
   marks_.draw(to_screen, drawn.point_size, true);
 }
 
-Vec3 Painter::sky() const {
-  if (!mesh_ || !mesh_->patches->has_sky() || !light_) return Vec3(0.0f);
-  return in_gamut(mesh_->patches->colours().rgb(mesh_->patches->sky));
-}
-
-Vec3 Painter::background(const ToneCurve& tone) const {
-  const Vec3 dark(0.012f);
-  return sky() == Vec3(0.0f) ? dark : tone(sky());
+// Where there is light to show it by.
+void Painter::draw_sky(const SurfaceView& view, const Space& space) const {
+  if (!mesh_ || !mesh_->patches->has_sky() || !light_) return;
+  const auto radiance = in_gamut(mesh_->patches->colours().rgb(mesh_->patches->sky));
+  if (radiance != Vec3(0.0f)) sky_.draw(view, radiance, space.up);
 }
 
 }  // namespace luxel

@@ -12,6 +12,7 @@
 #include "luxel/viewer/lines.h"
 #include "luxel/viewer/local_tone.h"
 #include "luxel/viewer/look.h"
+#include "luxel/viewer/sky_backdrop.h"
 #include "luxel/viewer/surfaces.h"
 
 namespace luxel {
@@ -63,12 +64,12 @@ class Painter {
   void update_side_values(const Look& look, const std::shared_ptr<const LightDifference>& difference);
   void update_scale(const Look& look);
   Paint paint(const Look& look) const;
-  Vec3 sky() const;                              // W/(m² sr)
-  Vec3 background(const ToneCurve& tone) const;  // what lies behind all surfaces; linear, [0, 1]
+  void draw_sky(const SurfaceView& view, const Space& space) const;
   void look_around(Canvas& canvas, const Viewpoint& from, const PicturePart& part, EdgeSmoothing edges,
                    const Tile& all);
 
   Surfaces surfaces_;
+  SkyBackdrop sky_;
   MarkBuffer marks_;
   std::shared_ptr<const SessionMesh> mesh_;
   std::shared_ptr<const SessionLight> light_;

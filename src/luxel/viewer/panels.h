@@ -15,7 +15,9 @@ void overlays_section(Viewer& viewer);
 void files_section(Viewer& viewer);
 void views_section(Viewer& viewer);
 
-void key_line(const Viewer& viewer);  // what the keys do, at the bottom; all of them where help is asked for
+void key_line(const Viewer& viewer);    // what the keys do, at the bottom, and what was reported last
+void key_card(const Viewer& viewer);    // all keys, where they are asked for
+void about_card(const Viewer& viewer);  // version and licence, where they are asked for
 void legend(const Viewer& viewer);
 void probe_card(const Viewer& viewer);
 void profile_card(Viewer& viewer);

@@ -48,8 +48,9 @@ PicturePart PictureMaker::next_part() const {
           {std::min(side_, size_.width - begin.left), std::min(side_, size_.height - begin.bottom)}};
 }
 
-// Four samples per pixel at once; or where a processor draws, which has compiled what rough pictures need for
-// the window and would take a tenth of a second for the other, four rough tiles, one a call.
+// Draws four samples per pixel at once. A software renderer draws four rough tiles instead, one per call: the
+// programs for rough pictures are already compiled for the window, and the others would take a tenth of a
+// second.
 void PictureMaker::draw_some(Painter& painter) {
   const auto part = next_part();
   auto& frame = canvas_.frame;

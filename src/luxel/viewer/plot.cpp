@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "luxel/viewer/colour_map.h"
+#include "luxel/viewer/layout.h"
 
 namespace luxel {
 namespace {
@@ -28,7 +29,7 @@ struct Range {
   double fraction(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 
-// From numbers to pixels.
+// Maps values to pixels.
 struct Chart {
   ImVec2 corner, size;
   Range x, y;
@@ -47,7 +48,7 @@ std::string value_text(double value, const PlotStyle& style, const char* unit) {
 
 void draw_curve(const Chart& chart, const std::vector<PlotPoint>& points) {
   auto& list = *ImGui::GetWindowDrawList();
-  // Smooth edges of neighbours would overlap, and be seen as stripes.
+  // Smoothed edges of neighbours would overlap and show as stripes.
   const auto flags = std::exchange(list.Flags, list.Flags & ~ImDrawListFlags_AntiAliasedFill);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const auto &a = points[i], &b = points[i + 1];
@@ -60,22 +61,23 @@ void draw_curve(const Chart& chart, const std::vector<PlotPoint>& points) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     if (!points[i].is_gap && !points[i + 1].is_gap)
       list.AddLine(chart.at(points[i].x, points[i].y), chart.at(points[i + 1].x, points[i + 1].y), curve,
-                   1.5f);
+                   em(0.1f));
   if (points.size() < 30)
     for (const auto& p : points)
-      if (!p.is_gap) list.AddCircleFilled(chart.at(p.x, p.y), 2.5f, curve);
+      if (!p.is_gap) list.AddCircleFilled(chart.at(p.x, p.y), em(0.17f), curve);
 }
 
 }  // namespace
 
 void plot(const std::vector<PlotPoint>& points, const PlotStyle& style) {
   const auto place = ImGui::GetCursorScreenPos();
-  ImGui::Dummy(ImVec2(style.width, style.height));
+  const float width = em(style.width), height = em(style.height), margin = em(0.4f);
+  ImGui::Dummy(ImVec2(width, height));
   auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(place, ImVec2(place.x + style.width, place.y + style.height), ground, 3.0f);
+  list.AddRectFilled(place, ImVec2(place.x + width, place.y + height), ground, em(0.2f));
   const float line = ImGui::GetTextLineHeight();
-  Chart chart{ImVec2(place.x + 6.0f, place.y + 4.0f),
-              ImVec2(style.width - 12.0f, style.height - line - 8.0f),
+  Chart chart{ImVec2(place.x + margin, place.y + 0.7f * margin),
+              ImVec2(width - 2.0f * margin, height - line - 1.4f * margin),
               {},
               {},
               style.logarithmic};
@@ -106,8 +108,8 @@ void plot(const std::vector<PlotPoint>& points, const PlotStyle& style) {
   list.AddText(ImVec2(chart.corner.x, chart.corner.y + chart.size.y - line), text,
                value_text(number(y.low), style, style.y_unit).c_str());
   const auto right = fmt::format("{} {}", scale_text(static_cast<float>(number(chart.x.high))), style.x_unit);
-  list.AddText(ImVec2(place.x + style.width - ImGui::CalcTextSize(right.c_str()).x - 6.0f,
-                      place.y + style.height - line - 2.0f),
+  list.AddText(ImVec2(place.x + width - ImGui::CalcTextSize(right.c_str()).x - margin,
+                      place.y + height - line - em(0.14f)),
                axis, right.c_str());
 }
 

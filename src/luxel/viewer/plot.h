@@ -12,9 +12,9 @@ struct PlotPoint {
   bool is_gap = false;  // the line is broken here
 };
 struct PlotStyle {
-  float width = 280.0f, height = 90.0f;  // pixels
-  bool logarithmic = false;              // both axes; points that are not above 0 are left out
-  double line = 0.0;                     // a level to be marked; 0: none
+  float width = 18.0f, height = 6.0f;  // heights of the text
+  bool logarithmic = false;            // both axes; points that are not above 0 are left out
+  double line = 0.0;                   // a level to be marked; 0: none
   const char *x_unit = "", *y_unit = "";
   bool percent = false;  // y in per cent of 1
 };

@@ -116,7 +116,7 @@ Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float a
   const float size = std::max(glm::length(box.size()), 1e-6f);
   const float outside = glm::length(glm::max(Vec3(0.0f), glm::max(box.low - pose.eye, pose.eye - box.high)));
   const float far = 1.01f * (glm::length(pose.eye - box.center()) + 0.5f * size);
-  // 24 bits of depth carry a ratio of ten thousand with a millimetre's detail in a room of ten metres.
+  // 24 bits of depth support a ratio of ten thousand, with details of a millimetre in a room of ten metres.
   const float near = std::max(0.5f * outside, far * 1e-4f);
   const float h = near * tangent_of_half(pose), w = h * aspect;
   return glm::frustum(w * tile.left, w * tile.right, h * tile.bottom, h * tile.top, near, far) *

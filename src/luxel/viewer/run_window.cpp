@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/viewer/run_window.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -20,7 +21,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// What a picture shows that nobody has written a script for: the light, when it is there, without the panel.
+// The default script of --picture: waits for the final light and hides the panel.
 constexpr const char* picture_script = "set panel off\nwait finished\nwait 60 frames\n";
 
 class WindowLoop {
@@ -36,11 +37,12 @@ class WindowLoop {
       for (const auto& event : events) viewer_.handle(event);
       const auto begin = Clock::now();
       if (player_) player_->advance();
-      if (screen_->size().empty() || (!screen_->is_shown() && !player_)) {
+      if (screen_->size().empty() || (!screen_->is_shown() && !is_playing())) {
         hidden_ = true;
         continue;
       }
-      frame();
+      if (events.empty() && !is_due()) continue;
+      frame(!events.empty());
       const auto seconds = seconds_since(begin);
       viewer_.note_frame(seconds);
       note(seconds);
@@ -54,13 +56,14 @@ class WindowLoop {
   std::unique_ptr<Screen> open() const {
     const auto file = settings_.file.string();
     try {
-      if (settings_.off_screen) return open_off_screen(settings_.size, settings_.pixel_ratio);
+      if (settings_.off_screen)
+        return open_off_screen(settings_.size, settings_.pixel_ratio, settings_.text_scale);
     } catch (const DeviceError& error) {
       throw DeviceError(
           fmt::format("{}: 'luxel bake {} -o out.png' makes a picture without OpenGL", error.what(), file));
     }
     try {
-      return open_window("Luxel", settings_.size);
+      return open_window("Luxel", settings_.size, settings_.text_scale);
     } catch (const DeviceError& error) {
       throw DeviceError(
           fmt::format("{}: 'luxel view {} --snapshot out.png' draws off screen, and "
@@ -69,10 +72,23 @@ class WindowLoop {
     }
   }
 
-  // Nothing to draw: the processor is the solver's. Light that comes meanwhile is seen soon enough.
+  bool is_playing() const { return player_ && !player_->is_done(); }
+
+  // With nothing to draw, the solver gets the processor. The longest wait is for a signal that ends the
+  // program.
   double wait_seconds() const {
-    if (hidden_) return 0.1;
-    return !player_ && viewer_.may_sleep() ? 0.04 : 0.0;
+    constexpr double longest = 0.25;
+    if (is_playing()) return 0.0;
+    if (hidden_) return longest;
+    const auto next = viewer_.next_frame();
+    return next ? std::clamp(*next - seconds_since(last_), 0.0, longest) : longest;
+  }
+
+  // Whether a frame would show something new though nobody did anything.
+  bool is_due() const {
+    if (is_playing() || hidden_) return true;
+    const auto next = viewer_.next_frame();
+    return next && seconds_since(last_) >= *next;
   }
 
   bool is_over() {
@@ -81,11 +97,12 @@ class WindowLoop {
            (player_ && settings_.off_screen && player_->is_done());
   }
 
-  void frame() {
-    const double seconds = player_ ? ScriptPlayer::frame_seconds : std::min(0.1, seconds_since(last_));
+  // The camera's movements begin with an event: the time before it is none of theirs.
+  void frame(bool by_event) {
+    const double since = std::min(seconds_since(last_), by_event ? 0.05 : 0.3);
     last_ = Clock::now();
     hidden_ = false;
-    viewer_.frame(seconds, player_ && player_->wants_fine());
+    viewer_.frame(is_playing() ? ScriptPlayer::frame_seconds : since, player_ && player_->wants_fine());
     screen_->present();
   }
 
@@ -94,7 +111,7 @@ class WindowLoop {
     if (viewer_.session.status().stage == "light") report_.solving_frame_seconds.push_back(seconds);
   }
 
-  // Off screen nobody reads a dialog.
+  // Off screen there is no user to read a dialog.
   void refuse_what_failed() const {
     const auto& session = viewer_.session;
     if (settings_.off_screen && !settings_.script && !session.mesh() && !viewer_.notices.errors().empty())

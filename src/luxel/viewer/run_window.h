@@ -20,17 +20,21 @@ struct WindowSettings {
   std::function<SessionSettings(const std::filesystem::path&)> live = {};
   ScreenSize size = {};
   float pixel_ratio = 1.0f;                    // off screen: pixels per unit
+  float text_scale = 0.0f;                     // of text and controls; 0: that of the display
   std::optional<Vec3d> eye = {}, target = {};  // m, in the file's coordinates; none: found
   float vertical_fov = 0.0f;                   // degrees; 0: found
   std::optional<Vec3> up = {};                 // none: found
   ToneOptions tone = {};
   std::optional<std::filesystem::path> compare = {};  // a second solution
   std::optional<std::filesystem::path> save = {};     // the light, when the window closes
+  // Where the names of the files opened last are stored; nothing: nowhere.
+  std::optional<std::filesystem::path> recent = {};
 
   // Off screen: no window; what the script does, or else a picture when the light is solved.
   bool off_screen = false;
   std::optional<std::filesystem::path> snapshot = {};  // taken at the end
   std::optional<Script> script = {};                   // done as if by a person, in a window too
+  std::string version = {};                            // of the program, to be shown
   std::function<bool()> is_interrupted = {};           // asked between frames
 };
 

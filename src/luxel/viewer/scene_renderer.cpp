@@ -7,17 +7,14 @@
 namespace luxel {
 namespace {
 
-constexpr double upload_seconds = 0.005;  // of a frame, for what goes to the card
-// Where a processor draws, while something moves: each where a frame took longer than that of late, s, by the
-// one before. Then a single long one may be seen.
+// Smoothing while something moves, with a software renderer. Each entry replaces the previous one where
+// recent frames took longer than slow_frame, s. A single long frame may remain visible.
 constexpr std::array moving_edges = {EdgeSmoothing::rough, EdgeSmoothing::coarse, EdgeSmoothing::coarsest};
 constexpr std::array slow_frame = {0.020, 0.022};
-constexpr double longest_counted = 0.05;  // s: one frame in which the driver compiles says nothing
+constexpr double longest_counted = 0.05;  // s: a frame in which the driver compiles is not representative
 constexpr float mark_size = 4.0f;         // points
 
 }  // namespace
-
-void SceneRenderer::upload(bool fine) { is_uploaded_ = painter_.upload(fine ? 1.0 : upload_seconds); }
 
 void SceneRenderer::note_changes(const Shown& now, bool is_dragging) {
   const auto size = screen_.pixels();
@@ -31,23 +28,22 @@ void SceneRenderer::note_changes(const Shown& now, bool is_dragging) {
   joined_ = 0;
 }
 
-// Where a processor draws, four samples per pixel take longer than a frame may: there edges are rough while
-// something moves, and coarse where even that is slow, and afterwards rough pictures are joined, one per
-// frame.
+// With a software renderer, four samples per pixel take longer than a frame may: edges are rough while
+// something moves, and coarse where even that is slow; afterwards rough pictures are averaged, one per frame.
 void SceneRenderer::draw(const Shown& now, const Look& look, const Viewpoint& from, bool is_dragging,
                          bool fine) {
   note_changes(now, is_dragging);
   const bool is_rough = driver_.is_software && !fine;
   if (is_rough && !has_compiled_) compile_programs(look, from);
   const bool is_moving = unchanged_frames_ == 0;
-  // It stays so for this scene: quick coarse frames say nothing of what fine ones would take.
+  // Stays so for this scene: fast coarse frames do not predict the time of fine ones.
   if (slow_scene_ != now.scene) slow_scene_ = now.scene, coarseness_ = 0;
   if (is_rough && is_moving && coarseness_ < slow_frame.size() && frame_seconds_ > slow_frame[coarseness_]) {
     ++coarseness_;
     frame_seconds_ = 0.0;
   }
   const auto pixels = screen_.pixels();
-  const bool joins = is_rough && unchanged_frames_ > 3;
+  const bool joins = is_rough && unchanged_frames_ > frames_until_joins;
   auto& frame = canvas_.frame;
   if (joins && joined_ >= shifts) return frame.show_joined();
   const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
@@ -59,7 +55,7 @@ void SceneRenderer::draw(const Shown& now, const Look& look, const Viewpoint& fr
   if (joins) frame.join(joined_++);
 }
 
-// What is drawn into for the first time is made then, and its programs compiled: not while somebody moves.
+// Creates targets and compiles programs on the first draw, before the user moves.
 void SceneRenderer::compile_programs(const Look& look, const Viewpoint& from) {
   has_compiled_ = true;
   const auto pixels = screen_.pixels();

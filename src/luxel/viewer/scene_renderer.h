@@ -28,8 +28,8 @@ class SceneRenderer {
   const Painter& painter() const { return painter_; }
   bool is_software() const { return driver_.is_software; }  // a processor draws
 
-  // Brings to the graphics card what the painter was given: a part of it, for a part of a frame, unless fine.
-  void upload(bool fine);
+  // Brings to the graphics card what the painter was given, for about so many seconds.
+  void upload(double seconds) { is_uploaded_ = painter_.upload(seconds); }
   // While a picture is drawn nothing newer is brought.
   void hold_upload() { is_uploaded_ = true; }
   bool is_uploaded() const { return is_uploaded_; }  // all of it
@@ -38,14 +38,13 @@ class SceneRenderer {
   void draw(const Shown& now, const Look& look, const Viewpoint& from, bool is_dragging, bool fine);
   // How long the frame took as it was seen, s.
   void note_frame(double seconds);
-  // An event came: the next frame may differ.
-  void note_event() { unchanged_frames_ = 0; }
-  // Frames may wait for a person: another would be the same.
-  bool may_sleep() const { return unchanged_frames_ > 12; }
+  // Edges are as smooth as they get: another frame would be the same.
+  bool is_smooth() const { return unchanged_frames_ > (is_software() ? frames_until_smooth : 0); }
   // The last frame's pixels.
   Image snapshot() const { return canvas_.frame.read(); }
 
  private:
+  static constexpr int frames_until_joins = 3, frames_until_smooth = frames_until_joins + shifts;
   void note_changes(const Shown& now, bool is_dragging);
   void compile_programs(const Look& look, const Viewpoint& from);
 
@@ -56,7 +55,7 @@ class SceneRenderer {
   bool is_uploaded_ = false, has_compiled_ = false;
   Shown shown_;
   ScreenSize size_;
-  int unchanged_frames_ = 0;      // since the scene, the view or an event changed
+  int unchanged_frames_ = 0;      // since the scene or the view changed
   std::uint64_t slow_scene_ = 0;  // whose frames took too long
   std::size_t coarseness_ = 0;    // and what they are drawn by while something moves
   int joined_ = 0;                // rough pictures joined into the one that is seen

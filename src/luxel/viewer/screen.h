@@ -38,6 +38,8 @@ class Screen {
   // Whether it has the person's eye now; pictures of a hidden window need not be made.
   virtual bool is_shown() const = 0;
   virtual void set_size(ScreenSize size) = 0;
+  virtual void set_full_screen(bool full) = 0;
+  virtual bool is_full_screen() const = 0;
   virtual void set_title(const std::string& title) = 0;
   // Copies the current read framebuffer to where it is seen, and waits for the screen's next turn.
   virtual void present() = 0;
@@ -46,10 +48,13 @@ class Screen {
 };
 
 // Both throw DeviceError, one sentence, where it cannot be had: no display, no driver, or none that knows
-// OpenGL 3.3.
-std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size);
+// OpenGL 3.3. text_scale: as Screen::text_scale(); 0: that of the display.
+//
+// A window: at most as large as the display has room for, which the size is increased for where pixels are
+// small. The display's scale is that of the desktop or GDK_SCALE, whichever is larger.
+std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size, float text_scale = 0.0f);
 // pixel_ratio: pixels per unit.
-std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio = 1.0f);
+std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio = 1.0f, float text_scale = 0.0f);
 
 // The driver that draws, as it calls itself, and whether it draws on the processor: then a frame takes
 // milliseconds, and fewer are better.

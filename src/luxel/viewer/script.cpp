@@ -14,7 +14,7 @@ namespace {
 
 struct Verb {
   std::string_view name;
-  std::size_t fewest, most;  // words after it
+  std::size_t fewest, most;  // number of words after it
   std::string_view usage;
 };
 constexpr Verb verbs[] = {
@@ -32,6 +32,7 @@ constexpr Verb verbs[] = {
     {"type", 1, 99, "type TEXT"},
     {"resize", 2, 2, "resize WIDTH HEIGHT"},
     {"drop", 1, 99, "drop FILE"},
+    {"menu", 1, 99, "menu MENU/ENTRY"},
     {"view", 2, 3, "view X,Y,Z X,Y,Z [FOV]"},
     {"set", 2, 2, "set CHOICE VALUE"},
     {"lamp", 2, 3, "lamp GROUP FACTOR [R,G,B]"},
@@ -48,7 +49,7 @@ constexpr Verb verbs[] = {
     {"stop", 0, 0, "stop"},
     {"step", 0, 0, "step"},
     {"stepping", 1, 1, "stepping on|off"},
-    {"expect", 1, 99, "expect mesh|light|no-error|error TEXT"},
+    {"expect", 1, 99, "expect mesh|light|no-error|error TEXT|file NAME|lamp GROUP FACTOR"},
     {"close", 0, 0, "close"},
 };
 

@@ -12,16 +12,28 @@
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
 #include "luxel/image/image_file.h"
+#include "luxel/viewer/menus.h"
 
 namespace luxel {
 namespace {
 
 Key key_named(const std::string& name) {
-  static const std::pair<const char*, Key> named[] = {
-      {"tab", key::tab}, {"escape", key::escape},      {"enter", key::enter},
-      {"space", ' '},    {"shift", key::shift},        {"control", key::control},
-      {"alt", key::alt}, {"home", key::home},          {"f1", key::f1},
-      {"f12", key::f12}, {"backspace", key::backspace}};
+  static const std::pair<const char*, Key> named[] = {{"tab", key::tab},
+                                                      {"escape", key::escape},
+                                                      {"enter", key::enter},
+                                                      {"space", ' '},
+                                                      {"shift", key::shift},
+                                                      {"control", key::control},
+                                                      {"alt", key::alt},
+                                                      {"home", key::home},
+                                                      {"f1", key::f1},
+                                                      {"page-up", key::page_up},
+                                                      {"page-down", key::page_down},
+                                                      {"f11", key::f11},
+                                                      {"plus", '='},
+                                                      {"minus", '-'},
+                                                      {"f12", key::f12},
+                                                      {"backspace", key::backspace}};
   for (const auto& [word, key] : named)
     if (name == word) return key;
   if (name.size() == 1 && ((name[0] >= 'A' && name[0] <= 'Z') || (name[0] >= '0' && name[0] <= '9')))
@@ -50,7 +62,7 @@ std::array<float, 3> three(const std::string& of, const std::string& text) {
   return values;
 }
 
-// The words from one on, as they were written: file names may have spaces.
+// The words from one on, joined by spaces: file names may contain spaces.
 std::string rest(const std::vector<std::string>& words, std::size_t first) {
   return fmt::format("{}", fmt::join(words.begin() + static_cast<std::ptrdiff_t>(first), words.end(), " "));
 }
@@ -74,7 +86,7 @@ void ScriptPlayer::advance() {
   if (next_ == script_.actions.size()) return;
   const auto& action = script_.actions[next_];
   try {
-    // A picture shows what was done before it: one frame comes between.
+    // A picture shows the effect of earlier actions: one frame is drawn in between.
     const auto& verb = action.words.front();
     if (!std::exchange(wants_fine_, verb == "snapshot" && !has_drawn_)) act(action);
     has_drawn_ = wants_fine_;
@@ -101,7 +113,7 @@ void ScriptPlayer::mouse(const Words& words) {
   if (verb == "move") return move(1);
   if (verb == "press") return press(words[1], true);
   if (verb == "release") return press(words[1], false);
-  // Panels see where the cursor is a frame before it is pressed.
+  // Panels need the cursor's position one frame before it is pressed.
   const std::string which = words.size() == 6 ? words[5] : "left";
   int frame = 0;
   const bool drags = verb == "drag";
@@ -131,7 +143,7 @@ void ScriptPlayer::wait(const Words& words) {
       return frames(static_cast<int>(std::ceil(static_cast<double>(count) / frame_seconds)));
     throw InputError(fmt::format("one waits for frames or seconds, not for {}", words[2]));
   }
-  // What cannot come any more ends the wait: the script's next words say what is missing.
+  // The wait ends when the event can no longer happen; the script's next action reports what is missing.
   const auto& session = viewer_.session;
   const auto is_over = [this, &session] {
     return !viewer_.notices.errors().empty() &&
@@ -161,8 +173,24 @@ void ScriptPlayer::expect(const Words& words) {
     throw InputError(fmt::format("there is no light: {}", said));
   if (words[1] == "no-error" && !errors.empty())
     throw InputError(fmt::format("something went wrong: {}", said));
+  if (words[1] == "file" && viewer_.session.title() != rest(words, 2))
+    throw InputError(
+        fmt::format("expected the file '{}', but '{}' is shown", rest(words, 2), viewer_.session.title()));
+  if (words[1] == "lamp") return expect_lamp(words);
   if (words[1] == "error" && (errors.empty() || errors.back().find(rest(words, 2)) == std::string::npos))
     throw InputError(fmt::format("expected an error that says '{}', but {}", rest(words, 2), said));
+}
+
+void ScriptPlayer::expect_lamp(const Words& words) const {
+  if (words.size() != 4) throw InputError("expected: expect lamp GROUP FACTOR");
+  const float factor = script_number("a factor", words[3]);
+  for (const auto& lamps : viewer_.light.mixer.lamps) {
+    if (lamps.name != words[2]) continue;
+    if (lamps.factor == factor) return;
+    throw InputError(
+        fmt::format("the lamps '{}' have the factor {}, not {}", words[2], lamps.factor, factor));
+  }
+  throw InputError(fmt::format("there is no light group '{}'", words[2]));
 }
 
 void ScriptPlayer::set_view(const Words& words) {
@@ -240,6 +268,7 @@ void ScriptPlayer::act(const ScriptAction& action) {
     return viewer_.handle({.kind = Event::Kind::resize, .at = Vec2(size.width, size.height)});
   }
   if (verb == "drop") return viewer_.handle({.kind = Event::Kind::drop, .text = rest(words, 1)});
+  if (verb == "menu") return choose_menu(viewer_, rest(words, 1));
   if (verb == "view") return set_view(words);
   if (verb == "set") return viewer_.look.set(words[1], words[2]);
   if (verb == "lamp") return change_lamp(words);

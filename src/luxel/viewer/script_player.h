@@ -29,6 +29,7 @@ class ScriptPlayer {
   void wait(const Words& words);
   void frames(int count);
   void expect(const Words& words);
+  void expect_lamp(const Words& words) const;
   void set_view(const Words& words);
   void change_lamp(const Words& words);
   void paint(const Words& words);

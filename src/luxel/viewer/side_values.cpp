@@ -13,7 +13,7 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-// Of the mesh: the same on both sides.
+// Values of the mesh: the same on both sides.
 template <typename Values>
 std::vector<float> on_both_sides(const Values& values) {
   std::vector<float> sides;
@@ -27,7 +27,7 @@ std::vector<float> per_cent(std::vector<float> fractions) {
   return fractions;
 }
 
-// Sums over bands, W/m², or lux; nothing at the back of a one-sided material.
+// Sums over bands, W/m², or lux; empty for the back of a one-sided material.
 std::vector<float> band_values(const PatchSet& patches, bool lux, const SideValues& values) {
   if (values.front.empty()) return {};
   const auto bands = patches.band_count();

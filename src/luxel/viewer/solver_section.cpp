@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "luxel/viewer/layout.h"
 #include "luxel/viewer/panels.h"
 #include "luxel/viewer/plot.h"
 
@@ -31,10 +32,11 @@ void progress(const SessionStatus& status) {
   const auto stage = status.is_paused       ? std::string("paused")
                      : status.stage.empty() ? std::string(status.stop ? description(*status.stop) : "ready")
                                             : status.stage;
-  ImGui::ProgressBar(static_cast<float>(status.stage.empty() ? 1.0 : status.done), ImVec2(280.0f, 0.0f), "");
-  const auto corner = ImGui::GetItemRectMin();
+  ImGui::ProgressBar(static_cast<float>(status.stage.empty() ? 1.0 : status.done), ImVec2(-1.0f, 0.0f), "");
+  const auto low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const auto size = ImGui::CalcTextSize(stage.c_str());
   ImGui::GetWindowDrawList()->AddText(
-      ImVec2(corner.x + 140.0f - 0.5f * ImGui::CalcTextSize(stage.c_str()).x, corner.y + 3.0f),
+      ImVec2(0.5f * (low.x + high.x - size.x), 0.5f * (low.y + high.y - size.y)),
       IM_COL32(240, 240, 240, 255), stage.c_str());
   if (status.rays > 0) {
     const auto rate =
@@ -62,10 +64,10 @@ void convergence(const SessionStatus& status) {
 
 void buttons(Viewer& viewer, const SessionStatus& status) {
   auto& live = *viewer.session;
-  if (ImGui::Button(status.is_paused ? "Resume" : "Pause", ImVec2(66.0f, 0.0f)))
+  if (ImGui::Button(status.is_paused ? "Resume" : "Pause", ImVec2(em(4.6f), 0.0f)))
     status.is_paused ? live.resume() : live.pause();
   ImGui::SameLine();
-  if (ImGui::Button("Stop", ImVec2(50.0f, 0.0f))) live.stop();
+  if (ImGui::Button("Stop", ImVec2(em(3.4f), 0.0f))) live.stop();
   ImGui::SameLine();
   bool is_stepping = status.is_stepping;
   if (ImGui::Checkbox("by step", &is_stepping)) live.set_stepping(is_stepping);

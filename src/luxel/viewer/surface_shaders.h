@@ -33,12 +33,9 @@ void main() {
 }
 )";
 
-// Tone curves are those of image/tone.cpp, false colours those of viewer/colour_map.cpp: the tests hold them
-// against each other.
-inline constexpr std::string_view surface_fragment_shader = R"(
-out vec4 pixel;
-#ifdef LIGHT
-in vec3 front, back;
+// The tone curves of image/tone.cpp; the tests hold them against each other. Stands before the fragment
+// shaders that show radiance. Defines: LOCAL, or INPUT for what the local operator measures.
+inline constexpr std::string_view tone_shader = R"(
 uniform int curve;  // 0: linear, 1: Reinhard, 2: neutral
 uniform float tone_scale, white, brightest;
 #ifdef LOCAL
@@ -52,11 +49,10 @@ vec3 neutral(vec3 scaled) {
   float shown = 1.0 - (1.0 - start) * (1.0 - start) / (peak + 1.0 - 2.0 * start);
   return mix(scaled * (shown / peak), vec3(shown), 1.0 - 1.0 / (0.15 * (peak - shown) + 1.0));
 }
-void main() {
-  vec3 radiance = max(gl_FrontFacing ? front : back, vec3(0.0));
+vec4 toned(vec3 radiance) {
   float L = tone_scale * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
 #ifdef INPUT
-  pixel = vec4(min(L, brightest), 0.0, 0.0, 1.0);
+  return vec4(min(L, brightest), 0.0, 0.0, 1.0);
 #else
 #ifdef LOCAL
   float V = texelFetch(around, ivec2(gl_FragCoord.xy) + from, 0).r;
@@ -65,9 +61,17 @@ void main() {
 #endif
   float burn_out = white > 0.0 ? 1.0 + L / (white * white) : 1.0;
   float factor = curve == 1 ? tone_scale * burn_out / (1.0 + V) : tone_scale;
-  pixel = vec4(curve == 2 ? neutral(factor * radiance) : min(factor * radiance, vec3(1.0)), 1.0);
+  return vec4(curve == 2 ? neutral(factor * radiance) : min(factor * radiance, vec3(1.0)), 1.0);
 #endif
 }
+)";
+
+// After tone_shader. False colours are those of viewer/colour_map.cpp.
+inline constexpr std::string_view surface_fragment_shader = R"(
+out vec4 pixel;
+#ifdef LIGHT
+in vec3 front, back;
+void main() { pixel = toned(max(gl_FrontFacing ? front : back, vec3(0.0))); }
 #elif defined(SMOOTH) || defined(PATCHES)
 uniform float low, high;
 uniform int logarithmic, isolines;

@@ -4,9 +4,11 @@
 #include <array>
 #include <chrono>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "luxel/image/local_scales.h"
+#include "luxel/viewer/background_task.h"
 #include "luxel/viewer/mesh_buffers.h"
 #include "luxel/viewer/surface_shaders.h"
 
@@ -41,10 +43,10 @@ void prepare_depth() {
 }
 
 GlProgram surface_program(std::string_view define) {
-  return {surface_vertex_shader, surface_fragment_shader, define};
+  return {surface_vertex_shader, std::string(tone_shader).append(surface_fragment_shader), define};
 }
 
-// As surface_fragment_shader has it.
+// As tone_shader has it.
 int curve_number(ToneOperator op) {
   if (op == ToneOperator::neutral) return 2;
   return op == ToneOperator::reinhard || op == ToneOperator::reinhard_local ? 1 : 0;
@@ -54,9 +56,16 @@ int curve_number(ToneOperator op) {
 
 struct Surfaces::State {
   std::shared_ptr<const PatchSet> patches;
+  // Where the patches are cut. Found in a thread of its own, before anything of them is drawn.
+  struct Cuts {
+    std::shared_ptr<const PatchSet> patches;  // that they are of
+    std::vector<PatchCut> cuts;
+  };
+  std::optional<Cuts> cuts;
+  BackgroundTask<Cuts> finding;
   std::optional<MeshBuffers> preview;  // until there is a mesh for values
 
-  // The mesh for values, the light it was made from, and what of its values is drawn, comes or waits.
+  // The mesh for values, the light it was made from, and its values: drawn, being uploaded or waiting.
   std::shared_ptr<const SmoothLight> topology;
   std::optional<MeshBuffers> mesh;
   std::unique_ptr<ValueBuffer> values, coming_values;
@@ -72,11 +81,12 @@ struct Surfaces::State {
             smooth = surface_program("#define SMOOTH"), of_patches = surface_program("#define PATCHES"),
             sides = surface_program("#define SIDES"), wires = surface_program("#define WIRES");
 
+  bool has_cuts(double seconds);
   bool step();
   bool light_step();
   bool shows_radiance() const { return values && shown.what == VertexValue::radiance; }
   const GlProgram& program(const SurfaceView& view) const;
-  const MeshBuffers& drawn() const { return values ? *mesh : *preview; }
+  const MeshBuffers* drawn() const { return values ? &*mesh : preview ? &*preview : nullptr; }
 };
 
 Surfaces::Surfaces() : state_(std::make_unique<State>()) {}
@@ -88,9 +98,9 @@ void Surfaces::set_mesh(std::shared_ptr<const PatchSet> patches) {
   s.side_texture.reset(), s.coming_side_texture.reset();
   s.side_values.reset(), s.coming_side_values.reset(), s.topology.reset();
   s.shown = s.coming = s.waiting = {};
-  s.patches = std::move(patches);
   s.preview.reset();
-  if (s.patches) s.preview.emplace(*s.patches);
+  s.cuts.reset();
+  s.patches = std::move(patches);
 }
 
 void Surfaces::set_light(std::shared_ptr<const PatchSet> lit, std::shared_ptr<const SmoothLight> light,
@@ -102,7 +112,18 @@ void Surfaces::set_side_values(std::shared_ptr<const std::vector<float>> values)
   auto& s = *state_;
   s.coming_side_texture.reset();
   s.coming_side_values = std::move(values);
-  if (s.coming_side_values) s.coming_side_texture = std::make_unique<SideTexture>(*s.coming_side_values);
+}
+
+// Waits up to this many seconds for where the patches are cut.
+bool Surfaces::State::has_cuts(double seconds) {
+  if (cuts) return true;
+  if (!finding.is_busy()) finding.start([of = patches] { return Cuts{of, cut_at_hanging_vertices(*of)}; });
+  finding.wait(seconds);
+  auto found = finding.take();
+  if (!found || found->patches != patches) return false;
+  cuts = std::move(found);
+  preview.emplace(*patches, cuts->cuts);
+  return true;
 }
 
 bool Surfaces::State::light_step() {
@@ -111,7 +132,7 @@ bool Surfaces::State::light_step() {
     coming = std::exchange(waiting, {});
     if (!mesh) {
       topology = coming.light;
-      mesh.emplace(*patches, *topology);
+      mesh.emplace(*patches, cuts->cuts, *topology);
     }
   }
   if (mesh->go_on()) return true;
@@ -127,10 +148,11 @@ bool Surfaces::State::light_step() {
 }
 
 bool Surfaces::State::step() {
-  if (!patches) return false;
   if (preview && preview->go_on()) return true;
   if (light_step()) return true;
-  if (!coming_side_texture) return false;
+  if (!coming_side_values) return false;
+  if (!coming_side_texture)
+    coming_side_texture = std::make_unique<SideTexture>(*patches, cuts->cuts, *coming_side_values);
   if (coming_side_texture->go_on()) return true;
   side_texture = std::move(coming_side_texture);
   side_values = std::exchange(coming_side_values, nullptr);
@@ -140,6 +162,8 @@ bool Surfaces::State::step() {
 bool Surfaces::upload(double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
+  if (!state_->patches) return true;
+  if (!state_->has_cuts(seconds)) return false;
   while (std::chrono::duration<double>(Clock::now() - begin).count() < seconds)
     if (!state_->step()) return true;
   return false;
@@ -194,14 +218,7 @@ void Surfaces::try_programs() const {
   draw_by(state_->light, 3);
 }
 
-void Surfaces::draw(const SurfaceView& view) {
-  auto& s = *state_;
-  if (!s.patches) return;
-  prepare_depth();
-  const auto& program = s.program(view);
-  program.use();
-  program.set("projection", view.projection);
-  program.set("eye", view.eye);
+void set_tone(const GlProgram& program, const SurfaceView& view) {
   program.set("tone_scale", view.tone.scale);
   program.set("white", view.tone.options.white);
   program.set("curve", curve_number(view.tone.options.op));
@@ -209,6 +226,18 @@ void Surfaces::draw(const SurfaceView& view) {
   program.set("around", 2);
   program.set("from", view.from.left, view.from.bottom);
   if (view.local != nullptr) view.local->use(2);
+}
+
+void Surfaces::draw(const SurfaceView& view) {
+  auto& s = *state_;
+  const auto* mesh = s.drawn();
+  if (mesh == nullptr) return;
+  prepare_depth();
+  const auto& program = s.program(view);
+  program.use();
+  program.set("projection", view.projection);
+  program.set("eye", view.eye);
+  set_tone(program, view);
   program.set("low", view.scale.low);
   program.set("high", view.scale.high);
   program.set("logarithmic", view.scale.logarithmic ? 1 : 0);
@@ -219,13 +248,13 @@ void Surfaces::draw(const SurfaceView& view) {
   glBindTexture(GL_TEXTURE_2D, s.side_texture ? s.side_texture->texture().name() : 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, (view.scale.map == ColourMap::heat ? s.heat : s.difference).name());
-  s.drawn().draw();
+  mesh->draw();
   if (!view.wires) return;
   s.wires.use();
   s.wires.set("projection", view.projection);
   s.wires.set("ink", view.paint == Paint::light ? Vec3(0.9f, 0.45f, 0.02f) : Vec3(0.01f));
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  s.drawn().draw();
+  mesh->draw_patches();
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 

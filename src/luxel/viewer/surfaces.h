@@ -36,6 +36,11 @@ struct SurfaceView {
   bool wires = false;     // the patches' edges over it
 };
 
+class GlProgram;
+
+// Sets the uniforms of tone_shader, of the program in use.
+void set_tone(const GlProgram& program, const SurfaceView& view);
+
 // The patches on the graphics card, both sides. Whatever it is given goes there in slices, so that no frame
 // waits; the old is drawn until the new is whole. Needs the context that it was made in. Keeps what it is
 // given.

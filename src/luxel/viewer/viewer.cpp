@@ -5,9 +5,21 @@
 
 #include <fmt/format.h>
 
+#include "luxel/viewer/menus.h"
 #include "luxel/viewer/panels.h"
 
 namespace luxel {
+namespace {
+
+// Dear ImGui lays a window out over a few frames, and the driver averages pictures of a view that stays.
+constexpr int frames_per_event = 12;
+// Between frames while the light is solved and nothing moves: while a newer light becomes visible, and while
+// only the panel's numbers change. A frame of the software renderer takes 20 ms of the solver's cores.
+constexpr double solving_frame = 0.25, panel_frame = 0.5;                // s
+constexpr double paused_frame = 1.0;                                     // s
+constexpr double upload_seconds = 0.005, upload_seconds_at_rest = 0.05;  // per frame, to the graphics card
+
+}  // namespace
 
 Viewer::Viewer(Screen& screen, const WindowSettings& its_settings)
     : session(its_settings.live),
@@ -18,6 +30,7 @@ Viewer::Viewer(Screen& screen, const WindowSettings& its_settings)
         if (!hit) return std::nullopt;
         return seen.origin + hit.distance * seen.direction;
       }),
+      recent(its_settings.recent),
       settings(its_settings),
       screen_(screen),
       renderer_(screen),
@@ -35,6 +48,7 @@ void Viewer::begin_scene() {
     picture_.reset();
   }
   scene_ = session.number();
+  recent.add(session->file());
   light = {};
   queries = {};
   notices.begin_session();
@@ -47,22 +61,25 @@ void Viewer::begin_scene() {
 }
 
 void Viewer::update(double seconds) {
+  const bool was_busy = session.is_busy();
   session.update();
+  if (was_busy && !session.is_busy()) frames_since_event_ = 0;
   for (auto& error : session.take_errors()) notices.complain(std::move(error));
   if (session.number() != scene_) begin_scene();
   if (!session.has_scene()) return;
   notices.say_new(session.status().messages);
   if (!session.mesh()) return;
-  // The patches that are lit come after those of the grey preview.
+  // The patches that get light come after those of the grey preview.
   if (const auto& patches = session.mesh()->patches; patches != light.patches) {
     light.patches = patches;
     light.mixer = light.sent = LightMixer(*patches);
+    light.history.reset(light.mixer);
   }
   home_.update(session, settings, camera);
   update_view(seconds);
 }
 
-// What follows from where one looks, and from newer light.
+// Updates everything that depends on the view or on newer light.
 void Viewer::update_view(double seconds) {
   const auto& mesh = session.mesh();
   const auto& newest = session.light();
@@ -74,7 +91,7 @@ void Viewer::update_view(double seconds) {
     queries.has_requested_diagnostics = true;
     queries.diagnostics = session.snapshot().diagnostics;
   }
-  // What a picture is being made of stays as it is, and what is seen with it.
+  // While a picture is drawn, its data and the view of it stay unchanged.
   if (is_drawing_picture()) return;
   const auto& seen = seen_look();
   auto& painter = renderer_.painter();
@@ -96,27 +113,54 @@ bool Viewer::is_at_rest() const {
          !session.is_busy();
 }
 
+std::optional<double> Viewer::next_frame() const {
+  if (frames_since_event_ < frames_per_event || picture_ || camera.is_moving() || line || gui_.is_pressed())
+    return 0.0;
+  const bool is_settled = renderer_.is_uploaded() && renderer_.is_smooth() && exposure_.is_settled();
+  if (session.is_busy()) {
+    if (!is_settled || !session.has_scene() || !session.light()) return solving_frame;
+    return session.status().is_paused ? paused_frame : panel_frame;
+  }
+  if (!is_settled || home_.is_searching()) return 0.0;
+  if (!notices.said().empty() || gui_.is_typing()) return solving_frame;
+  return std::nullopt;
+}
+
 void Viewer::draw_scene(bool fine) {
   const auto& newest = session.light();
   renderer_.draw({scene_, camera.pose(), look, curve_.scale, newest ? newest->number : 0, overlays.version()},
                  seen_look(), viewpoint(), line.has_value(), fine);
 }
 
-void Viewer::frame(double seconds, bool fine) {
-  notices.advance(seconds);
-  camera.advance(seconds);
-  update(seconds);
-  is_drawing_picture() ? renderer_.hold_upload() : renderer_.upload(fine);
-  if (renderer_.is_uploaded()) continue_picture(false);
-  draw_scene(fine);
+void Viewer::draw_panels(double seconds) {
   gui_.begin(seconds);
+  top_ = menu_bar(*this);
   panel(*this);
   legend(*this);
   probe_card(*this);
   profile_card(*this);
   key_line(*this);
+  key_card(*this);
+  about_card(*this);
+  file_dialog.draw();
   dialogs(*this);
   gui_.draw();
+  if (!gui_.is_editing()) light.history.note(light.mixer);
+}
+
+void Viewer::frame(double seconds, bool fine) {
+  ++frames_since_event_;
+  notices.advance(seconds);
+  camera.advance(seconds);
+  update(seconds);
+  if (is_drawing_picture()) {
+    renderer_.hold_upload();
+  } else {
+    renderer_.upload(fine ? 1.0 : next_frame() == 0.0 ? upload_seconds : upload_seconds_at_rest);
+  }
+  if (renderer_.is_uploaded()) continue_picture(false);
+  draw_scene(fine);
+  draw_panels(seconds);
 }
 
 }  // namespace luxel

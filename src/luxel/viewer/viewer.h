@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,7 +10,9 @@
 
 #include "luxel/viewer/camera_controller.h"
 #include "luxel/viewer/current_session.h"
+#include "luxel/viewer/edit_history.h"
 #include "luxel/viewer/exposure.h"
+#include "luxel/viewer/file_dialog.h"
 #include "luxel/viewer/gui.h"
 #include "luxel/viewer/home_view.h"
 #include "luxel/viewer/light_mixer.h"
@@ -17,6 +21,7 @@
 #include "luxel/viewer/notices.h"
 #include "luxel/viewer/overlays.h"
 #include "luxel/viewer/picture_maker.h"
+#include "luxel/viewer/recent_files.h"
 #include "luxel/viewer/run_window.h"
 #include "luxel/viewer/scene_renderer.h"
 
@@ -26,6 +31,7 @@ namespace luxel {
 struct LightControls {
   LightMixer mixer;
   LightMixer sent;                          // the mixer's settings that the session has
+  EditHistory<LightMixer> history;          // of the mixer
   std::optional<int> bounces;               // that are shown; nothing: all
   std::shared_ptr<const PatchSet> patches;  // that the mixer is of
 };
@@ -56,7 +62,17 @@ class Viewer {
 
   // ---- What a person can do ----
   void open(const std::filesystem::path& file) { session.open(file); }
+  // Dropped on the window, one path per line: the first scene or solution among them.
+  void drop(const std::string& files);
   void relight();  // as the mixer is set
+  // The lamps and colours before the last change, and after the one undone last. Where there is none,
+  // nothing.
+  void undo_light();
+  void redo_light();
+  void switch_lamp(std::size_t group);  // off, or on as the scene has it
+  void reset_light();                   // as the scene has it
+  void change_exposure(int steps);      // quarters of a stop
+  void toggle_pause();
   // Tile by tile between frames, once all that was published is seen; until it is drawn, newer light and
   // other choices of what to show wait. One at a time.
   void save_picture(const std::filesystem::path& file, ScreenSize size);
@@ -67,6 +83,14 @@ class Viewer {
   void compare(const std::filesystem::path& file);  // the light with a second solution
   void show_bounces(std::optional<int> count);      // the light after so many; nothing: all of it
   void toggle_flying();
+  void toggle_full_screen();
+  void go_to_file_view(std::size_t number);  // below file_views()
+  // Each opens a dialog.
+  void ask_open();
+  void ask_compare();
+  void ask_save_solution();
+  void ask_save_picture();
+  void ask_export();
   void close() { is_closing_ = true; }
 
   // ---- What there is to wait for ----
@@ -74,12 +98,17 @@ class Viewer {
   bool has_view() const { return home_.is_known(); }
   // All that was published is seen, and nothing moves.
   bool is_at_rest() const;
-  // Frames may wait for a person: another would be the same.
-  bool may_sleep() const { return renderer_.may_sleep() && !picture_; }
+  // Seconds from the last frame to the next one that is worth drawing, unless an event comes: 0 while
+  // something moves, a quarter of a second or more while the light is solved for a camera that stands still.
+  // Nothing: another frame would be the same.
+  std::optional<double> next_frame() const;
   const PictureMaker* picture() const { return picture_.get(); }  // that is being made, or null
 
   const Painter& painter() const { return renderer_.painter(); }
   ScreenSize pixels() const { return screen_.pixels(); }
+  bool is_full_screen() const { return screen_.is_full_screen(); }
+  std::size_t file_views() const;     // cameras of the scene's file
+  float top() const { return top_; }  // below the menus, in the cursor's units
 
   CurrentSession session;
   Look look;
@@ -89,11 +118,17 @@ class Viewer {
   LightControls light;
   SceneQueries queries;
   Notices notices;
+  RecentFiles recent;
+  FileDialog file_dialog;
   const WindowSettings& settings;
   std::optional<std::pair<Vec2, Vec2>> line;  // being drawn over the screen, [-1, 1]
 
  private:
   void handle_key(Key key);
+  void handle_shortcut(Key key);  // with Control
+  void set_light(const LightMixer& mixer);
+  void ask_save(const char* title, const char* ending,
+                std::function<void(const std::filesystem::path&)> save);
   void handle_line(const Event& event);
   void update(double seconds);
   void update_view(double seconds);
@@ -102,6 +137,7 @@ class Viewer {
   const Look& seen_look() const { return picture_ && !picture_->is_drawn() ? picture_->look() : look; }
   Viewpoint viewpoint() const;
   void draw_scene(bool fine);
+  void draw_panels(double seconds);
 
   Screen& screen_;
   SceneRenderer renderer_;
@@ -113,6 +149,8 @@ class Viewer {
   std::uint64_t scene_ = 0;  // that this is set up for
   bool is_closing_ = false;
   bool mouse_is_for_panels_ = false;
+  int frames_since_event_ = 0;
+  float top_ = 0.0f;
 };
 
 }  // namespace luxel

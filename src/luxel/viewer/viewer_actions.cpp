@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
 #include "luxel/viewer/viewer.h"
 
-// What a person does in the window.
+// Actions of the user in the window.
 
 namespace luxel {
 namespace {
 
-constexpr double picture_seconds = 0.005;  // of a frame, for tiles of a picture that is to be saved
+constexpr double picture_seconds = 0.005;  // per frame, for tiles of a picture that is to be saved
 
 }  // namespace
 
 void Viewer::handle(const Event& event) {
-  renderer_.note_event();
+  frames_since_event_ = 0;
   gui_.handle(event, !camera.is_flying());
   switch (event.kind) {
     case Event::Kind::close:
       close();
       return;
     case Event::Kind::drop:
-      open(event.text);
+      drop(event.text);
+      return;
+    case Event::Kind::leave:
+      camera.release_keys();
       return;
     case Event::Kind::resize:
       camera.set_screen(screen_.size());
@@ -33,7 +37,7 @@ void Viewer::handle(const Event& event) {
       if (!camera.handle(event) && event.down && !event.repeat) handle_key(event.key);
       return;
     case Event::Kind::button:
-      // A drag that began on a panel stays there, and one that began on the scene likewise.
+      // A drag that began on a panel stays with the panels, one that began on the scene with the scene.
       if (event.down) mouse_is_for_panels_ = !camera.is_flying() && gui_.wants_mouse();
       if (mouse_is_for_panels_) return;
       handle_line(event);
@@ -45,76 +49,14 @@ void Viewer::handle(const Event& event) {
       return;
     case Event::Kind::wheel:
       if (!camera.is_flying() && gui_.wants_mouse()) return;
-      if (!camera.handle(event))
-        look.tone.exposure = std::clamp(look.tone.exposure + 0.25f * event.at.y, -20.0f, 20.0f);
+      if (!camera.handle(event)) change_exposure(static_cast<int>(std::lround(event.at.y)));
       return;
     default:
       return;
   }
 }
 
-void Viewer::toggle_flying() {
-  camera.set_flying(!camera.is_flying());
-  screen_.capture_cursor(camera.is_flying());
-}
-
-void Viewer::handle_key(Key key) {
-  const auto flip = [](bool& choice) { choice = !choice; };
-  switch (key) {
-    case key::tab:
-      toggle_flying();
-      return;
-    case key::escape:
-      if (camera.is_flying()) toggle_flying();
-      look.help = false;
-      light_probe.unpin();
-      light_probe.clear_line();
-      return;
-    case key::f1:
-      flip(look.help);
-      return;
-    case key::f12:
-      save_picture(fmt::format("{}.png", session.title()), screen_.pixels());
-      return;
-    case 'P':
-      flip(look.panel);
-      return;
-    case 'G':
-      flip(look.wires);
-      return;
-    case 'N':
-      flip(look.normals);
-      return;
-    case 'B':
-      flip(look.boxes);
-      return;
-    case 'R':
-      flip(look.rays);
-      return;
-    case 'X':
-      flip(look.automatic_exposure);
-      return;
-    case 'L':
-      look.show = Show::light;
-      return;
-    case 'I':
-      look.show = Show::irradiance;
-      return;
-    case 'O':
-      look.show = static_cast<Show>((static_cast<int>(look.show) + 1) % show_count);
-      return;
-    case 'T':
-      look.tone.op = static_cast<ToneOperator>((static_cast<int>(look.tone.op) + 1) % tone_operators);
-      return;
-    case ' ':
-      if (session.has_scene()) session.status().is_paused ? session->resume() : session->pause();
-      return;
-    default:
-      return;
-  }
-}
-
-// Shift and drag: a line whose profile is asked for. A click that does not drag pins the probe.
+// Shift and drag draws a line for a profile. A click without a drag pins the probe.
 void Viewer::handle_line(const Event& event) {
   if (camera.is_flying() || event.button != MouseButton::left) return;
   if (event.down && camera.is_shifted()) {
@@ -125,6 +67,59 @@ void Viewer::handle_line(const Event& event) {
   } else if (!event.down && camera.is_click()) {
     light_probe.is_pinned() ? light_probe.unpin() : light_probe.pin();
   }
+}
+
+void Viewer::toggle_flying() {
+  camera.set_flying(!camera.is_flying());
+  screen_.capture_cursor(camera.is_flying());
+}
+
+void Viewer::toggle_full_screen() { screen_.set_full_screen(!screen_.is_full_screen()); }
+
+std::size_t Viewer::file_views() const {
+  const auto& mesh = session.mesh();
+  return mesh && mesh->scene ? mesh->scene->cameras.size() : 0;
+}
+
+void Viewer::go_to_file_view(std::size_t number) {
+  camera.glide_to(pose_of(session.mesh()->scene->cameras[number], camera.space()));
+}
+
+void Viewer::change_exposure(int steps) {
+  look.tone.exposure = std::clamp(look.tone.exposure + 0.25f * static_cast<float>(steps), -20.0f, 20.0f);
+}
+
+void Viewer::toggle_pause() {
+  if (session.has_scene()) session.status().is_paused ? session->resume() : session->pause();
+}
+
+// ---- Lamps and colours ----
+
+// Light whose lamps are not known apart waits for the panel's button, as after a slider was moved.
+void Viewer::set_light(const LightMixer& mixer) {
+  light.mixer = mixer;
+  if (session.has_scene() && session.status().can_relight) relight();
+}
+
+void Viewer::undo_light() {
+  light.history.note(light.mixer);
+  if (light.history.can_undo()) set_light(light.history.undo());
+}
+
+void Viewer::redo_light() {
+  light.history.note(light.mixer);
+  if (light.history.can_redo()) set_light(light.history.redo());
+}
+
+void Viewer::switch_lamp(std::size_t group) {
+  auto mixer = light.mixer;
+  auto& factor = mixer.lamps.at(group).factor;
+  factor = factor > 0.0f ? 0.0f : 1.0f;
+  set_light(mixer);
+}
+
+void Viewer::reset_light() {
+  if (session.mesh()) set_light(LightMixer(*session.mesh()->patches));
 }
 
 void Viewer::relight() {

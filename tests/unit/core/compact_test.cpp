@@ -31,16 +31,21 @@ TEST(Compact, the_same_bytes_give_the_same_stream) {
   EXPECT_EQ(deflated(bytes), deflated(bytes));
 }
 
-// The vectors of RFC 4648, section 10, and bytes beyond ASCII.
-TEST(Compact, base64_is_that_of_the_standard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xfb\xff\xfe"), "+//+");
+TEST(Compact, base85_writes_four_bytes_as_five_digits_of_base_85) {
+  EXPECT_EQ(base85(""), "");
+  EXPECT_EQ(base85(std::string(4, '\0')), "!!!!!");
+  EXPECT_EQ(base85(std::string("\0\0\0\x01", 4)), "!!!!#");
+  EXPECT_EQ(base85(std::string("\0\0\0\x55", 4)), "!!!#!");  // 85
+  EXPECT_EQ(base85("\xff\xff\xff\xff"), "|?_2!");            // 82 23 54 12 0
+  EXPECT_EQ(base85("\1"), base85(std::string("\1\0\0\0", 4)));
+}
+
+TEST(Compact, base85_has_no_character_that_html_reads_otherwise) {
+  std::string bytes;
+  for (unsigned i = 0; i < 4000; ++i) bytes += static_cast<char>(i * 2654435761u >> 24u);
+  const auto text = base85(bytes);
+  EXPECT_EQ(text.size(), 5000u);
+  EXPECT_EQ(text.find_first_of("<>&\"'\\`$- \n"), std::string::npos);
 }
 
 }  // namespace

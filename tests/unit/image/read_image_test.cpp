@@ -218,7 +218,8 @@ TEST(ReadImage, a_jpeg_is_read) {
 }
 
 TEST(ReadImage, a_text_is_no_picture) {
-  EXPECT_NE(complaint("hello", ".png").find("expected PNG, JPEG, TGA, BMP, HDR or EXR"), std::string::npos);
+  EXPECT_NE(complaint("hello", ".png").find("expected PNG, JPEG, WebP, TGA, BMP, HDR or EXR"),
+            std::string::npos);
 }
 
 TEST(ReadImage, a_missing_file_is_named) {

@@ -45,6 +45,43 @@ TEST(ToneMap, the_global_operators_apply_their_fitted_curve_to_every_pixel) {
   }
 }
 
+TEST(ToneMap, half_a_pixel_of_a_bright_lamp_is_half_as_bright_as_the_lamp) {
+  Image radiance(2, 1, Vec3(50.0f));
+  const EdgePixels edges{2, {1}, {Vec3(100.0f), Vec3(0.0f)}};
+  for (const auto op : {ToneOperator::neutral, ToneOperator::clamp, ToneOperator::reinhard}) {
+    const ToneOptions options{.op = op, .scale = 1.0f};
+    const auto display = tone_map(radiance, options, edges);
+    const auto lamp = tone_map(Image(1, 1, Vec3(100.0f)), options).pixels[0].g;
+    EXPECT_GT(lamp, 0.98f);
+    EXPECT_FLOAT_EQ(display.pixels[1].g, 0.5f * lamp);
+    EXPECT_GT(display.pixels[0].g, 0.97f);
+  }
+}
+
+TEST(ToneMap, the_sky_has_a_look_of_its_own_and_no_part_in_the_exposure) {
+  Image radiance(4, 1, Vec3(0.5f));
+  radiance.pixels[0] = Vec3(300.0f);
+  radiance.pixels[1] = Vec3(150.25f);  // half of it
+  const SkyPixels sky{{0, 1}, {1.0f, 0.5f}, {Vec3(0.2f, 0.3f, 0.4f), Vec3(0.35f)}};
+  EXPECT_EQ(exposure_weights(radiance, sky), (std::vector<float>{0.0f, 0.5f, 1.0f, 1.0f}));
+  const auto curve = fit_curve(radiance.pixels, exposure_weights(radiance, sky));
+  const auto display = tone_map(radiance, {}, {}, sky);
+  EXPECT_EQ(display.pixels[0], curve(sky.radiance[0]));
+  EXPECT_EQ(display.pixels[1], curve(sky.radiance[1]));
+  EXPECT_EQ(display.pixels[2], curve(radiance.pixels[2]));
+}
+
+TEST(ToneMap, a_picture_of_the_sky_alone_is_exposed_for_the_sky) {
+  const Image radiance(10, 10, Vec3(7.0f));
+  SkyPixels sky;
+  for (std::uint32_t p = 0; p < 100; ++p) {
+    sky.pixels.push_back(p);
+    sky.fraction.push_back(p < 99 ? 1.0f : 0.1f);
+    sky.radiance.push_back(Vec3(7.0f));
+  }
+  EXPECT_EQ(exposure_weights(radiance, sky), std::vector<float>(100, 1.0f));
+}
+
 TEST(ReinhardLocal, equals_the_global_operator_on_a_constant_image) {
   const Image constant(50, 30, Vec3(3.0f, 2.0f, 1.0f));
   for (const float white : {0.0f, 0.5f}) {

@@ -65,8 +65,8 @@ TEST_F(LoadGltfDamaged, other_versions_and_unknown_extensions_are_refused) {
   expect(refusal_with(R"("version":"2.0")", R"("version":"2.1","minVersion":"2.1")"), "found 2.1");
   expect(refusal("{}"), "/asset/version: expected a text, found nothing");
   auto gltf = one_triangle();
-  gltf.rest = R"(,"extensionsRequired":["KHR_texture_transform","KHR_draco_mesh_compression"])";
-  expect(refusal(gltf), "/extensionsRequired/1: the file cannot be read without KHR_draco_mesh_compression");
+  gltf.rest = R"(,"extensionsRequired":["KHR_texture_transform","KHR_gaussian_splatting"])";
+  expect(refusal(gltf), "/extensionsRequired/1: the file cannot be read without KHR_gaussian_splatting");
 }
 
 TEST_F(LoadGltfDamaged, a_scene_without_triangles_is_refused) {

@@ -79,10 +79,26 @@ TEST_F(LoadGltfMaterials, what_has_no_material_is_grey) {
   EXPECT_NE(files_.all_warnings().find("a grey of 0.5"), std::string::npos);
 }
 
-TEST_F(LoadGltfMaterials, metal_is_dark_and_that_is_said) {
-  const auto scene = load(R"({"name":"gold"})");
-  expect_near(scene.materials[0].reflectance, Vec3(0.0f));
-  EXPECT_NE(files_.all_warnings().find("'gold'"), std::string::npos);
+TEST_F(LoadGltfMaterials, the_base_colour_of_metal_stands_for_its_reflections) {
+  const auto gold = load(R"({"name":"gold","pbrMetallicRoughness":{"baseColorFactor":[1,0.75,0.25,1]}})");
+  expect_near(gold.materials[0].reflectance, Vec3(0.8f, 0.75f, 0.25f));
+  EXPECT_EQ(files_.all_warnings(),
+            "room.gltf: stand-ins, since metals and mirrors are not modelled: their colour, at most 0.8, is "
+            "taken as "
+            "diffuse for 'gold'\n");
+  const auto capped = load(R"({"name":"gold"})", "", {.max_reflectance = 0.5f});
+  expect_near(capped.materials[0].reflectance, Vec3(0.5f));
+}
+
+TEST_F(LoadGltfMaterials, a_mirror_of_specular_and_glossiness_shows_its_specular_colour) {
+  const auto mirror = load(R"({"name":"chrome","extensions":{"KHR_materials_pbrSpecularGlossiness":)"
+                           R"({"diffuseFactor":[0.125,0.125,0.125,1],"specularFactor":[0.5,0.5,1]}}})");
+  expect_near(mirror.materials[0].reflectance, Vec3(0.625f, 0.625f, 0.8f));
+  EXPECT_NE(files_.all_warnings().find("'chrome'"), std::string::npos);
+  const auto plastic = load(R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":)"
+                            R"({"diffuseFactor":[0.125,0.125,0.125,1],"specularFactor":[0.04,0.04,0.04]}}})");
+  expect_near(plastic.materials[0].reflectance, Vec3(0.125f));
+  EXPECT_EQ(files_.all_warnings(), "");
 }
 
 // 1000 cd/m² of white are 1000 pi lm/m², and 179 lm are a watt.
@@ -139,13 +155,13 @@ TEST_F(LoadGltfMaterials, pictures_are_scaled_turned_and_shifted) {
   EXPECT_EQ(scene.uv_sets[0][0][1], Vec2(0.2f, 0.0f)) << "the transform's own set";
 }
 
-TEST_F(LoadGltfMaterials, metal_in_a_picture_darkens_the_base_colour_place_by_place) {
-  picture("a.tga", 2, 2, Pixels(4, {188, 188, 188, 77}));
+TEST_F(LoadGltfMaterials, metal_in_a_picture_lowers_bright_base_colours_place_by_place) {
+  picture("a.tga", 2, 2, Pixels(4, {255, 255, 255, 77}));
   picture("b.tga", 2, 1, {{0, 0, 0, 255}, {0, 0, 255, 255}});  // blue: none, all
   const auto scene = load(
       R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":1}}})");
-  // They do not lie alike (the second clamps), so the mean is taken.
-  expect_near(scene.materials[0].reflectance, Vec3(0.5f * half_linear));
+  // They do not lie alike (the second clamps), so the mean is taken: half of it is no metal.
+  expect_near(scene.materials[0].reflectance, Vec3(0.5f));
   EXPECT_EQ(scene.textures.size(), 1u);
 
   const auto same = load(
@@ -155,14 +171,14 @@ TEST_F(LoadGltfMaterials, metal_in_a_picture_darkens_the_base_colour_place_by_pl
   EXPECT_EQ(raster.width, 2);
   EXPECT_EQ(raster.height, 2);
   for (const int y : {0, 1}) {
-    EXPECT_EQ(raster.codes[raster.index(0, y)], (Raster::Code{188, 188, 188, 77}));
-    EXPECT_EQ(raster.codes[raster.index(1, y)], (Raster::Code{0, 0, 0, 77}));
+    EXPECT_EQ(raster.codes[raster.index(0, y)], (Raster::Code{255, 255, 255, 77}));
+    EXPECT_EQ(raster.codes[raster.index(1, y)], (Raster::Code{231, 231, 231, 77}));
   }
-  expect_near(same.materials[0].reflectance, Vec3(0.5f * half_linear));
+  expect_near(same.materials[0].reflectance, Vec3(0.9f), 1e-3f);
   expect_near(same.materials[0].textures.reflectance_factor, Vec3(1.0f));
 
   const auto alone = load(R"({"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":1}}})");
-  expect_near(alone.materials[0].reflectance, Vec3(0.5f));
+  expect_near(alone.materials[0].reflectance, Vec3(0.9f), 1e-3f);
 }
 
 TEST_F(LoadGltfMaterials, what_alpha_masks_is_a_hole) {

@@ -105,14 +105,46 @@ TEST(LoadMtl, what_lets_most_light_through_is_left_out_and_told) {
   }
 }
 
-TEST(LoadMtl, a_mirror_lends_its_specular_colour_and_is_told) {
+TEST(LoadMtl, a_mirror_lends_its_specular_colour_and_is_reported) {
   SceneFiles files;
-  EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 0.9 0.8 0.7\n").reflectance, Vec3(0.9f, 0.8f, 0.7f));
+  EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 0.7 0.6 0.5\n").reflectance, Vec3(0.7f, 0.6f, 0.5f));
   EXPECT_EQ(files.all_warnings(),
-            "room.obj: mirrors are not modelled: the specular colour Ks is taken as diffuse for 'm'\n");
+            "room.obj: stand-ins, since mirrors and glass are not modelled: the specular colour Ks, at most "
+            "0.8, is "
+            "taken as diffuse for 'm'\n");
+  EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 1 0.9 0.3\n").reflectance, Vec3(0.8f, 0.8f, 0.3f));
   EXPECT_EQ(load_material(files, "newmtl m\nKd 0.1 0 0\nKs 1 1 1\n").reflectance, Vec3(0.1f, 0.0f, 0.0f));
   EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 1 1 1\nKe 5 5 5\n").reflectance, Vec3(0.0f));
   EXPECT_EQ(files.all_warnings(), "");
+}
+
+TEST(LoadMtl, dark_metal_that_illum_lets_reflect_shows_its_specular_colour) {
+  SceneFiles files;
+  for (const std::string illum : {"3", "5", "7"}) {
+    const auto chrome = "newmtl m\nKd 0.125 0.125 0.125\nKs 0.5 0.5 0.25\nillum " + illum + "\n";
+    EXPECT_EQ(load_material(files, chrome).reflectance, Vec3(0.625f, 0.625f, 0.375f)) << illum;
+    EXPECT_NE(files.all_warnings().find("'m'"), std::string::npos);
+  }
+  const std::string dark = "newmtl m\nKd 0.125 0.125 0.125\n", light = "newmtl m\nKd 0.5 0.5 0.5\n";
+  for (const auto& other : {dark + "illum 2\nKs 1 1 1", dark + "illum 3\nKs 0.04 0.04 0.04"}) {
+    EXPECT_EQ(load_material(files, other + "\n").reflectance, Vec3(0.125f)) << other;
+    EXPECT_EQ(files.all_warnings(), "") << other;
+  }
+  EXPECT_EQ(load_material(files, light + "illum 3\nKs 1 1 1\n").reflectance, Vec3(0.5f));
+}
+
+TEST(LoadMtl, light_passes_through_glass_whatever_its_opacity) {
+  SceneFiles files;
+  EXPECT_FALSE(load_material(files, "newmtl m\nKd 0 0 0\nKs 1 1 1\nillum 7\nNi 1.5\n").opaque);
+  EXPECT_EQ(
+      files.all_warnings(),
+      "room.obj: stand-ins, since mirrors and glass are not modelled: light passes freely through 'm', which "
+      "is left out\n");
+  // Opaque: of writers that give everything illum 4, what passes no light, and what has a colour or shines.
+  for (const std::string solid :
+       {"Kd 0.1 0.1 0.1\nillum 4\nTf 1 1 1\nNi 1", "Kd 0.1 0.1 0.1\nillum 7\nNi 1.5\nTf 0 0 0",
+        "Kd 0.6 0.5 0.5\nillum 7\nNi 1.5", "Kd 0 0 0\nillum 7\nNi 1.5\nKe 1 1 1"})
+    EXPECT_TRUE(load_material(files, "newmtl m\n" + solid + "\n").opaque) << solid;
 }
 
 TEST(LoadMtl, the_mean_of_a_texture_multiplies_Kd) {

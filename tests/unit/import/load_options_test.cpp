@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "luxel/core/triangle.h"
@@ -27,15 +28,15 @@ TEST(LoadScene, a_folder_is_no_scene) {
   SceneFiles files;
   std::filesystem::create_directory(files.path("room.obj"));
   EXPECT_EQ(files.refusal("room.obj"),
-            "room.obj: it is a folder; name the scene's file inside it (.obj, .glb or .gltf)");
+            "room.obj: it is a folder; name the scene's file inside it (.obj, .glb, .gltf, .ply or .stl)");
 }
 
 TEST(LoadScene, other_endings_are_told_what_to_become) {
   SceneFiles files;
-  for (const std::string name : {"room.fbx", "room.GLT", "room.ply", "room.stl", "room"}) {
+  for (const std::string name : {"room.max", "room.GLT", "room.step", "room"}) {
     files.write(name, "solid");
     const auto refusal = files.refusal(name);
-    EXPECT_NE(refusal.find(name + ": expected a file that ends in .obj, .glb or .gltf, found "),
+    EXPECT_NE(refusal.find(name + ": expected a file that ends in .obj, .glb, .gltf, .ply or .stl, found "),
               std::string::npos)
         << refusal;
     EXPECT_NE(refusal.find("convert"), std::string::npos) << refusal;
@@ -51,6 +52,29 @@ TEST(LoadScene, an_ending_in_capitals_is_fine) {
 TEST(LoadScene, the_scene_knows_the_file_as_it_was_named) {
   SceneFiles files;
   EXPECT_EQ(files.load_text(two_triangles).source, files.path("room.obj").string());
+}
+
+TEST(LoadScene, a_size_that_no_room_has_is_doubted_in_one_warning_with_the_scale_that_mends_it) {
+  SceneFiles files;
+  std::vector<Message> messages;
+  const auto log = Context().with_log([&](const Message& message) { messages.push_back(message); });
+  std::string obj;
+  for (const int z : {0, 400})
+    for (const int y : {0, 250})
+      for (const int x : {0, 300}) obj += fmt::format("v {} {} {}\n", x, y, z);
+  files.write("room.mtl", "newmtl wall\nKd 0.5 0.5 0.5\n");
+  obj += "mtllib room.mtl\nusemtl wall\nf 1 2 4 3\nf 5 6 8 7\nf 1 2 6 5\nf 3 4 8 7\nf 1 3 7 5\nf 2 4 8 6\n";
+  files.write("room.obj", obj);
+  load_scene(files.path("room.obj"), {}, log);
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].severity, Severity::warning);
+  EXPECT_EQ(messages[0].text, files.path("room.obj").string() +
+                                  ": the scene is 400 m long, too large for a room; if the file counts "
+                                  "in centimetres, a scale of 0.01 makes it 4 m long");
+  EXPECT_EQ(messages[0].hints, (std::vector<Hint>{{Setting::scale, "0.01"}}));
+  messages.clear();
+  load_scene(files.path("room.obj"), {.scale = 0.01}, log);
+  EXPECT_TRUE(messages.empty());
 }
 
 TEST(LoadScene, scale_is_metres_per_unit) {

@@ -84,8 +84,11 @@ TEST(SessionMethods, another_method_solves_with_the_lamps_that_were_set) {
   live.solve(coarse().light);
   ASSERT_TRUE(wait_for_idle(live));
   EXPECT_TRUE(live.snapshot().light->is_relit);
+  // The iteration ends by the change of the whole scene's light: where it is dark, above the lamp, that is
+  // more than 1e-4 of the light there.
+  const auto change = 1e-4f * static_cast<float>(mean(front(sampled)));
   for (std::size_t i = 0; i < front(sampled).size(); ++i)
-    EXPECT_NEAR(front(live.snapshot().light)[i], 0.5f * front(sampled)[i], 1e-4f * front(sampled)[i]);
+    EXPECT_NEAR(front(live.snapshot().light)[i], 0.5f * front(sampled)[i], change);
   live.relight({});
   ASSERT_TRUE(wait_for_idle(live));
   EXPECT_EQ(front(live.snapshot().light), front(sampled));

@@ -8,12 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/error.h"
-#include "luxel/image/pack_rectangles.h"
 #include "luxel/patch/side.h"
-#include "luxel/surface/flat_cover.h"
 #include "luxel/surface/make_charts.h"
 #include "luxel/surface/pack_charts.h"
 
+#include "support/chart_checks.h"
 #include "support/lightmap_scenes.h"
 
 namespace luxel {
@@ -21,11 +20,18 @@ namespace {
 
 using test::add_box;
 using test::add_room;
+using test::charts_of;
 using test::even_light;
+using test::expect_every_front_once;
+using test::expect_no_overlap;
 
-Charts charts_of(const PatchSet& patches, float texel, float back = 0.0f, int max_texels = 1000) {
-  return make_charts(patches, even_light(patches, 1.0f, back), {.texel = texel, .max_texels = max_texels},
-                     Context(2));
+// Changes the light of fronts at some places.
+template <typename IsThere>
+void darken(const PatchSet& patches, Solution& light, const IsThere& is_there, float value) {
+  const auto bands = patches.band_count();
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (is_there(patches.centroid(p)))
+      for (std::size_t b = 0; b < bands; ++b) light.irradiance.front[p * bands + b] = value;
 }
 
 // The charts that have fronts of this material.
@@ -35,31 +41,6 @@ std::set<std::uint32_t> charts_on(const PatchSet& patches, const Charts& charts,
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (patches.material_of(p).name == material) found.insert(charts.of_side[2 * p]);
   return found;
-}
-
-void expect_every_front_once(const PatchSet& patches, const Charts& charts) {
-  std::size_t sides = 0;
-  for (const auto& chart : charts.charts) sides += chart.sides.size();
-  EXPECT_EQ(sides, patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_NE(charts.of_side[2 * p], none);
-}
-
-// Of what is projected, no side covers another of its chart.
-void expect_no_overlap(const PatchSet& patches, const Charts& charts) {
-  for (const auto& chart : charts.charts) {
-    FlatCover cover({0.0, 0.0}, {chart.size[0], chart.size[1]}, chart.sides.size());
-    for (const auto side : chart.sides) {
-      FlatCover::Triangle t;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = Charts::place(chart, patches.points(side.patch())[!side.is_back() ? k : 2 - k]);
-        t[k] = {at[0], at[1]};
-        EXPECT_GE(std::min(at[0], at[1]), -1e-5);
-        EXPECT_LE(at[0], chart.size[0] + 1e-5);
-        EXPECT_LE(at[1], chart.size[1] + 1e-5);
-      }
-      EXPECT_TRUE(cover.add(t));
-    }
-  }
 }
 
 TEST(LightmapCharts, a_room_is_a_rectangle_for_each_wall) {
@@ -118,14 +99,23 @@ TEST(LightmapCharts, backs_are_laid_out_where_light_fell_and_then_all_of_their_p
     EXPECT_EQ(charts.of_side[2 * p + 1] != none, patches.material_of(p).name == "one");
 }
 
-TEST(LightmapCharts, the_floor_under_a_box_is_a_chart_of_its_own) {
+// Nothing sees it, so it needs no chart of its own, nor a cut of the floor's triangles.
+TEST(LightmapCharts, the_floor_under_a_small_box_is_on_the_chart_of_the_floor) {
   truth::SceneBuilder b;
   add_room(b, {0, 0, 0}, {4, 4, 3}, 0.5f);
   b.material("box", 0.5f, 0.0f);
   add_box(b, {1.13f, 1.27f, 0}, {2.21f, 2.4f, 1});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.5f});
-  const auto charts = charts_of(patches, 0.1f);
-  EXPECT_EQ(charts_on(patches, charts, "floor").size(), 2u);
+  auto light = even_light(patches, 1.0f);
+  darken(
+      patches, light,
+      [](const Vec3& at) {
+        return at.z < 0.001f && at.x > 1.13f && at.x < 2.21f && at.y > 1.27f && at.y < 2.4f;
+      },
+      0.0f);
+  const auto charts = make_charts(patches, light, {.texel = 0.1f}, Context(2));
+  EXPECT_EQ(charts_on(patches, charts, "floor").size(), 1u);
+  expect_no_overlap(patches, charts);
   expect_every_front_once(patches, charts);
 }
 
@@ -138,7 +128,11 @@ TEST(LightmapCharts, a_thin_gap_whose_line_parts_nothing_is_cut_elsewhere) {
   b.triangle(tip, {1, 10, 0}, far);
   const auto patches = make_patches(b.scene(), {.max_edge = 0.0f});
   ASSERT_EQ(patches.size(), 4u);
-  const auto charts = charts_of(patches, 0.1f);
+  EXPECT_EQ(charts_of(patches, 0.1f).charts.size(), 1u);  // evenly lit: nothing would bleed
+  auto light = even_light(patches, 1.0f);
+  for (auto value = 2 * patches.band_count(); value < 4 * patches.band_count(); ++value)
+    light.irradiance.front[value] = 0.25f;
+  const auto charts = make_charts(patches, light, {.texel = 0.08f}, Context(2));
   EXPECT_EQ(charts.charts.size(), 2u);
   EXPECT_NE(charts.of_side[0], charts.of_side[6]);
   expect_every_front_once(patches, charts);
@@ -155,7 +149,17 @@ TEST(LightmapCharts, a_thin_wall_with_a_door_parts_the_floor_along_its_line) {
     else
       add_box(b, {2.0f, 1.0f, 0}, {2.0f + thickness, 4, 3});
     const auto patches = make_patches(b.scene(), {.max_edge = 0.5f});
-    const auto charts = charts_of(patches, 0.1f);
+    auto light = even_light(patches, 1.0f);
+    darken(
+        patches, light, [](const Vec3& at) { return at.x > 2.0f; }, 0.2f);
+    if (thickness > 0.0f)
+      darken(
+          patches, light,
+          [&](const Vec3& at) {
+            return at.z < 0.001f && at.y > 1.0f && at.x > 2.0f && at.x < 2.0f + thickness;
+          },
+          0.0f);
+    const auto charts = make_charts(patches, light, {.texel = 0.1f}, Context(2));
     std::set<std::uint32_t> before, behind;
     for (std::size_t p = 0; p < patches.size(); ++p) {
       const auto middle = patches.centroid(p);
@@ -174,7 +178,7 @@ TEST(LightmapCharts, a_gap_as_wide_as_three_texels_parts_nothing) {
   b.material("wall", 0.5f, 0.0f);
   add_box(b, {2.0f, 1.0f, 0}, {2.3f, 3.5f, 3});
   const auto patches = make_patches(b.scene(), {.max_edge = 0.5f});
-  EXPECT_EQ(charts_on(patches, charts_of(patches, 0.1f), "floor").size(), 2u);
+  EXPECT_EQ(charts_on(patches, charts_of(patches, 0.1f), "floor").size(), 1u);
 }
 
 TEST(LightmapCharts, what_is_larger_than_a_page_is_cut) {
@@ -205,86 +209,6 @@ TEST(LightmapCharts, light_of_other_patches_and_senseless_options_are_refused) {
   EXPECT_THROW(pack_charts(patches, charts, {.page_size = 16, .margin = 8}), InputError);
   EXPECT_THROW(pack_charts(patches, charts, {.texel = 0.001f, .page_size = 64}), InputError);
   EXPECT_THROW(pack_charts(patches, charts, {.texel = 1e-4f, .page_size = 16384}), InputError);
-}
-
-// Margins between all, and to the edge.
-void expect_apart(const Atlas& atlas) {
-  std::vector<std::vector<int>> owner(static_cast<std::size_t>(atlas.pages));
-  const auto size = atlas.page_size;
-  for (auto& page : owner) page.assign(static_cast<std::size_t>(size * size), -1);
-  for (std::size_t c = 0; c < atlas.places.size(); ++c) {
-    const auto& place = atlas.places[c];
-    EXPECT_GE(std::min(place.x, place.y), atlas.margin);
-    EXPECT_LE(std::max(place.x + place.width, place.y + place.height), size - atlas.margin);
-    for (int y = place.y; y < place.y + place.height + atlas.margin; ++y)
-      for (int x = place.x; x < place.x + place.width + atlas.margin; ++x) {
-        auto& texel = owner[place.page][static_cast<std::size_t>(y * size + x)];
-        EXPECT_EQ(texel, -1);
-        texel = static_cast<int>(c);
-      }
-  }
-}
-
-TEST(LightmapPages, hold_charts_apart_and_to_the_scale_asked_for) {
-  truth::SceneBuilder b;
-  add_room(b, {0, 0, 0}, {4, 3, 2.5f}, 0.5f);
-  b.material("box", 0.5f, 0.0f);
-  add_box(b, {1.13f, 1.27f, 0}, {2.21f, 2.4f, 1});
-  const auto patches = make_patches(b.scene(), {.max_edge = 0.5f});
-  const auto charts = charts_of(patches, 0.05f);
-  for (const int page : {96, 128, 1024}) {
-    const auto atlas = pack_charts(patches, charts, {.texel = 0.05f, .page_size = page, .margin = 3});
-    expect_apart(atlas);
-    EXPECT_EQ(atlas.pages > 1, page < 1024);
-    double texels = 0.0, area = 0.0;
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const auto& t = atlas.corners[2 * p];
-      const auto u = t[1] - t[0], v = t[2] - t[0];
-      const auto own = 0.5 * std::abs(u.x * v.y - u.y * v.x);
-      const auto needed = static_cast<double>(patches.area[p]) / (0.05 * 0.05);
-      EXPECT_GE(own, 0.99 * needed);
-      EXPECT_LE(own, 1.10 * needed);  // a box of 1.08 m: 21.6 texels become 22
-      texels += own;
-      area += needed;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto uv = atlas.uv(SideId(p, false), k);
-        EXPECT_TRUE(uv.x > 0.0f && uv.y > 0.0f && uv.x < 1.0f && uv.y < 1.0f);
-      }
-    }
-    EXPECT_NEAR(texels / area, 1.0, 0.02);
-  }
-}
-
-TEST(LightmapPages, are_as_small_as_a_power_of_two_allows) {
-  const auto patches = make_patches(truth::cube({}), {.max_edge = 0.5f});
-  const auto charts = charts_of(patches, 0.1f);
-  const auto atlas = pack_charts(patches, charts, {.texel = 0.1f, .page_size = 1024, .margin = 2});
-  EXPECT_EQ(atlas.pages, 1);
-  EXPECT_EQ(atlas.page_size, 64);  // six charts of 11 x 11 and their margins need 41 by 28
-}
-
-TEST(LightmapPages, rectangles_are_packed_without_overlap_on_as_many_pages_as_it_takes) {
-  std::vector<Rectangle> all;
-  for (int i = 0; i < 200; ++i) all.push_back({3 + i * 7 % 23, 2 + i * 13 % 31, 0, 0, 0});
-  auto again = all;
-  const auto pages = pack_rectangles(all, 100);
-  EXPECT_EQ(pack_rectangles(again, 100), pages);
-  std::int64_t area = 0;
-  std::vector<std::vector<bool>> taken(static_cast<std::size_t>(pages), std::vector<bool>(100 * 100, false));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& r = all[i];
-    area += r.width * r.height;
-    EXPECT_EQ(r.x, again[i].x);
-    EXPECT_EQ(r.y, again[i].y);
-    ASSERT_LE(std::max(r.x + r.width, r.y + r.height), 100);
-    for (int y = r.y; y < r.y + r.height; ++y)
-      for (int x = r.x; x < r.x + r.width; ++x) {
-        const auto at = static_cast<std::size_t>(100 * y + x);
-        EXPECT_FALSE(taken[static_cast<std::size_t>(r.page)][at]);
-        taken[static_cast<std::size_t>(r.page)][at] = true;
-      }
-  }
-  EXPECT_LE(static_cast<double>(pages - 1) * 100 * 100 * 0.85, static_cast<double>(area));
 }
 
 }  // namespace

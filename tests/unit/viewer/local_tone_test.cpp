@@ -81,7 +81,7 @@ class LocalToneOnACard : public test::OffScreen {
       return matrix;
     };
     LocalTone local;
-    local.begin(around.size, curve, Vec3(0.0f));
+    local.begin(around.size);
     surfaces_->draw({.projection = to_screen(around), .paint = Paint::curve_input, .tone = curve});
     local.finish(curve, 1.0f);
     DrawnFrame frame;

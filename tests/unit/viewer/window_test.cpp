@@ -108,6 +108,48 @@ TEST_F(Flight, the_mouse_looks_around_only_while_flying) {
   EXPECT_GT(camera_.pose().turn, 0.1f);
 }
 
+TEST_F(Flight, the_wheel_goes_nearer_to_what_is_under_the_cursor) {
+  const auto wheel = [&](float turns) {
+    return camera_.handle({.kind = Event::Kind::wheel, .at = Vec2(0.0f, turns)});
+  };
+  move(500, 350);
+  const auto aim = camera_.aim();
+  const auto begin = camera_.pose();
+  const auto seen = sight(begin, camera_.space(), camera_.aspect(), aim.x, aim.y);
+  const auto point = seen.origin - seen.origin.z / seen.direction.z * seen.direction;
+  EXPECT_TRUE(wheel(1.0f));
+  EXPECT_NEAR(glm::length(camera_.pose().eye - point), 0.95f * glm::length(begin.eye - point), 1e-5f);
+  EXPECT_LT(glm::length(glm::normalize(point - camera_.pose().eye) - seen.direction), 1e-5f);
+  EXPECT_TRUE(wheel(-1.0f));
+  EXPECT_LT(glm::length(camera_.pose().eye - begin.eye), 1e-5f);
+  // Control leaves it to the exposure.
+  key(key::control, true);
+  EXPECT_FALSE(wheel(1.0f));
+  key(key::control, false);
+  // While flying it goes ahead, by 6 % of the scene's radius.
+  camera_.set_flying(true);
+  const auto here = camera_.pose();
+  EXPECT_TRUE(wheel(2.0f));
+  const auto way = camera_.pose().eye - here.eye;
+  EXPECT_NEAR(glm::length(way), 2.0f * 0.06f * 0.5f * glm::length(Vec3(8, 8, 3)), 1e-4f);
+  EXPECT_GT(glm::dot(glm::normalize(way), axes(here, camera_.space()).ahead), 0.9999f);
+}
+
+TEST_F(Flight, the_wheel_never_loses_the_scene) {
+  move(400, 10);  // above the floor's end
+  for (int i = 0; i < 1000; ++i) camera_.handle({.kind = Event::Kind::wheel, .at = Vec2(0.0f, -1.0f)});
+  EXPECT_LT(glm::length(camera_.pose().eye), 21.0f * glm::length(Vec3(8, 8, 3)));
+}
+
+TEST_F(Flight, no_key_is_down_once_they_go_to_another_window) {
+  key('W', true);
+  camera_.release_keys();
+  const auto begin = camera_.pose();
+  camera_.advance(0.5);
+  EXPECT_EQ(camera_.pose(), begin);
+  EXPECT_FALSE(camera_.is_moving());
+}
+
 TEST_F(Flight, views_are_kept_and_home_is_found_again) {
   const auto begin = camera_.pose();
   key(key::control, true);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "luxel/cli/option_set.h"
+
+namespace luxel {
+
+// ", did you mean '--error'?", or nothing where no name is near. before: what stands before a name.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const char* before);
+
+// Checks the words after the name of a command, before they are parsed. Throws UsageError, which names an
+// option as it was typed, where it is not one of the command's, has no value, or a word is one too many.
+void check_words(const OptionSet& command, std::span<const std::string> words);
+
+}  // namespace luxel

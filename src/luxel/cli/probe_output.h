@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "luxel/cli/probe_points.h"
+#include "luxel/cli/probe_settings.h"
+#include "luxel/render/probe_light.h"
+#include "luxel/render/probe_sphere.h"
+
+namespace luxel {
+
+// The result of `probe`.
+struct ProbeReport {
+  std::string solution;  // file
+  std::vector<std::string> bands;
+  PointList points = {};
+  std::vector<ProbedLight> light = {};    // [point]
+  std::vector<SphereLight> spheres = {};  // [point], where requested
+  std::size_t harmonics = 0;              // 4 or 9, where requested
+  SolutionErrors solution_errors = SolutionErrors::not_stated;
+};
+
+// A line of names, then one per point.
+std::string csv_of(const ProbeReport& report);
+std::string json_of(const ProbeReport& report, const ProbeSettings& settings,
+                    const std::vector<std::string>& outputs);
+// A few lines for a person: mean, minimum, maximum and uniformity, errors, and which points are special.
+std::string summary_of(const ProbeReport& report);
+// Warnings: points that miss the requested error, and points without light or behind surfaces.
+std::vector<std::string> warnings_of(const ProbeReport& report);
+
+}  // namespace luxel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/quality.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace luxel {
+namespace {
+
+constexpr std::array levels = {"draft", "medium", "final"};
+
+struct Row {
+  const char* option;
+  std::array<const char*, levels.size()> values;  // as the option takes them
+};
+
+// What each level sets. docs/command-line.md repeats it; a test compares both.
+constexpr Row table[] = {
+    {"error", {"6%", "2%", "1%"}},
+    {"mesh-error", {"none", "auto", "1%"}},
+    {"samples", {"2", "3", "4"}},
+    {"final-gather", {"5%", "2%", "1%"}},
+};
+
+std::size_t index_of(const std::string& level) {
+  return static_cast<std::size_t>(std::find(levels.begin(), levels.end(), level) - levels.begin());
+}
+
+bool has(const OptionSet& set, const char* option) {
+  return std::any_of(set.entries().begin(), set.entries().end(),
+                     [&](const OptionSet::Entry& e) { return e.declaration.name == option; });
+}
+
+}  // namespace
+
+void QualitySettings::declare(OptionSet& set) {
+  for (const auto& row : table) set.set_default(row.option, row.values[index_of(level)]);
+  Declaration quality{
+      .name = "quality",
+      .unit = fmt::format("{}|{}|{}", levels[0], levels[1], levels[2]),
+      .help = "how accurate and how slow; sets several options at once, but none that you give",
+      .parse =
+          [this](const std::string& text) {
+            if (index_of(text) == levels.size())
+              throw UsageError(fmt::format("--quality: expected draft, medium or final, not '{}'", text));
+            level = text;
+          },
+      .print = [this] { return level; },
+      .recorded = false,
+      .implied =
+          [this] {
+            std::vector<std::pair<std::string, std::string>> values;
+            for (const auto& row : table) values.emplace_back(row.option, row.values[index_of(level)]);
+            return values;
+          }};
+  set.add_first(std::move(quality), "Quality");
+}
+
+std::string quality_table(const OptionSet& set) {
+  if (!has(set, "quality")) return {};
+  auto text = fmt::format("  {:<16}{:<10}{:<10}{}\n", "--quality", levels[0], levels[1], levels[2]);
+  for (const auto& row : table)
+    if (has(set, row.option))
+      text += fmt::format("  {:<16}{:<10}{:<10}{}\n", fmt::format("--{}", row.option), row.values[0],
+                          row.values[1], row.values[2]);
+  return text;
+}
+
+}  // namespace luxel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace luxel {
+
+// What EXT_meshopt_compression says of a bufferView.
+struct MeshoptView {
+  std::size_t count = 0;   // elements
+  std::size_t stride = 0;  // bytes per element, decoded
+  std::string mode;        // ATTRIBUTES, TRIANGLES or INDICES
+  std::string filter;      // NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
+};
+
+// Returns the count * stride bytes that the compressed ones stand for. Throws CompressionError where they are
+// damaged or declare more elements than so many bytes can hold, and where Luxel was built without
+// meshoptimizer.
+std::string decode_meshopt(std::string_view bytes, const MeshoptView& view);
+
+}  // namespace luxel

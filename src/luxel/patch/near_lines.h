@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/core/vector.h"
+#include "luxel/patch/contact_lines.h"
+#include "luxel/scene/clean_triangles.h"
+
+namespace luxel {
+
+// Finds the outlines of things that hang close before a surface, a picture before a wall or a luminaire below
+// a ceiling: what they hide is dark, and patches that lie half behind them would carry that dark into the
+// light beside them. A line is an edge of a triangle, projected along the normal of the triangle `on` onto
+// it, where
+// - both ends are before the front of `on`, farther than contacts are and no farther than `distance`;
+// - the edge is about parallel to the plane and belongs to the outline as seen along the normal;
+// - it is longer than a quarter of `distance`, and `on` is wider than `distance`.
+// They are lines as find_contact_lines() gives them where a triangle lies flat on another one, in the same
+// order, with `into` along the normal of `on`.
+//
+// distance: m, about a third of the longest edge of patches: patches resolve the shadows of wider gaps. gap:
+// as for find_contact_lines(). The same bits for any number of threads. Cost: as find_contact_lines().
+std::vector<ContactLine> find_near_lines(const std::vector<CleanTriangle>& triangles,
+                                         const std::vector<Vec3>& positions, double gap, double distance,
+                                         const Context& context);
+
+}  // namespace luxel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "luxel/core/vector.h"
+#include "luxel/image/tone.h"
+#include "luxel/scene/camera.h"
+
+namespace luxel {
+
+// Constants of sky_look(), for the implementations on the processor and on a graphics card. Relative to the
+// radiance of the sky, which the horizon has.
+struct SkyLook {
+  static constexpr double zenith[3] = {0.20, 0.40, 0.80};  // reached by the fifth power of 1 - height
+  static constexpr double below = 0.75;                    // below the horizon
+  static constexpr double haze = 0.06;                     // sine of the depth at which that is reached
+};
+
+// How displays show a uniform sky: its own radiance at the horizon, bluer and darker towards the zenith, grey
+// below the horizon. The light of the scene has no part in it, and files of radiance keep the true value.
+// height: sine of the angle above the horizon, [-1, 1].
+Vec3d sky_look(const Vec3d& radiance, double height);
+
+// The unit vector that a camera's picture has above, or zero where up is zero.
+Vec3d zenith_of(const Camera& camera);
+
+// A pixel of a display's sky.
+struct SkyPixel {
+  std::uint32_t pixel;
+  double fraction;
+  Vec3d radiance;
+};
+
+void add_sky(const SkyPixel& pixel, SkyPixels& sky);
+void append(const SkyPixels& more, SkyPixels& sky);
+
+}  // namespace luxel
