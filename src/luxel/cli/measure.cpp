@@ -64,7 +64,8 @@ class Measure final : public Command {
     const Context context(run_.threads);
     RunRecord record;
     const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
-    const auto& [patches, solution] = stored.baked;
+    const auto& patches = stored.baked.patches;
+    const auto& solution = stored.baked.solution;
     if (!patches.has_colours())
       throw InputError(file_,
                        "its bands are neither red, green and blue nor wavelengths, so that there are no lux");

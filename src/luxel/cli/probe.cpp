@@ -38,7 +38,8 @@ class ProbeCommand final : public Command {
     const Context context(run_.threads);
     RunRecord record;
     const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
-    const auto& [patches, solution] = stored.baked;
+    const auto& patches = stored.baked.patches;
+    const auto& solution = stored.baked.solution;
     restore_up(solution.provenance);
     if (!patches.has_colours())
       throw InputError(file_,
