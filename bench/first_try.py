@@ -80,6 +80,14 @@ def bake(program, scene, folder, name, chosen):
     return row
 
 
+def count_triangles(program, row):
+    """Adds how many triangles the scene has."""
+    run = subprocess.run([program, "info", row["scene"], "--json"], stdin=subprocess.DEVNULL, capture_output=True,
+                         text=True, check=False)
+    if run.returncode == 0:
+        row["triangles"] = json.loads(run.stdout)["triangles"]
+
+
 def camera_words(row):
     """The camera of the picture as options of page.mjs, in glTF's axes: Y up."""
     camera = row["report"].get("camera")
@@ -109,10 +117,9 @@ def print_row(row):
     def size(key):
         return f"{row[key] / 1e6:.2f}" if key in row else ""
 
-    triangles = row.get("report", {}).get("scene", {}).get("triangles", "")
     difference = f"{row['difference']:.2f} %" if row.get("difference") is not None else ""
     result = "baked" if row["code"] in (0, 3) else row["messages"].splitlines()[-1] if row["messages"] else row["code"]
-    print(f"| {row['name']} | {row['cpu_seconds']:.1f} | {triangles} | {row.get('glb_triangles', '')} | {size('glb_bytes')} | "
+    print(f"| {row['name']} | {row['cpu_seconds']:.1f} | {row.get('triangles', '')} | {row.get('glb_triangles', '')} | {size('glb_bytes')} | "
           f"{size('page_bytes')} | {difference} | {result} |", flush=True)
 
 
@@ -144,6 +151,7 @@ def main():
     for scene in scenes_in(chosen.scenes):
         row = bake(chosen.program, scene, chosen.folder, name_of(scene, taken), chosen)
         if "report" in row:
+            count_triangles(chosen.program, row)
             compare_in_browser(row, chosen.folder, chosen.width)
         print_row(row)
         rows.append(row)

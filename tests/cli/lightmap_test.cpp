@@ -184,6 +184,7 @@ TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
         Misuse{"-o map.exr --final-gather 2", "such as 2%", 2},
         Misuse{"-o map.exr --error-map error.png", "the extension .exr", 2},
         Misuse{"-o map.exr --error-map map.exr", "given twice", 2},
+        Misuse{"-o map.exr --uv2 nowhere/a.glb", "--uv2: cannot write nowhere/a.glb", 1},
         Misuse{"-o map.exr --texels-per-metre 1e6", "fewer texels a metre", 1},
         Misuse{"-o map.exr --page-size 8 --margin 4", "margin", 1}}) {
     const auto run = cli::run(folder, "$LUXEL lightmap box.vtkhdf " + misuse.options);

@@ -55,7 +55,7 @@ struct TexelOptions {
 };
 
 struct LightmapOptions {
-  std::optional<double> texels_per_metre = {};  ///< nothing: as many as fill half of a page of 512 x 512
+  std::optional<double> texels_per_metre = {};  ///< nothing: as many as cover 131,000 texels, or 40 per chart
   int page_size = 1024;                         ///< texels, the most a page is wide and high
   int margin = 2;                               ///< texels between charts; filled from both sides
   float crease_angle = 30.0f;                   ///< degrees, as in SmoothOptions

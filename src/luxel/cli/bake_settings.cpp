@@ -26,7 +26,9 @@ void BakeSettings::check() const {
   scene.check();
   light.check();
   mesh.check();
-  check_before_work(run, picture, all_kinds, keep.checkpoint);
+  std::vector<NamedOutput> others;
+  if (!keep.checkpoint.empty()) others.push_back({"--checkpoint", keep.checkpoint});
+  check_before_work(run, picture, all_kinds, others);
 }
 
 }  // namespace luxel

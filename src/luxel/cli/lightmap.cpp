@@ -134,27 +134,27 @@ class LightmapCommand final : public Command {
 
  private:
   void check() const {
-    auto run = run_;
-    for (const auto& output : run.outputs) expect_ending("-o", output, page_kinds);
+    std::vector<NamedOutput> others;
     if (!settings_.error_map.empty()) {
       expect_ending("--error-map", settings_.error_map, ".exr");
-      run.outputs.push_back(settings_.error_map);
+      others.push_back({"--error-map", settings_.error_map});
     }
     if (!settings_.directional.empty()) {
       expect_ending("--directional", settings_.directional, ".exr");
       if (settings_.lightmap.texels.error == 0.0)
         throw UsageError("--directional needs a final gather: give --final-gather a fraction, such as 2%");
-      for (const auto axis : axes) run.outputs.push_back(name_of_axis(settings_.directional, axis));
+      for (const auto axis : axes)
+        others.push_back({"--directional", name_of_axis(settings_.directional, axis)});
     }
     if (!settings_.unwrapped.empty()) {
       expect_ending("--uv2", settings_.unwrapped, unwrapped_kinds);
-      run.outputs.push_back(settings_.unwrapped);
+      others.push_back({"--uv2", settings_.unwrapped});
     }
     if (!settings_.preview.empty()) {
       expect_ending("--preview", settings_.preview, picture_kinds);
-      run.outputs.push_back(settings_.preview);
+      others.push_back({"--preview", settings_.preview});
     }
-    check_before_work(run, picture_, fmt::format("{} {}", picture_kinds, unwrapped_kinds));
+    check_before_work(run_, picture_, page_kinds, others);
   }
 
   // All pages are made before the first is written, so that Ctrl-C leaves all of them or none. Returns their

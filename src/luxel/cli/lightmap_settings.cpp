@@ -37,7 +37,7 @@ void LightmapSettings::declare_layout(OptionSet& set) {
 
 void LightmapSettings::declare_pages(OptionSet& set) {
   set.add({"texels-per-metre", "1/m",
-           "minimum texel density of surfaces; auto: the one that fills half an atlas page of 512 x 512",
+           "minimum texel density of surfaces; auto: the one that covers 131,000 texels, or 40 per chart",
            [this](const std::string& text) { lightmap.texels_per_metre = parse_texels(text); },
            [this] {
              return lightmap.texels_per_metre ? fmt::format("{}", *lightmap.texels_per_metre)

@@ -79,8 +79,8 @@ void write_picture(const std::string& output, const Picture& picture, const Tone
 }
 
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
-                       const std::string& checkpoint) {
-  if (run.outputs.empty() && checkpoint.empty())
+                       const std::vector<NamedOutput>& others) {
+  if (run.outputs.empty() && others.empty())
     throw UsageError("nothing to write: give at least one -o FILE with one of the extensions " + kinds);
   Places places;
   for (const auto& output : run.outputs) {
@@ -90,7 +90,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
     places.add("-o", output);
   }
   if (!run.report.empty()) places.add("--json-file", run.report);
-  if (!checkpoint.empty()) places.add("--checkpoint", checkpoint);
+  for (const auto& [option, file] : others) places.add(option, file);
   picture.check();
 }
 

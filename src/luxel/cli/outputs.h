@@ -30,11 +30,17 @@ inline constexpr const char* all_kinds = ".glb .ply .html .png .exr .hdr .vtkhdf
 // where its folder cannot be written, in the working folder.
 std::string default_output(const std::string& scene);
 
-// Checks outputs before the solve. Throws UsageError where there is no output, one's extension is not among
-// `kinds`, one is named twice, or the camera is invalid; DeviceError where a file cannot be made. A
-// checkpoint is an output as well.
+// A file that a run writes, and the option that names it.
+struct NamedOutput {
+  std::string option;
+  std::string file;
+};
+
+// Checks outputs before the solve: those of -o, and `others`, of any extension. Throws UsageError where there
+// is no output, the extension of one is not among `kinds`, two are the same file, or the camera is invalid;
+// DeviceError where a file cannot be made.
 void check_before_work(const RunSettings& run, const PictureSettings& picture, const std::string& kinds,
-                       const std::string& checkpoint = {});
+                       const std::vector<NamedOutput>& others = {});
 
 // Throws UsageError where the file that an option names ends in none of `kinds`.
 void expect_ending(const std::string& option, const std::string& file, const std::string& kinds);

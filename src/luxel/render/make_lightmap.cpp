@@ -34,7 +34,7 @@ double texels_per_metre(const PatchSet& patches, const Solution& solution, const
   const auto texels = options.texels_per_metre ? *options.texels_per_metre
                                                : automatic_texels(patches, solution, options.page_size);
   if (!(texels > 0.0) || !std::isfinite(texels))
-    throw InputError(fmt::format("the texels a metre must be more than 0, but they are {}", texels));
+    throw InputError(fmt::format("texels per metre: expected a positive number, found {}", texels));
   return texels;
 }
 
