@@ -7,9 +7,14 @@ include(${CMAKE_CURRENT_LIST_DIR}/luxel_outside_targets.cmake)
 # For every target of the project. -ffp-contract=off and no -march: the same source gives the same bits on every host.
 add_library(luxel_flags INTERFACE)
 target_compile_features(luxel_flags INTERFACE cxx_std_20)
-target_compile_options(luxel_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+target_compile_options(luxel_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
                                              $<$<BOOL:${LUXEL_WERROR}>:-Werror> -ffp-contract=off -fno-math-errno)
 target_include_directories(luxel_flags INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+if(LUXEL_UNITY)  # across files, a local name shadows nothing, and a type in an anonymous namespace is local to its file
+  target_compile_options(luxel_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+else()
+  target_compile_options(luxel_flags INTERFACE -Wshadow)
+endif()
 if(LUXEL_SANITIZE)
   target_compile_options(luxel_flags INTERFACE -fsanitize=${LUXEL_SANITIZE} -fno-sanitize-recover=all
                                                -fno-omit-frame-pointer
@@ -30,19 +35,28 @@ if(LUXEL_FUZZ)
                                                -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
 endif()
 
-# Headers that most files of the modules include are compiled once: this saves a third of their time. Only with gcc, for
-# which it is measured; not under ccache, which cannot cache with them; not in another project's build. clang-tidy and the
-# test of single headers read without them, and so find an include that is missing.
-if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/common_headers.cpp CONTENT "")
-  add_library(luxel_common_headers STATIC ${PROJECT_BINARY_DIR}/common_headers.cpp)
-  set_target_properties(luxel_common_headers PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(luxel_common_headers PRIVATE -fno-semantic-interposition)
-  target_link_libraries(luxel_common_headers PRIVATE luxel_flags fmt::fmt glm::glm)
-  target_compile_options(luxel_flags INTERFACE -pthread)  # as OpenEXR asks for: the flags must be the same everywhere
-  target_precompile_headers(luxel_common_headers PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <memory>
-                            <optional> <span> <string> <string_view> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
-endif()
+# luxel_compile_together(TARGET): with LUXEL_UNITY, files of the target that can stand in one translation unit are compiled
+# as one, since most of their time goes into headers that they share. The sources say which can, so CMake runs again when
+# one changes. A missing include may go unnoticed in such a build; ./dev matrix has one without.
+function(luxel_compile_together target)
+  if(NOT LUXEL_UNITY)
+    return()
+  endif()
+  find_program(LUXEL_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  if(NOT LUXEL_PYTHON)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  execute_process(COMMAND ${LUXEL_PYTHON} -B ${PROJECT_SOURCE_DIR}/tools/compile_units.py 8 ${sources}
+                  WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE units OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" units ${units})
+  foreach(source unit IN ZIP_LISTS sources units)
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${unit})
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/tools/compile_units.py)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
 
 # fmt formats text, glm gives the vectors in signatures, and core/json.h is JSON for all modules.
 function(luxel_module name)
@@ -58,9 +72,7 @@ function(luxel_module name)
     target_compile_options(luxel_${name} PRIVATE -fno-semantic-interposition)
     target_link_libraries(luxel_${name} PRIVATE luxel_flags ${MODULE_LIBRARIES} nlohmann_json::nlohmann_json
                           PUBLIC fmt::fmt glm::glm)
-    if(TARGET luxel_common_headers)
-      target_precompile_headers(luxel_${name} REUSE_FROM luxel_common_headers)
-    endif()
+    luxel_compile_together(luxel_${name})
     set(visibility PUBLIC)
   else()
     add_library(luxel_${name} INTERFACE)

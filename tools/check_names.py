@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds names to .clang-tidy: check_names.py BUILD_FOLDER [JOBS], after a build there.
+"""Holds names to .clang-tidy: check_names.py BUILD_FOLDER [JOBS], once the folder is configured.
 
 clang-tidy takes seconds a file, nearly all of them for the headers. So files that can stand in one
 translation unit are read as one; where something is wrong there, its halves are read, and theirs. A file that passed
@@ -8,7 +8,6 @@ is not read again until it, a header of ours that it includes, its command or .c
 everything that passed is kept in BUILD_FOLDER/names.
 """
 import concurrent.futures
-import functools
 import hashlib
 import json
 import os
@@ -17,33 +16,11 @@ import shlex
 import subprocess
 import sys
 
+from compile_units import headers_of, units_of
+
 TIDY = "clang-tidy-14"
 OURS = ("include", "src", "tests", "bench", "tools", "examples")
 TOGETHER = 40  # files in one unit, at most
-# What a line at the left margin declares: two files that declare the same cannot stand in one unit.
-TYPE = re.compile(r"^(?:class|struct|enum class|enum|using|union)\s+(\w+)\b(?!\s*;)")
-TEST = re.compile(r"^((?:TYPED_)?TEST\w*\(.*\)|INSTANTIATE\w*\(.*)")
-OTHER = re.compile(r"^(?=[A-Za-z])(?!using|namespace|class|struct|enum|union|TEST|TYPED_TEST|INSTANTIATE)"
-                   r"[\w:<>,&*\s\[\]\"]*?\b((?:\w+::)*\w+)\s*([({=;].*)")
-
-
-def headers_of_objects(build, root):
-    """Object file -> the files of ours that went into it, as ninja recorded them."""
-    text = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
-    headers, current = {}, []
-    for line in text.splitlines():
-        if line.startswith("    "):
-            path = os.path.normpath(os.path.join(build, line.strip()))
-            if path.startswith(root + os.sep):
-                current.append(path)
-        elif ": #deps" in line:
-            current = headers[line.split(": #deps")[0]] = []
-    return headers
-
-
-def object_of(entry):
-    words = shlex.split(entry["command"])
-    return words[words.index("-o") + 1]
 
 
 def stamp_of(entry, files, rules):
@@ -88,57 +65,14 @@ def all_flags_of(entries):
     return [word for flag in flags for word in flag]
 
 
-@functools.cache
-def declared_in(path):
-    """Names that stand for one thing in a translation unit; members of classes, with :: in them, never meet."""
-    names = set()
-    with open(path, encoding="utf-8") as file:
-        for line in file:
-            found = TYPE.match(line) or TEST.match(line) or OTHER.match(line)
-            if found and "::" not in found.group(1):
-                names.add(found.group(1))
-            if line.startswith("enum ") and not line.startswith("enum class"):
-                names.update(re.findall(r"\w+", line.partition("{")[2]))
-    return names
-
-
-@functools.cache
-def types_in(path):
-    with open(path, encoding="utf-8") as file:
-        return {found.group(1): path for found in map(TYPE.match, file) if found}
-
-
-def units_of(jobs):
-    """Lists of jobs that are read as one: what a file declares itself, no other one or its headers do, and no two
-    headers name a type alike."""
-    units = []
-    for job in jobs:
-        headers = [path for path in job[2] if path.endswith(".h")]
-        shared = set().union(*map(declared_in, headers))
-        types = {name: path for header in headers for name, path in types_in(header).items()}
-        own = declared_in(job[0]["file"]) - shared
-        for unit in units:
-            if (len(unit["jobs"]) < TOGETHER and not own & (unit["own"] | unit["shared"]) and not shared & unit["own"]
-                    and all(unit["types"].get(name, path) == path for name, path in types.items())):
-                break
-        else:
-            unit = {"jobs": [], "own": set(), "shared": set(), "types": {}}
-            units.append(unit)
-        unit["jobs"].append(job)
-        unit["own"] |= own
-        unit["shared"] |= shared
-        unit["types"] |= types
-    return [unit["jobs"] for unit in units]
-
-
 def check_unit(unit, name):
-    """The complaints about each job of a unit, empty where there are none."""
+    """The complaints about each file of a unit, empty where there are none. unit: their entries."""
     if len(unit) == 1:
-        return [check(unit[0][0])]
+        return [check(unit[0])]
     path = name + ".cpp"
     with open(path, "w", encoding="utf-8") as file:
-        file.writelines(f'#include "{entry["file"]}"\n' for entry, *_ in unit)
-    done = subprocess.run([TIDY, "--quiet", "--extra-arg=-w", path, "--", *all_flags_of(e for e, *_ in unit)],
+        file.writelines(f'#include "{entry["file"]}"\n' for entry in unit)
+    done = subprocess.run([TIDY, "--quiet", "--extra-arg=-w", path, "--", *all_flags_of(unit)],
                           capture_output=True, text=True, check=False)
     os.remove(path)
     if done.returncode == 0:
@@ -147,20 +81,12 @@ def check_unit(unit, name):
     return check_unit(unit[:half], name + "a") + check_unit(unit[half:], name + "b")
 
 
-def jobs_to_do(root, build):
-    """(entry, stamp, headers) of each file of ours, in the order of compile_commands.json, each file once."""
+def entries_of(root, build):
+    """File of ours -> its entry in compile_commands.json."""
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
         entries = {entry["file"]: entry for entry in json.load(file)}
-    with open(os.path.join(root, ".clang-tidy"), "rb") as file:
-        rules = file.read()
-    headers = headers_of_objects(build, root)
     folders = tuple(os.path.join(root, folder) + os.sep for folder in OURS)
-    jobs = []
-    for entry in entries.values():
-        if entry["file"].startswith(folders) and os.path.isfile(entry["file"]):
-            of_entry = headers.get(object_of(entry), [])
-            jobs.append((entry, stamp_of(entry, of_entry, rules), of_entry))
-    return jobs
+    return {path: entry for path, entry in entries.items() if path.startswith(folders) and os.path.isfile(path)}
 
 
 def main():
@@ -172,23 +98,26 @@ def main():
     if os.path.exists(passed_file):
         with open(passed_file, encoding="utf-8") as file:
             passed = set(file.read().split())
-    every = jobs_to_do(root, build)
-    todo = [job for job in every if job[1] not in passed]
+    with open(os.path.join(root, ".clang-tidy"), "rb") as file:
+        rules = file.read()
+    entries = entries_of(root, build)
+    stamps = {path: stamp_of(entry, headers_of(path), rules) for path, entry in entries.items()}
+    todo = [path for path in entries if stamps[path] not in passed]
     complaints = []
-    units = units_of(todo)
+    units = [[entries[path] for path in unit] for unit in units_of(todo, TOGETHER)]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         results = pool.map(lambda i: check_unit(units[i], os.path.join(build, f"names-{i}")), range(len(units)))
         for unit, found in zip(units, results):
-            for (_, stamp, _), complaint in zip(unit, found):
+            for entry, complaint in zip(unit, found):
                 complaints += [complaint] if complaint else []
                 if not complaint:
-                    passed.add(stamp)
+                    passed.add(stamps[entry["file"]])
     with open(passed_file, "w", encoding="utf-8") as file:
-        file.writelines(stamp + "\n" for _, stamp, _ in every if stamp in passed)
+        file.writelines(stamp + "\n" for stamp in stamps.values() if stamp in passed)
     for complaint in dict.fromkeys(complaints):
         print(complaint.strip())
-    print(f"{len(every)} files, {len(todo)} of them new or changed, {len(complaints)} with complaints")
-    return 1 if complaints or not every else 0
+    print(f"{len(entries)} files, {len(todo)} of them new or changed, {len(complaints)} with complaints")
+    return 1 if complaints or not entries else 0
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t width = 110;
 
 // used: columns of the first line that are taken; indent: of all others.
-std::string wrapped(const std::string& text, std::size_t used, std::size_t indent) {
+std::string within_width(const std::string& text, std::size_t used, std::size_t indent) {
   return wrapped(text, Margins{used, indent, width});
 }
 
@@ -49,14 +49,15 @@ std::string line_of(const Scene& scene, const Place& place, const CheckReport& r
 std::string describe(const Scene& scene, const Diagnostic& diagnostic, const CheckReport& report) {
   constexpr std::size_t indent = 9;
   const std::string margin(indent, ' ');
-  auto text =
-      fmt::format("\n{:<{}}{}\n", name(diagnostic.severity), indent,
-                  wrapped(fmt::format("{}: {}", name(diagnostic.kind), diagnostic.fact), indent, indent));
-  text += fmt::format("{}{}\n", margin, wrapped("Luxel " + diagnostic.consequence, indent, indent));
-  text +=
-      fmt::format("{}{}\n", margin, wrapped(with_flags(diagnostic.remedy, diagnostic.hints), indent, indent));
+  auto text = fmt::format(
+      "\n{:<{}}{}\n", name(diagnostic.severity), indent,
+      within_width(fmt::format("{}: {}", name(diagnostic.kind), diagnostic.fact), indent, indent));
+  text += fmt::format("{}{}\n", margin, within_width("Luxel " + diagnostic.consequence, indent, indent));
+  text += fmt::format("{}{}\n", margin,
+                      within_width(with_flags(diagnostic.remedy, diagnostic.hints), indent, indent));
   for (const auto& place : diagnostic.places)
-    text += fmt::format("{}  {}\n", margin, wrapped(line_of(scene, place, report), indent + 2, indent + 6));
+    text +=
+        fmt::format("{}  {}\n", margin, within_width(line_of(scene, place, report), indent + 2, indent + 6));
   const auto more = diagnostic.all_places - diagnostic.places.size();
   if (more > 0 && !diagnostic.places.empty())
     text += fmt::format("{}  and {} more\n", margin, with_commas(more));
@@ -97,7 +98,7 @@ std::string legend(const CheckReport& report, const std::string& file) {
   }
   std::string text = file + ": grey what is well";
   for (const auto& kind : kinds) text += ", " + kind;
-  return wrapped(text, 0, 2) + "\n";
+  return within_width(text, 0, 2) + "\n";
 }
 
 Json to_json(const Vec3d& v) { return {v.x, v.y, v.z}; }

@@ -33,7 +33,7 @@ class Resume final : public Command {
   bool takes_ranks() const override { return true; }
 
   int run() override {
-    check_before_work(told_.run, told_.picture, all_kinds, file_);
+    check_before_work(told_.run, told_.picture, all_kinds, {{"the checkpoint", file_}});
     Console console(told_.run);
     const Context context({.threads = told_.run.threads, .ranks = ranks()});
     RunRecord record;

@@ -19,7 +19,8 @@ namespace luxel {
 namespace {
 
 // Squares of two pixels per side; no size is a multiple of four, so that halves and quarters have odd edges.
-constexpr ScreenSize squares{125, 63}, size{250, 126};
+constexpr ScreenSize squares{125, 63};
+constexpr ScreenSize size{250, 126};
 
 // What arrives at a square, W/m²: a dim room with some grain, a window a hundred times as bright, a lamp.
 float irradiance_at(int x, int y) {
