@@ -16,7 +16,7 @@ struct Baked;
 struct ExportOptions {
   ToneOptions tone;
   TargetApplication program = TargetApplication::any;   ///< of a GLB
-  MeshCompression compression = MeshCompression::none;  ///< of a GLB; the command's default is quantised
+  MeshCompression compression = MeshCompression::plain;  ///< of a GLB; the command's default is quantised
 };
 
 /// A lit mesh for any viewer: one primitive per material and side, POSITION, NORMAL and COLOR_0

@@ -15,10 +15,10 @@ std::string_view name(TargetApplication program);
 std::optional<TargetApplication> target_application(std::string_view word);
 std::span<const std::string_view> mesh_program_names();
 
-/// How the arrays of a GLB are stored: none: positions, normals and texture coordinates as floats; quantised:
+/// How the arrays of a GLB are stored: plain: positions, normals and texture coordinates as floats; quantised:
 /// as integers of 8 and 16 bits (KHR_mesh_quantization); meshopt: these, compressed
 /// (EXT_meshopt_compression). docs/baking.md has the errors.
-enum class MeshCompression { none, quantised, meshopt };
+enum class MeshCompression { plain, quantised, meshopt };
 
 /// The words of the command line: none, quantize, meshopt.
 std::string_view name(MeshCompression compression);

@@ -15,7 +15,7 @@ GltfPacking packing_for(TargetApplication program, MeshCompression compression, 
   packing.colours_are_srgb = profile.colours_are_srgb;
   if (compression == MeshCompression::meshopt && profile.reads_meshopt)
     packing.compression = GltfCompression::meshopt;
-  else if (compression != MeshCompression::none)
+  else if (compression != MeshCompression::plain)
     packing.compression = GltfCompression::quantised;
   return packing;
 }

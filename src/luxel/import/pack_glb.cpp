@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "luxel/core/error.h"
 #include "luxel/core/none.h"
 #include "luxel/import/array_store.h"
@@ -109,7 +111,7 @@ void GlbPacker::find_grids(const std::vector<bool>& is_packable) {
       may_have[m] =
           file_.object(primitives[p]["attributes"]["POSITION"], "accessors")["componentType"].whole() == f32;
   }
-  grids_ = position_grids(file_, may_have, packing_.max_step);
+  grids_ = position_grids(file_, may_have, packing_);
 }
 
 // Null where the order stays.
@@ -178,7 +180,10 @@ void GlbPacker::place_meshes() {
     SortedJson child = {{"mesh", mesh},
                         {"translation", {grid->origin.x, grid->origin.y, grid->origin.z}},
                         {"scale", {grid->step, grid->step, grid->step}}};
-    if (nodes[n].contains("name")) child["name"] = nodes[n]["name"];
+    if (nodes[n].contains("name"))
+      child["name"] = nodes[n]["name"];
+    else if (!root_["meshes"][mesh].contains("name"))
+      child["name"] = fmt::format("node {}", n);  // as a reader calls it, see gltf_parts.h
     nodes[n].erase("mesh");
     nodes[n]["children"].push_back(nodes.size());
     nodes.push_back(std::move(child));
@@ -218,10 +223,19 @@ bool GlbPacker::run() {
 }  // namespace
 
 std::string packed_glb(std::string glb, const std::string& source, const GltfPacking& packing) {
-  if (packing.compression == GltfCompression::none) return glb;
-  GltfFile file(glb, source, known_extensions());
-  GlbPacker packer(file, packing);
-  return packer.run() ? packer.bytes(source) : glb;
+  if (packing.compression == GltfCompression::plain) return glb;
+  {
+    GltfFile file(glb, source, known_extensions());
+    GlbPacker packer(file, packing);
+    if (!packer.run()) return glb;
+    auto packed = packer.bytes(source);
+    if (packed.size() < glb.size()) return packed;
+  }
+  // Of very small meshes the JSON of the extensions takes more than they save.
+  if (packing.compression == GltfCompression::quantised) return glb;
+  auto uncompressed = packing;
+  uncompressed.compression = GltfCompression::quantised;
+  return packed_glb(std::move(glb), source, uncompressed);
 }
 
 }  // namespace luxel

@@ -13,8 +13,7 @@
 namespace luxel {
 namespace {
 
-constexpr double max_steps = 65534.0;  // one less than 16 bits have, since the origin is rounded down
-constexpr double flat = 1e-12;         // smaller determinants, relative to the scale, have no inverse
+constexpr double flat = 1e-12;  // smaller determinants, relative to the scale, have no inverse
 
 // Meshes that share arrays of positions.
 struct Cluster {
@@ -57,7 +56,8 @@ double power_of_two_above(double x) {
 }
 
 // The smallest step in which every mesh fits that fits at all; 0: none does.
-double common_step(const std::vector<Cluster>& clusters, double max_step) {
+double common_step(const std::vector<Cluster>& clusters, const GltfPacking& packing) {
+  const auto max_step = packing.max_step, max_steps = packing.max_steps();
   double step = 0.0;
   for (const auto& cluster : clusters)
     if (cluster.is_usable() && cluster.size() <= max_steps * max_step)
@@ -66,7 +66,7 @@ double common_step(const std::vector<Cluster>& clusters, double max_step) {
 }
 
 // Aligned with the scene's zero.
-PositionGrid grid_of(const Cluster& cluster, double step) {
+PositionGrid grid_of(const Cluster& cluster, double step, double max_steps) {
   PositionGrid grid;
   grid.step = step / cluster.stretch;
   const auto phase = -(glm::inverse(glm::dmat3(cluster.world)) * Vec3d(cluster.world[3]));
@@ -78,7 +78,7 @@ PositionGrid grid_of(const Cluster& cluster, double step) {
 }  // namespace
 
 std::vector<std::optional<PositionGrid>> position_grids(GltfFile& file, const std::vector<bool>& may_have,
-                                                        double max_step) {
+                                                        const GltfPacking& packing) {
   const auto meshes = file.root()["meshes"];
   const auto cluster_of = clusters_of(meshes, may_have);
   std::vector<Cluster> clusters(meshes.size());
@@ -102,10 +102,10 @@ std::vector<std::optional<PositionGrid>> position_grids(GltfFile& file, const st
     }
   }
   std::vector<std::optional<PositionGrid>> grids(meshes.size());
-  const auto step = common_step(clusters, max_step);
+  const auto step = common_step(clusters, packing);
   for (std::size_t m = 0; step > 0.0 && m < grids.size(); ++m)
     if (const auto& cluster = clusters[cluster_of[m]]; may_have[m] && cluster.is_usable())
-      grids[m] = grid_of(cluster, step);
+      grids[m] = grid_of(cluster, step, packing.max_steps());
   return grids;
 }
 

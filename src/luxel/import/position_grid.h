@@ -6,6 +6,7 @@
 
 #include "luxel/core/vector.h"
 #include "luxel/import/gltf_file.h"
+#include "luxel/import/gltf_packing.h"
 
 namespace luxel {
 
@@ -20,12 +21,12 @@ struct PositionGrid {
 };
 
 // Returns the grid of each mesh; none where it may have none (may_have: [mesh]), where no node of the scene
-// shows it, and where no mesh fits into 65536 steps of max_step.
+// shows it, and where no mesh fits into max_steps() of max_step.
 //
 // All meshes have one step, measured in the scene: the smallest power of two in which the largest mesh fits.
 // Where nodes are not turned against each other, except by quarter turns, the points of all grids coincide in
 // the scene, so that vertices that meet still do. Meshes that share an array of positions share a grid.
 std::vector<std::optional<PositionGrid>> position_grids(GltfFile& file, const std::vector<bool>& may_have,
-                                                        double max_step);
+                                                        const GltfPacking& packing);
 
 }  // namespace luxel
