@@ -15,7 +15,7 @@ struct Baked;
 
 struct ExportOptions {
   ToneOptions tone;
-  TargetApplication program = TargetApplication::any;   ///< of a GLB
+  TargetApplication program = TargetApplication::any;    ///< of a GLB
   MeshCompression compression = MeshCompression::plain;  ///< of a GLB; the command's default is quantised
 };
 

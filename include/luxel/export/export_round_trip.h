@@ -22,8 +22,8 @@ struct RoundTripOptions {
   ToneOptions tone;
   TargetApplication program = TargetApplication::any;
   MeshCompression compression = MeshCompression::plain;  ///< the command's default is quantised
-  double metres_per_unit = 1.0;                         ///< as the scene was loaded
-  Vec3 up = Vec3(0.0f, 1.0f, 0.0f);                     ///< of a scene that was not glTF
+  double metres_per_unit = 1.0;                          ///< as the scene was loaded
+  Vec3 up = Vec3(0.0f, 1.0f, 0.0f);                      ///< of a scene that was not glTF
 };
 
 /// What light was found for, and the light.

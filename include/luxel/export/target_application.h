@@ -15,8 +15,8 @@ std::string_view name(TargetApplication program);
 std::optional<TargetApplication> target_application(std::string_view word);
 std::span<const std::string_view> mesh_program_names();
 
-/// How the arrays of a GLB are stored: plain: positions, normals and texture coordinates as floats; quantised:
-/// as integers of 8 and 16 bits (KHR_mesh_quantization); meshopt: these, compressed
+/// How the arrays of a GLB are stored: plain: positions, normals and texture coordinates as floats;
+/// quantised: as integers of 8 and 16 bits (KHR_mesh_quantization); meshopt: these, compressed
 /// (EXT_meshopt_compression). docs/baking.md has the errors.
 enum class MeshCompression { plain, quantised, meshopt };
 
