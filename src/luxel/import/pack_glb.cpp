@@ -174,7 +174,9 @@ void GlbPacker::place_meshes() {
   auto& nodes = root_["nodes"];
   const auto count = nodes.size();
   for (std::size_t n = 0; n < count; ++n) {
-    const auto mesh = nodes[n].value("mesh", std::size_t{none});
+    const auto index = nodes[n].find("mesh");
+    if (index == nodes[n].end() || !index->is_number_unsigned()) continue;
+    const auto mesh = index->get<std::size_t>();
     if (mesh >= grids_.size() || !grids_[mesh] || grids_[mesh]->as_floats) continue;
     const auto& grid = grids_[mesh];
     SortedJson child = {{"mesh", mesh},

@@ -98,6 +98,7 @@ std::vector<std::optional<PositionGrid>> position_grids(GltfFile& file, const st
         const auto at = positions.at(v);
         cluster.low = glm::min(cluster.low, Vec3d(at[0], at[1], at[2]));
         cluster.high = glm::max(cluster.high, Vec3d(at[0], at[1], at[2]));
+        if (std::isnan(at[0] + at[1] + at[2])) cluster.high = Vec3d(std::numeric_limits<double>::infinity());
       }
     }
   }

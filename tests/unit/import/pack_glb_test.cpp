@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -214,6 +215,18 @@ TEST(PackGlb, a_file_with_unknown_extensions_stays_as_it_is) {
   auto gltf = Sheet().gltf;
   gltf.rest += R"(,"extensionsUsed":["FREE_wind"])";
   EXPECT_EQ(packed_glb(gltf.glb(), "room.glb", quantised), gltf.glb());
+}
+
+TEST(PackGlb, positions_that_are_not_finite_stay_floats) {
+  auto gltf = Sheet().gltf;
+  gltf.points({0, 0, std::numeric_limits<float>::quiet_NaN(), 1, 0, 0, 0, 0, 1});
+  gltf.meshes += R"(,{"primitives":[{"attributes":{"POSITION":5},"mode":0}]})";
+  gltf.nodes += R"(,{"mesh":1},{"mesh":77,"name":"astray"})";
+  gltf.rest += R"(,"scene":0,"scenes":[{"nodes":[0,1]}])";
+  const auto file = json_of(packed_glb(gltf.glb(), "room.glb", quantised));
+  EXPECT_EQ(attribute(file, "POSITION")["componentType"], SmallGltf::u16);
+  EXPECT_EQ(file["nodes"][1]["mesh"], 1);
+  EXPECT_EQ(file["nodes"][2]["mesh"], 77);
 }
 
 TEST(PackGlb, arrays_that_nothing_can_read_stay_as_they_are) {
