@@ -853,7 +853,7 @@ class Bake:
         settings, exporter = self.settings, self.exporter
         words = ["bake", "scene.glb", "--error", f"{settings.error:.6g}%"]
         if settings.target == "VERTEX":
-            words += ["-o", "lit.glb", "--as", "vertex", "--preserve-topology"]
+            words += ["-o", "lit.glb", "--as", "vertex", "--preserve-topology", "--compress", "none"]
         else:
             words += ["-o", "light.vtkhdf"]
         if settings.max_edge > 0.0:
@@ -872,8 +872,8 @@ class Bake:
         if self.settings.texels > 0.0:
             pages += ["--texels-per-metre", f"{self.settings.texels:.6g}"]
         return [["lightmap", "light.vtkhdf", "-o", "page.exr", *pages],
-                ["export", "light.vtkhdf", "--scene", "scene.glb", "-o", "lit.glb", "--as", "lightmap", "--layout",
-                 "new", "--final-gather", "none", *pages]]
+                ["export", "light.vtkhdf", "--scene", "scene.glb", "-o", "lit.glb", "--compress", "none", "--as", "lightmap",
+                 "--layout", "new", "--final-gather", "none", *pages]]
 
     def poll(self):
         code = self.run.poll()

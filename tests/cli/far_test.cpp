@@ -105,7 +105,10 @@ TEST_F(Far, meshes_lie_where_the_file_has_them) {
   EXPECT_NEAR(translation[0].get<double>(), place.x, 1e-9);
   EXPECT_NEAR(translation[1].get<double>(), place.z, 1e-9);
   EXPECT_NEAR(translation[2].get<double>(), -place.y, 1e-9);
-  for (const auto& low : json["accessors"][0]["min"]) EXPECT_GE(low.get<double>(), -2.0);
+  for (const auto& low : json["nodes"][1]["translation"]) {  // of the grid of positions
+    EXPECT_GE(low.get<double>(), -2.001);
+    EXPECT_LE(low.get<double>(), 2.0);
+  }
 }
 
 TEST_F(Far, solutions_hold_the_coordinates_of_the_file) {

@@ -128,6 +128,10 @@ class Place:
             skip(done.stderr.strip())
         assert done.returncode == 0, f"luxel {' '.join(words)}: {done.stderr}"
 
+    def can(self, *words):
+        """Whether this build can: it may lack an optional library."""
+        return subprocess.run([self.luxel, *words, "--quiet"], cwd=self.folder, capture_output=True, check=False).returncode == 0
+
 
 def click_through(place, node, screen, photographs):
     page = ("export", "box.vtkhdf", "--title", TITLE, *CAMERA)
@@ -148,19 +152,24 @@ def click_through(place, node, screen, photographs):
 
 
 def show_glb(place, node, photographs):
-    """Each program's file, and the light in each of its forms on the scene's own file, is valid; three.js shows the picture."""
+    """Each program's file, and the light in each of its forms on the scene's own file, is valid; three.js shows the picture.
+    So are the plain and the compressed ones."""
     look = ("--tone", "clamp", "--exposure", "1")
     files = {program: ("--for", program) for program in PROGRAMS}
     for form in FORMS:
         files[form] = ("--scene", place.scene, "--as", form)
     for name in FORMS[1:]:
         files[name] += ("--final-gather", "none", "--texels-per-metre", "200")
+    for name in ("three", *FORMS):
+        files[f"{name}-plain"] = (*files[name], "--compress", "none")
+        if place.can("export", "box.vtkhdf", "--compress", "meshopt", "-o", "compressed.glb"):
+            files[f"{name}-meshopt"] = (*files[name], "--compress", "meshopt")
     for name, words in files.items():
         place.run("export", "box.vtkhdf", *words, *look, "-o", f"{name}.glb")
     subprocess.run([node, os.path.join(HERE, "validate.mjs"), *(place.at(f"{name}.glb") for name in files)], check=True)
     place.run("render", "box.vtkhdf", *look, *VIEW, "-o", "clamp.png")
     status = 0
-    for name in ("three", *FORMS):
+    for name in (n for n in files if n.startswith(("three", *FORMS))):
         words = [node, os.path.join(HERE, "page.mjs"), place.at(f"{name}.glb"), os.path.join(photographs, f"{name}.png"),
                  *CAMERA, "--size", "640x480", "--like", place.at("clamp.png")]
         status |= subprocess.run(words, check=False).returncode

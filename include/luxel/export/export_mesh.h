@@ -15,7 +15,8 @@ struct Baked;
 
 struct ExportOptions {
   ToneOptions tone;
-  TargetApplication program = TargetApplication::any;  ///< of a GLB
+  TargetApplication program = TargetApplication::any;    ///< of a GLB
+  MeshCompression compression = MeshCompression::plain;  ///< of a GLB; the command's default is quantised
 };
 
 /// A lit mesh for any viewer: one primitive per material and side, POSITION, NORMAL and COLOR_0
@@ -24,10 +25,11 @@ struct ExportOptions {
 /// of pi. ExportProfile has the differences between programs. A back side is written, as separate triangles,
 /// only if light fell on it. glTF is Y up: a scene whose up is Z is turned by its
 /// root node. Valid by the Khronos validator. A scene far from its file's zero is put there by the same node,
-/// and its accessors stay as exact as near zero. The same input gives the same bytes. Whole or not at all;
-/// throws DeviceError. Throws MismatchError where the light is not of these patches or not plain colour,
-/// InputError where up has no length or the mesh is beyond the 4 GiB of a GLB. A front without light is
-/// written black, so that nothing disappears. The asset's extras describe how the light was made. Cost:
+/// and its accessors stay as exact as near zero. With a compression the mesh hangs below the root node, see
+/// MeshCompression. The same input gives the same bytes. Whole or not at all; throws DeviceError. Throws
+/// MismatchError where the light is not of these patches or not plain colour, InputError where up has no
+/// length, the mesh is beyond the 4 GiB of a GLB, or the compression is not available. A front without light
+/// is written black, so that nothing disappears. The asset's extras describe how the light was made. Cost:
 /// linear; the file is made in memory.
 void export_glb(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                 const SmoothLight& light, const Vec3& up, const ExportOptions& options = {});

@@ -21,8 +21,9 @@ struct VertexFit;
 struct RoundTripOptions {
   ToneOptions tone;
   TargetApplication program = TargetApplication::any;
-  double metres_per_unit = 1.0;      ///< as the scene was loaded
-  Vec3 up = Vec3(0.0f, 1.0f, 0.0f);  ///< of a scene that was not glTF
+  MeshCompression compression = MeshCompression::plain;  ///< the command's default is quantised
+  double metres_per_unit = 1.0;                          ///< as the scene was loaded
+  Vec3 up = Vec3(0.0f, 1.0f, 0.0f);                      ///< of a scene that was not glTF
 };
 
 /// What light was found for, and the light.
@@ -46,7 +47,11 @@ Scene scene_of(const PatchSet& patches);
 /// file is. Whole or not at all.
 ///
 /// All throw MismatchError where scene, file, patches and solution do not belong together, InputError where
-/// the file is damaged or the GLB would be beyond 4 GiB, DeviceError.
+/// the file is damaged, the GLB would be beyond 4 GiB or the compression is not available, DeviceError.
+///
+/// With a compression, a node whose mesh has quantised positions gets a child of its name, which holds the
+/// mesh; meshes with skins or morph targets keep floats, as does a file with extensions that Luxel does not
+/// know.
 
 /// COLOR_0, tone-mapped, and _IRRADIANCE as in export_glb(), materials unlit. The surfaces are cut into
 /// patches as the light is; a new vertex has the mean of what those around it have.

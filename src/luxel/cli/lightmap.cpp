@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/commands.h"
+#include "luxel/cli/compression_setting.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
 #include "luxel/cli/lightmap_settings.h"
@@ -135,6 +136,7 @@ class LightmapCommand final : public Command {
  private:
   void check() const {
     std::vector<NamedOutput> others;
+    check_compression(settings_.compression);
     if (!settings_.error_map.empty()) {
       expect_ending("--error-map", settings_.error_map, ".exr");
       others.push_back({"--error-map", settings_.error_map});
@@ -193,6 +195,7 @@ class LightmapCommand final : public Command {
     const RoundTripPages pages{made.lightmap.atlas, {}, 1.0f, made.record.as_file_has_it};
     RoundTripOptions options;
     options.up = up_of(look_, baked.patches);
+    options.compression = settings_.compression;
     if (solved) {
       options.metres_per_unit = solved->metres_per_unit;
       return export_unwrapped(settings_.unwrapped, {solved->scene, baked.patches, baked.solution}, pages,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/cli/compression_setting.h"
 #include "luxel/cli/quantity.h"
 
 namespace luxel {
@@ -83,6 +84,7 @@ void LightmapSettings::declare(OptionSet& set) {
       "uv2", "FILE", unwrapped,
       "the scene with the lightmap coordinates: .glb, as TEXCOORD_1 beside its own; .obj, which has one "
       "set, as vt instead of its own");
+  declare_compression(set, compression, "the .glb of --uv2");
   set.add_text("preview", "FILE", preview, "picture (.png .exr .hdr) of the scene drawn with the lightmap");
 }
 

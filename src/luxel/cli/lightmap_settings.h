@@ -4,6 +4,7 @@
 #include <string>
 
 #include "luxel/cli/option_set.h"
+#include "luxel/export/target_application.h"
 #include "luxel/render/make_lightmap.h"
 
 namespace luxel {
@@ -15,6 +16,7 @@ struct LightmapSettings {
   std::string layout = "file";     // where surfaces lie on pages: as the scene's file says, or new
   double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
   std::string error_map, directional, preview, unwrapped;  // files; empty: none
+  MeshCompression compression = MeshCompression::plain;    // of the unwrapped mesh, for further work
   void declare(OptionSet& set);
   // For outputs whose scene file may define a layout of surfaces on pages.
   void declare_layout(OptionSet& set);

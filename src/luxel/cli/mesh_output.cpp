@@ -95,11 +95,14 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
     auto tone = look.tone;
     const auto shown = displayed_mesh(baked, *light, mesh, true, tone);
     export_glb(output, shown.patches, shown.solution, shown.light, up,
-               {.tone = tone, .program = mesh.program});
+               {.tone = tone, .program = mesh.program, .compression = mesh.compression});
     return {};
   }
-  RoundTripOptions options{
-      .tone = look.tone, .program = mesh.program, .metres_per_unit = wish.metres_per_unit, .up = up};
+  RoundTripOptions options{.tone = look.tone,
+                           .program = mesh.program,
+                           .compression = mesh.compression,
+                           .metres_per_unit = wish.metres_per_unit,
+                           .up = up};
   const auto write = [&](const RoundTripInput& input) -> GlbDone {
     if (mesh.on_pages()) return write_on_pages(output, input, mesh, options, tracer, place);
     if (mesh.keep_topology) {

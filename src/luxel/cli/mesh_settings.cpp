@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/cli/compression_setting.h"
 #include "luxel/cli/outputs.h"
 #include "luxel/core/ending_of.h"
 
@@ -32,6 +33,7 @@ void MeshSettings::declare(OptionSet& set) {
       "simplify", simplify,
       "with --as vertex: merge triangles of a .glb where the light displays the same without them, to "
       "within three quarters of an 8-bit code");
+  declare_compression(set, compression, "a .glb");
   set.only_with("as", "lightmap|emissive");
   pages.declare_layout(set);
   pages.declare_pages(set);
@@ -43,6 +45,7 @@ void MeshSettings::check() const {
   if (keep_topology && on_pages())
     throw UsageError(
         fmt::format("--preserve-topology needs --as vertex: --as {} preserves the triangles anyway", as));
+  check_compression(compression, program);
 }
 
 void MeshSettings::check_outputs(const std::vector<std::string>& outputs) const {
@@ -50,7 +53,9 @@ void MeshSettings::check_outputs(const std::vector<std::string>& outputs) const 
   if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_glb)) return;
   for (const auto& [option, is_asked] :
        {std::pair(std::string("--preserve-topology"), keep_topology), std::pair("--as " + as, on_pages()),
-        std::pair(fmt::format("--for {}", name(program)), program != TargetApplication::any)})
+        std::pair(fmt::format("--for {}", name(program)), program != TargetApplication::any),
+        std::pair(fmt::format("--compress {}", name(compression)),
+                  compression != MeshCompression::quantised)})
     if (is_asked) throw UsageError(option + " applies to a .glb: add -o FILE.glb, or remove it");
 }
 

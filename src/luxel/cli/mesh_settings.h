@@ -17,6 +17,7 @@ struct MeshSettings {
   std::string as = "vertex";
   bool keep_topology = false;
   bool simplify = true;
+  MeshCompression compression = MeshCompression::quantised;
   LightmapSettings pages;  // of as lightmap and emissive
   void declare(OptionSet& set);
   bool on_pages() const { return as != "vertex"; }

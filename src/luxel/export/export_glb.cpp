@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "luxel/core/output_file.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/unlit_mesh.h"
 #include "luxel/export/utf8.h"
+#include "luxel/export/write_glb.h"
 
 namespace luxel {
 namespace {
@@ -76,7 +76,7 @@ void export_glb(const std::filesystem::path& path, const PatchSet& patches, cons
     add_mesh(file, patches, mesh, profile);
     add_root(file, {{"name", "scene"}, {"mesh", 0}}, up, patches.origin);
   }
-  write_file(path, file.bytes(path.string()));
+  write_glb(path, file, options.program, options.compression);
 }
 
 }  // namespace luxel

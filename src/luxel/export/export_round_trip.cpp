@@ -23,6 +23,7 @@
 #include "luxel/export/round_trip_primitive.h"
 #include "luxel/export/scene_gltf.h"
 #include "luxel/export/unwrapped_obj.h"
+#include "luxel/export/write_glb.h"
 #include "luxel/image/image_file.h"
 #include "luxel/import/gltf_array.h"
 #include "luxel/import/gltf_writer.h"
@@ -67,7 +68,9 @@ class RoundTripExport {
   // Returns false, and writes nothing, where the monitor stops the work.
   bool write(const std::filesystem::path& path, const Context& context) const {
     if (context.report({"write", 0.0}) == Next::stop) return false;
-    write_file(path, copy_.bytes(path.string()));
+    const bool is_own_unit = is_gltf(input_.scene.source);  // else the copy is in metres
+    write_glb(path, copy_, options_.program, options_.compression,
+              is_own_unit ? options_.metres_per_unit : 1.0);
     return true;
   }
 

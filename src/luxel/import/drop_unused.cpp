@@ -142,10 +142,14 @@ void pack_bytes(SortedJson& root, std::string& bytes) {
 
 std::vector<bool> used_textures(SortedJson& root) { return named(root, "textures", visit_texture_names); }
 
+bool uses_known_extensions(const SortedJson& root) {
+  const auto used = root.find("extensionsUsed");
+  return used == root.end() ||
+         std::all_of(used->begin(), used->end(), [](const SortedJson& name) { return is_harmless(name); });
+}
+
 void drop_unused(SortedJson& root, std::string& bytes, const std::vector<bool>& once_used) {
-  if (const auto used = root.find("extensionsUsed"); used != root.end())
-    if (!std::all_of(used->begin(), used->end(), [](const SortedJson& name) { return is_harmless(name); }))
-      return;
+  if (!uses_known_extensions(root)) return;
   const auto pictures = named(root, "images", visit_picture_names);
   const auto samplers = named(root, "samplers", visit_sampler_names);
   drop_unnamed(root, "textures", visit_texture_names, once_used);

@@ -6,15 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "luxel/core/error.h"
 #include "luxel/import/drop_unused.h"
+#include "luxel/import/glb_container.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::size_t alignment = 4;  // of every array, and of the chunks of a GLB
+constexpr std::size_t alignment = 4;  // of every array
 enum Target : int { no_target = 0, vertices = 34962, indices = 34963 };
 enum Component : int { u16 = 5123, u32 = 5125, f32 = 5126 };
 
@@ -25,12 +24,6 @@ std::size_t aligned(std::size_t size) { return (size + alignment - 1) / alignmen
 template <typename T>
 std::string_view bytes_of(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-}
-
-std::string little_endian(std::size_t number) {
-  std::string bytes;
-  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(number >> 8 * i & 0xff);
-  return bytes;
 }
 
 // Recognises the type by the first bytes, for files that do not declare it.
@@ -284,22 +277,7 @@ std::string GltfWriter::bytes(const std::string& source) const {
   auto root = document_->root;
   auto binary = bytes_;
   drop_unused(root, binary, document_->once_used);
-  if (binary.empty())
-    root.erase("buffers");
-  else
-    root["buffers"][0]["byteLength"] = binary.size();
-  auto text = json_text(root);
-  text.resize(aligned(text.size()), ' ');
-  constexpr std::size_t header = 12, chunk_header = 8;
-  const auto size = header + chunk_header + text.size() + (binary.empty() ? 0 : chunk_header + binary.size());
-  if (size > std::numeric_limits<std::uint32_t>::max())
-    throw InputError(source, fmt::format("a GLB has at most 4 GiB, and this one would have {:.1f}; "
-                                         "export fewer surfaces or a smaller lightmap",
-                                         static_cast<double>(size) / (std::size_t{1} << 30)));
-  std::string file = "glTF" + little_endian(2) + little_endian(size);
-  file += little_endian(text.size()) + "JSON" + text;
-  if (!binary.empty()) (file += little_endian(binary.size()) + std::string("BIN\0", 4)) += binary;
-  return file;
+  return glb_container(std::move(root), binary, source);
 }
 
 }  // namespace luxel

@@ -175,7 +175,8 @@ void SolverThread::write(const FileCommand& order) {
   if (glb != nullptr) {
     if (!light->smooth)
       throw InputError(file.string(), "it was closed before there was light to write into it");
-    export_glb(file, *light->mesh.patches, light->solution, *light->smooth, glb->up, {.tone = glb->tone});
+    export_glb(file, *light->mesh.patches, light->solution, *light->smooth, glb->up,
+               {.tone = glb->tone, .compression = MeshCompression::quantised});
   } else if (light->is_relit) {
     auto patches = *light->mesh.patches;
     join_light_groups(patches);  // the file has no samples, so the light of single groups is not in it
