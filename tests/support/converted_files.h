@@ -217,7 +217,7 @@ class Small3ds {
     }
     const auto mesh =
         chunk(0x4110, points) + chunk(0x4120, faces + group("wall", 0, 10) + group("lamp", 10, 12));
-    const auto wall = material("wall", cube.wall, 0), lamp = material("lamp", Vec3(1.0f, 0.5f, 0.25f), 100);
+    const auto wall = material("wall", cube.wall, 0), lamp = material("lamp", Vec3(0.8f, 0.4f, 0.2f), 100);
     return chunk(0x4D4D,
                  chunk(0x0002, bytes(std::uint32_t{3})) +
                      chunk(0x3D3D, wall + lamp + chunk(0x4000, text("box") + chunk(0x4100, mesh)) + objects));

