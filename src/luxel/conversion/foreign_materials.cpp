@@ -141,8 +141,9 @@ void ForeignMaterials::add_alpha(const aiMaterial& material, const std::string& 
 
 void ForeignMaterials::finish() {
   if (!invisible_.empty())
-    file_.messages.push_back(fmt::format(
-        "warning an opacity of 0 is taken as opaque, as a transparency of 0, for {}", name_list(invisible_)));
+    file_.messages.push_back(
+        fmt::format("warning an opacity of 0 is read as a transparency of 0, and the surfaces are opaque: {}",
+                    name_list(invisible_)));
   if (!with_opacity_picture_.empty())
     file_.messages.push_back(fmt::format(
         "warning a picture of the opacity is passed over, as it is not the picture of the colour, for {}",

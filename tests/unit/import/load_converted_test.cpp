@@ -208,8 +208,9 @@ TEST_F(LoadConverted, opacity_decides_whether_light_passes) {
       "<transparent opaque=\"A_ONE\"><color>1 1 1 "
       "1</color></transparent><transparency><float>0</float></transparency>";
   EXPECT_TRUE(material_of(load("wall.dae", dae.text()), "wall").opaque);
-  EXPECT_EQ(files_.all_warnings(),
-            "wall.dae: an opacity of 0 is taken as opaque, as a transparency of 0, for 'wall'\n");
+  EXPECT_EQ(
+      files_.all_warnings(),
+      "wall.dae: an opacity of 0 is read as a transparency of 0, and the surfaces are opaque: 'wall'\n");
   SmallFbx fbx;
   fbx.wall_properties = "P: \"Opacity\", \"double\", \"Number\", \"\",0.25\n";
   EXPECT_FALSE(material_of(load("glass.fbx", fbx.text()), "wall").opaque);
