@@ -52,8 +52,7 @@ TEST(Converted, a_damaged_file_is_one_sentence_and_leaves_nothing) {
   const auto folder = folder_of("damaged");
   const auto good = SmallFbx().text();
   write_file(folder / "room.fbx", good.substr(0, good.size() / 2));
-  const auto run =
-      cli::run(folder, "ls /tmp > before.txt; $LUXEL bake room.fbx -o a.glb; code=$?; ls; exit $code");
+  const auto run = cli::run(folder, "$LUXEL bake room.fbx -o a.glb; code=$?; ls; exit $code");
   EXPECT_GT(run.code, 0);
   EXPECT_LT(run.code, 128);
   EXPECT_EQ(lines_in(run.err), 1u) << run.err;
