@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bakes scenes as a newcomer would, with no option: first_try.py FOLDER SCENE|FOLDER...
 
-Each scene (.obj, .gltf, .glb, .ply, .stl; all of a folder and its subfolders) becomes a picture, a GLB and an HTML page
-in FOLDER. Where Node.js and the packages of tests/web are there, three.js shows the GLB from the picture's camera with
+Each scene (.obj, .gltf, .glb, .ply, .stl, .fbx, .dae, .3ds; all of a folder and its subfolders) becomes a picture, a GLB
+and an HTML page in FOLDER. Where Node.js and the packages of tests/web are there, three.js shows the GLB from the picture's camera with
 its default settings, and the two pictures are compared. FOLDER/index.html is the contact sheet: look at every picture.
 Prints a table in Markdown, one row per scene: CPU seconds of the whole process, triangles of the scene and of the GLB,
 sizes, and the mean difference from three.js in per cent of the display's range; or the one sentence that refused it.
@@ -23,7 +23,7 @@ import subprocess
 import sys
 import time
 
-ENDINGS = (".obj", ".gltf", ".glb", ".ply", ".stl")
+ENDINGS = (".obj", ".gltf", ".glb", ".ply", ".stl", ".fbx", ".dae", ".3ds")
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 WEB = os.path.join(ROOT, "tests", "web")
 

@@ -7,6 +7,12 @@ include(CMakePackageConfigHelpers)
 if(LUXEL_PROGRAM)
   install(TARGETS luxel)
 endif()
+if(luxel_uses_assimp)
+  install(TARGETS luxel-import DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/luxel)
+endif()
+# Where a program that links the installed library finds it.
+set_source_files_properties(src/luxel/import/converter.cpp PROPERTIES
+                            COMPILE_DEFINITIONS LUXEL_LIBEXEC="${CMAKE_INSTALL_FULL_LIBEXECDIR}/luxel")
 install(TARGETS luxel_library EXPORT luxel-targets FILE_SET HEADERS)
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/luxel)
 install(EXPORT luxel-targets NAMESPACE luxel:: DESTINATION ${config_folder})

@@ -19,7 +19,7 @@ if(LUXEL_MPI STREQUAL "REQUIRED" AND NOT luxel_uses_mpi)
 endif()
 find_package(PkgConfig REQUIRED)
 
-# Libraries of compressed files: without one of them the program refuses such a file and names what to install.
+# Libraries of compressed files, and Assimp: without one of them the program refuses such a file and names what to install.
 # luxel_optional(NAME FOUND): luxel_uses_NAME is ON where its option is not OFF and the library is there.
 macro(luxel_optional name found)
   string(TOUPPER ${name} luxel_option)
@@ -37,6 +37,12 @@ pkg_check_modules(luxel_webp QUIET libwebp)
 luxel_optional(draco draco_FOUND)
 luxel_optional(meshoptimizer meshoptimizer_FOUND)
 luxel_optional(webp luxel_webp_FOUND)
+# Of the program luxel-import alone, which only the command or an installed library can find.
+pkg_check_modules(assimp QUIET IMPORTED_TARGET assimp)
+luxel_optional(assimp assimp_FOUND)
+if(NOT LUXEL_PROGRAM AND NOT LUXEL_INSTALL)
+  set(luxel_uses_assimp OFF)
+endif()
 
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)

@@ -24,8 +24,8 @@ LIBRARIES = read_libraries()
 HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli"}
 EVERYWHERE = r"fmt/"
 # Intrinsics: Embree requires two bits of the SSE control register to be set in each thread.
-SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "unistd.h", "termios.h", "sys/file.h",
-          "sys/ioctl.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
+SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "poll.h", "unistd.h", "termios.h",
+          "sys/file.h", "sys/ioctl.h", "sys/mman.h", "sys/prctl.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
 STANDARD = set("""algorithm any array atomic barrier bit bitset cassert ccomplex cctype cerrno cfenv cfloat charconv chrono
 cinttypes climits clocale cmath compare complex concepts condition_variable coroutine csetjmp csignal cstdarg cstddef
 cstdint cstdio cstdlib cstring ctime cuchar cwchar cwctype deque exception execution filesystem format forward_list

@@ -62,6 +62,8 @@ def main(root, build, whole):
         run("cmake", "--build", "examples", folder=folder)
         run(os.path.join(folder, "examples", "view_factors"), os.path.join(root, "scenes/plates.obj"), folder=folder)
         run(os.path.join(prefix, "bin", "luxel"), "--version", folder=project)
+        if os.path.isfile(os.path.join(build, "bin", "luxel-import")):
+            run(os.path.join(prefix, "libexec", "luxel", "luxel-import"), "--help", folder=project)
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if whole and shutil.which("ccache") else []
         # -O2 in the flags, since the project has no build type.
         for way in ("add_subdirectory", "FetchContent"):

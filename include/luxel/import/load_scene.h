@@ -27,11 +27,12 @@ struct LoadOptions {
 };
 
 /// Reads a scene by the file's ending: .obj (with its .mtl and textures), .glb or .gltf (glTF 2.0, with its
-/// buffers and pictures), .ply or .stl. Throws InputError with file and line (or JSON path) for anything that
-/// cannot be read. The log receives warnings (a missing MTL file or texture and its replacement, flipped
-/// faces, lowered reflectances, a size that suggests another unit, with the scale that mends it as a hint)
-/// and the changes made by requested repairs. The order of repairs is welding, orienting, flipping. Cost:
-/// about half a second per million faces, plus the decoding of textures. Call from one thread per scene.
+/// buffers and pictures), .ply, .stl, .fbx, .dae or .3ds. Throws InputError with file and line (or JSON path)
+/// for anything that cannot be read. The log receives warnings (a missing MTL file or texture and its
+/// replacement, flipped faces, lowered reflectances, a size that suggests another unit, with the scale that
+/// mends it as a hint) and the changes made by requested repairs. The order of repairs is welding, orienting,
+/// flipping. Cost: about half a second per million faces, plus the decoding of textures. Call from one thread
+/// per scene.
 ///
 /// OBJ: metres, Y up or Z up as in the file; materials are two-sided; Ke is radiance in W/(m² sr); Kd times
 /// the linear colour of map_Kd is the reflectance, or Ks where a mirror or metal has a dark Kd; light passes
@@ -44,6 +45,11 @@ struct LoadOptions {
 /// that is not doubleSided absorbs; light passes where alpha is below one half.
 ///
 /// PLY and STL: as OBJ; colours of PLY's faces or vertices are the reflectance, or the picture that it names.
+///
+/// FBX, COLLADA (.dae) and 3DS: converted to glTF by the program luxel-import, which is run as a child
+/// process under limits of time and memory; InputError where it is not installed, refuses the file, crashes
+/// or exceeds a limit. Metres, Y up as the file states; of 3DS as OBJ. Emission is radiance in W/(m² sr), the
+/// intensity of lamps is radiant power in W (or W/m²), and materials are two-sided.
 ///
 /// Coordinates are read in doubles. A scene that reaches farther from the file's zero than eight times its
 /// own size (the longest side of its box) gets an origin at its centre, and positions count from there: a

@@ -17,8 +17,9 @@ namespace {
 class Info final : public Command {
  public:
   explicit Info(OptionSet& options) : Command(options) {
-    options.set_positional("FILE", file_, "a solution (.vtkhdf) or a scene (.obj, .glb, .gltf, .ply, .stl)",
-                           ".vtkhdf .obj .glb .gltf .ply .stl");
+    options.set_positional(
+        "FILE", file_, "a solution (.vtkhdf) or a scene (.obj, .glb, .gltf, .ply, .stl, .fbx, .dae, .3ds)",
+        ".vtkhdf .obj .glb .gltf .ply .stl .fbx .dae .3ds");
     options.add_flag("json", json_, "print JSON");
     options.set_examples({{"luxel info room.obj", "Size, materials and lamps of a scene."},
                           {"luxel info room.vtkhdf", "How a solution was made, and how accurate it is."}});

@@ -68,7 +68,7 @@ int parse_bands(const std::string& text) {
 }  // namespace
 
 void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
-  set.set_positional("SCENE", file, what_it_takes, ".obj .gltf .glb .ply .stl");
+  set.set_positional("SCENE", file, what_it_takes, ".obj .gltf .glb .ply .stl .fbx .dae .3ds");
   set.heading("Scene");
   set.add_number("scale", "m", load.scale, 1e-9, far, "metres per unit of the file");
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,

@@ -10,6 +10,7 @@
 #include "luxel/core/error.h"
 #include "luxel/import/apply_spectra.h"
 #include "luxel/import/is_gltf.h"
+#include "luxel/import/load_converted.h"
 #include "luxel/import/load_gltf.h"
 #include "luxel/import/load_obj.h"
 #include "luxel/import/load_ply.h"
@@ -27,14 +28,17 @@ bool is_obj(const std::filesystem::path& path) { return ending_of(path) == ".obj
 bool is_ply(const std::filesystem::path& path) { return ending_of(path) == ".ply"; }
 bool is_stl(const std::filesystem::path& path) { return ending_of(path) == ".stl"; }
 
-constexpr const char* endings = ".obj, .glb, .gltf, .ply or .stl";
+constexpr const char* endings = ".obj, .glb, .gltf, .ply, .stl, .fbx, .dae or .3ds";
 
 struct Reader {
   bool (*reads)(const std::filesystem::path&);
   Scene (*load)(const std::filesystem::path&, const LoadOptions&, const Context&);
 };
-constexpr auto readers =
-    std::to_array<Reader>({{is_obj, load_obj}, {is_gltf, load_gltf}, {is_ply, load_ply}, {is_stl, load_stl}});
+constexpr auto readers = std::to_array<Reader>({{is_obj, load_obj},
+                                                {is_gltf, load_gltf},
+                                                {is_ply, load_ply},
+                                                {is_stl, load_stl},
+                                                {is_converted, load_converted}});
 
 void check_options(const LoadOptions& options) {
   if (!(options.scale > 0.0 && std::isfinite(options.scale)))

@@ -28,7 +28,8 @@ TEST(LoadScene, a_folder_is_no_scene) {
   SceneFiles files;
   std::filesystem::create_directory(files.path("room.obj"));
   EXPECT_EQ(files.refusal("room.obj"),
-            "room.obj: it is a folder; name the scene's file inside it (.obj, .glb, .gltf, .ply or .stl)");
+            "room.obj: it is a folder; name the scene's file inside it (.obj, .glb, .gltf, .ply, .stl, .fbx, "
+            ".dae or .3ds)");
 }
 
 TEST(LoadScene, other_endings_are_told_what_to_become) {
@@ -36,7 +37,9 @@ TEST(LoadScene, other_endings_are_told_what_to_become) {
   for (const std::string name : {"room.max", "room.GLT", "room.step", "room"}) {
     files.write(name, "solid");
     const auto refusal = files.refusal(name);
-    EXPECT_NE(refusal.find(name + ": expected a file that ends in .obj, .glb, .gltf, .ply or .stl, found "),
+    EXPECT_NE(refusal.find(
+                  name +
+                  ": expected a file that ends in .obj, .glb, .gltf, .ply, .stl, .fbx, .dae or .3ds, found "),
               std::string::npos)
         << refusal;
     EXPECT_NE(refusal.find("convert"), std::string::npos) << refusal;
