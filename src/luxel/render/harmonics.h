@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <span>
 
 #include "luxel/core/vector.h"
@@ -34,11 +35,11 @@ inline std::array<double, max_harmonics> harmonics(const Vec3d& d) {
 // The irradiance of a surface with the unit normal n, W/m², under radiance with these coefficients (1, 4 or
 // 9 of them), W/(m² sr): their convolution with the cosine, pi, 2 pi / 3 and pi / 4 by band l.
 inline double irradiance_of_harmonics(std::span<const double> coefficients, const Vec3d& n) {
-  constexpr double pi_ = 3.14159265358979324;
+  constexpr auto pi_double = std::numbers::pi;
   const auto y = harmonics(n);
   double sum = 0.0;
   for (std::size_t k = 0; k < coefficients.size(); ++k)
-    sum += (k == 0 ? pi_ : k < 4 ? 2.0 * pi_ / 3.0 : pi_ / 4.0) * coefficients[k] * y[k];
+    sum += (k == 0 ? pi_double : k < 4 ? 2.0 * pi_double / 3.0 : pi_double / 4.0) * coefficients[k] * y[k];
   return sum;
 }
 
