@@ -9,7 +9,7 @@ namespace luxel {
 // have no cracks there: background or what lies behind shows through T-junctions where the two sides round
 // differently. The new corner has the light that runs along the edge. Patches that no vertex lies on stay as
 // they are, and all stay in the order of their triangles. Vertices count as on an edge as
-// find_hanging_vertices() has it. Cost: a sort of the open edges.
+// find_all_hanging_vertices() has it. Cost: that of it.
 void close_t_junctions(SimplifiedMesh& mesh);
 
 }  // namespace luxel

@@ -41,7 +41,7 @@ Vec3 BorderVertex::weights() const {
 }
 
 std::vector<PatchCut> cut_at_hanging_vertices(const PatchSet& patches) {
-  auto hanging = find_hanging_vertices(patches);
+  auto hanging = find_all_hanging_vertices(patches);
   std::sort(hanging.begin(), hanging.end(), [](const HangingVertex& a, const HangingVertex& b) {
     return std::tuple(a.patch, a.edge, a.fraction, a.vertex) <
            std::tuple(b.patch, b.edge, b.fraction, b.vertex);

@@ -41,6 +41,22 @@ TEST(PatchCuts, a_patch_is_cut_at_every_vertex_on_its_border) {
   }
 }
 
+// A wall along an edge that two patches of the floor share: its foot has no other patch, and the floor's
+// vertex on it belongs to no open edge.
+TEST(PatchCuts, a_wall_is_cut_where_the_floor_below_it_is) {
+  test::LitPatches lit;
+  const auto a = lit.vertex({0, 0, 0}), b = lit.vertex({2, 0, 0}), middle = lit.vertex({0.5f, 0, 0});
+  const auto left = lit.vertex({0.5f, 1, 0}), right = lit.vertex({0.5f, -1, 0}), top = lit.vertex({1, 0, 2});
+  lit.patch({a, b, top}, 1.0f);
+  for (const auto& corners :
+       {std::array{a, right, middle}, {right, b, middle}, {b, left, middle}, {left, a, middle}})
+    lit.patch(corners, 1.0f);
+  const auto cuts = cut_at_hanging_vertices(lit.patches);
+  ASSERT_EQ(cuts.size(), 1u);
+  EXPECT_EQ(cuts.front().patch, 0u);
+  EXPECT_EQ(cuts.front().triangles.size(), 2u);
+}
+
 TEST(PatchCuts, a_mesh_whose_patches_share_their_edges_has_none) {
   test::LitPatches lit;
   for (const auto& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) lit.vertex(p);
