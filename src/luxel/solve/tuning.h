@@ -104,7 +104,7 @@ constexpr double influence_tolerance = 0.05;
 // Cornell box at 5 %, 30 seeds, true spread of the power over the stated one: 1.54 without it, 1.35 with
 // 0.05, 1.31 with 0.01, 1.30 with all sides solved to 1e-5.
 constexpr double influence_sum_tolerance = 0.01;
-constexpr std::size_t influence_memory = 1;  // earlier sweeps in Anderson's acceleration, a vector each
+constexpr std::size_t influence_memory = 3;  // earlier sweeps in Anderson's acceleration, two vectors each
 constexpr std::size_t influence_columns =
     12;                               // replicates times bands solved together: 4 replicates of 3 bands
 constexpr std::size_t grain = 16384;  // numbers per chunk
