@@ -14,8 +14,8 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t max_rays = 32;        // per edge that look for receivers
-constexpr double rays_per_edge = 2.0;       // per max_edge of the edge's length
+constexpr std::size_t max_rays = 64;        // per edge that look for receivers, and as many shadow rays
+constexpr double rays_per_edge = 12.0;      // per max_edge of the edge's length
 constexpr std::size_t max_receivers = 256;  // per edge
 constexpr double narrowest = 0.05;          // height of a receiver, in max_edge
 constexpr double shortest = 0.05;           // shadow of a whole edge, in max_edge
