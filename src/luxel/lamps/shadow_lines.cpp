@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "luxel/lamps/outer_back.h"
 #include "luxel/lamps/outline_edges.h"
 #include "luxel/lamps/shadow_parts.h"
 #include "luxel/lamps/shadow_receivers.h"
@@ -135,6 +136,7 @@ class Finder {
           std::equal_range(contacts.begin(), contacts.end(), ContactLine{.on = on},
                            [](const ContactLine& a, const ContactLine& b) { return a.on < b.on; });
       parts[g] = true_parts(triangles_, tracer_, groups[g], {range.first, range.second}, lengths_);
+      std::erase_if(parts[g], [&](const EdgeShadow& s) { return is_on_outer_back(triangles_, tracer_, s); });
     });
     std::vector<EdgeShadow> result;
     for (const auto& some : parts) result.insert(result.end(), some.begin(), some.end());
