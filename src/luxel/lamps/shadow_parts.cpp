@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "luxel/lamps/shadow_doubles.h"
 #include "luxel/lamps/shadow_test.h"
 #include "luxel/patch/flat_triangle.h"
 
@@ -17,9 +18,7 @@ constexpr double shortest_tested = 6.0;  // in reach: a shorter part is as its n
 constexpr double pairs_per_edge = 4.0;   // per max_edge of a part's length
 constexpr double max_pairs = 24.0;       // per part
 constexpr int bisections = 12;
-constexpr double beside = 2.0;          // in reach: lines that are nearer to each other are one
-constexpr double parallel_sine = 0.05;  // between lines that may be one
-constexpr double shortest_left = 4.0;   // in reach: what two lines leave of each other
+constexpr double shortest_part = 4.0;  // in reach
 
 // A segment in the plane of the triangle, in a basis of two unit vectors, m.
 struct Segment {
@@ -31,15 +30,6 @@ struct Segment {
 };
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
-EdgeShadow part_of(const EdgeShadow& shadow, const Interval& interval) {
-  auto part = shadow;
-  const auto along = shadow.ends[1] - shadow.ends[0];
-  part.ends = {shadow.ends[0] + interval.begin * along, shadow.ends[0] + interval.end * along};
-  if (interval.end == 1.0) part.ends[1] = shadow.ends[1];
-  part.weight = shadow.weight * (interval.end - interval.begin);
-  return part;
-}
 
 // Where segments cross: [shadow] fractions of its length, in ascending order, with 0 and 1.
 std::vector<std::vector<double>> crossings(const FlatTriangle& plane, std::span<const EdgeShadow> shadows,
@@ -152,50 +142,6 @@ class Tester {
   const ShadowReceivers::Lengths& lengths_;
 };
 
-// The interval of a part that lies within `distance` of another one, which is nearly parallel.
-Interval covered(const EdgeShadow& part, const EdgeShadow& by, double distance) {
-  constexpr Interval nothing{1.0, 0.0};
-  const auto along = by.ends[1] - by.ends[0];
-  const auto length = glm::length(along);
-  const auto unit = along / length;
-  const auto step = part.ends[1] - part.ends[0];
-  if (glm::length(glm::cross(unit, step)) > parallel_sine * glm::length(step)) return nothing;
-  const auto off = [&](const Vec3d& p) { return glm::length(glm::cross(unit, p - by.ends[0])); };
-  if (off(part.ends[0]) > distance || off(part.ends[1]) > distance) return nothing;
-  const auto from = glm::dot(unit, part.ends[0] - by.ends[0]);
-  const auto to = glm::dot(unit, part.ends[1] - by.ends[0]);
-  const auto at = [&](double place) { return std::clamp((place - from) / (to - from), 0.0, 1.0); };
-  const auto [low, high] = std::minmax(at(0.0), at(length));
-  return {low, high};
-}
-
-// Of lines that lie on each other, the first by weight remains.
-std::vector<EdgeShadow> without_doubles(std::vector<EdgeShadow> parts, double reach) {
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const EdgeShadow& a, const EdgeShadow& b) { return a.weight > b.weight; });
-  std::vector<EdgeShadow> result;
-  for (const auto& part : parts) {
-    std::vector<EdgeShadow> left{part};
-    for (std::size_t i = 0; i < result.size() && !left.empty(); ++i) {
-      std::vector<EdgeShadow> next;
-      for (const auto& l : left) {
-        const auto hidden = covered(l, result[i], beside * reach);
-        if (!(hidden.begin < hidden.end)) {
-          next.push_back(l);
-          continue;
-        }
-        const auto length = glm::distance(l.ends[0], l.ends[1]);
-        if (hidden.begin * length > shortest_left * reach) next.push_back(part_of(l, {0.0, hidden.begin}));
-        if ((1.0 - hidden.end) * length > shortest_left * reach)
-          next.push_back(part_of(l, {hidden.end, 1.0}));
-      }
-      left = std::move(next);
-    }
-    result.insert(result.end(), left.begin(), left.end());
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<EdgeShadow> true_parts(const PatchSet& triangles, const Tracer& tracer,
@@ -210,7 +156,7 @@ std::vector<EdgeShadow> true_parts(const PatchSet& triangles, const Tracer& trac
     const ShadowTest test(triangles, tracer, shadows[i], lengths.reach);
     const auto length = glm::distance(shadows[i].ends[0], shadows[i].ends[1]);
     for (const auto& interval : Tester(test, length, lengths).intervals(cuts[i]))
-      if ((interval.end - interval.begin) * length > shortest_left * lengths.reach)
+      if ((interval.end - interval.begin) * length > shortest_part * lengths.reach)
         parts.push_back(part_of(shadows[i], interval));
   }
   return without_doubles(std::move(parts), lengths.reach);
