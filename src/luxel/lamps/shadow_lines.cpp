@@ -21,12 +21,12 @@ namespace {
 
 constexpr double reach_of_edge = 1e-3;     // distance of pairs of rays from a line, in max_edge
 constexpr double reach_roundings = 256.0;  // the same, at least, in roundings of the coordinates
-// Patches that a line adds, to about a tenth: measured on the floor of the study. Each patch that it crosses
-// becomes three, and its neighbours take a point.
+// Patches that lines add. Measured: 3.0 to 3.3 per line in four scenes, where most lines are shorter than
+// max_edge. A long line crosses about 2.5 patches per max_edge, each of which becomes three.
 constexpr double patches_per_line = 3.0, patches_per_edge = 5.0;
 constexpr double edges_per_line = 8.0;  // candidates that are looked at, per line that is wanted
 constexpr std::size_t edges_grain = 64, edges_per_report = 1 << 14;
-constexpr double fewest_lines = 64.0;
+constexpr double min_lines = 64.0;
 
 // An outline edge with its light.
 struct LitEdge {
@@ -75,7 +75,7 @@ class Finder {
 
   std::size_t max_edges() const {
     const auto lines = static_cast<double>(options_.max_patches) / (patches_per_line + patches_per_edge);
-    return static_cast<std::size_t>(edges_per_line * std::max(fewest_lines, lines));
+    return static_cast<std::size_t>(edges_per_line * std::max(min_lines, lines));
   }
 
   template <typename Item, typename Weight>

@@ -19,7 +19,7 @@ namespace luxel {
 // one remains.
 //
 // shadows: those of one triangle. contacts: lines on it. lengths: of ShadowReceivers. Thread-safe. Cost:
-// about 20 rays per part.
+// about 30 rays per part.
 std::vector<EdgeShadow> true_parts(const PatchSet& triangles, const Tracer& tracer,
                                    std::span<const EdgeShadow> shadows, std::span<const ContactLine> contacts,
                                    const ShadowReceivers::Lengths& lengths);

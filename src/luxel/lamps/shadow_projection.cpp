@@ -8,7 +8,8 @@
 namespace luxel {
 namespace {
 
-constexpr double steepest = 0.02;     // sine between the light and the plane: grazing light lights nothing
+constexpr double min_sine =
+    0.02;  // sine of the angle between a sun and the plane: below it there is little light
 constexpr double below_lamp = 0.999;  // of the light's height: beyond it a shadow is a thousand times as long
 
 }  // namespace
@@ -17,7 +18,7 @@ ShadowProjection::ShadowProjection(const PointLight& light, const FlatTriangle& 
     : light_(light), plane_(plane) {
   if (light.kind == PointLightKind::directional) {
     const auto sine = -glm::dot(plane.normal, Vec3d(light.direction));
-    if (std::fabs(sine) > steepest) side_ = sine > 0.0 ? 1.0 : -1.0;
+    if (std::fabs(sine) > min_sine) side_ = sine > 0.0 ? 1.0 : -1.0;
     light_height_ = std::numeric_limits<double>::infinity();
     return;
   }

@@ -15,7 +15,7 @@ namespace luxel {
 // parallel or central.
 class ShadowProjection {
  public:
-  // Keeps references. Steep light, less than 1 degree above the plane, is left out: see reaches().
+  // Keeps references. Suns less than 1.2 degrees above the plane are left out: see reaches().
   ShadowProjection(const PointLight& light, const FlatTriangle& plane);
 
   // Whether the light is far enough above the plane or, from behind, below it.

@@ -11,6 +11,7 @@ namespace {
 constexpr double min_lift = 4.0;         // of ray origins, in multiples of the rounding bound
 constexpr double inside_fraction = 0.9;  // of the distance to the boundary of the triangle, at most
 constexpr double nearest_reach = 0.05;   // of reach: points that are nearer to the line show nothing
+constexpr double fine_fraction = 0.1;    // of reach: the second pair, where light or shadow is narrow
 constexpr double on_edge_reach = 3.0;    // in reach: a line that was moved is off by up to twice `reach`
 
 }  // namespace
@@ -29,7 +30,11 @@ ShadowTest::ShadowTest(const PatchSet& triangles, const Tracer& tracer, const Ed
 
 bool ShadowTest::divides(double fraction) const {
   const auto at = shadow_.ends[0] + fraction * (shadow_.ends[1] - shadow_.ends[0]);
-  auto out = reach_, in = reach_;
+  return divides_at(at, reach_) || divides_at(at, fine_fraction * reach_);
+}
+
+bool ShadowTest::divides_at(const Vec3d& at, double reach) const {
+  auto out = reach, in = reach;
   if (!shadow_.on_edge) {
     out = std::min(out, inside_fraction * distance_inside(at, outer_));
     in = std::min(in, inside_fraction * distance_inside(at, -outer_));

@@ -17,10 +17,12 @@ class ShadowTest {
   // Keeps references. reach: m, distance of both points of a pair from the line.
   ShadowTest(const PatchSet& triangles, const Tracer& tracer, const EdgeShadow& shadow, double reach);
 
-  // Whether, at this fraction of the line's length, the outer point is lit and the inner one is not.
+  // Whether, at this fraction of the line's length, the outer point is lit and the inner one is not: at
+  // `reach`, or at a tenth of it, as at the tip of an acute angle. Cost: at most four rays.
   bool divides(double fraction) const;
 
  private:
+  bool divides_at(const Vec3d& at, double reach) const;
   double distance_inside(const Vec3d& from, const Vec3d& way) const;
   bool is_lit(const Vec3d& point) const;
 
