@@ -21,7 +21,7 @@ struct BakeOptions {
 ///
 /// The same bits for any number of threads. Throws what make_patches() and Tracer throw. The monitor receives
 /// the stage "patches"; after its stop the set is empty. Cost: beside that of make_patches(), a tracer of the
-/// triangles, the search for contacts once more, and about 100 rays per line.
+/// triangles, the search for contacts once more, and about 200 rays per line.
 PatchSet make_patches_for_light(const Scene& scene, PatchOptions options = {}, const Context& context = {});
 
 /// Bakes a scene in one call: cuts it into patches, builds a tracer, and solves the light by the sampled

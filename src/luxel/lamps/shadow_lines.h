@@ -26,7 +26,7 @@ struct ShadowLineOptions {
 // triangles: the scene as make_patches() gives it with no_max_edge and without contacts, one patch per
 // triangle; tracer: of these. The lines with the most light per length come first into max_patches; the
 // result is sorted by triangle. The same bits for any number of threads. Empty without punctual lights, and
-// after the monitor's stop in the stage "patches". Cost: that of find_contact_lines(), and about 100 rays per
+// after the monitor's stop in the stage "patches". Cost: that of find_contact_lines(), and about 200 rays per
 // line.
 std::vector<ShadowLine> find_shadow_lines(const PatchSet& triangles, const Tracer& tracer,
                                           const ShadowLineOptions& options, const Context& context);
