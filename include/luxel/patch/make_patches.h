@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "luxel/core/context.h"
+#include "luxel/core/vector.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/scene/scene.h"
 
@@ -12,6 +16,13 @@ namespace luxel {
 inline constexpr float no_max_edge = 0.0f;      ///< triangles as they come
 inline constexpr float automatic_edge = -1.0f;  ///< from the scene: about PatchOptions::target_count patches
 
+/// A straight part of the edge of a hard shadow, that of a punctual light.
+struct ShadowLine {
+  std::uint32_t triangle = 0;   ///< that it lies on: an index into Scene::triangles
+  std::array<Vec3d, 2> ends{};  ///< m, in the plane of the triangle, on it or on its boundary
+  Vec3d lit_side = Vec3d(0.0);  ///< unit normal of the triangle, on the side that the light reaches
+};
+
 struct PatchOptions {
   float max_edge = automatic_edge;  ///< m; longer edges are split in halves; or one of the two words above
   /// patches that the automatic edge aims at (more where triangles are finer)
@@ -19,6 +30,8 @@ struct PatchOptions {
   std::size_t max_count = 20'000'000;  ///< more is an InputError with a max_edge that fits
   bool contacts = true;  ///< cut where surfaces touch or pass through each other, or hang close before them
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
+  /// Cut along these, too. make_patches_for_light() (solve/bake.h) finds them; any order, any number.
+  std::vector<ShadowLine> shadow_lines = {};
 };
 
 /// Splits every edge longer than max_edge in halves, recursively. Whether an edge is split depends on its
@@ -31,7 +44,8 @@ struct PatchOptions {
 /// Then the patches are cut along the lines where other surfaces touch or pass through theirs
 /// (contact_lines.h) and along the outlines of things close before them, nearer than 0.35 of max_edge
 /// and a hundredth of the scene's diagonal (near_lines.h). These become edges and PatchSet::contacts; see
-/// cut_contacts.h. Patches that no such line meets stay as they are. About two seconds of processor time for
+/// cut_contacts.h. PatchOptions::shadow_lines are cut likewise: light may jump across them on their lit side.
+/// Patches that no such line meets stay as they are. About two seconds of processor time for
 /// a million triangles, most of it shared by the threads, and 20 us per line. The same bits for any number of
 /// threads.
 ///

@@ -14,10 +14,20 @@ struct BakeOptions {
   SampledOptions light = {};
 };
 
+/// Cuts a scene into patches as make_patches() does, and also along the edges of the hard shadows of punctual
+/// lights (lamps/shadow_lines.h), unless options.contacts is off or there is no maximum edge. These lines add
+/// at most half of the patches to which the scene is cut, or 4000 where this is more; the lines with the most
+/// light come first. Scenes without punctual lights have the patches of make_patches(), at no cost.
+///
+/// The same bits for any number of threads. Throws what make_patches() and Tracer throw. The monitor receives
+/// the stage "patches"; after its stop the set is empty. Cost: beside that of make_patches(), a tracer of the
+/// triangles, the search for contacts once more, and about 200 rays per line.
+PatchSet make_patches_for_light(const Scene& scene, PatchOptions options = {}, const Context& context = {});
+
 /// Bakes a scene in one call: cuts it into patches, builds a tracer, and solves the light by the sampled
 /// method. The result is what write_solution() writes, and what export_glb() and render() show. Programs that
 /// solve the same patches more than once, use another method or print a report call the stages themselves:
-/// make_patches(), Tracer, solve_light(). add_default_light() lights a scene without a lamp.
+/// make_patches_for_light(), Tracer, solve_light(). add_default_light() lights a scene without a lamp.
 ///
 /// The same scene, options and seed give the same bits on any number of threads, as long as time does not end
 /// the solve. Throws what check_scene(), make_patches() and solve_sampled() throw: InputError where the scene

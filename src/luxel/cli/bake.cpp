@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/bake.h"
+
 #include <algorithm>
 #include <filesystem>
 
@@ -72,7 +74,7 @@ class Bake final : public Command {
       baked.patches = record.stage("patches", [&](auto&) {
         auto patches = settings_.scene.patches;
         if (refines()) patches.target_count = RefineOptions::coarse_patches;
-        return make_patches(scene, patches, console.detailing(context));
+        return make_patches_for_light(scene, patches, console.detailing(context));
       });
       if (interrupted()) return stopped_before_light(console);
       if (shows_pictures() && scene.cameras.empty())

@@ -15,6 +15,7 @@
 #include "luxel/core/ending_of.h"
 #include "luxel/core/hint.h"
 #include "luxel/render/path_picture.h"
+#include "luxel/solve/bake.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/version.h"
 
@@ -115,8 +116,9 @@ class Reference final : public Command {
     if (interrupted()) return {};
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
-    baked.patches = record.stage(
-        "patches", [&](auto&) { return make_patches(scene, scene_.patches, console.detailing(context)); });
+    baked.patches = record.stage("patches", [&](auto&) {
+      return make_patches_for_light(scene, scene_.patches, console.detailing(context));
+    });
     if (interrupted()) return {};
     if (scene.cameras.empty() && !picture_.is_given() &&
         std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))

@@ -89,7 +89,8 @@ void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
 
 void SceneSettings::declare_contacts(OptionSet& set) {
   set.add_switch("contacts", patches.contacts,
-                 "cut patches where surfaces touch or intersect, so that no light leaks there");
+                 "cut patches where surfaces touch or intersect, so that no light leaks there, and along "
+                 "hard shadows of suns and other punctual lights");
   set.add_number("contact-gap", "m", patches.contact_gap, 0.0f, 1.0f,
                  "maximum distance of surfaces that touch (at most a hundredth of their shortest edge)");
 }

@@ -13,6 +13,7 @@
 #include "luxel/core/bounds.h"
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
+#include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/contact_lines.h"
@@ -126,21 +127,52 @@ double chosen_edge(const Scene& scene, const PatchOptions& options) {
   return options.max_edge;
 }
 
-// Contacts, and outlines of things before a surface that patches of this size do not resolve.
-std::vector<ContactLine> lines_to_cut(const std::vector<CleanTriangle>& triangles, const VertexWeld& weld,
-                                      float gap, double max_edge, const Context& context) {
+// Adds lines in the order of comes_before().
+void merge_into(std::vector<ContactLine>& lines, const std::vector<ContactLine>& more) {
+  const auto middle = static_cast<std::ptrdiff_t>(lines.size());
+  lines.insert(lines.end(), more.begin(), more.end());
+  std::inplace_merge(lines.begin(), lines.begin() + middle, lines.end(), comes_before);
+}
+
+// Outlines of things before a surface that patches of this size do not resolve.
+std::vector<ContactLine> outlines_near(const std::vector<CleanTriangle>& triangles,
+                                       const std::vector<Vec3>& positions, double gap, double max_edge,
+                                       const Context& context) {
   constexpr double of_edge = 0.35;   // of the longest edge of a patch, that things are close at
   constexpr double of_scene = 0.01;  // of its diagonal, at most
-  const auto& positions = weld.positions();
-  auto lines = find_contact_lines(triangles, positions, gap, context);
-  if (!(max_edge > 0.0)) return lines;
+  if (!(max_edge > 0.0)) return {};
   Bounds box;
   for (const auto& p : positions) box.add(p);
   const auto distance = std::min(of_edge * max_edge, of_scene * static_cast<double>(glm::length(box.size())));
-  const auto near = find_near_lines(triangles, positions, gap, distance, context);
-  const auto contacts = static_cast<std::ptrdiff_t>(lines.size());
-  lines.insert(lines.end(), near.begin(), near.end());
-  std::inplace_merge(lines.begin(), lines.begin() + contacts, lines.end(), comes_before);
+  return find_near_lines(triangles, positions, gap, distance, context);
+}
+
+// Shadow lines on triangles that are left, as lines of something that stands along the normal.
+std::vector<ContactLine> shadow_edges(const std::vector<CleanTriangle>& triangles,
+                                      const std::vector<ShadowLine>& lines) {
+  const auto comes_first = [](const CleanTriangle& t, std::uint32_t i) { return t.triangle < i; };
+  std::vector<ContactLine> result;
+  for (const auto& line : lines) {
+    const auto on = std::lower_bound(triangles.begin(), triangles.end(), line.triangle, comes_first);
+    if (on == triangles.end() || on->triangle != line.triangle) continue;
+    result.push_back({.on = static_cast<std::uint32_t>(on - triangles.begin()),
+                      .other = none,
+                      .ends = line.ends,
+                      .into = {line.lit_side, Vec3d(0.0)}});
+  }
+  std::stable_sort(result.begin(), result.end(), comes_before);
+  return result;
+}
+
+std::vector<ContactLine> lines_to_cut(const std::vector<CleanTriangle>& triangles,
+                                      const std::vector<Vec3>& positions, const PatchOptions& options,
+                                      double max_edge, const Context& context) {
+  std::vector<ContactLine> lines;
+  if (options.contacts) {
+    lines = find_contact_lines(triangles, positions, options.contact_gap, context);
+    merge_into(lines, outlines_near(triangles, positions, options.contact_gap, max_edge, context));
+  }
+  if (!options.shadow_lines.empty()) merge_into(lines, shadow_edges(triangles, options.shadow_lines));
   return lines;
 }
 
@@ -157,13 +189,22 @@ std::vector<std::uint32_t> lines_on(std::span<const ContactLine> lines, std::uin
 void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, const PatchSet& patches,
                       const Context& context) {
   if (!context.log()) return;
-  std::size_t surfaces = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  std::size_t surfaces = 0, shadows = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     if (i == 0 || lines[i].on != lines[i - 1].on) ++surfaces;
-  context.note(fmt::format(
-      "{} of the triangles are touched or pierced by others, along {} lines: cut along these into {} "
-      "patches more",
-      surfaces, lines.size(), patches.size() - before));
+    if (lines[i].other == none) ++shadows;
+  }
+  const auto more = patches.size() - before;
+  if (shadows == 0)
+    context.note(fmt::format(
+        "{} of the triangles are touched or pierced by others, along {} lines: cut along these into {} "
+        "patches more",
+        surfaces, lines.size(), more));
+  else
+    context.note(fmt::format(
+        "{} of the triangles are cut along {} lines where others touch or pierce them, and along {} edges of "
+        "shadows: {} patches more",
+        surfaces, lines.size() - shadows, shadows, more));
 }
 
 }  // namespace
@@ -190,8 +231,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
 
   reserve(patches, triangles.size());
   const auto max_edge = chosen_edge(scene, options);
-  const auto lines = options.contacts ? lines_to_cut(triangles, weld, options.contact_gap, max_edge, context)
-                                      : std::vector<ContactLine>();
+  const auto lines = lines_to_cut(triangles, weld.positions(), options, max_edge, context);
   TwoSidedTwins twins(patches);
   TriangleSplitter splitter(patches, weld, max_edge, options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {

@@ -24,15 +24,21 @@ class VertexTriangles {
       for (const auto v : triangles[i].corners) at_[next[v]++] = i;
   }
 
-  // Whether a triangle other than `but` that has both vertices fits; ask(triangle, its third vertex).
+  // Returns whether a triangle other than `but` that has both vertices fits; ask(its third vertex).
   template <typename Ask>
   bool any_across(std::uint32_t a, std::uint32_t b, std::uint32_t but, Ask ask) const {
+    return any_at_edge(a, b, but, [&](std::uint32_t, std::uint32_t apex) { return ask(apex); });
+  }
+
+  // The same; ask(triangle, its third vertex).
+  template <typename Ask>
+  bool any_at_edge(std::uint32_t a, std::uint32_t b, std::uint32_t but, Ask ask) const {
     for (auto i = begin_[a]; i < begin_[a + 1]; ++i) {
       const auto t = at_[i];
       if (t == but) continue;
       const auto& c = triangles_[t].corners;
       if (c[0] != b && c[1] != b && c[2] != b) continue;
-      if (ask(c[0] != a && c[0] != b ? c[0] : (c[1] != a && c[1] != b ? c[1] : c[2]))) return true;
+      if (ask(t, c[0] != a && c[0] != b ? c[0] : (c[1] != a && c[1] != b ? c[1] : c[2]))) return true;
     }
     return false;
   }

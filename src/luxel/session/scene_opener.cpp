@@ -14,6 +14,7 @@
 #include "luxel/patch/uncut_faces.h"
 #include "luxel/render/default_light.h"
 #include "luxel/solution/solution_file.h"
+#include "luxel/solve/bake.h"
 
 namespace luxel {
 
@@ -34,7 +35,7 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
   auto how = settings_.patches;
   const bool refines = settings_.refine.mesh_error > 0.0;
   if (refines) how.target_count = RefineOptions::coarse_patches;
-  auto patches = make_patches(*scene, how, context_);
+  auto patches = make_patches_for_light(*scene, how, context_);
   if (patches.size() == 0) return opened;  // likewise
   mesh.scene = scene;
   mesh.geometry = 1;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/lamps/shadow_doubles.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace luxel {
+namespace {
+
+constexpr double beside = 2.0;          // in reach: lines that are nearer to each other are one
+constexpr double parallel_sine = 0.05;  // between lines that may be one
+constexpr double shortest_left = 4.0;   // in reach: what two lines leave of each other
+
+// The box of a line and its surroundings.
+struct Box {
+  Vec3d low, high;
+  Box(const EdgeShadow& s, double margin)
+      : low(glm::min(s.ends[0], s.ends[1]) - margin), high(glm::max(s.ends[0], s.ends[1]) + margin) {}
+  bool meets(const Box& other) const {
+    return low.x <= other.high.x && low.y <= other.high.y && low.z <= other.high.z && other.low.x <= high.x &&
+           other.low.y <= high.y && other.low.z <= high.z;
+  }
+};
+
+// The interval of a part that lies within `distance` of another one, which is nearly parallel.
+Interval covered(const EdgeShadow& part, const EdgeShadow& by, double distance) {
+  constexpr Interval nothing{1.0, 0.0};
+  const auto along = by.ends[1] - by.ends[0];
+  const auto length = glm::length(along);
+  const auto unit = along / length;
+  const auto step = part.ends[1] - part.ends[0];
+  if (glm::length(glm::cross(unit, step)) > parallel_sine * glm::length(step)) return nothing;
+  const auto off = [&](const Vec3d& p) { return glm::length(glm::cross(unit, p - by.ends[0])); };
+  if (off(part.ends[0]) > distance || off(part.ends[1]) > distance) return nothing;
+  const auto from = glm::dot(unit, part.ends[0] - by.ends[0]);
+  const auto to = glm::dot(unit, part.ends[1] - by.ends[0]);
+  const auto begin = std::clamp(-from / (to - from), 0.0, 1.0);
+  const auto end = std::clamp((length - from) / (to - from), 0.0, 1.0);
+  return {std::min(begin, end), std::max(begin, end)};
+}
+
+// What the other lines leave of a part.
+std::vector<EdgeShadow> left_of(const EdgeShadow& part, const std::vector<EdgeShadow>& others,
+                                const std::vector<Box>& boxes, double reach) {
+  std::vector<EdgeShadow> left{part};
+  const Box box(part, beside * reach);
+  for (std::size_t i = 0; i < others.size() && !left.empty(); ++i) {
+    if (!box.meets(boxes[i])) continue;
+    std::vector<EdgeShadow> next;
+    for (const auto& l : left) {
+      const auto hidden = covered(l, others[i], beside * reach);
+      if (!(hidden.begin < hidden.end)) {
+        next.push_back(l);
+        continue;
+      }
+      const auto length = glm::distance(l.ends[0], l.ends[1]);
+      if (hidden.begin * length > shortest_left * reach) next.push_back(part_of(l, {0.0, hidden.begin}));
+      if ((1.0 - hidden.end) * length > shortest_left * reach) next.push_back(part_of(l, {hidden.end, 1.0}));
+    }
+    left = std::move(next);
+  }
+  return left;
+}
+
+}  // namespace
+
+EdgeShadow part_of(const EdgeShadow& shadow, const Interval& interval) {
+  auto part = shadow;
+  const auto along = shadow.ends[1] - shadow.ends[0];
+  part.ends = {shadow.ends[0] + interval.begin * along, shadow.ends[0] + interval.end * along};
+  if (interval.end == 1.0) part.ends[1] = shadow.ends[1];
+  part.weight = shadow.weight * (interval.end - interval.begin);
+  return part;
+}
+
+std::vector<EdgeShadow> without_doubles(std::vector<EdgeShadow> parts, double reach) {
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const EdgeShadow& a, const EdgeShadow& b) { return a.weight > b.weight; });
+  std::vector<EdgeShadow> result;
+  std::vector<Box> boxes;
+  for (const auto& part : parts)
+    for (const auto& left : left_of(part, result, boxes, reach)) {
+      result.push_back(left);
+      boxes.emplace_back(left, beside * reach);
+    }
+  return result;
+}
+
+}  // namespace luxel

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/lamps/shadow_lines.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+
+#include "luxel/lamps/outer_back.h"
+#include "luxel/lamps/outline_edges.h"
+#include "luxel/lamps/shadow_parts.h"
+#include "luxel/lamps/shadow_receivers.h"
+#include "luxel/patch/contact_lines.h"
+#include "luxel/patch/vertex_triangles.h"
+#include "luxel/scene/clean_triangles.h"
+
+namespace luxel {
+namespace {
+
+constexpr double reach_of_edge = 1e-3;     // distance of pairs of rays from a line, in max_edge
+constexpr double reach_roundings = 256.0;  // the same, at least, in roundings of the coordinates
+// Patches that lines add. Measured: 3.0 to 3.3 per line in four scenes, where most lines are shorter than
+// max_edge. A long line crosses about 2.5 patches per max_edge, each of which becomes three.
+constexpr double patches_per_line = 3.0, patches_per_edge = 5.0;
+constexpr double edges_per_line = 8.0;  // candidates that are looked at, per line that is wanted
+constexpr std::size_t edges_grain = 64, edges_per_report = 1 << 14;
+constexpr double min_lines = 64.0;
+
+// An outline edge with its light.
+struct LitEdge {
+  OutlineEdge edge;
+  std::uint32_t light;
+};
+
+class Finder {
+ public:
+  Finder(const PatchSet& triangles, const Tracer& tracer, const ShadowLineOptions& options,
+         const Context& context)
+      : triangles_(triangles),
+        tracer_(tracer),
+        options_(options),
+        context_(context),
+        clean_(clean_triangles_of(triangles)),
+        neighbours_(clean_, triangles.vertices.size()),
+        lengths_{options.max_edge, reach()} {}
+
+  std::vector<ShadowLine> find() const {
+    if (triangles_.point_lights.empty()) return {};
+    auto shadows = shadows_of(outline_edges());
+    if (!shadows || shadows->empty()) return {};
+    keep_heaviest(*shadows, max_edges());
+    std::stable_sort(shadows->begin(), shadows->end(),
+                     [](const EdgeShadow& a, const EdgeShadow& b) { return a.triangle < b.triangle; });
+    return lines_of(within_budget(verified(*shadows)));
+  }
+
+ private:
+  // Patches of whole triangles are triangles again.
+  static std::vector<CleanTriangle> clean_triangles_of(const PatchSet& triangles) {
+    std::vector<CleanTriangle> result(triangles.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = {triangles.corners[i], triangles.triangle[i], false};
+    return result;
+  }
+
+  double reach() const {
+    double largest = 0.0;
+    for (const auto& p : triangles_.vertices)
+      for (int axis = 0; axis < 3; ++axis)
+        largest = std::max(largest, std::abs(static_cast<double>(p[axis])));
+    return std::max(reach_of_edge * options_.max_edge, reach_roundings * 0x1p-24 * largest);
+  }
+
+  std::size_t max_edges() const {
+    const auto lines = static_cast<double>(options_.max_patches) / (patches_per_line + patches_per_edge);
+    return static_cast<std::size_t>(edges_per_line * std::max(min_lines, lines));
+  }
+
+  template <typename Item, typename Weight>
+  static void keep_first(std::vector<Item>& items, std::size_t count, const Weight& weight) {
+    std::stable_sort(items.begin(), items.end(),
+                     [&](const Item& a, const Item& b) { return weight(a) > weight(b); });
+    if (items.size() > count) items.resize(count);
+  }
+  static void keep_heaviest(std::vector<EdgeShadow>& shadows, std::size_t count) {
+    keep_first(shadows, count, [](const EdgeShadow& s) { return s.weight; });
+  }
+
+  std::vector<LitEdge> outline_edges() const {
+    std::vector<LitEdge> edges;
+    const auto weight = [](const LitEdge& e) { return e.edge.weight; };
+    for (std::uint32_t light = 0; light < triangles_.point_lights.size(); ++light) {
+      for (const auto& edge :
+           find_outline_edges(triangles_, neighbours_, triangles_.point_lights[light], context_))
+        edges.push_back({edge, light});
+      if (edges.size() > 2 * max_edges()) keep_first(edges, max_edges(), weight);
+    }
+    keep_first(edges, max_edges(), weight);
+    return edges;
+  }
+
+  // Nothing after the monitor's stop.
+  std::optional<std::vector<EdgeShadow>> shadows_of(const std::vector<LitEdge>& edges) const {
+    const ShadowReceivers receivers(triangles_, neighbours_, tracer_, lengths_);
+    std::vector<EdgeShadow> shadows;
+    for (std::size_t first = 0; first < edges.size(); first += edges_per_report) {
+      const auto count = std::min(edges_per_report, edges.size() - first);
+      std::vector<std::vector<EdgeShadow>> of_chunk((count + edges_grain - 1) / edges_grain);
+      context_.for_chunks(count, edges_grain, [&](std::size_t begin, std::size_t end, int) {
+        for (auto i = begin; i < end; ++i)
+          receivers.add_shadows(edges[first + i].light, edges[first + i].edge, of_chunk[begin / edges_grain]);
+      });
+      for (const auto& some : of_chunk) shadows.insert(shadows.end(), some.begin(), some.end());
+      if (context_.report({.stage = "patches"}) == Next::stop) return std::nullopt;
+    }
+    return shadows;
+  }
+
+  // shadows: sorted by triangle.
+  std::vector<EdgeShadow> verified(std::span<const EdgeShadow> shadows) const {
+    const auto contacts = find_contact_lines(clean_, triangles_.vertices, options_.contact_gap, context_);
+    std::vector<std::span<const EdgeShadow>> groups;
+    for (auto begin = shadows.begin(); begin != shadows.end();) {
+      const auto on = begin->triangle;
+      const auto end =
+          std::find_if(begin, shadows.end(), [&](const EdgeShadow& s) { return s.triangle != on; });
+      groups.emplace_back(begin, end);
+      begin = end;
+    }
+    std::vector<std::vector<EdgeShadow>> parts(groups.size());
+    context_.for_chunks(groups.size(), 1, [&](std::size_t g, std::size_t, int) {
+      const auto on = groups[g].front().triangle;
+      const auto range =
+          std::equal_range(contacts.begin(), contacts.end(), ContactLine{.on = on},
+                           [](const ContactLine& a, const ContactLine& b) { return a.on < b.on; });
+      parts[g] = true_parts(triangles_, tracer_, groups[g], {range.first, range.second}, lengths_);
+      std::erase_if(parts[g], [&](const EdgeShadow& s) { return is_on_outer_back(triangles_, tracer_, s); });
+    });
+    std::vector<EdgeShadow> result;
+    for (const auto& some : parts) result.insert(result.end(), some.begin(), some.end());
+    return result;
+  }
+
+  std::vector<EdgeShadow> within_budget(std::vector<EdgeShadow> shadows) const {
+    keep_heaviest(shadows, shadows.size());
+    double added = 0.0;
+    std::size_t count = 0;
+    for (; count < shadows.size(); ++count) {
+      const auto& [p, q] = shadows[count].ends;
+      added += patches_per_line + patches_per_edge * glm::distance(p, q) / options_.max_edge;
+      if (added > static_cast<double>(options_.max_patches)) break;
+    }
+    shadows.resize(count);
+    return shadows;
+  }
+
+  std::vector<ShadowLine> lines_of(const std::vector<EdgeShadow>& shadows) const {
+    std::vector<ShadowLine> lines;
+    for (const auto& s : shadows) lines.push_back({triangles_.triangle[s.triangle], s.ends, s.lit_side});
+    const auto key = [](const ShadowLine& l) {
+      const auto& [p, q] = l.ends;
+      return std::tuple(l.triangle, p.x, p.y, p.z, q.x, q.y, q.z);
+    };
+    std::stable_sort(lines.begin(), lines.end(),
+                     [&](const ShadowLine& a, const ShadowLine& b) { return key(a) < key(b); });
+    return lines;
+  }
+
+  const PatchSet& triangles_;
+  const Tracer& tracer_;
+  const ShadowLineOptions& options_;
+  const Context& context_;
+  std::vector<CleanTriangle> clean_;
+  VertexTriangles neighbours_;
+  ShadowReceivers::Lengths lengths_;
+};
+
+}  // namespace
+
+std::vector<ShadowLine> find_shadow_lines(const PatchSet& triangles, const Tracer& tracer,
+                                          const ShadowLineOptions& options, const Context& context) {
+  assert(options.max_edge > 0.0);
+  return Finder(triangles, tracer, options, context).find();
+}
+
+}  // namespace luxel
