@@ -250,7 +250,7 @@ class Finder {
       const auto slope = height_[l] - height_[k];
       const auto at = [&](double t) { return height_[k] + t * slope; };
       if (std::fabs(at(interval.begin)) <= reach_ && std::fabs(at(interval.end)) <= reach_) return true;
-      const auto t = std::minmax((-reach_ - height_[k]) / slope, (reach_ - height_[k]) / slope);
+      const auto t = std::minmax({(-reach_ - height_[k]) / slope, (reach_ - height_[k]) / slope});
       interval.begin = std::max(interval.begin, t.first);
       interval.end = std::min(interval.end, t.second);
       return (interval.end - interval.begin) * glm::distance(place_[k], place_[l]) >= shortest_part * reach_;
