@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "luxel/core/vector.h"
+#include "luxel/surface/patch_cuts.h"
 #include "luxel/surface/smooth_light.h"
 
 namespace luxel {
@@ -32,21 +33,16 @@ struct DrawnPoint {
 // card leaves cracks of single pixels along such edges, through which the background shows.
 class ClosedPatches {
  public:
-  // Keeps references. Cost: that of find_all_hanging_vertices().
+  // Keeps references. Cost: that of cut_at_hanging_vertices().
   ClosedPatches(const PatchSet& patches, const SmoothLight& light);
 
   // The triangles of a patch, as it is wound.
   std::vector<std::array<DrawnPoint, 3>> triangles(std::uint32_t patch) const;
 
  private:
-  struct EdgePoint {
-    std::uint32_t patch, edge, vertex;
-    float fraction;
-  };
-
   const PatchSet& patches_;
   const SmoothLight& light_;
-  std::vector<EdgePoint> on_edges_;  // by patch, edge and fraction
+  std::vector<PatchCut> cuts_;  // by patch
 };
 
 }  // namespace luxel
