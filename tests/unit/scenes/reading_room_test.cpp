@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/places/reading_room.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "scenes/places/reading_room_shell.h"
 #include "scenes/scene_list.h"
+#include "support/mesh_topology.h"
 
 namespace luxel::scenes {
 namespace {
@@ -21,27 +19,6 @@ const std::vector<Object>& room() {
 }
 
 bool shines(Paint paint) { return shines(palette()[static_cast<std::size_t>(paint)]); }
-
-// Edges that do not have exactly one triangle on each side, running opposite ways.
-int open_edges(const Mesh& mesh) {
-  auto count = std::map<std::pair<std::uint32_t, std::uint32_t>, int>{};
-  for (const auto& [corners, paint] : mesh.triangles) {
-    for (auto k = 0u; k < 3; ++k) ++count[{corners[k], corners[(k + 1) % 3]}];
-  }
-  return static_cast<int>(std::count_if(count.begin(), count.end(), [&](const auto& edge) {
-    const auto back = count.find({edge.first.second, edge.first.first});
-    return edge.second != 1 || back == count.end() || back->second != 1;
-  }));
-}
-
-// Gauss's theorem: positive where the faces look outwards. m³.
-double enclosed_volume(const Mesh& mesh) {
-  auto volume = 0.0;
-  for (const auto& triangle : mesh.triangles) {
-    volume += glm::dot(centroid(mesh, triangle), area_vector(mesh, triangle)) / 3.0;
-  }
-  return volume;
-}
 
 Vec3d middle(const Mesh& mesh) {
   auto sum = Vec3d(0.0);

@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +16,7 @@
 
 #include "scenes/to_scene.h"
 #include "scenes/write_scene.h"
+#include "support/mesh_topology.h"
 
 namespace luxel::scenes {
 namespace {
@@ -40,27 +39,6 @@ std::size_t triangle_count(const MadeScene& scene) {
   auto count = std::size_t{0};
   for (const auto& object : scene.objects) count += object.mesh.triangles.size();
   return count;
-}
-
-// Edges that do not have exactly one triangle on each side, running opposite ways.
-int open_edges(const Mesh& mesh) {
-  auto count = std::map<std::pair<std::uint32_t, std::uint32_t>, int>{};
-  for (const auto& [corners, paint] : mesh.triangles) {
-    for (auto k = 0u; k < 3; ++k) ++count[{corners[k], corners[(k + 1) % 3]}];
-  }
-  return static_cast<int>(std::count_if(count.begin(), count.end(), [&](const auto& edge) {
-    const auto back = count.find({edge.first.second, edge.first.first});
-    return edge.second != 1 || back == count.end() || back->second != 1;
-  }));
-}
-
-// Gauss's theorem: positive where the faces look outwards. m³.
-double enclosed_volume(const Mesh& mesh) {
-  auto volume = 0.0;
-  for (const auto& triangle : mesh.triangles) {
-    volume += glm::dot(centroid(mesh, triangle), area_vector(mesh, triangle)) / 3.0;
-  }
-  return volume;
 }
 
 std::filesystem::path folder() {
