@@ -8,7 +8,7 @@
 namespace luxel {
 namespace {
 
-// Of a solver that reaches a requested error, by this measure.
+// The error of a solver that stops at a requested error, by this measure.
 std::string error_of_sampled(const SolveReport& solved, double target, ErrorMeasure measure) {
   if (solved.stop == StopReason::nothing_to_do) return "none: no light reaches a surface";
   const bool is_seen = measure == ErrorMeasure::seen && solved.seen_error > 0.0;
@@ -20,7 +20,7 @@ std::string error_of_sampled(const SolveReport& solved, double target, ErrorMeas
   return text;
 }
 
-// Of a classical method.
+// The error of a classical method.
 std::string error_of_classical(const SolveReport& solved) {
   std::string text;
   if (solved.error_kind == ErrorKind::noise)

@@ -46,7 +46,7 @@ class Bake final : public Command {
     const auto& file = settings_.scene.file;
     auto& outputs = settings_.run.outputs;
     if (outputs.empty() && settings_.keep.checkpoint.empty()) {
-      // What is no file has no name for the output: loading it reports why.
+      // Without a file there is no default output: loading it reports the reason.
       if (!std::filesystem::is_regular_file(file)) load_scene(file, settings_.scene.load, {});
       outputs.push_back(default_output(file));
     }
@@ -105,7 +105,7 @@ class Bake final : public Command {
                                   settings_.scene.patches.max_edge == automatic_edge);
   }
 
-  // Whether an output shows the scene from a camera that nobody named.
+  // Returns whether an output needs the automatic camera.
   bool shows_pictures() const {
     const auto& outputs = settings_.run.outputs;
     return !settings_.picture.is_given() &&

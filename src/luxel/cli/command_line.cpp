@@ -96,7 +96,7 @@ bool is_among(const std::string& word, std::initializer_list<const char*> words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// What only the whole line shows to be wrong.
+// Checks that need all options of the line.
 void check_given(const OptionSet& chosen, const std::string& color) {
   for (const auto& positional : chosen.positionals())
     if (positional.values ? positional.values->empty() : positional.value->empty())

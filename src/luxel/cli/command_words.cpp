@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-// What the words of a command line name.
+// An option that a word of a command line may name.
 struct Known {
   std::string name;
   std::string unit;  // empty: takes no value

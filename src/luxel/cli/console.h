@@ -43,7 +43,7 @@ class Console {
   void announce(const std::string& stage);
   // Takes the bar off the screen.
   void clear_bar();
-  // Whether people read these messages on a terminal.
+  // Returns whether messages go to a terminal, where people read them.
   bool is_read() const { return terminal_ && !quiet_ && !as_json_; }
 
  private:

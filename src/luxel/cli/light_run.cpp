@@ -30,7 +30,7 @@
 namespace luxel {
 namespace {
 
-// Of the time that is left when the light is solved: for what follows the gathering of texels.
+// The fraction of the remaining time, after the solve, for what follows the gathering of texels.
 constexpr double end_of_texels = 0.3;
 constexpr double min_seconds = 1e-3;  // 0 would be no limit
 

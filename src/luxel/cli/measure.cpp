@@ -96,7 +96,7 @@ class Measure final : public Command {
                              : SurfaceSide::automatic;
   }
 
-  // Of those that have patches, in the order of the file.
+  // Materials that have patches, in the order of the file.
   static std::vector<std::string> names_of_materials(const PatchSet& patches) {
     std::vector<std::string> names;
     std::vector<bool> has_patches(patches.materials.size(), false);

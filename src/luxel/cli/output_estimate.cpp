@@ -24,7 +24,7 @@ constexpr double glances_of_first_light = 3.0;
 constexpr double surfaces_per_mesh = 2.0;
 constexpr double surfaces_per_solution = 6.0;
 constexpr double surfaces_per_page = 8.0;
-// Parts of the picture that are drawn, so many times smaller to each side.
+// Parts of the picture that are drawn: the width and height of the picture are divided by these.
 constexpr int small_divisor = 8;
 constexpr int large_divisor = 64;
 constexpr double margin = 1.1;         // of the estimate
@@ -40,8 +40,8 @@ class Stopwatch {
   Clock::time_point begin_ = Clock::now();
 };
 
-// The middle of a picture, so many times smaller to each side: its rays are as close together as those of the
-// whole, which decides how fast they are.
+// The middle of a picture, its width and height divided by `divisor`: its rays are as close together as those
+// of the whole, which decides how fast they are.
 Camera middle_of(Camera camera, int divisor) {
   const auto half = 0.5f * glm::radians(camera.vertical_fov);
   camera.vertical_fov = 2.0f * glm::degrees(std::atan(std::tan(half) / static_cast<float>(divisor)));

@@ -16,7 +16,7 @@ struct Row {
   std::array<const char*, levels.size()> values;  // as the option takes them
 };
 
-// What each level sets. docs/command-line.md repeats it; a test compares both.
+// The options that each level sets. docs/command-line.md repeats it; a test compares both.
 constexpr Row table[] = {
     {"error", {"6%", "2%", "1%"}},
     {"mesh-error", {"none", "auto", "1%"}},

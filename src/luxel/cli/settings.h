@@ -43,7 +43,7 @@ struct RefineSettings {
   double mesh_error = automatic;  // a fraction; 0: the patches stay as they are
   std::size_t max_patches = RefineOptions().max_patches;
 
-  // Whether patches are refined; can_refine: whether they are where nothing is given.
+  // Returns whether patches are refined. can_refine: whether the method refines by default.
   bool is_on(bool can_refine) const { return mesh_error == automatic ? can_refine : mesh_error > 0.0; }
   // How, for patches that begin as these.
   RefineOptions options(std::size_t patches) const;

@@ -7,7 +7,8 @@
 
 namespace luxel {
 
-// Whether a stream (STDOUT_FILENO, STDERR_FILENO) is a terminal that moves its cursor: TERM=dumb does not.
+// Returns whether a stream (STDOUT_FILENO, STDERR_FILENO) is a terminal whose cursor can be moved, unlike
+// TERM=dumb.
 bool is_terminal(int stream);
 
 // Columns of a terminal; 100 where the stream is none, or does not know.

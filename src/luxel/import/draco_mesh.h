@@ -33,7 +33,7 @@ struct DracoMesh {
 std::size_t draco_stride(const DracoColumn& column);
 
 // Decodes a mesh compressed by Draco, bitstream 2.2. Throws CompressionError where the bytes are damaged,
-// declare more triangles than so many bytes can hold, or lack an attribute, and where Luxel was built without
+// declare more triangles than their size can hold, or lack an attribute, and where Luxel was built without
 // Draco.
 DracoMesh decode_draco(std::string_view bytes, std::span<const DracoColumn> columns);
 
