@@ -69,16 +69,24 @@ double max_growth(const SampledOptions& options) {
   return options.rays > 0 || options.seconds > 0.0 ? growth_to_bound : growth_to_error;
 }
 
-RoundPlan plan_round(std::span<const SampleUnit> units, std::size_t direct_units, double aimed_squared_error,
+double growth_to_target(double squared_error, double target, double exponent, double max_growth) {
+  const auto needed = target > 0.0 ? std::pow(squared_error / target, 1.0 / exponent) - 1.0 : max_growth;
+  return std::clamp(needed, min_growth, std::max(min_growth, max_growth));
+}
+
+RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options) {
   RoundPlan plan;
   for (const auto& u : units) plan.cost += u.cost;
-  plan.doublings =
-      plan_doublings(units, aimed_squared_error, min_growth * plan.cost, max_growth(options) * plan.cost);
+  const auto most = max_growth(options);
+  const auto least = options.error > 0.0 ? growth_to_target(start.squared_error, start.aimed_squared_error,
+                                                            start.exponent, most)
+                                         : min_growth;
+  plan.doublings = plan_doublings(units, start.aimed_squared_error, least * plan.cost, most * plan.cost);
   for (std::size_t u = 0; u < units.size(); ++u) {
     const auto cost = units[u].cost * ((1 << plan.doublings[u]) - 1);
     plan.more_cost += cost;
-    plan.more_rays += u < direct_units ? cost / tuning::units::shadow_ray_cost : cost;
+    plan.more_rays += u < start.direct_units ? cost / tuning::units::shadow_ray_cost : cost;
   }
   plan.squared_error = expected_squared_error(units, plan.doublings);
   return plan;

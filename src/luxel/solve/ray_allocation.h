@@ -47,8 +47,22 @@ struct RoundPlan {
   bool is_empty() const { return more_cost == 0.0; }
 };
 
-// direct_units: that come first, of shadow rays. aimed_squared_error: of all units together.
-RoundPlan plan_round(std::span<const SampleUnit> units, std::size_t direct_units, double aimed_squared_error,
+// Cost of a round over that of all before it that brings squared_error to target, where squared error ~
+// cost^-exponent; limited to what a round may cost.
+double growth_to_target(double squared_error, double target, double exponent, double max_growth);
+
+// What a round starts from.
+struct RoundStart {
+  std::size_t direct_units = 0;      // that come first, of shadow rays
+  double squared_error = 0.0;        // of all units together
+  double aimed_squared_error = 0.0;  // likewise
+  double exponent = 1.0;             // squared error ~ cost^-exponent, by the rounds so far
+};
+
+// Estimates of single units are noisy, and those that are too high by chance are doubled first: plans expect
+// more of a round than it gives. So it costs at least what the rounds before make likely to be needed, since
+// every round ends with an answer that takes time.
+RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options);
 
 // Returns the limit of rays or time that the round would exceed, if any, after this many rays and seconds.

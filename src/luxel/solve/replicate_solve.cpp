@@ -31,49 +31,70 @@ struct InfluenceInput {
   std::span<const float> mean;  // of all h_r
 };
 
+// The light of each receiver in one number in place of bands, so that what is sent on costs one column per
+// replicate. Exact where all light has one colour.
+struct Grey {
+  std::vector<float> reflectance;  // [receiver], of the light that falls on it
+  std::vector<float> colour;       // gathered light over its mean over bands, [receiver * bands + band]
+};
+
+Grey grey_of(const InfluenceInput& input, std::size_t bands, const Context& context) {
+  const auto count = input.reflectance.size();
+  Grey grey{std::vector<float>(count / bands), std::vector<float>(count, 1.0f)};
+  for_all(grey.reflectance.size(), context, [&](std::size_t s) {
+    float light = 0.0f, reflected = 0.0f, gathered = 0.0f, plain = 0.0f;
+    for (auto i = s * bands; i < (s + 1) * bands; ++i) {
+      const auto in = std::max(0.0f, input.mean_direct[i] + input.mean[i]);
+      light += in;
+      reflected += input.reflectance[i] * in;
+      gathered += std::max(0.0f, input.mean[i]);
+      plain += input.reflectance[i] / static_cast<float>(bands);
+    }
+    grey.reflectance[s] = light > 0.0f ? reflected / light : plain;
+    for (auto i = s * bands; gathered > 0.0f && i < (s + 1) * bands; ++i)
+      grey.colour[i] = static_cast<float>(bands) * std::max(0.0f, input.mean[i]) / gathered;
+  });
+  return grey;
+}
+
 // Adds to each replicate of one half what its own noise does to the light that is sent on. gathered: on entry
 // h_r, on return u_r - (D_r - mean of D). Returns false if the monitor stops the work.
 bool add_influences(const SampledOperator& transport, std::size_t half, const InfluenceInput& input,
                     std::span<std::vector<float>> gathered, const Context& context) {
-  const auto direct = input.direct;
-  const auto mean_direct = input.mean_direct, reflectance = input.reflectance, mean = input.mean;
-
-  const auto count = reflectance.size();
   const auto receivers = transport.sides().size();
-  const auto bands = count / std::max<std::size_t>(1, receivers);
-  const auto together = std::max<std::size_t>(1, influence_columns / bands);
-  for (std::size_t first = 0; first < gathered.size(); first += together) {
-    const auto replicates = std::min(together, gathered.size() - first);
-    const auto columns = replicates * bands;
-    std::vector<float> source(receivers * columns), reflectances(source.size()), influence(source.size());
-    std::vector<float> radiosity(transport.elements() * columns, 0.0f);
-    for_all(receivers, context, [&](std::size_t s) {
-      for (std::size_t k = 0; k < replicates; ++k)
-        for (std::size_t b = 0; b < bands; ++b) {
-          const auto i = s * bands + b;
-          const auto at = s * columns + k * bands + b;
-          source[at] = gathered[first + k][i] - mean[i] + direct[first + k][i] - mean_direct[i];
-          reflectances[at] = reflectance[i];
-          radiosity[at] = reflectance[i] * source[at];
-        }
-    });
-    const auto report =
-        gauss_seidel(HalfOperator(transport, 1 - half, columns), {source, reflectances, radiosity, influence},
-                     {.tolerance = influence_tolerance,
-                      .parts = 1,
-                      .memory = influence_memory,
-                      .sum_tolerance = influence_sum_tolerance},
-                     context);
-    if (report.is_stopped) return false;
-    for_all(receivers, context, [&](std::size_t s) {
-      for (std::size_t k = 0; k < replicates; ++k)
-        for (std::size_t b = 0; b < bands; ++b) {
-          const auto i = s * bands + b;
-          gathered[first + k][i] =
-              influence[s * columns + k * bands + b] - (direct[first + k][i] - mean_direct[i]);
-        }
-    });
-  }
+  const auto bands = input.reflectance.size() / std::max<std::size_t>(1, receivers);
+  const auto columns = gathered.size();
+  const auto grey = grey_of(input, bands, context);
+  std::vector<float> source(receivers * columns), reflectances(source.size()), influence(source.size());
+  std::vector<float> radiosity(transport.elements() * columns, 0.0f);
+  const auto own = [&](std::size_t k, std::size_t i) {
+    return gathered[k][i] - input.mean[i] + input.direct[k][i] - input.mean_direct[i];
+  };
+  for_all(receivers, context, [&](std::size_t s) {
+    for (std::size_t k = 0; k < columns; ++k) {
+      const auto at = s * columns + k;
+      float sum = 0.0f;
+      for (auto i = s * bands; i < (s + 1) * bands; ++i) sum += own(k, i);
+      source[at] = sum / static_cast<float>(bands);
+      reflectances[at] = grey.reflectance[s];
+      radiosity[at] = reflectances[at] * source[at];
+    }
+  });
+  const auto report =
+      gauss_seidel(HalfOperator(transport, 1 - half, columns), {source, reflectances, radiosity, influence},
+                   {.tolerance = influence_tolerance,
+                    .parts = 1,
+                    .memory = influence_memory,
+                    .sum_tolerance = influence_sum_tolerance},
+                   context);
+  if (report.is_stopped) return false;
+  for_all(receivers, context, [&](std::size_t s) {
+    for (std::size_t k = 0; k < columns; ++k) {
+      const auto sent_on = influence[s * columns + k] - source[s * columns + k];
+      for (auto i = s * bands; i < (s + 1) * bands; ++i)
+        gathered[k][i] += grey.colour[i] * sent_on - input.mean[i];
+    }
+  });
   return true;
 }
 

@@ -103,10 +103,11 @@ double TimeForecast::learned_exponent() const {
 
 // Cost of the next planned round over that of all before.
 double TimeForecast::planned_growth(double squared_error) const {
-  const auto target = options_.aim * options_.error * options_.error;
-  const auto needed =
-      target > 0.0 ? std::pow(squared_error / target, 1.0 / planned_exponent) - 1.0 : options_.max_growth;
-  return std::clamp(needed, options_.min_growth, options_.max_growth);
+  if (options_.error == 0.0) return options_.max_growth;
+  return growth_to_target(
+      squared_error, options_.aim * options_.error * options_.error,
+      std::clamp(learned_exponent(), tuning::rounds::min_exponent, tuning::rounds::max_exponent),
+      options_.max_growth);
 }
 
 double TimeForecast::sampling_seconds(double more_cost) const {

@@ -87,8 +87,13 @@ struct ColumnsKernel {
   const float* trusted;
   const float* mutual;
   std::size_t columns;
+  bool fetches;
 
-  void fetch(std::uint32_t) const {}
+  void fetch(std::uint32_t e) const {
+    if (!fetches) return;
+    __builtin_prefetch(radiosity + (known_columns ? known_columns : columns) * e);
+    __builtin_prefetch(sent_density + e);
+  }
   void operator()(std::uint32_t receiver, std::uint32_t e, double* sum) const {
     const auto q = 1.0f / (trusted[receiver] + mutual[receiver] * sent_density[e]);
     const auto width = known_columns ? known_columns : columns;
@@ -104,11 +109,12 @@ void SampledOperator::sum_rows(std::uint32_t first, std::uint32_t end, std::size
                                std::span<const float> radiosity, const Context& context,
                                const MakeRows& make_rows) const {
   const auto add_columns = [&]<std::size_t known>() {
-    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(), trusted_.data(), mutual_.data(),
-                                      columns};
+    const ColumnsKernel<known> kernel{radiosity.data(), sent_density_.data(),
+                                      trusted_.data(),  mutual_.data(),
+                                      columns,          elements() > cached_elements};
     for_rows<known>(first, end, columns, context, kernel, make_rows);
   };
-  if (columns == 12) return add_columns.template operator()<12>();
+  if (columns == 4) return add_columns.template operator()<4>();
   if (columns != 3) return add_columns.template operator()<0>();
   std::vector<std::array<float, 4>> packed(elements());
   context.for_chunks(packed.size(), grain, [&](std::size_t from, std::size_t to, int) {

@@ -105,9 +105,7 @@ constexpr double influence_tolerance = 0.05;
 // 0.05, 1.31 with 0.01, 1.30 with all sides solved to 1e-5.
 constexpr double influence_sum_tolerance = 0.01;
 constexpr std::size_t influence_memory = 3;  // earlier sweeps in Anderson's acceleration, two vectors each
-constexpr std::size_t influence_columns =
-    12;                               // replicates times bands solved together: 4 replicates of 3 bands
-constexpr std::size_t grain = 16384;  // numbers per chunk
+constexpr std::size_t grain = 16384;         // numbers per chunk
 
 }  // namespace influence
 
@@ -191,6 +189,12 @@ constexpr double aim = 0.9;
 constexpr double min_growth = 0.5;
 constexpr double growth_to_error = 3.0;
 constexpr double growth_to_bound = 1.0;
+// Squared error ~ cost^-p: p after the first answer (see forecast below), after which the units with most of
+// the error are known; then that between the last two answers, within these bounds.
+constexpr double first_exponent = 3.3;
+constexpr double min_exponent = 1.0, max_exponent = 1.9;
+// After the first answer of a resumed run.
+constexpr double unknown_exponent = 1.5;
 
 }  // namespace rounds
 
@@ -219,8 +223,6 @@ constexpr double weight_of_first = 0.1;
 constexpr double own_part = 0.66;
 constexpr double weight_of_last = 0.24;
 constexpr double min_exponent = 0.85, max_exponent = 1.8;
-// Plans overestimate what samples gain, so that rounds are shorter; this exponent is used for them.
-constexpr double planned_exponent = 1.7;
 // Ratio of the first error to the error target above which the time estimate waits for the second answer.
 constexpr double max_first_error = 10.0;
 // Seconds of samples ~ cost^p: small rounds use the processors less well. Measured 0.76 to 0.9; later rounds
