@@ -330,6 +330,22 @@ TEST(Program, that_is_interrupted_writes_what_it_has_and_says_so) {
   EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
 }
 
+// The first error on a line of the refinement is that of its first mesh.
+TEST(Program, that_is_interrupted_while_it_refines_writes_the_light_that_decided) {
+  const auto folder = fresh_folder("interrupt_refinement");
+  const auto run = cli::run(folder,
+                            "$LUXEL bake cornell-box.obj --mesh-error 0.05% -o a.glb -o a.vtkhdf & pid=$!; "
+                            "for i in $(seq 600); do grep -q 'refine.*error' stderr.txt && break; sleep "
+                            "0.05; done; kill -INT $pid; "
+                            "wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("mesh error"), std::string::npos) << info.out;
+}
+
 TEST(Program, tells_another_program_line_by_line_how_far_it_has_come) {
   const auto folder = fresh_folder("progress");
   const auto run = cli::run(folder, quick + "--progress json --quiet -o a.vtkhdf");

@@ -20,6 +20,10 @@ struct RefineOptions {
   double mesh_error = 0.02;
   std::size_t max_patches = 1'000'000;
   int max_levels = 12;
+  /// Rays of the refinement over those of a later solve to light.error, as the levels so far forecast them. A
+  /// level that would need more is not begun, nor one that would cut few patches. 0: no bound.
+  double max_cost = 0.0;
+  std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
   /// How the light is solved that decides. Its error: as large as the mesh error that is still there, or
   /// twice the target, but at most 6 % seen (3 % of the power); or the one here where that is larger.
   SampledOptions light = {};
@@ -30,6 +34,7 @@ enum class RefineStop {
   mesh_error_reached,
   patch_limit,
   level_limit,
+  cost_limit,
   drowned_in_noise,  ///< the remaining error cannot be distinguished from noise
   stopped_by_user
 };
@@ -46,6 +51,9 @@ struct RefineReport {
   RefineStop stop = RefineStop::stopped_by_user;
   double mesh_error = 0.0;  ///< of the mesh that is the result; a solution's own error is apart from it
   std::vector<RefineLevel> levels;
+  /// One of the two answers that decided, of the patches that are the result: a solution with its errors, as
+  /// rough as the refinement needed. Without light where the first level was not finished.
+  Solution light;
 };
 
 /// Puts patches where the light needs them. Patches that are large beside the scene are cut once, and the

@@ -83,7 +83,7 @@ class Bake final : public Command {
       focus(scene, baked.patches);
       if (refines()) set_portals(scene, baked.patches, context);
       if (refines()) refine(baked, refined, context, record, console);
-      if (interrupted()) return stopped_before_light(console);
+      if (interrupted() && !is_lit(baked.solution)) return stopped_before_light(console);
       if (settings_.keep.groups_lamps()) set_groups(scene, baked.patches);
       sign(baked.solution);
     }
@@ -133,6 +133,8 @@ class Bake final : public Command {
       }
       for (const auto& level : report.levels) stage.rays += level.rays;
     });
+    if (interrupted()) baked.solution = std::move(report.light);
+    report.light = {};
     baked.solution.mesh_error = report.mesh_error;
     console.clear_bar();
     console.detail("patches", describe(report, report.stop == RefineStop::stopped_by_user && !interrupted()));

@@ -34,6 +34,19 @@ namespace {
 constexpr double end_of_texels = 0.3;
 constexpr double min_seconds = 1e-3;  // 0 would be no limit
 
+// As far as a solution tells it.
+SolveReport report_of_stopped(Solution& solution) {
+  solution.stop = StopReason::stopped_by_user;
+  SolveReport report;
+  report.stop = solution.stop;
+  report.rays = solution.provenance.rays;
+  report.predicted_error = solution.predicted_error;
+  report.seen_error = solution.seen_error;
+  report.error_95th = solution.error_95th;
+  report.unshot_fraction = solution.unshot_fraction;
+  return report;
+}
+
 }  // namespace
 
 LightRun::LightRun(const BakeSettings& settings, std::string name, const OptionSet& options,
@@ -63,7 +76,9 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   const auto views =
       record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, context_); });
   report_lamps(baked.patches, views);
-  if (interrupted()) return stopped_before_light(console_);
+  // Stopped during refinement: its light, rough as it is, is written.
+  const bool is_refined_light = refined != nullptr && interrupted() && is_lit(baked.solution);
+  if (interrupted() && !is_refined_light) return stopped_before_light(console_);
 
   // The light.
   focus_on_picture(baked, tracer);
@@ -82,7 +97,7 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
     steps.add(light);
   };
   const auto solved = record_.stage("light", [&](auto& stage) {
-    auto result = solve(baked, tracer, faces, hooks);
+    auto result = is_refined_light ? report_of_stopped(baked.solution) : solve(baked, tracer, faces, hooks);
     stage.rays = result.rays;
     return result;
   });

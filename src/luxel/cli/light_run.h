@@ -20,6 +20,9 @@
 
 namespace luxel {
 
+// Whether a solution has any light, of whatever accuracy.
+inline bool is_lit(const Solution& solution) { return !solution.irradiance.front.empty(); }
+
 // From patches to files: the part of a bake that `resume` does as well.
 class LightRun {
  public:

@@ -105,6 +105,8 @@ RefineStopText text_of(RefineStop stop) {
       return {"patch_limit", "patch limit"};
     case RefineStop::level_limit:
       return {"level_limit", "level limit"};
+    case RefineStop::cost_limit:
+      return {"cost_limit", "cost limit"};
     case RefineStop::drowned_in_noise:
       return {"noise_limit", "noise limit"};
     case RefineStop::stopped_by_user:

@@ -132,30 +132,30 @@ RefineOptions RefineSettings::options(std::size_t patches) const {
   options.mesh_error = 0.02;
   options.max_patches = std::min(max_patches, std::max(enough, patches + patches / 2));
   options.max_levels = 5;
+  options.max_cost = 0.5;
   return options;
 }
 
 void RefineSettings::declare(OptionSet& set) {
-  set.add(
-      {"mesh-error", "fraction",
-       "refine patches until the error that their size leaves is below this, in the measure of --error; "
-       "auto: "
-       "2%, with at most five refinements and half as many patches again, or 100,000; none where --max-edge, "
-       "--rays or --time is given, and in the viewer; none disables refinement",
-       [this](const std::string& text) {
-         const auto fraction = text == "none"   ? std::optional(0.0)
-                               : text == "auto" ? std::optional(automatic)
-                                                : parse_fraction(text);
-         if (!fraction || (*fraction == 0.0 && text != "none"))
-           throw UsageError(
-               fmt::format("--mesh-error: expected a fraction above 0 and below 1, such as 2%, auto "
-                           "or none, not '{}'",
-                           text));
-         mesh_error = *fraction;
-       },
-       [this] {
-         return mesh_error == automatic ? "auto" : mesh_error == 0.0 ? "none" : as_fraction(mesh_error);
-       }});
+  set.add({"mesh-error", "fraction",
+           "refine patches until the error that their size leaves is below this, in the measure of --error; "
+           "auto: 2%, with at most half as many rays as the light takes, or 20 million, and half as many "
+           "patches again, or 100,000; none where --max-edge, --rays or --time is given, and in the viewer; "
+           "none disables refinement",
+           [this](const std::string& text) {
+             const auto fraction = text == "none"   ? std::optional(0.0)
+                                   : text == "auto" ? std::optional(automatic)
+                                                    : parse_fraction(text);
+             if (!fraction || (*fraction == 0.0 && text != "none"))
+               throw UsageError(
+                   fmt::format("--mesh-error: expected a fraction above 0 and below 1, such as 2%, auto "
+                               "or none, not '{}'",
+                               text));
+             mesh_error = *fraction;
+           },
+           [this] {
+             return mesh_error == automatic ? "auto" : mesh_error == 0.0 ? "none" : as_fraction(mesh_error);
+           }});
   set.add({"max-patches", "count", "with --mesh-error: maximum number of patches, such as 200k",
            [this](const std::string& text) { max_patches = parse_count("max-patches", text); },
            [this] { return fmt::format("{}", max_patches); }});

@@ -69,7 +69,8 @@ double max_growth(const SampledOptions& options) {
   return options.rays > 0 || options.seconds > 0.0 ? growth_to_bound : growth_to_error;
 }
 
-double growth_to_target(double squared_error, double target, double exponent, double max_growth) {
+double growth_to_target(double squared_error, double target, bool is_after_first, double max_growth) {
+  const auto exponent = is_after_first ? first_exponent : later_exponent;
   const auto needed = target > 0.0 ? std::pow(squared_error / target, 1.0 / exponent) - 1.0 : max_growth;
   return std::clamp(needed, min_growth, std::max(min_growth, max_growth));
 }
@@ -80,7 +81,7 @@ RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
   for (const auto& u : units) plan.cost += u.cost;
   const auto most = max_growth(options);
   const auto least = options.error > 0.0 ? growth_to_target(start.squared_error, start.aimed_squared_error,
-                                                            start.exponent, most)
+                                                            start.is_after_first, most)
                                          : min_growth;
   plan.doublings = plan_doublings(units, start.aimed_squared_error, least * plan.cost, most * plan.cost);
   for (std::size_t u = 0; u < units.size(); ++u) {

@@ -47,16 +47,16 @@ struct RoundPlan {
   bool is_empty() const { return more_cost == 0.0; }
 };
 
-// Cost of a round over that of all before it that brings squared_error to target, where squared error ~
-// cost^-exponent; limited to what a round may cost.
-double growth_to_target(double squared_error, double target, double exponent, double max_growth);
+// Cost of a round over that of all before it that is likely to bring squared_error to target, limited to what
+// a round may cost.
+double growth_to_target(double squared_error, double target, bool is_after_first, double max_growth);
 
 // What a round starts from.
 struct RoundStart {
   std::size_t direct_units = 0;      // that come first, of shadow rays
   double squared_error = 0.0;        // of all units together
   double aimed_squared_error = 0.0;  // likewise
-  double exponent = 1.0;             // squared error ~ cost^-exponent, by the rounds so far
+  bool is_after_first = false;       // one answer has been given
 };
 
 // Estimates of single units are noisy, and those that are too high by chance are doubled first: plans expect

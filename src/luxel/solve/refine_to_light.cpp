@@ -27,7 +27,11 @@ constexpr double ratio = 0.5;  // of squared errors: left by halving a patch whe
 constexpr double aim = 0.8;    // of the allowed squared error: the target of the next mesh
 // fraction of the estimated error that may stay in uncut patches in one pass
 constexpr double max_unrefined_fraction = 0.35;
-constexpr double min_growth = 0.05;  // of the patches: cutting fewer is not worth another solve
+// of the patches: cutting fewer is not worth another solve
+constexpr double min_growth = 0.05;
+constexpr double min_gain = 0.1;        // of the squared error in patches that are cut, for another level
+constexpr double min_cut = 0.005;       // of the patches, for another level, where the cost has a bound
+constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
 constexpr double large_patch =
     5e-4;                      // fraction of the whole area above which a patch is cut before the first solve
 constexpr double parts = 4.0;  // made of a marked patch; neighbours are cut too, other patches are not
@@ -60,8 +64,9 @@ class Refinement {
     for (int level = 0;; ++level) {
       if (is_met()) return end(RefineStop::mesh_error_reached);
       const auto marks = marked_by_difference();
-      if (std::count(marks.begin(), marks.end(), 1) == 0) return end(RefineStop::drowned_in_noise);
+      if (!is_worth_a_level(marks)) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
+      if (!is_within_cost()) return end(RefineStop::cost_limit);
       auto refined = refine_within_limit(marks, squared_);
       if (!refined) return end(RefineStop::patch_limit);
       if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
@@ -72,10 +77,36 @@ class Refinement {
   PatchSet end(RefineStop stop) {
     report_.stop = stop;
     report_.mesh_error = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
+    if (!report_.levels.empty()) report_.light = std::move(now_.answers[0].solution);
     return std::move(now_.patches);
   }
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
+
+  // Whether what differs by more than noise is a fair part of the error, and of the patches.
+  bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
+    double marked = 0.0, all = 0.0, count = 0.0;
+    for (std::size_t p = 0; p < marks.size(); ++p) {
+      all += std::max(0.0, squared_[p]);
+      if (marks[p] == 0) continue;
+      marked += squared_[p];
+      count += 1.0;
+    }
+    const auto is_many = options_.max_cost == 0.0 || count >= min_cut * static_cast<double>(marks.size());
+    return is_many && marked > min_gain * all;
+  }
+
+  // The next level costs at least as much as the last one.
+  bool is_within_cost() {
+    if (options_.max_cost == 0.0) return true;
+    const auto& last = report_.levels.back();
+    const auto of_one = std::sqrt(2.0) * last.sampling_error;  // it is the error of the mean of two
+    const auto later =
+        0.5 * static_cast<double>(last.rays) * std::pow(of_one / options_.light.error, 2.0 / rays_exponent);
+    allowed_rays_ =
+        std::max({allowed_rays_, options_.max_cost * later, static_cast<double>(options_.free_rays)});
+    return static_cast<double>(rays_before_ + last.rays) <= allowed_rays_;
+  }
 
   // How accurately to solve each mesh: a rough solution suffices while the error is large.
   double light_error() const {
@@ -86,8 +117,11 @@ class Refinement {
   }
 
   bool solve(Level& level, const Tracer& tracer) {
+    const auto known = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
     const auto on_the_way = [&](const Progress& p) {
-      return context_.report({"refine", 0.0, rays_before_ + p.rays, p.error});
+      const auto rays = rays_before_ + p.rays;
+      const auto done = allowed_rays_ > 0.0 ? std::min(1.0, static_cast<double>(rays) / allowed_rays_) : 0.0;
+      return context_.report({"refine", done, rays, known});
     };
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
@@ -286,6 +320,7 @@ class Refinement {
   FieldDifference difference_;           // of the current patches
   std::vector<double> squared_, noise_;  // [patch]: see weigh()
   std::uint64_t rays_before_ = 0;
+  double allowed_rays_ = 0.0;  // forecast by the levels so far; 0: unknown, or without a bound
 };
 
 }  // namespace

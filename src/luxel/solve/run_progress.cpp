@@ -97,17 +97,15 @@ double TimeForecast::learned_exponent() const {
   const auto& to = answers_.back();
   if (!(from.squared_error > 0.0 && to.squared_error > 0.0 && to.cost > from.cost)) return second_exponent;
   const auto p = std::log(from.squared_error / to.squared_error) / std::log(to.cost / from.cost);
-  if (n == 2 && !options_.is_resumed) return second_exponent + weight_of_first * (p - first_exponent);
+  if (n == 2 && !options_.is_resumed) return second_exponent + weight_of_first * (p - usual_first);
   return own_part + weight_of_last * p;
 }
 
 // Cost of the next planned round over that of all before.
 double TimeForecast::planned_growth(double squared_error) const {
   if (options_.error == 0.0) return options_.max_growth;
-  return growth_to_target(
-      squared_error, options_.aim * options_.error * options_.error,
-      std::clamp(learned_exponent(), tuning::rounds::min_exponent, tuning::rounds::max_exponent),
-      options_.max_growth);
+  return growth_to_target(squared_error, options_.aim * options_.error * options_.error, false,
+                          options_.max_growth);
 }
 
 double TimeForecast::sampling_seconds(double more_cost) const {

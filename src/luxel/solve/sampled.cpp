@@ -87,15 +87,14 @@ class Run {
         return finish(StopReason::stopped_by_user);
       if (is_good_enough()) return finish(StopReason::error_reached);
       const auto units = sample_units();
+      const auto rounds = rounds_before_ + report_.rounds.size();
       const auto plan = plan_round(
-          units, {direct_units(), std::max(0.0, whole_squared_error()), aimed_squared_error(), exponent()},
+          units, {direct_units(), std::max(0.0, whole_squared_error()), aimed_squared_error(), rounds == 1},
           options_);
       predict_memory(units);
       if (plan.is_empty()) return finish(StopReason::error_reached);
       if (const auto bound = broken_bound(plan, options_, rays(), progress_.common_elapsed()))
         return finish(*bound);
-      squared_error_before_ = std::max(0.0, whole_squared_error());
-      cost_before_ = cost_of_samples(*sampling_, options_.replicates);
       progress_.begin_round(plan);
       if (!sampling_->take(plan.doublings, sampling_monitor())) return finish(StopReason::stopped_by_user);
     }
@@ -254,16 +253,6 @@ class Run {
   std::span<const double> importance() const { return seen_ ? seen_->importance() : area_; }
   std::size_t direct_units() const { return sampling_->units().size() - 1; }
 
-  // Squared error ~ cost^-exponent.
-  double exponent() const {
-    if (cost_before_ == 0.0)
-      return rounds_before_ == 0 ? tuning::rounds::first_exponent : tuning::rounds::unknown_exponent;
-    const auto cost = cost_of_samples(*sampling_, options_.replicates);
-    const auto measured = std::log(squared_error_before_ / std::max(1e-300, whole_squared_error())) /
-                          std::log(cost / cost_before_);
-    return std::clamp(measured, tuning::rounds::min_exponent, tuning::rounds::max_exponent);
-  }
-
   std::vector<SampleUnit> sample_units() const {
     const auto of_own_noise = importance_of_own_noise(sampling_->units(), importance(),
                                                       own_gathered_squared_error_, gathered_squared_error_);
@@ -346,9 +335,8 @@ class Run {
   // [receiver]: variances of direct and gathered light summed over bands; of gathered light also before
   // smoothing.
   std::vector<double> direct_squared_error_, gathered_squared_error_, own_gathered_squared_error_;
-  double error_ = 0.0;                                     // by the measure that ends the run
-  double squared_error_before_ = 0.0, cost_before_ = 0.0;  // at the answer before
-  std::uint64_t begin_memory_ = resident_memory();         // bytes of the process
+  double error_ = 0.0;                              // by the measure that ends the run
+  std::uint64_t begin_memory_ = resident_memory();  // bytes of the process
   SolveReport report_;
 };
 

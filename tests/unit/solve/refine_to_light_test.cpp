@@ -120,6 +120,16 @@ TEST(RefineToLight, it_never_makes_more_patches_than_allowed) {
   EXPECT_EQ(report.stop, RefineStop::patch_limit);
 }
 
+TEST(RefineToLight, it_begins_no_level_beyond_the_cost_allowed) {
+  RefineReport report;
+  const auto patches = refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
+                                       {.mesh_error = 0.001, .max_cost = 1e-6, .free_rays = 0}, report);
+  EXPECT_EQ(report.stop, RefineStop::cost_limit);
+  ASSERT_EQ(report.levels.size(), 1u);
+  EXPECT_EQ(report.light.irradiance.front.size(), patches.size() * patches.band_count());
+  EXPECT_FALSE(report.light.standard_error.front.empty());
+}
+
 TEST(RefineToLight, the_same_patches_on_any_number_of_threads) {
   const auto base = make_patches(shadowed_floor(), {.max_edge = 0.3f});
   const RefineOptions options{.mesh_error = 0.3};
