@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ctrl-C at every stage of a bake.
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cli/run_program.h"
+
+namespace luxel::cli {
+namespace {
+
+// The interrupt is sent once the light is on its way: the first progress line says so.
+TEST(Interrupt, writes_what_it_has_and_says_so) {
+  const auto folder = fresh_folder("interrupt");
+  const auto run =
+      cli::run(folder,
+               "$LUXEL bake cornell-box.obj --method shooting --rays 50G --max-edge 0.1 -o a.glb -o a.vtkhdf "
+               "& pid=$!; "
+               "for i in $(seq 600); do grep -q lamp stderr.txt && break; sleep 0.05; done; sleep 1; kill "
+               "-INT $pid; wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
+}
+
+// The first error on a line of the refinement is that of its first mesh.
+TEST(Interrupt, while_it_refines_writes_the_light_that_decided) {
+  const auto folder = fresh_folder("interrupt_refinement");
+  const auto run = cli::run(folder,
+                            "$LUXEL bake cornell-box.obj --mesh-error 0.05% -o a.glb -o a.vtkhdf & pid=$!; "
+                            "for i in $(seq 600); do grep -q 'refine.*error' stderr.txt && break; sleep "
+                            "0.05; done; kill -INT $pid; "
+                            "wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("mesh error"), std::string::npos) << info.out;
+}
+
+TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
+  const auto folder = fresh_folder("interrupt_picture");
+  const auto run = cli::run(
+      folder,
+      "$LUXEL bake cornell-box.obj --method shooting --rays 10k --max-edge 0.1 --width 8000 --height 8000 "
+      "-o a.png -o a.vtkhdf & pid=$!; for i in $(seq 600); do test -e a.vtkhdf && break; sleep 0.05; done; "
+      "sleep 0.5; "
+      "kill -INT $pid; wait $pid");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("the picture was not finished"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "a.vtkhdf\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
+}  // namespace
+}  // namespace luxel::cli
