@@ -19,6 +19,7 @@ constexpr double narrowest = 1.0;       // height of a triangle that is cut, in 
 constexpr double shortest = 0.25;       // edge of an outline, in distances
 constexpr double steepest = 0.2;        // difference of an edge's heights over its length
 constexpr double level_cosine = 0.7;    // of a triangle whose edges count, to the plane, at least
+constexpr double standing_reach = 0.2;  // of a surface that stands on the plane, in distances
 constexpr double goes_on_cosine = 0.1;  // of a neighbour's direction, away from the outline
 constexpr double beside_edge = 0.1;     // in distances: a line so near to an edge would make slivers
 constexpr std::size_t grain = 8192;
@@ -84,7 +85,8 @@ class Finder {
       const Vec3d a(positions_[corners[k]]), b(positions_[corners[l]]);
       const auto length = glm::distance(a, b);
       if (length < shortest * distance_ || std::fabs(height[l] - height[k]) > steepest * length) continue;
-      if (!is_outline(plane.normal, other, k)) continue;
+      const auto is_close = std::max(height[k], height[l]) <= standing_reach * distance_;
+      if (!is_outline(plane.normal, other, k) && !(is_close && is_foot(plane.normal, other, k))) continue;
       if (const auto line = line_on(plane, plane.foot_point(a), plane.foot_point(b), slack))
         lines.push_back({.on = on, .other = other, .ends = *line, .into = {plane.normal, Vec3d(0.0)}});
     }
@@ -102,6 +104,19 @@ class Finder {
       return glm::dot(across, away_from_edge(positions_, a, b, apex)) * (inward > 0.0 ? 1.0 : -1.0) <
              -goes_on_cosine;
     });
+  }
+
+  // Whether `other` stands on its edge k, as seen along the plane: the gap below is small, and light differs
+  // on its two sides. No triangle at the edge goes on towards the plane.
+  bool is_foot(const Vec3d& normal, std::uint32_t other, std::size_t k) const {
+    const auto& c = triangles_[other].corners;
+    const auto a = c[k], b = c[(k + 1) % 3];
+    const auto rise = [&](std::uint32_t apex) {
+      return glm::dot(normal, away_from_edge(positions_, a, b, apex));
+    };
+    return rise(c[(k + 2) % 3]) >= level_cosine &&
+           !neighbours_.any_across(a, b, other,
+                                   [&](std::uint32_t apex) { return rise(apex) < -goes_on_cosine; });
   }
 
   // The part of a segment in the plane that lies on the triangle, and not along an edge of it.

@@ -75,6 +75,27 @@ TEST(NearLines, patches_themselves_resolve_the_shadow_of_a_wider_gap) {
 }
 
 // The board's own faces are 2 cm apart, and the floor lies 1 cm behind its underside.
+// The plate has no face along the floor: its foot alone divides the light.
+TEST(NearLines, the_floor_is_cut_along_the_foot_of_a_plate_that_does_not_quite_touch_it) {
+  const auto crossing = [](float gap) {
+    SceneBuilder scene;
+    scene.material("floor", 0.5f, 0.0f).quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0});
+    scene.material("plate", 0.5f, 0.0f).quad({1, 1.53f, gap}, {3, 1.53f, gap}, {3, 1.53f, 1}, {1, 1.53f, 1});
+    const auto patches = make_patches(scene.scene(), {.max_edge = max_edge});
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      if (static_cast<std::uint32_t>(patches.material[p]) != 0) continue;
+      const auto& points = patches.points(p);
+      const auto [low, high] = std::minmax({points[0].y, points[1].y, points[2].y});
+      const auto centre = patches.centroid(p);
+      if (centre.x > 1.1 && centre.x < 2.9 && low < 1.53f - 1e-4f && high > 1.53f + 1e-4f) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(crossing(0.005f), 0u);
+  EXPECT_GT(crossing(0.02f), 0u) << "light passes below it: its shadow is as soft as the gap is wide";
+}
+
 TEST(NearLines, a_surface_is_not_cut_by_what_lies_behind_it) {
   auto scene = board_above_floor(0.01f);
   for (auto& corners : scene.triangles)
