@@ -18,7 +18,9 @@ constexpr float indoors = 0.3f;           // enclosed fraction above which a fac
 constexpr double many = 0.05;             // fraction of the lit area above which the scene has an indoors
 constexpr float reflected = 0.5f;         // assumed reflectance
 constexpr int bounces = 16;
-constexpr float dim = 0.01f;  // relative to lamps and the sky: darker faces are weighted less
+// Relative to lamps and the sky: darker faces are weighted less, so that a room wins over the cavity of a
+// roof.
+constexpr float dim = 0.1f;
 
 // The sides of neighbouring patches: the fronts of group g are face 2 g, the backs face 2 g + 1.
 class Faces {

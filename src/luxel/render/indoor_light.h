@@ -11,8 +11,9 @@ namespace luxel {
 // Importance of sides for the choice of views in a scene under a sky, in place of its light. The sky lights
 // houses from outside first, but they are viewed from inside. A side therefore counts by the square of the
 // share of its view that other surfaces fill, where light reaches it; sides that are nearly open count
-// nothing, and those darker than a hundredth of the sky less in proportion. Where there is next to no
-// indoors, all lit sides count equally. Neighbours count equally.
+// nothing, and those darker than a tenth of the sky less in proportion, since cavities between walls and
+// under roofs have little light. Where there is next to no indoors, all lit sides count equally. Neighbours
+// count equally.
 //
 // Returns a Solution with the importance as irradiance. Deterministic. Cost: 2 rays per patch or a little
 // more.

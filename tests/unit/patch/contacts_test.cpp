@@ -164,13 +164,14 @@ TEST(Contacts, a_wall_on_one_floor_polygon_parts_it_at_any_scale_and_far_away) {
   EXPECT_NEAR(area_of(patches), 4.0 * 4.0 + std::hypot(2.2, 0.6) * 2.5, 0.1);
 }
 
-TEST(Contacts, a_wall_that_ends_a_hair_above_or_below_the_floor_stands_on_it) {
-  for (const float low : {-5e-5f, 5e-5f, 1e-3f}) {
+// Within a fifth of a third of an edge, 2 cm here, its foot divides the light too (near_lines.h).
+TEST(Contacts, a_wall_that_ends_a_little_above_or_below_the_floor_stands_on_it) {
+  for (const float low : {-5e-5f, 5e-5f, 1e-3f, 3e-2f}) {
     SceneBuilder b;
     floor(b);
     wall(b, Vec3(1, 2, 0), Vec3(3, 2, 0), low, 2.5f);
     const auto patches = make_patches(b.scene(), {.max_edge = 0.3f});
-    EXPECT_NEAR(length_of_contacts(patches, up), low < 1e-4f ? 2.0 : 0.0, 1e-5);
+    EXPECT_NEAR(length_of_contacts(patches, up), low < 2e-2f ? 2.0 : 0.0, 1e-5);
     EXPECT_EQ(length_of_contacts(patches, -up), 0.0);
   }
 }
