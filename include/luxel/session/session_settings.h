@@ -32,7 +32,7 @@ struct SessionSettings {
   std::string focus = "all";                ///< where the seen error matters, see patch/focus.h
   bool stores_transport = true;             ///< sampled: so that lamps and colours can be changed, and saved
   std::vector<LightGroupRule> groups = {};  ///< lamps that are dimmed together; the others go by material
-  SmoothOptions smooth = {};
+  SmoothOptions smooth{.lights_hidden = true};
   bool begins_at_once = true;  ///< false: shows the mesh, and solves on command
   int threads = 0;             ///< that solve, at a lower priority; 0: every core this process may use
 

@@ -20,6 +20,9 @@ class FineColours;
 struct SmoothOptions {
   float crease_angle = 30.0f;  ///< degrees, 0 to 180; neighbours that meet at a sharper angle are different
                                ///< surfaces. 0: every patch is, and keeps its own value
+  /// For pictures and meshes: vertices of sides that no light reaches, as below a cupboard, take the light of
+  /// the lit sides that go on in their plane, since a rasteriser may show a pixel of them at the edge.
+  bool lights_hidden = false;
 };
 
 /// Light that runs smoothly over each surface: values at the vertices such that what runs linearly between

@@ -120,6 +120,7 @@ class Bake final : public Command {
     options.light.error_measure = settings_.light.sampled.error_measure;
     options.light.memory = settings_.light.sampled.memory;
     options.smooth = settings_.look.smooth;
+    options.smooth.lights_hidden = false;
     TimeBudget budget(settings_.light.sampled.seconds, record);
     budget.reserve(after_refinement * budget.seconds());
     const bool can_stop = true;

@@ -94,7 +94,7 @@ struct PictureSettings {
 
 struct LookSettings {
   std::string up = "auto";
-  SmoothOptions smooth;
+  SmoothOptions smooth{.lights_hidden = true};
   ToneOptions tone;
   std::string title;  // of a page; empty: the file's name
   void declare_up(OptionSet& set);

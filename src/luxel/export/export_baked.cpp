@@ -5,7 +5,7 @@
 namespace luxel {
 
 void export_glb(const std::filesystem::path& path, const Baked& baked, const ExportOptions& options) {
-  const auto light = make_smooth_light(baked.patches, baked.solution);
+  const auto light = make_smooth_light(baked.patches, baked.solution, {.lights_hidden = true});
   export_glb(path, baked.patches, baked.solution, light, Vec3(0.0f, 1.0f, 0.0f), options);
 }
 

@@ -185,7 +185,7 @@ Image render(const PatchSet& patches, const SmoothLight& light, const Tracer& tr
 
 Image render(const Baked& baked, const Camera& camera, const RenderOptions& options, const Context& context) {
   const Tracer tracer(baked.patches, context);
-  const auto light = make_smooth_light(baked.patches, baked.solution, {}, context);
+  const auto light = make_smooth_light(baked.patches, baked.solution, {.lights_hidden = true}, context);
   return render(baked.patches, light, tracer, camera, options, context);
 }
 

@@ -11,6 +11,7 @@
 #include "luxel/core/trig.h"
 #include "luxel/patch/colour_patches.h"
 #include "luxel/scene/band_colours.h"
+#include "luxel/surface/hidden_light.h"
 #include "luxel/surface/node_light.h"
 #include "luxel/surface/side_light.h"
 #include "luxel/surface/side_nodes.h"
@@ -90,8 +91,10 @@ SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const Context& context) {
   check(patches, solution, options);
   const auto nodes = make_side_nodes(patches, cosine_of_degrees(options.crease_angle), context);
-  return smooth_vertices(patches, nodes,
-                         light_of_nodes(patches, SideLight(patches, solution), nodes, context));
+  auto light =
+      smooth_vertices(patches, nodes, light_of_nodes(patches, SideLight(patches, solution), nodes, context));
+  if (options.lights_hidden) light_hidden_vertices(patches, solution, light);
+  return light;
 }
 
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,

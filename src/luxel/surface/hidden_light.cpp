@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/surface/hidden_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "luxel/patch/side.h"
+
+namespace luxel {
+namespace {
+
+constexpr float same_plane = 0.9f;  // cosine between normals
+
+// Irradiance over the mean of all sides, below which a side counts as hidden: a few rays slip past the edge
+// on which one solid stands on another. Their light is mostly below a ten-thousandth.
+constexpr double dark = 1e-3;
+
+double sum_of(const Solution& solution, std::size_t patch, bool back, std::size_t bands) {
+  const auto* values = &solution.irradiance.of(back)[patch * bands];
+  return std::accumulate(values, values + bands, 0.0);
+}
+
+double dark_irradiance(const PatchSet& patches, const Solution& solution) {
+  double sum = 0.0, area = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (const bool back : {false, true}) {
+      const auto irradiance = sum_of(solution, p, back, patches.band_count());
+      if (!(irradiance > 0.0)) continue;
+      sum += static_cast<double>(patches.area[p]) * irradiance;
+      area += static_cast<double>(patches.area[p]);
+    }
+  return area > 0.0 ? dark * sum / area : 0.0;
+}
+
+// [side][smooth vertex]: whether lit sides use it, or only hidden ones.
+enum Use : char { unused = 0, hidden = 1, lit = 2 };
+
+FrontAndBack<char> uses(const PatchSet& patches, const Solution& solution, const SmoothLight& light) {
+  FrontAndBack<char> use;
+  const auto least = dark_irradiance(patches, solution);
+  for (const bool back : {false, true}) {
+    use.of(back).assign(light.size(), unused);
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      if (back && !patches.material_of(p).two_sided) continue;
+      const char own = sum_of(solution, p, back, patches.band_count()) > least ? lit : hidden;
+      for (const auto corner : light.corners[p]) use.of(back)[corner] = std::max(use.of(back)[corner], own);
+    }
+  }
+  return use;
+}
+
+// The smooth vertices at each vertex.
+class Places {
+ public:
+  Places(const PatchSet& patches, const SmoothLight& light)
+      : begins_(patches.vertices.size() + 1, 0), all_(light.size()) {
+    for (const auto v : light.vertex) ++begins_[v + 1];
+    for (std::size_t v = 1; v < begins_.size(); ++v) begins_[v] += begins_[v - 1];
+    auto next = begins_;
+    for (std::uint32_t s = 0; s < light.size(); ++s) all_[next[light.vertex[s]]++] = s;
+  }
+  std::span<const std::uint32_t> at(std::uint32_t vertex) const {
+    return std::span(all_).subspan(begins_[vertex], begins_[vertex + 1] - begins_[vertex]);
+  }
+
+ private:
+  std::vector<std::size_t> begins_;
+  std::vector<std::uint32_t> all_;
+};
+
+// The mean of some values of several bands.
+class MeanValue {
+ public:
+  explicit MeanValue(std::size_t bands) : sum_(bands, 0.0) {}
+  bool is_empty() const { return count_ == 0; }
+  void add(const float* value) {
+    for (auto& s : sum_) s += static_cast<double>(*value++);
+    ++count_;
+  }
+  void write(float* value) const {
+    for (const auto s : sum_) *value++ = static_cast<float>(s / count_);
+  }
+
+ private:
+  std::vector<double> sum_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+void light_hidden_vertices(const PatchSet& patches, const Solution& solution, SmoothLight& light) {
+  const auto bands = patches.band_count();
+  const auto use = uses(patches, solution, light);
+  const Places places(patches, light);
+  for (const bool back : {false, true})
+    for (std::uint32_t s = 0; s < light.size(); ++s) {
+      if (use.of(back)[s] != hidden) continue;
+      MeanValue in_plane(bands), around(bands);
+      for (const auto other : places.at(light.vertex[s])) {
+        const auto cosine = glm::dot(light.normal[s], light.normal[other]);
+        for (const bool side : {false, true}) {
+          if (use.of(side)[other] != lit) continue;
+          const auto* value = &light.irradiance.of(side)[other * bands];
+          around.add(value);
+          // One that is wound the other way goes on with its back.
+          if (std::abs(cosine) >= same_plane && side == (back != (cosine < 0.0f))) in_plane.add(value);
+        }
+      }
+      if (around.is_empty()) continue;
+      (in_plane.is_empty() ? around : in_plane).write(&light.irradiance.of(back)[s * bands]);
+    }
+}
+
+}  // namespace luxel

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "luxel/patch/make_patches.h"
+#include "luxel/surface/smooth_light.h"
+
+#include "support/truth_scenes.h"
+
+namespace luxel {
+namespace {
+
+// A cupboard of 1 m x 1 m on a floor of 3 m x 3 m.
+Scene cupboard_on_floor() {
+  truth::SceneBuilder scene;
+  scene.material("floor", 0.5f, 0.0f).quad({0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0});
+  scene.material("cupboard", 0.5f, 0.0f)
+      .quad({1, 1, 0}, {2, 1, 0}, {2, 1, 2}, {1, 1, 2})
+      .quad({2, 1, 0}, {2, 2, 0}, {2, 2, 2}, {2, 1, 2})
+      .quad({2, 2, 0}, {1, 2, 0}, {1, 2, 2}, {2, 2, 2})
+      .quad({1, 2, 0}, {1, 1, 0}, {1, 1, 2}, {1, 2, 2})
+      .quad({1, 1, 2}, {2, 1, 2}, {2, 2, 2}, {1, 2, 2});
+  return scene.scene();
+}
+
+bool is_below_cupboard(const PatchSet& patches, std::size_t p) {
+  const auto c = patches.centroid(p);
+  return static_cast<std::uint32_t>(patches.material[p]) == 0 && c.x > 1 && c.x < 2 && c.y > 1 && c.y < 2;
+}
+
+// 2 W/m² on the floor, 3 on the cupboard, nearly nothing below it.
+Solution light_on(const PatchSet& patches) {
+  Solution solution;
+  solution.bands = patches.bands;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t b = 0; b < patches.band_count(); ++b) {
+      const bool is_floor = static_cast<std::uint32_t>(patches.material[p]) == 0;
+      solution.irradiance.front.push_back(is_below_cupboard(patches, p) ? 1e-6f : is_floor ? 2.0f : 3.0f);
+      solution.irradiance.back.push_back(0.0f);
+    }
+  solution.radiosity = solution.irradiance;
+  return solution;
+}
+
+TEST(HiddenLight, the_edge_of_what_stands_on_a_floor_is_as_bright_as_the_floor_beside_it) {
+  const auto patches = make_patches(cupboard_on_floor(), {.max_edge = 0.2f});
+  const auto solution = light_on(patches);
+  const auto plain = make_smooth_light(patches, solution);
+  const auto shown = make_smooth_light(patches, solution, {.lights_hidden = true});
+  ASSERT_EQ(plain.corners, shown.corners);
+  std::size_t at_edge = 0, inside = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (const auto corner : plain.corners[p])
+      for (std::size_t b = 0; b < patches.band_count(); ++b) {
+        const auto i = corner * patches.band_count() + b;
+        if (!is_below_cupboard(patches, p)) {
+          EXPECT_EQ(plain.irradiance.front[i], shown.irradiance.front[i]);
+          continue;
+        }
+        EXPECT_LT(plain.irradiance.front[i], 1e-5f);
+        const auto& place = patches.vertices[plain.vertex[corner]];
+        const bool is_edge = place.x == 1.0f || place.x == 2.0f || place.y == 1.0f || place.y == 2.0f;
+        EXPECT_NEAR(shown.irradiance.front[i], is_edge ? 2.0f : 0.0f, 1e-4f);
+        ++(is_edge ? at_edge : inside);
+      }
+  EXPECT_GT(at_edge, 0u);
+  EXPECT_GT(inside, 0u);
+}
+
+}  // namespace
+}  // namespace luxel
