@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -24,7 +25,8 @@
 namespace luxel {
 namespace {
 
-constexpr double after_refinement = 0.6;  // of --time: for the light and the outputs
+constexpr std::uint64_t default_ray_budget = 300'000'000;  // that of --quality medium
+constexpr double after_refinement = 0.6;                   // of --time: for the light and the outputs
 
 class Bake final : public Command {
  public:
@@ -50,6 +52,11 @@ class Bake final : public Command {
       if (!std::filesystem::is_regular_file(file)) load_scene(file, settings_.scene.load, {});
       outputs.push_back(default_output(file));
     }
+    // A bound that is given replaces that of the quality. The default stays in the record of the options: it
+    // is replaced again where they are given again.
+    const bool has_ray_budget =
+        is_given("ray-budget") || !(is_given("error") || is_given("rays") || is_given("time"));
+    if (!has_ray_budget) settings_.light.sampled.ray_budget = default_ray_budget;
     settings_.check();
     settings_.mesh.check_outputs(settings_.run.outputs);
     Console console(settings_.run);
@@ -92,11 +99,18 @@ class Bake final : public Command {
     // 3. The light, and what was asked for.
     const auto faces =
         settings_.light.joins_faces ? uncut_faces(scene, baked.patches) : std::vector<std::uint32_t>();
-    return LightRun(settings_, file, options(), context, console, record)
+    auto settings = settings_;
+    if (!has_ray_budget) settings.light.sampled.ray_budget = 0;
+    return LightRun(settings, file, options(), context, console, record)
         .run(baked, refines() && !kept ? &refined : nullptr, faces, kept ? kept->samples : nullptr, &scene);
   }
 
  private:
+  bool is_given(std::string_view name) const {
+    const auto given = options().given();
+    return std::any_of(given.begin(), given.end(), [&](const auto& option) { return option.first == name; });
+  }
+
   // A run that is bounded otherwise than by its error, or that names the size of patches, keeps them.
   bool refines() const {
     const auto& light = settings_.light;

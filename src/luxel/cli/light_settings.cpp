@@ -101,6 +101,7 @@ void LightSettings::declare_sampled(OptionSet& set) {
   set.heading("Light by --method sampled");
   set.only_with("method", "sampled");
   declare_error_and_time(set);
+  declare_ray_budget(set);
   set.add_text("focus", "all|camera|NAME", focus,
                "where the seen error counts: all: everywhere; camera: in the picture of --eye or of the "
                "file's cameras; NAME: on surfaces of this material, object or group (with * and ?)");
@@ -117,6 +118,22 @@ void LightSettings::declare_rays(OptionSet& set) {
          sampled.rays = shooting.rays = text == "auto" ? 0 : parse_count("rays", text);
        },
        [this] { return sampled.rays == 0 ? std::string("auto") : fmt::format("{}", sampled.rays); }});
+}
+
+void LightSettings::declare_ray_budget(OptionSet& set) {
+  set.add({"ray-budget", "count",
+           "about so many rays are enough, such as 500M, whatever the error; not where --error, --rays or "
+           "--time is given; none: no bound",
+           [this](const std::string& text) {
+             sampled.ray_budget = text == "none" ? 0 : parse_count("ray-budget", text);
+           },
+           [this] {
+             constexpr std::uint64_t million = 1'000'000;
+             const auto budget = sampled.ray_budget;
+             return budget == 0             ? std::string("none")
+                    : budget % million == 0 ? fmt::format("{}M", budget / million)
+                                            : fmt::format("{}", budget);
+           }});
 }
 
 void LightSettings::declare_error_and_time(OptionSet& set) {
@@ -159,6 +176,7 @@ void LightSettings::declare_bounds(OptionSet& set) {
   set.heading("Light");
   declare_rays(set);
   declare_error_and_time(set);
+  declare_ray_budget(set);
 }
 
 void LightSettings::declare_variance_reduction(OptionSet& set) {

@@ -18,9 +18,8 @@ struct Row {
 
 // The options that each level sets. docs/command-line.md repeats it; a test compares both.
 constexpr Row table[] = {
-    {"error", {"6%", "2%", "1%"}},
-    {"mesh-error", {"none", "auto", "1%"}},
-    {"samples", {"2", "3", "4"}},
+    {"error", {"6%", "2%", "1%"}},          {"ray-budget", {"100M", "300M", "none"}},
+    {"mesh-error", {"none", "auto", "1%"}}, {"samples", {"2", "3", "4"}},
     {"final-gather", {"5%", "2%", "1%"}},
 };
 

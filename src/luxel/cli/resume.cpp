@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "luxel/cli/bake_settings.h"
@@ -59,6 +61,9 @@ class Resume final : public Command {
     }
     console.say("resumes", fmt::format("{}: {} patches, after {} rays", file_,
                                        with_commas(kept.baked.patches.size()), rough_count(provenance.rays)));
+    const auto given = options().given();
+    if (std::none_of(given.begin(), given.end(), [](const auto& o) { return o.first == "ray-budget"; }))
+      settings.light.sampled.ray_budget = 0;  // whoever resumes wants to go on
     return LightRun(settings, file_, options(), context, console, record)
         .run(kept.baked, nullptr, {}, kept.samples, nullptr);
   }

@@ -68,6 +68,7 @@ struct LightSettings : LightOptions {
   void declare_method(OptionSet& set);
   void declare_rays(OptionSet& set);
   void declare_error_and_time(OptionSet& set);
+  void declare_ray_budget(OptionSet& set);
   void declare_classical(OptionSet& set);
   void declare_tolerance(OptionSet& set);
   void declare_sampled(OptionSet& set);

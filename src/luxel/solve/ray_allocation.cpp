@@ -97,6 +97,10 @@ std::optional<StopReason> broken_bound(const RoundPlan& plan, const SampledOptio
                                        std::uint64_t rays, double seconds) {
   if (options.rays > 0 && static_cast<double>(rays) + plan.more_rays > static_cast<double>(options.rays))
     return StopReason::ray_limit;
+  const auto now = static_cast<double>(rays);
+  if (options.ray_budget > 0 &&
+      std::sqrt(now * (now + plan.more_rays)) > static_cast<double>(options.ray_budget))
+    return StopReason::ray_limit;
   if (options.seconds > 0.0 && seconds * (1.0 + plan.more_cost / plan.cost) > options.seconds)
     return StopReason::time_limit;
   return {};

@@ -29,8 +29,10 @@ constexpr double aim = 0.8;    // of the allowed squared error: the target of th
 constexpr double max_unrefined_fraction = 0.35;
 // of the patches: cutting fewer is not worth another solve
 constexpr double min_growth = 0.05;
-constexpr double min_gain = 0.1;        // of the squared error in patches that are cut, for another level
-constexpr double min_cut = 0.005;       // of the patches, for another level, where the cost has a bound
+constexpr double min_gain = 0.1;   // of the squared error in patches that are cut, for another level
+constexpr double min_cut = 0.005;  // of the patches, for another level, where the cost has a bound
+// of each of the two solutions, where the cost has a bound: some scenes do not come near their error
+constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
 constexpr double large_patch =
     5e-4;                      // fraction of the whole area above which a patch is cut before the first solve
@@ -126,6 +128,8 @@ class Refinement {
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
+      if (options_.max_cost > 0.0 && how.ray_budget == 0)
+        how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
       how.seed = stream_key(options_.light.seed, RandomPurpose::refinement,
                             2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
       auto& [solution, smooth] = level.answers[i];

@@ -83,6 +83,8 @@ double TimeForecast::sampling_left(double seconds, double rays) const {
 }
 
 bool TimeForecast::is_bound_broken(double seconds, const Answer& last, double more_cost) const {
+  const auto rays = last.rays + more_cost * rays_per_cost();
+  if (options_.ray_budget > 0.0 && std::sqrt(last.rays * rays) > options_.ray_budget) return true;
   return (options_.rays > 0.0 && last.rays + more_cost * rays_per_cost() > options_.rays) ||
          (options_.seconds > 0.0 && seconds * (1.0 + more_cost / last.cost) > options_.seconds);
 }
@@ -178,6 +180,7 @@ TimeForecastOptions forecast_options(const SampledOptions& options, bool is_resu
   return {.error = options.error,
           .aim = tuning::rounds::aim,
           .rays = static_cast<double>(options.rays),
+          .ray_budget = static_cast<double>(options.ray_budget),
           .seconds = options.seconds,
           .min_growth = tuning::rounds::min_growth,
           .max_growth = max_growth(options),

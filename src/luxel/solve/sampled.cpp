@@ -40,7 +40,7 @@ void check(const PatchSet& patches, const SampledOptions& options) {
     throw InputError(fmt::format("error must be 0 or more, not {}", options.error));
   if (options.replicates < 4 || options.replicates > 32)
     throw InputError(fmt::format("replicates must be 4 to 32, not {}", options.replicates));
-  if (options.error == 0.0 && options.rays == 0 && options.seconds == 0.0)
+  if (options.error == 0.0 && options.rays == 0 && options.ray_budget == 0 && options.seconds == 0.0)
     throw InputError("an error of 0 is never reached: a bound of rays or time is needed too");
   check_light(patches);
 }

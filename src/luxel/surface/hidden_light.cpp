@@ -101,8 +101,10 @@ void light_hidden_vertices(const PatchSet& patches, const Solution& solution, Sm
     for (std::uint32_t s = 0; s < light.size(); ++s) {
       if (use.of(back)[s] != hidden) continue;
       MeanValue in_plane(bands), around(bands);
+      bool is_corner = false;
       for (const auto other : places.at(light.vertex[s])) {
         const auto cosine = glm::dot(light.normal[s], light.normal[other]);
+        is_corner |= std::abs(cosine) < same_plane;
         for (const bool side : {false, true}) {
           if (use.of(side)[other] != lit) continue;
           const auto* value = &light.irradiance.of(side)[other * bands];
@@ -111,7 +113,8 @@ void light_hidden_vertices(const PatchSet& patches, const Solution& solution, Sm
           if (std::abs(cosine) >= same_plane && side == (back != (cosine < 0.0f))) in_plane.add(value);
         }
       }
-      if (around.is_empty()) continue;
+      // Where no other surface is, the edge is that of a shadow.
+      if (around.is_empty() || !is_corner) continue;
       (in_plane.is_empty() ? around : in_plane).write(&light.irradiance.of(back)[s * bands]);
     }
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "luxel/patch/make_patches.h"
@@ -47,7 +50,11 @@ TEST(HiddenLight, the_edge_of_what_stands_on_a_floor_is_as_bright_as_the_floor_b
   const auto plain = make_smooth_light(patches, solution);
   const auto shown = make_smooth_light(patches, solution, {.lights_hidden = true});
   ASSERT_EQ(plain.corners, shown.corners);
-  std::size_t at_edge = 0, inside = 0;
+  std::vector<char> is_of_cupboard(patches.vertices.size(), 0);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (static_cast<std::uint32_t>(patches.material[p]) == 1)
+      for (const auto vertex : patches.corners[p]) is_of_cupboard[vertex] = 1;
+  std::size_t at_edge = 0, elsewhere = 0;
   for (std::size_t p = 0; p < patches.size(); ++p)
     for (const auto corner : plain.corners[p])
       for (std::size_t b = 0; b < patches.band_count(); ++b) {
@@ -57,13 +64,35 @@ TEST(HiddenLight, the_edge_of_what_stands_on_a_floor_is_as_bright_as_the_floor_b
           continue;
         }
         EXPECT_LT(plain.irradiance.front[i], 1e-5f);
-        const auto& place = patches.vertices[plain.vertex[corner]];
-        const bool is_edge = place.x == 1.0f || place.x == 2.0f || place.y == 1.0f || place.y == 2.0f;
+        const bool is_edge = is_of_cupboard[plain.vertex[corner]] != 0;
         EXPECT_NEAR(shown.irradiance.front[i], is_edge ? 2.0f : 0.0f, 1e-4f);
-        ++(is_edge ? at_edge : inside);
+        ++(is_edge ? at_edge : elsewhere);
       }
   EXPECT_GT(at_edge, 0u);
-  EXPECT_GT(inside, 0u);
+  EXPECT_GT(elsewhere, 0u);
+}
+
+// Where no other surface is, a side without light lies in a hard shadow.
+TEST(HiddenLight, the_edge_of_a_shadow_stays_sharp) {
+  truth::SceneBuilder scene;
+  scene.material("floor", 0.5f, 0.0f).quad({0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0});
+  auto patches = make_patches(scene.scene(), {.max_edge = 0.3f});
+  for (std::uint32_t p = 0; p < patches.size(); ++p)  // light may jump at every edge
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = patches.corners[p][k], b = patches.corners[p][(k + 1) % 3];
+      if (a < b) patches.contacts.push_back({{a, b}, Vec3(0, 0, 1)});
+    }
+  std::sort(patches.contacts.begin(), patches.contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.edge < b.edge; });
+  Solution solution;
+  solution.bands = patches.bands;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    solution.irradiance.front.insert(solution.irradiance.front.end(), patches.band_count(),
+                                     patches.centroid(p).x < 1.5 ? 0.0f : 2.0f);
+  solution.irradiance.back.assign(solution.irradiance.front.size(), 0.0f);
+  solution.radiosity = solution.irradiance;
+  EXPECT_EQ(make_smooth_light(patches, solution).irradiance.front,
+            make_smooth_light(patches, solution, {.lights_hidden = true}).irradiance.front);
 }
 
 }  // namespace
