@@ -29,8 +29,9 @@ constexpr double aim = 0.8;    // of the allowed squared error: the target of th
 constexpr double max_unrefined_fraction = 0.35;
 // of the patches: cutting fewer is not worth another solve
 constexpr double min_growth = 0.05;
-constexpr double min_gain = 0.1;   // of the squared error in patches that are cut, for another level
-constexpr double min_cut = 0.005;  // of the patches, for another level, where the cost has a bound
+constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
+constexpr double min_level =
+    1.02;  // patches over those before, for another level, where the cost has a bound
 // of each of the two solutions, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
@@ -71,6 +72,9 @@ class Refinement {
       if (!is_within_cost()) return end(RefineStop::cost_limit);
       auto refined = refine_within_limit(marks, squared_);
       if (!refined) return end(RefineStop::patch_limit);
+      if (options_.max_cost > 0.0 &&
+          static_cast<double>(refined->patches.size()) < min_level * static_cast<double>(now_.patches.size()))
+        return end(RefineStop::cost_limit);
       if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
     }
   }
@@ -85,17 +89,14 @@ class Refinement {
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
 
-  // Whether what differs by more than noise is a fair part of the error, and of the patches.
+  // Whether what differs by more than noise is a fair part of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
-    double marked = 0.0, all = 0.0, count = 0.0;
+    double marked = 0.0, all = 0.0;
     for (std::size_t p = 0; p < marks.size(); ++p) {
       all += std::max(0.0, squared_[p]);
-      if (marks[p] == 0) continue;
-      marked += squared_[p];
-      count += 1.0;
+      if (marks[p] != 0) marked += squared_[p];
     }
-    const auto is_many = options_.max_cost == 0.0 || count >= min_cut * static_cast<double>(marks.size());
-    return is_many && marked > min_gain * all;
+    return marked > min_gain * all;
   }
 
   // The next level costs at least as much as the last one.
