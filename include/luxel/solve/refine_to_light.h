@@ -20,8 +20,9 @@ struct RefineOptions {
   double mesh_error = 0.02;
   std::size_t max_patches = 1'000'000;
   int max_levels = 12;
-  /// Rays of the refinement over those of a later solve to light.error, as the levels so far forecast them. A
-  /// level that would need more is not begun, nor one that would cut few patches. 0: no bound.
+  /// Rays of the refinement over those of a later solve to light.error, as the levels so far forecast them,
+  /// at most light.ray_budget. A level that would need more is not begun, nor one that would cut few patches.
+  /// 0: no bound.
   double max_cost = 0.0;
   std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
   /// How the light is solved that decides. Its error: as large as the mesh error that is still there, or

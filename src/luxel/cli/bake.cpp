@@ -132,6 +132,7 @@ class Bake final : public Command {
               Console& console) const {
     auto options = settings_.refine.options(baked.patches.size());
     options.light.error_measure = settings_.light.sampled.error_measure;
+    options.light.ray_budget = default_ray_budget;
     options.light.memory = settings_.light.sampled.memory;
     options.smooth = settings_.look.smooth;
     options.smooth.lights_hidden = false;

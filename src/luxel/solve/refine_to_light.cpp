@@ -104,8 +104,10 @@ class Refinement {
     if (options_.max_cost == 0.0) return true;
     const auto& last = report_.levels.back();
     const auto of_one = std::sqrt(2.0) * last.sampling_error;  // it is the error of the mean of two
-    const auto later =
+    auto later =
         0.5 * static_cast<double>(last.rays) * std::pow(of_one / options_.light.error, 2.0 / rays_exponent);
+    const auto budget = static_cast<double>(options_.light.ray_budget);
+    if (budget > 0.0) later = std::min(later, budget);
     allowed_rays_ =
         std::max({allowed_rays_, options_.max_cost * later, static_cast<double>(options_.free_rays)});
     return static_cast<double>(rays_before_ + last.rays) <= allowed_rays_;
@@ -129,7 +131,7 @@ class Refinement {
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
-      if (options_.max_cost > 0.0 && how.ray_budget == 0)
+      if (options_.max_cost > 0.0)
         how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
       how.seed = stream_key(options_.light.seed, RandomPurpose::refinement,
                             2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
