@@ -90,8 +90,9 @@ TEST(Quality, leaves_its_values_in_the_solution_and_not_its_name) {
       cli::run(folder, "$LUXEL bake cornell-box.obj --max-edge 0.2 --quality draft -o a.vtkhdf --quiet");
   ASSERT_EQ(run.code, 0) << run.err;
   const auto info = nlohmann::json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out);
-  EXPECT_EQ(info["solution"]["command_line"],
-            "luxel bake cornell-box.obj --max-edge 0.2 --mesh-error none --error 6% --ray-budget 100M --samples 2");
+  EXPECT_EQ(
+      info["solution"]["command_line"],
+      "luxel bake cornell-box.obj --max-edge 0.2 --mesh-error none --error 6% --ray-budget 100M --samples 2");
   EXPECT_EQ(cli::run(folder, "$LUXEL bake cornell-box.obj --quality best").code, 2);
 }
 

@@ -16,8 +16,8 @@ namespace luxel {
 // it, where
 // - both ends are before the front of `on`, farther than contacts are and no farther than `distance`;
 // - the edge is about parallel to the plane and belongs to the outline as seen along the normal;
-//   or, within a fifth of `distance`, is the foot of a surface that stands on the plane, as the back edge of a
-//   shelf that does not quite touch the wall;
+//   or, within a fifth of `distance`, is the foot of a surface that stands on the plane, as the back edge of
+//   a shelf that does not quite touch the wall;
 // - it is longer than a quarter of `distance`, and `on` is wider than `distance`.
 // They are lines as find_contact_lines() gives them where a triangle lies flat on another one, in the same
 // order, with `into` along the normal of `on`.
