@@ -13,12 +13,9 @@ namespace {
 // The interrupt is sent once the light is on its way: the first progress line says so.
 TEST(Interrupt, writes_what_it_has_and_says_so) {
   const auto folder = fresh_folder("interrupt");
-  const auto run =
-      cli::run(folder,
-               "$LUXEL bake cornell-box.obj --method shooting --rays 50G --max-edge 0.1 -o a.glb -o a.vtkhdf "
-               "& pid=$!; "
-               "for i in $(seq 600); do grep -q lamp stderr.txt && break; sleep 0.05; done; sleep 1; kill "
-               "-INT $pid; wait $pid");
+  const auto run = run_interrupted(
+      folder, "$LUXEL bake cornell-box.obj --method shooting --rays 50G --max-edge 0.1 -o a.glb -o a.vtkhdf",
+      "grep -q lamp stderr.txt", "1");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
@@ -29,11 +26,9 @@ TEST(Interrupt, writes_what_it_has_and_says_so) {
 // The first error on a line of the refinement is that of its first mesh.
 TEST(Interrupt, while_it_refines_writes_the_light_that_decided) {
   const auto folder = fresh_folder("interrupt_refinement");
-  const auto run = cli::run(folder,
-                            "$LUXEL bake cornell-box.obj --mesh-error 0.05% -o a.glb -o a.vtkhdf & pid=$!; "
-                            "for i in $(seq 600); do grep -q 'refine.*error' stderr.txt && break; sleep "
-                            "0.05; done; kill -INT $pid; "
-                            "wait $pid");
+  const auto run =
+      run_interrupted(folder, "$LUXEL bake cornell-box.obj --mesh-error 0.05% -o a.glb -o a.vtkhdf",
+                      "grep -q 'refine.*error' stderr.txt");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
@@ -44,12 +39,11 @@ TEST(Interrupt, while_it_refines_writes_the_light_that_decided) {
 
 TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
   const auto folder = fresh_folder("interrupt_picture");
-  const auto run = cli::run(
+  const auto run = run_interrupted(
       folder,
       "$LUXEL bake cornell-box.obj --method shooting --rays 10k --max-edge 0.1 --width 8000 --height 8000 "
-      "-o a.png -o a.vtkhdf & pid=$!; for i in $(seq 600); do test -e a.vtkhdf && break; sleep 0.05; done; "
-      "sleep 0.5; "
-      "kill -INT $pid; wait $pid");
+      "-o a.png -o a.vtkhdf",
+      "test -e a.vtkhdf", "0.5");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("the picture was not finished"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\n");

@@ -135,14 +135,12 @@ TEST(LightmapCommand, says_in_its_report_what_was_made) {
 
 TEST(LightmapCommand, and_export_say_that_they_were_stopped_while_texels_were_gathered) {
   const auto folder = fresh_folder("lightmap_stopped");
-  const std::string stop =
-      " --texels-per-metre 200 --final-gather 0.01% --gather-rays 65536 --progress json & pid=$!; "
-      "for i in $(seq 600); do grep -q texels stderr.txt && break; sleep 0.05; done; kill -INT $pid; wait "
-      "$pid";
+  const std::string gather =
+      " --texels-per-metre 200 --final-gather 0.01% --gather-rays 65536 --progress json";
   ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
   for (const std::string line :
        {"$LUXEL lightmap box.vtkhdf -o map.exr", "$LUXEL export box.vtkhdf --as lightmap -o map.glb"}) {
-    const auto run = cli::run(folder, line + stop);
+    const auto run = run_interrupted(folder, line + gather, "grep -q texels stderr.txt");
     EXPECT_EQ(run.code, 3) << line << run.err;
     EXPECT_NE(run.err.find("stopped: texels that were not gathered"), std::string::npos) << run.err;
   }
@@ -157,11 +155,9 @@ TEST(LightmapCommand, and_export_write_nothing_when_stopped_after_the_texels) {
   write_file(folder / "map.exr", "old");
   for (const std::string line : {"$LUXEL lightmap box.vtkhdf -o map.png -o map.exr",
                                  "$LUXEL export box.vtkhdf --as emissive -o map.glb"}) {
-    const auto run = cli::run(
-        folder,
-        line +
-            " --texels-per-metre 3000 --final-gather none --progress json & pid=$!; for i in $(seq 600); do "
-            "grep -q 'places\\|seams' stderr.txt && break; sleep 0.05; done; kill -INT $pid; wait $pid");
+    const auto run =
+        run_interrupted(folder, line + " --texels-per-metre 3000 --final-gather none --progress json",
+                        "grep -q 'places\\|seams' stderr.txt");
     EXPECT_EQ(run.code, 3) << line << run.err;
     EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
   }

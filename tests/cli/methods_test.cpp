@@ -91,11 +91,9 @@ TEST(Methods, that_would_take_days_are_refused_with_what_they_would_take) {
 // Begins all the same, and is stopped at once.
 TEST(Methods, force_begins_what_would_be_refused_and_an_interrupt_writes_what_there_is) {
   const auto folder = fresh_folder("methods_force");
-  const auto run =
-      cli::run(folder,
-               "$LUXEL bake cornell-box.obj --method hemicube --max-edge 0.01 "
-               "--force -o a.vtkhdf & pid=$!; for i in $(seq 600); do grep -q 'for .* patch sides' "
-               "stderr.txt && break; sleep 0.05; done; kill -INT $pid; wait $pid");
+  const auto run = run_interrupted(
+      folder, "$LUXEL bake cornell-box.obj --method hemicube --max-edge 0.01 --force -o a.vtkhdf",
+      "grep -q 'for .* patch sides' stderr.txt");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("no light had left the lamps yet"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\n");

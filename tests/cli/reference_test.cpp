@@ -125,10 +125,8 @@ TEST(Reference, gives_the_same_bytes_on_any_number_of_threads) {
 TEST(Reference, that_is_interrupted_writes_what_it_has_and_says_so) {
   const auto folder = fresh_folder("reference_interrupt");
   const auto run =
-      cli::run(folder,
-               "$LUXEL reference cornell-box.obj --max-edge 0.2 --error 0.001% -o a.vtkhdf & pid=$!; "
-               "for i in $(seq 600); do grep -q materials stderr.txt && break; sleep 0.05; done; "
-               "sleep 2; kill -INT $pid; wait $pid");
+      run_interrupted(folder, "$LUXEL reference cornell-box.obj --max-edge 0.2 --error 0.001% -o a.vtkhdf",
+                      "grep -q materials stderr.txt", "2");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("warning: stopped: writing the light so far"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\n");

@@ -38,6 +38,14 @@ inline Outcome run(const std::filesystem::path& folder, std::string line) {
   return outcome;
 }
 
+// The same of a command that is interrupted as by Ctrl-C: `seconds` after the shell condition `begun` holds,
+// in the folder, where stderr.txt has the messages so far; after half a minute in any case.
+inline Outcome run_interrupted(const std::filesystem::path& folder, const std::string& command,
+                               const std::string& begun, const std::string& seconds = "0") {
+  return run(folder, command + " & pid=$!; for i in $(seq 600); do " + begun +
+                         " && break; sleep 0.05; done; sleep " + seconds + "; kill -INT $pid; wait $pid");
+}
+
 // A fresh folder of this test with our Cornell box and its spectra in it.
 inline std::filesystem::path fresh_folder(const std::string& name) {
   const auto folder = std::filesystem::path(testing::TempDir()) / ("luxel_cli_" + name);

@@ -162,10 +162,8 @@ TEST(Sampled, info_says_that_each_patch_has_its_error) {
 // The interrupt is sent once the light is on its way: the lamp is reported right before it.
 TEST(Sampled, that_is_interrupted_writes_what_it_has_and_says_so) {
   const auto folder = fresh_folder("sampled_interrupt");
-  const auto run = cli::run(folder, bake +
-                                        "--error 0.001% -o a.glb -o a.vtkhdf & pid=$!; for i in $(seq 600); "
-                                        "do grep -q lamp stderr.txt && break; sleep 0.05; done; sleep 1; "
-                                        "kill -INT $pid; wait $pid");
+  const auto run =
+      run_interrupted(folder, bake + "--error 0.001% -o a.glb -o a.vtkhdf", "grep -q lamp stderr.txt", "1");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("warning: stopped before --error 0.001% was reached"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");
