@@ -37,9 +37,9 @@ struct SmoothOptions {
 /// two smooth vertices mirror each other, each with the front of its own patches. The back of a one-sided
 /// material has no light of its own and no say in others'.
 struct SmoothLight {
-  std::vector<std::uint32_t> vertex;                  ///< [smooth vertex]: index into PatchSet::vertices
-  std::vector<Vec3> normal;                           ///< [smooth vertex]: unit, front side, area-weighted
-  SideValues irradiance;                              ///< [smooth vertex][band], W/m²
+  std::vector<std::uint32_t> vertex;  ///< [smooth vertex]: index into PatchSet::vertices, ascending
+  std::vector<Vec3> normal;           ///< [smooth vertex]: unit, front side, area-weighted
+  SideValues irradiance;              ///< [smooth vertex][band], W/m²
   std::vector<std::array<std::uint32_t, 3>> corners;  ///< [patch]: its three smooth vertices
 
   std::size_t size() const { return vertex.size(); }

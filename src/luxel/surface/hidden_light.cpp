@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <span>
 #include <vector>
 
 #include "luxel/patch/side.h"
@@ -54,25 +53,6 @@ FrontAndBack<char> uses(const PatchSet& patches, const Solution& solution, const
   return use;
 }
 
-// The smooth vertices at each vertex.
-class Places {
- public:
-  Places(const PatchSet& patches, const SmoothLight& light)
-      : begins_(patches.vertices.size() + 1, 0), all_(light.size()) {
-    for (const auto v : light.vertex) ++begins_[v + 1];
-    for (std::size_t v = 1; v < begins_.size(); ++v) begins_[v] += begins_[v - 1];
-    auto next = begins_;
-    for (std::uint32_t s = 0; s < light.size(); ++s) all_[next[light.vertex[s]]++] = s;
-  }
-  std::span<const std::uint32_t> at(std::uint32_t vertex) const {
-    return std::span(all_).subspan(begins_[vertex], begins_[vertex + 1] - begins_[vertex]);
-  }
-
- private:
-  std::vector<std::size_t> begins_;
-  std::vector<std::uint32_t> all_;
-};
-
 // The mean of some values of several bands.
 class MeanValue {
  public:
@@ -96,27 +76,30 @@ class MeanValue {
 void light_hidden_vertices(const PatchSet& patches, const Solution& solution, SmoothLight& light) {
   const auto bands = patches.band_count();
   const auto use = uses(patches, solution, light);
-  const Places places(patches, light);
-  for (const bool back : {false, true})
-    for (std::uint32_t s = 0; s < light.size(); ++s) {
-      if (use.of(back)[s] != hidden) continue;
-      MeanValue in_plane(bands), around(bands);
-      bool is_corner = false;
-      for (const auto other : places.at(light.vertex[s])) {
-        const auto cosine = glm::dot(light.normal[s], light.normal[other]);
-        is_corner |= std::abs(cosine) < same_plane;
-        for (const bool side : {false, true}) {
-          if (use.of(side)[other] != lit) continue;
-          const auto* value = &light.irradiance.of(side)[other * bands];
-          around.add(value);
-          // One that is wound the other way goes on with its back.
-          if (std::abs(cosine) >= same_plane && side == (back != (cosine < 0.0f))) in_plane.add(value);
+  // Smooth vertices at one vertex follow each other.
+  for (std::uint32_t first = 0, end = 0; first < light.size(); first = end) {
+    while (end < light.size() && light.vertex[end] == light.vertex[first]) ++end;
+    for (const bool back : {false, true})
+      for (auto s = first; s < end; ++s) {
+        if (use.of(back)[s] != hidden) continue;
+        MeanValue in_plane(bands), around(bands);
+        bool is_corner = false;
+        for (auto other = first; other < end; ++other) {
+          const auto cosine = glm::dot(light.normal[s], light.normal[other]);
+          is_corner |= std::abs(cosine) < same_plane;
+          for (const bool side : {false, true}) {
+            if (use.of(side)[other] != lit) continue;
+            const auto* value = &light.irradiance.of(side)[other * bands];
+            around.add(value);
+            // One that is wound the other way goes on with its back.
+            if (std::abs(cosine) >= same_plane && side == (back != (cosine < 0.0f))) in_plane.add(value);
+          }
         }
+        // Where no other surface is, the edge is that of a shadow.
+        if (around.is_empty() || !is_corner) continue;
+        (in_plane.is_empty() ? around : in_plane).write(&light.irradiance.of(back)[s * bands]);
       }
-      // Where no other surface is, the edge is that of a shadow.
-      if (around.is_empty() || !is_corner) continue;
-      (in_plane.is_empty() ? around : in_plane).write(&light.irradiance.of(back)[s * bands]);
-    }
+  }
 }
 
 }  // namespace luxel
