@@ -26,7 +26,7 @@ struct RefineOptions {
   double max_cost = 0.0;
   std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
   /// How the light is solved that decides. Its error: as large as the mesh error that is still there, or
-  /// twice the target, but at most 6 % seen (3 % of the power); or the one here where that is larger.
+  /// twice the target, but at most 10 % seen (3 % of the power); or the one here where that is larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
 };

@@ -26,8 +26,8 @@ struct SampledOptions {
   double error = 0.02;  ///< standard error, by error_measure; 0: no bound
   ErrorMeasure error_measure = ErrorMeasure::seen;
   std::uint64_t rays = 0;  ///< traced; 0: no bound
-  /// About as many rays are enough, whatever the error: the run ends at the answer nearest to them, on a
-  /// logarithmic scale. Rounds stay as large as without a bound, so that it ends on the way of a longer run.
+  /// The run ends at the answer whose rays are nearest to this number, on a logarithmic scale, even if the
+  /// error is not reached. Rounds stay as large as without a bound: a longer run passes through this answer.
   std::uint64_t ray_budget = 0;  ///< 0: no bound
   double seconds = 0.0;          ///< wall clock; 0: no bound
   /// Maximum memory, bytes. Hits that do not fit are traced again instead of stored: slower, the same result.

@@ -47,7 +47,6 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
       auto options = settings_.refine;
       options.light = settings_.light.sampled;
       options.smooth = settings_.smooth;
-      options.smooth.lights_hidden = false;
       RefineReport report;
       patches = refine_to_light(std::move(patches), options, report, context_);
       opened.mesh_error = report.mesh_error;

@@ -93,13 +93,15 @@ RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
   return plan;
 }
 
+bool is_beyond_budget(double now, double next, double budget) {
+  return budget > 0.0 && std::sqrt(now * next) > budget;
+}
+
 std::optional<StopReason> broken_bound(const RoundPlan& plan, const SampledOptions& options,
                                        std::uint64_t rays, double seconds) {
-  if (options.rays > 0 && static_cast<double>(rays) + plan.more_rays > static_cast<double>(options.rays))
-    return StopReason::ray_limit;
-  const auto now = static_cast<double>(rays);
-  if (options.ray_budget > 0 &&
-      std::sqrt(now * (now + plan.more_rays)) > static_cast<double>(options.ray_budget))
+  const auto now = static_cast<double>(rays), next = now + plan.more_rays;
+  if ((options.rays > 0 && next > static_cast<double>(options.rays)) ||
+      is_beyond_budget(now, next, static_cast<double>(options.ray_budget)))
     return StopReason::ray_limit;
   if (options.seconds > 0.0 && seconds * (1.0 + plan.more_cost / plan.cost) > options.seconds)
     return StopReason::time_limit;

@@ -51,7 +51,7 @@ struct RoundPlan {
 // a round may cost.
 double growth_to_target(double squared_error, double target, bool is_after_first, double max_growth);
 
-// What a round starts from.
+// The state before a round, by which it is planned.
 struct RoundStart {
   std::size_t direct_units = 0;      // that come first, of shadow rays
   double squared_error = 0.0;        // of all units together
@@ -64,6 +64,10 @@ struct RoundStart {
 // every round ends with an answer that takes time.
 RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options);
+
+// Whether an answer after `next` rays is farther from the budget than that after `now`, on a logarithmic
+// scale. budget 0: never.
+bool is_beyond_budget(double now, double next, double budget);
 
 // Returns the limit of rays or time that the round would exceed, if any, after this many rays and seconds.
 std::optional<StopReason> broken_bound(const RoundPlan& plan, const SampledOptions& options,

@@ -30,8 +30,8 @@ constexpr double max_unrefined_fraction = 0.35;
 // of the patches: cutting fewer is not worth another solve
 constexpr double min_growth = 0.05;
 constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
-constexpr double min_level =
-    1.02;  // patches over those before, for another level, where the cost has a bound
+// patches over those before, for another level, where the cost has a bound
+constexpr double min_level = 1.02;
 // of each of the two solutions, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
@@ -57,6 +57,7 @@ class Refinement {
  public:
   Refinement(PatchSet patches, const RefineOptions& options, RefineReport& report, const Context& context)
       : options_(options), report_(report), context_(context) {
+    options_.smooth.lights_hidden = false;  // that light is for the eye, and no answer of the solver
     now_.patches = std::move(patches);
   }
 
@@ -89,7 +90,7 @@ class Refinement {
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
 
-  // Whether what differs by more than noise is a fair part of the error.
+  // Whether the marked patches, which differ by more than noise, have enough of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
     double marked = 0.0, all = 0.0;
     for (std::size_t p = 0; p < marks.size(); ++p) {

@@ -84,8 +84,8 @@ double TimeForecast::sampling_left(double seconds, double rays) const {
 
 bool TimeForecast::is_bound_broken(double seconds, const Answer& last, double more_cost) const {
   const auto rays = last.rays + more_cost * rays_per_cost();
-  if (options_.ray_budget > 0.0 && std::sqrt(last.rays * rays) > options_.ray_budget) return true;
-  return (options_.rays > 0.0 && last.rays + more_cost * rays_per_cost() > options_.rays) ||
+  return (options_.rays > 0.0 && rays > options_.rays) ||
+         is_beyond_budget(last.rays, rays, options_.ray_budget) ||
          (options_.seconds > 0.0 && seconds * (1.0 + more_cost / last.cost) > options_.seconds);
 }
 
@@ -105,7 +105,6 @@ double TimeForecast::learned_exponent() const {
 
 // Cost of the next planned round over that of all before.
 double TimeForecast::planned_growth(double squared_error) const {
-  if (options_.error == 0.0) return options_.max_growth;
   return growth_to_target(squared_error, options_.aim * options_.error * options_.error, false,
                           options_.max_growth);
 }
