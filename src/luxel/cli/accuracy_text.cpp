@@ -44,8 +44,7 @@ std::string accuracy_text(const RunReport& report) {
               : report.error_target
                   ? error_of_sampled(*report.solve, *report.error_target, report.error_measure)
                   : error_of_classical(*report.solve);
-  if (report.is_within_ray_budget)
-    text += "; ended by the rays of this --quality (--ray-budget none goes on)";
+  if (report.ended_by_ray_budget) text += "; ended by the rays of this --quality (--ray-budget none goes on)";
   if (report.refine)
     text += fmt::format("; from the size of patches {}, {} requested", error_text(report.refine->mesh_error),
                         percent_of(report.mesh_error_target));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -25,8 +24,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint64_t default_ray_budget = 300'000'000;  // that of --quality medium
-constexpr double after_refinement = 0.6;                   // of --time: for the light and the outputs
+constexpr double after_refinement = 0.6;  // of --time: for the light and the outputs
 
 class Bake final : public Command {
  public:
@@ -52,11 +50,6 @@ class Bake final : public Command {
       if (!std::filesystem::is_regular_file(file)) load_scene(file, settings_.scene.load, {});
       outputs.push_back(default_output(file));
     }
-    // A bound that is given replaces that of the quality. The default stays in the record of the options: it
-    // is replaced again where they are given again.
-    const bool has_ray_budget =
-        is_given("ray-budget") || !(is_given("error") || is_given("rays") || is_given("time"));
-    if (!has_ray_budget) settings_.light.sampled.ray_budget = default_ray_budget;
     settings_.check();
     settings_.mesh.check_outputs(settings_.run.outputs);
     Console console(settings_.run);
@@ -100,17 +93,12 @@ class Bake final : public Command {
     const auto faces =
         settings_.light.joins_faces ? uncut_faces(scene, baked.patches) : std::vector<std::uint32_t>();
     auto settings = settings_;
-    if (!has_ray_budget) settings.light.sampled.ray_budget = 0;
+    if (!has_ray_budget(options())) settings.light.sampled.ray_budget = 0;
     return LightRun(settings, file, options(), context, console, record)
         .run(baked, refines() && !kept ? &refined : nullptr, faces, kept ? kept->samples : nullptr, &scene);
   }
 
  private:
-  bool is_given(std::string_view name) const {
-    const auto given = options().given();
-    return std::any_of(given.begin(), given.end(), [&](const auto& option) { return option.first == name; });
-  }
-
   // A run that is bounded otherwise than by its error, or that names the size of patches, keeps them.
   bool refines() const {
     const auto& light = settings_.light;
@@ -132,10 +120,8 @@ class Bake final : public Command {
               Console& console) const {
     auto options = settings_.refine.options(baked.patches.size());
     options.light.error_measure = settings_.light.sampled.error_measure;
-    options.light.ray_budget = default_ray_budget;
     options.light.memory = settings_.light.sampled.memory;
     options.smooth = settings_.look.smooth;
-    options.smooth.lights_hidden = false;
     TimeBudget budget(settings_.light.sampled.seconds, record);
     budget.reserve(after_refinement * budget.seconds());
     const bool can_stop = true;

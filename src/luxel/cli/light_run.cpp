@@ -118,22 +118,21 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   for (const auto& file : steps.write(baked, tracer, written.camera, outputs, place))
     written.files.push_back(file);
   checkpoint.finish(baked);
-  finish(
-      {.command = options_.name(),
-       .baked = &baked,
-       .solve = &solved,
-       .refine = refined,
-       .is_within_ray_budget = solved.stop == StopReason::ray_limit && settings_.light.sampled.ray_budget > 0,
-       .mesh_error_target = settings_.refine.options(baked.patches.size()).mesh_error,
-       .error_target = error_target(),
-       .error_measure = settings_.light.sampled.error_measure,
-       .pages = written.pages,
-       .camera = written.camera,
-       .origin = baked.patches.origin,
-       .outputs = written.files,
-       .options = &options_,
-       .record = &record_},
-      settings_.run, console_);
+  finish({.command = options_.name(),
+          .baked = &baked,
+          .solve = &solved,
+          .refine = refined,
+          .ended_by_ray_budget = ended_by_ray_budget(solved),
+          .mesh_error_target = settings_.refine.options(baked.patches.size()).mesh_error,
+          .error_target = error_target(),
+          .error_measure = settings_.light.sampled.error_measure,
+          .pages = written.pages,
+          .camera = written.camera,
+          .origin = baked.patches.origin,
+          .outputs = written.files,
+          .options = &options_,
+          .record = &record_},
+         settings_.run, console_);
   return written.stopped || fell_short(solved) ? exit_stopped_early : exit_fine;
 }
 
@@ -211,11 +210,14 @@ std::optional<double> LightRun::error_target() const {
                                                    : std::nullopt;
 }
 
+bool LightRun::ended_by_ray_budget(const SolveReport& solved) const {
+  return solved.stop == StopReason::ray_limit && settings_.light.sampled.ray_budget > 0;
+}
+
 // Whether it ended before it was as good as asked. Without a target, a limit is what was asked for.
 bool LightRun::fell_short(const SolveReport& solved) const {
-  const bool is_at_limit =
-      (solved.stop == StopReason::ray_limit && settings_.light.sampled.ray_budget == 0) ||
-      solved.stop == StopReason::time_limit;
+  const bool is_at_limit = (solved.stop == StopReason::ray_limit && !ended_by_ray_budget(solved)) ||
+                           solved.stop == StopReason::time_limit;
   return solved.stop == StopReason::stopped_by_user || (is_at_limit && error_target().value_or(0.0) > 0.0);
 }
 

@@ -20,7 +20,7 @@
 
 namespace luxel {
 
-// Whether a solution has any light, of whatever accuracy.
+// Whether light has been solved at all, even roughly.
 inline bool is_lit(const Solution& solution) { return !solution.irradiance.front.empty(); }
 
 // From patches to files: the part of a bake that `resume` does as well.
@@ -44,6 +44,7 @@ class LightRun {
   void report_lamps(const PatchSet& patches, const std::vector<LampView>& views) const;
   void report_light(const Baked& baked, const SolveReport& solved) const;
   std::optional<double> error_target() const;
+  bool ended_by_ray_budget(const SolveReport& solved) const;
   bool fell_short(const SolveReport& solved) const;
   std::optional<Camera> reserve_outputs(const Baked& baked, const Tracer& tracer,
                                         const OutputSettings& outputs, const Workplace& place);

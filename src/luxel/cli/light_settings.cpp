@@ -121,19 +121,20 @@ void LightSettings::declare_rays(OptionSet& set) {
 }
 
 void LightSettings::declare_ray_budget(OptionSet& set) {
-  set.add({"ray-budget", "count",
-           "about so many rays are enough, such as 500M, whatever the error; not where --error, --rays or "
-           "--time is given; none: no bound",
-           [this](const std::string& text) {
-             sampled.ray_budget = text == "none" ? 0 : parse_count("ray-budget", text);
-           },
-           [this] {
-             constexpr std::uint64_t million = 1'000'000;
-             const auto budget = sampled.ray_budget;
-             return budget == 0             ? std::string("none")
-                    : budget % million == 0 ? fmt::format("{}M", budget / million)
-                                            : fmt::format("{}", budget);
-           }});
+  set.add(
+      {"ray-budget", "count",
+       "stop near this number of rays, such as 500M, even if the error is not reached; the default has no "
+       "effect where --error, --rays or --time is given; none: no bound",
+       [this](const std::string& text) {
+         sampled.ray_budget = text == "none" ? 0 : parse_count("ray-budget", text);
+       },
+       [this] {
+         constexpr std::uint64_t million = 1'000'000;
+         const auto budget = sampled.ray_budget;
+         return budget == 0             ? std::string("none")
+                : budget % million == 0 ? fmt::format("{}M", budget / million)
+                                        : fmt::format("{}", budget);
+       }});
 }
 
 void LightSettings::declare_error_and_time(OptionSet& set) {

@@ -124,6 +124,12 @@ std::vector<std::pair<std::string, std::string>> OptionSet::given() const {
   return result;
 }
 
+bool OptionSet::is_given(const std::string& name) const {
+  return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
+    return e.declaration.name == name && e.origin != Origin::by_default && e.origin != Origin::implied;
+  });
+}
+
 void OptionSet::restore(const std::vector<std::pair<std::string, std::string>>& values) {
   for (const auto& [name, value] : values)
     for (auto& e : entries_)

@@ -111,6 +111,8 @@ class OptionSet {
   std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
   // Those that a person gave, with their values: on the command line or in a file.
   std::vector<std::pair<std::string, std::string>> given() const;
+  // Whether a person gave this one: not by --quality, which implies others.
+  bool is_given(const std::string& name) const;
   // The positionals and what a person gave, but what stands under the heading `without`, as it is typed.
   std::string given_as_command(const std::string& without) const;
   // Sets the options of these names to these values, as values() or given() of another set has them; names

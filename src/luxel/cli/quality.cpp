@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -18,9 +19,11 @@ struct Row {
 
 // The options that each level sets. docs/command-line.md repeats it; a test compares both.
 constexpr Row table[] = {
-    {"error", {"6%", "2%", "1%"}},          {"ray-budget", {"100M", "300M", "none"}},
-    {"mesh-error", {"none", "auto", "1%"}}, {"samples", {"2", "3", "4"}},
-    {"final-gather", {"5%", "2%", "1%"}},
+    {"error", {"6%", "2%", "1%"}},             // of the light
+    {"ray-budget", {"100M", "300M", "none"}},  // of the light
+    {"mesh-error", {"none", "auto", "1%"}},    // of the patches
+    {"samples", {"2", "3", "4"}},              // of a pixel
+    {"final-gather", {"5%", "2%", "1%"}},      // of lightmaps
 };
 
 std::size_t index_of(const std::string& level) {
@@ -49,12 +52,19 @@ void QualitySettings::declare(OptionSet& set) {
       .print = [this] { return level; },
       .recorded = false,
       .implied =
-          [this] {
+          [this, &set] {
             std::vector<std::pair<std::string, std::string>> values;
-            for (const auto& row : table) values.emplace_back(row.option, row.values[index_of(level)]);
+            for (const auto& row : table)
+              if (row.option != std::string_view("ray-budget") || has_ray_budget(set))
+                values.emplace_back(row.option, row.values[index_of(level)]);
             return values;
           }};
   set.add_first(std::move(quality), "Quality");
+}
+
+bool has_ray_budget(const OptionSet& set) {
+  return set.is_given("ray-budget") ||
+         !(set.is_given("error") || set.is_given("rays") || set.is_given("time"));
 }
 
 std::string quality_table(const OptionSet& set) {

@@ -15,6 +15,10 @@ struct QualitySettings {
   void declare(OptionSet& set);
 };
 
+// Whether the bound of rays that a quality has applies to a run with these options: not where a person gave
+// another bound, unless this one as well.
+bool has_ray_budget(const OptionSet& set);
+
 // The table as text, with the options that the set has; a line each.
 std::string quality_table(const OptionSet& set);
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "luxel/cli/bake_settings.h"
@@ -61,9 +59,7 @@ class Resume final : public Command {
     }
     console.say("resumes", fmt::format("{}: {} patches, after {} rays", file_,
                                        with_commas(kept.baked.patches.size()), rough_count(provenance.rays)));
-    const auto given = options().given();
-    if (std::none_of(given.begin(), given.end(), [](const auto& o) { return o.first == "ray-budget"; }))
-      settings.light.sampled.ray_budget = 0;  // whoever resumes wants to go on
+    if (!options().is_given("ray-budget")) settings.light.sampled.ray_budget = 0;  // it resumes to go on
     return LightRun(settings, file_, options(), context, console, record)
         .run(kept.baked, nullptr, {}, kept.samples, nullptr);
   }

@@ -31,7 +31,7 @@ struct RunReport {
   const Baked* baked = nullptr;
   const SolveReport* solve = nullptr;
   const RefineReport* refine = nullptr;
-  bool is_within_ray_budget = false;                // the solve ended there, before it met its error
+  bool ended_by_ray_budget = false;                 // the solve, before it met its error
   double mesh_error_target = 0.0;                   // of the refinement, a share
   std::optional<double> error_target = {};          // of the solve, a share; 0: no target was set
   ErrorMeasure error_measure = ErrorMeasure::seen;  // of that target

@@ -133,6 +133,8 @@ RefineOptions RefineSettings::options(std::size_t patches) const {
   options.max_patches = std::min(max_patches, std::max(enough, patches + patches / 2));
   options.max_levels = 5;
   options.max_cost = 0.5;
+  // The same for each --quality, --error and --seed, as the mesh is: that of the light at its default.
+  options.light.ray_budget = 300'000'000;
   return options;
 }
 
