@@ -27,6 +27,7 @@ constexpr Section sections[] = {
     {"polygons", "time_against_polygons", against_polygons},
     {"lamps", "time_against_lamps", against_lamps},
     {"facets", "shadow_rays_to_facets", against_facets},
+    {"luminaires", "luminaires_against_square_lamps", luminaires_against_lamps},
     {"threads", "thread_scaling", against_threads},
     {"error", "error_against_time", error_against_time},
     {"variance", "variance_reduction", variance_reduction},

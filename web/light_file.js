@@ -60,7 +60,7 @@ function halvesOf(codes, components) {
   return halves;
 }
 
-// { about, positions, corners, patches, light, errors, reflecting, emitting, places: [set], pictures: [ImageBitmap] }
+// { about, positions, corners, patches, light, errors, openings: [kind], solids: [kind], reflecting, emitting, places: [set], pictures: [ImageBitmap] }
 export async function readLightFile() {
   const about = JSON.parse(document.getElementById('about').textContent);
   if (about.version !== version) throw new Error('The data of this page do not match its program: export it again.');
@@ -82,6 +82,8 @@ export async function readLightFile() {
     patches: raw.patches,
     light: halvesOf(raw.light, about.light.components),
     errors: raw.errors,
+    openings: about.luminaires.kinds.map((_, k) => Float32Array.from(raw[`opening${k}`], (v) => v * about.luminaires.metresPerStep)),
+    solids: about.luminaires.kinds.map((_, k) => raw[`solid${k}`]),
     reflecting: raw.reflecting && halvesOf(raw.reflecting, 3),
     emitting: raw.emitting && halvesOf(raw.emitting, 3),
     places: Array.from({ length: about.sets }, (_, s) => Float32Array.from(raw[`places${s}`], (v) => v / about.placeParts)),

@@ -34,6 +34,19 @@ export class LitScene {
     return this.weights.every((w) => w.every((x) => x === 1));
   }
 
+  // How much brighter a light group is than solved: by the lumens of its luminaires, else by its strongest colour.
+  factor(g) {
+    const parts = this.about.lumens[g], w = this.weights[g];
+    return parts ? parts.reduce((sum, part, c) => sum + part * w[c], 0) : Math.max(...w);
+  }
+
+  // tint: linear. That of luminaires changes no lumens.
+  setLamp(g, tint, factor) {
+    this.weights[g] = tint.map((t) => t);
+    const own = this.about.lumens[g] ? this.factor(g) : 1;
+    this.weights[g] = tint.map((t) => (factor * t) / (own > 0 ? own : 1));
+  }
+
   material(triangle) {
     return this.about.materials[this.about.parts[this.partOf[triangle]].material];
   }

@@ -5,13 +5,13 @@ export function lookFrom(about) {
   return {
     show: 'light', ...about.tone, adapt: false,
     unit: 'lux', automatic: true, low: 0, high: 1, logarithmic: false, isolines: true,
-    seeThrough: true,
+    seeThrough: true, solids: false,
   };
 }
 
 const words = { show: ['light', 'illuminance'], op: ['neutral', 'reinhard', 'clamp', 'maximum'], unit: ['lux', 'watts'] };
 const numbers = ['exposure', 'white', 'low', 'high'];
-const switches = ['adapt', 'automatic', 'logarithmic', 'isolines', 'seeThrough'];
+const switches = ['adapt', 'automatic', 'logarithmic', 'isolines', 'seeThrough', 'solids'];
 const three = (text) => {
   const values = text?.split(',').map(Number);
   return values?.length === 3 && values.every(Number.isFinite) ? values : null;

@@ -43,6 +43,10 @@ function listenToKeys(page, mouse) {
       page.look.show = page.look.show === 'light' ? 'illuminance' : 'light';
       page.changed();
     }
+    if (event.code === 'KeyC') {
+      page.look.solids = !page.look.solids;
+      page.changed();
+    }
     if (event.code === 'Escape') page.probe.clear();
     if (event.key === '+' || event.key === '-') page.navigation.near(event.key === '+' ? 0.9 : 1.1);
     if (event.code === 'KeyM') {
@@ -89,7 +93,7 @@ async function start() {
     document.documentElement.dataset.state = 'ready';
   });
   page.navigation = new Navigation(canvas, scene, () => page.view.ask());
-  page.probe = new Probe(scene, look, page.navigation);
+  page.probe = new Probe(scene, look, page.navigation, page.view.luminaires);
   const lineNumbers = document.getElementById('line-numbers');
   page.labels = new Labels(lineNumbers, (width, height) => page.view.measured(width, height), () => page.panel.boxes());
   page.changed = () => {

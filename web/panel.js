@@ -23,6 +23,7 @@ export class Panel {
     this.page = page;
     this.lamps = page.scene.about.groups.map((name, g) => this.#addLamp(name || nameOfAll(page.scene), g));
     element('unit-choice').hidden = page.scene.isSpectral;
+    element('solids-row').hidden = page.scene.about.luminaires.places.length === 0;
     this.#listenToLook();
     this.#listenToCamera();
     element('made').textContent = madeText(page.scene);
@@ -43,6 +44,7 @@ export class Panel {
     element('white-row').hidden = look.op !== 'reinhard';
     for (const name of ['adapt', 'automatic', 'logarithmic', 'isolines']) element(name).checked = look[name];
     element('see-through').checked = look.seeThrough;
+    element('solids').checked = look.solids;
     element('ends').hidden = look.automatic;
     for (const name of ['low', 'high']) {
       if (document.activeElement !== element(name)) element(name).value = Number(look[name].toPrecision(4));
@@ -104,6 +106,7 @@ export class Panel {
     element('adapt').addEventListener('change', (e) => set('adapt', e.target.checked));
     element('isolines').addEventListener('change', (e) => set('isolines', e.target.checked));
     element('see-through').addEventListener('change', (e) => set('seeThrough', e.target.checked, scaleChanged));
+    element('solids').addEventListener('change', (e) => set('solids', e.target.checked));
     element('automatic').addEventListener('change', (e) => set('automatic', e.target.checked, scaleChanged));
     element('logarithmic').addEventListener('change', (e) => set('logarithmic', e.target.checked, () => this.#takeScale()));
     for (const name of ['low', 'high']) element(name).addEventListener('input', () => this.#takeScale());
@@ -190,15 +193,15 @@ export class Panel {
     element('lamp-list').append(row);
     const take = () => {
       const tint = scene.isSpectral ? [1, 1, 1] : linearOf(colour.value);
-      scene.weights[g] = tint.map((t) => t * Number(slider.value));
+      scene.setLamp(g, tint, Number(slider.value));
       this.page.lampsChanged();
     };
     colour.addEventListener('input', take);
     slider.addEventListener('input', take);
     return () => {
-      const factor = Math.max(...scene.weights[g]);
+      const factor = scene.factor(g), largest = Math.max(...scene.weights[g]);
       if (document.activeElement !== slider) slider.value = factor;
-      if (factor > 0) colour.value = codeOf(scene.weights[g].map((w) => w / factor));
+      if (largest > 0) colour.value = codeOf(scene.weights[g].map((w) => w / largest));
       text.textContent = `${Math.round(100 * factor)} %`;
     };
   }

@@ -6,8 +6,8 @@ import { numberText } from './tone.js';
 const element = (id) => document.getElementById(id);
 
 export class Probe {
-  constructor(scene, look, navigation) {
-    Object.assign(this, { scene, look, navigation, hit: null });
+  constructor(scene, look, navigation, luminaires) {
+    Object.assign(this, { scene, look, navigation, luminaires, hit: null });
     element('card-close').addEventListener('click', () => this.clear());
   }
 
@@ -15,7 +15,10 @@ export class Probe {
   at(x, y) {
     const { camera, canvas } = this.navigation;
     const sight = this.navigation.sight((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight);
-    return this.scene.nearest(camera.position.toArray(), sight, this.look.seeThrough);
+    const eye = camera.position.toArray();
+    const hit = this.scene.nearest(eye, sight, this.look.seeThrough);
+    if (hit) hit.luminaire = this.luminaires.nearest(eye, sight, hit.distance);
+    return hit;
   }
 
   pin(hit) {
@@ -43,6 +46,9 @@ export class Probe {
     element('card-value').textContent = `${numberText(lux)}${bar === null ? '' : ` ± ${barText(bar)}`} lux`;
     element('card-watts').textContent =
       `${numberText(watts)}${bar === null || !(lux > 0) ? '' : ` ± ${barText((bar * watts) / lux)}`} W/m²`;
+    const luminaire = hit.luminaire ?? null;
+    for (const row of document.getElementsByClassName('of-luminaire')) row.hidden = luminaire === null;
+    if (luminaire) element('card-luminaire').textContent = `${luminaire.name}, ${this.luminaires.lumens(luminaire).toFixed(0)} lm`;
     element('card-material').textContent = material.name + (hit.back ? ' (back)' : '');
     element('card-place').textContent =
       hit.at.map((x, i) => (x + scene.about.origin[i]).toFixed(3)).join(', ') + ' m';

@@ -76,6 +76,13 @@ vec3 toned(vec3 c) {
 }
 `;
 
+// A logarithm to base 2 in two bytes, 1 to 65535 for 2^-32 to 2^32.
+const coding = `vec2 bytes_of(float value) {
+  float code = floor(clamp((log2(value) + 32.0) * 1024.0, 1.0, 65535.0) + 0.5);
+  return vec2(floor(code / 256.0), mod(code, 256.0)) / 255.0;
+}
+`;
+
 // REFLECTANCE_AT and others: at0, at1 or at2.
 export const fragmentShader = `
 precision highp float;
@@ -146,12 +153,7 @@ vec3 false_colour(float value) {
     for (int i = 0; i < level_count; ++i) ink = max(ink, 1.0 - smoothstep(0.5, 1.3, abs(share - levels[i]) / width));
   return mix(colour, dot(colour, luminance) > 0.45 ? vec3(0.0) : vec3(1.0), 0.7 * ink);
 }
-// A logarithm to base 2 in two bytes, 1 to 65535 for 2^-32 to 2^32.
-vec2 bytes_of(float value) {
-  float code = floor(clamp((log2(value) + 32.0) * 1024.0, 1.0, 65535.0) + 0.5);
-  return vec2(floor(code / 256.0), mod(code, 256.0)) / 255.0;
-}
-void main() {
+${coding}void main() {
 #ifdef CUTOUT_AT
   if (texture(cutout_picture, CUTOUT_AT).r < threshold) discard;
 #endif
@@ -172,6 +174,52 @@ void main() {
   float L = dot(c, luminance);
   pixel = L > 0.0 ? vec4(bytes_of(L), bytes_of(max(c.r, max(c.g, c.b)))) : vec4(0.0, 0.0, 0.0, 1.0 / 255.0);
 }`;
+
+// Openings of luminaires: bodies with a radiance, which surfaces hide but where these lie less than 5 mm before them.
+export const bodyVertexShader = `
+precision highp float;
+in vec3 position, colour;
+uniform mat4 projectionMatrix, modelViewMatrix;
+uniform vec3 eye;
+out vec3 radiance;
+void main() {
+  vec3 way = eye - position;
+  vec4 nearer = projectionMatrix * modelViewMatrix * vec4(position + way * min(0.5, 5e-3 / max(length(way), 1e-6)), 1.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+  radiance = colour;
+}`;
+
+export const bodyFragmentShader = `
+precision highp float;
+precision highp int;
+in vec3 radiance;
+layout(location = 0) out vec4 pixel;
+uniform int show, curve;  // as in the surfaces' shader
+uniform float tone_scale, white;
+const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+${toning}${coding}void main() {
+  if (max(radiance.r, max(radiance.g, radiance.b)) <= 0.0) discard;
+  pixel = show == 2 ? vec4(bytes_of(dot(radiance, luminance)), bytes_of(max(radiance.r, max(radiance.g, radiance.b))))
+                    : vec4(toned(radiance), 1.0);
+}`;
+
+// Lines of photometric solids: sRGB codes.
+export const wireVertexShader = `
+precision highp float;
+in vec3 position, colour;
+uniform mat4 projectionMatrix, modelViewMatrix;
+out vec3 ink;
+void main() {
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  ink = colour;
+}`;
+
+export const wireFragmentShader = `
+precision highp float;
+in vec3 ink;
+layout(location = 0) out vec4 pixel;
+void main() { pixel = vec4(ink, 1.0); }`;
 
 // A triangle over the whole picture, behind all surfaces.
 export const skyVertexShader = `

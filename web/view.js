@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture: drawn when something has changed, and only then.
 import { ColorManagement, LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three';
+import { Luminaires } from './luminaires.js';
 import { Sky } from './sky.js';
 import { Surfaces } from './surfaces.js';
 import { automaticScale, levelsOf, shareOf, toneScale } from './tone.js';
@@ -19,7 +20,8 @@ export class View {
     this.surfaces = new Surfaces(scene, Math.min(8, this.renderer.capabilities.getMaxAnisotropy()));
     this.world = new Scene();
     this.sky = new Sky(this.surfaces.shared);
-    this.world.add(this.surfaces.mesh, this.sky.mesh);
+    this.luminaires = new Luminaires(scene, this.surfaces.shared);
+    this.world.add(this.surfaces.mesh, this.sky.mesh, this.luminaires.bodies, this.luminaires.wires);
     this.covered = () => [0, 0]; // how far the panel pushes the middle of the scene to the left and upwards, pixels
     this.fitted = null; // the light that the curve was fitted to
     this.scale = { low: 0, high: 1 };
@@ -75,6 +77,7 @@ export class View {
     const { look, surfaces, renderer, world, sky } = this;
     const { camera } = this.navigation;
     sky.follow(camera, [0, 0, 0]);
+    this.luminaires.show(camera, { show: 'light', solids: false }); // they count
     const { shared } = surfaces;
     if (!this.fitted || look.adapt) this.fitted = surfaces.lightInView(renderer, world, camera, camera.aspect);
     const scale = toneScale(look, this.fitted);
@@ -92,6 +95,7 @@ export class View {
     shared.levels.value.set(levels);
     shared.level_count.value = levels.length;
     if (look.show === 'light') sky.follow(camera, surfaces.skyRadiance());
+    this.luminaires.show(camera, look);
     renderer.setClearColor(look.show === 'light' ? 0x000000 : 0x212429, 1);
     renderer.render(world, camera);
   }
@@ -99,6 +103,7 @@ export class View {
   // For the numbers on the lines of equal light.
   measured(width, height) {
     this.sky.follow(this.navigation.camera, [0, 0, 0]);
+    this.luminaires.hide();
     return this.surfaces.measuredInView(this.renderer, this.world, this.navigation.camera, width, height);
   }
 

@@ -34,6 +34,7 @@ bl_info = {
 
 LAYER = "Luxel"  # the name of what is baked: colour attribute, UV map, image
 EFFICACY = 179.0  # lm/W, Luxel's own: cd/m² and cd of the file over W
+LUMINANCE = np.array((0.2126, 0.7152, 0.0722))  # of linear sRGB
 SHEET_GAP = 2e-4  # m, between the two sides of a sheet that emits; surfaces nearer than 1e-4 m touch
 LAMP_GAP = 5e-4  # m, that an area lamp hangs before the surface it lies in
 LAMP_REFLECTANCE = 0.8  # of what there is of area lamps
@@ -521,7 +522,9 @@ class Exporter:
                 item["alphaMode"] = "MASK"
         if surface.emission.max() > 0.0:
             self.emit(item, surface.emission, surface.emission_picture, coordinates)
-        elif surface.passes > 0.5:
+        elif surface.passes > 0.5:  # the base colour would be its transmittance
+            base.pop("baseColorTexture", None)
+            base["baseColorFactor"] = [1.0, 1.0, 1.0, 1.0]
             self.glb.extension(item, "KHR_materials_transmission", {"transmissionFactor": 1.0})
         return item
 
@@ -550,6 +553,9 @@ class Exporter:
 
     def add_lamp(self, source, matrix):
         lamp = source.data
+        if self.ies_node(lamp) is not None:
+            self.add_luminaire(source, matrix)
+            return
         colour = np.array(lamp.color) * lamp.energy * self.lamp_nodes(lamp)
         of_cycles = getattr(lamp, "cycles", None)  # which may be switched off
         if colour.max() <= 0.0 or (lamp.type == "AREA" and of_cycles is not None and of_cycles.is_portal):
@@ -565,14 +571,47 @@ class Exporter:
         else:
             self.add_punctual(source, matrix, "point", colour / (4.0 * math.pi))
 
+    @staticmethod
+    def emission_of(lamp):
+        """The Emission node that makes the light of a lamp, or None."""
+        if not lamp.use_nodes or lamp.node_tree is None:
+            return None
+        output = lamp.node_tree.get_output_node("CYCLES")
+        node = source_of(output.inputs["Surface"]) if output is not None else None
+        return node if node is not None and node.type == "EMISSION" else None
+
+    def ies_node(self, lamp):
+        """The IES Texture node that is linked to the strength of a lamp's Emission node, or None."""
+        emission = self.emission_of(lamp)
+        node = source_of(emission.inputs["Strength"]) if emission is not None else None
+        return node if node is not None and node.type == "TEX_IES" else None
+
+    def add_luminaire(self, source, matrix):
+        """The lumens are those of the photometric file, times the Strength of its node; the lamp's watts do not count, and
+        its colour changes no lumens."""
+        lamp = source.data
+        node = self.ies_node(lamp)
+        self.reader.name = lamp.name
+        dimming = self.reader.number(node.inputs["Strength"])
+        colour = np.array(lamp.color) * self.reader.colour(self.emission_of(lamp).inputs["Color"])[0]
+        luminance = float(colour @ LUMINANCE)
+        if lamp.energy <= 0.0 or dimming <= 0.0 or luminance <= 0.0:
+            return
+        if node.inputs["Vector"].is_linked:
+            self.reader.note("the vector of an IES Texture node is not taken over: the luminaire aims as its lamp does")
+        lights = self.glb.json.setdefault("extensions", {}).setdefault("EXT_lights_ies", {"lights": []})["lights"]
+        lights.append({"name": source.name, "mimeType": "application/x-ies-lm-63", "bufferView": self.glb.view(photometry_of(node))})
+        placed = self.glb.node(source.name, unscaled(matrix))
+        self.glb.extension(placed, "EXT_lights_ies", {"light": len(lights) - 1, "multiplier": dimming,
+                                                      "color": (colour / luminance).tolist()})
+
     def lamp_nodes(self, lamp):
         """What an Emission node multiplies a lamp with."""
         if not lamp.use_nodes or lamp.node_tree is None:
             return np.ones(3)
         self.reader.name = lamp.name
-        output = lamp.node_tree.get_output_node("CYCLES")
-        node = source_of(output.inputs["Surface"]) if output is not None else None
-        if node is None or node.type != "EMISSION":
+        node = self.emission_of(lamp)
+        if node is None:
             return np.zeros(3)
         return self.reader.colour(node.inputs["Color"])[0] * self.reader.number(node.inputs["Strength"])
 
@@ -663,6 +702,20 @@ class Exporter:
         else:
             self.sky = self.reader.colour(node.inputs["Color"])[0]
         self.sky = self.sky * self.reader.number(node.inputs["Strength"])
+
+
+def photometry_of(node):
+    """The photometric file of an IES Texture node, which is a text of the .blend or a file."""
+    if node.mode == "INTERNAL":
+        if node.ies is None:
+            raise BakeError("an IES Texture node has no text: choose one, or a file")
+        return node.ies.as_string().encode("utf-8")
+    path = bpy.path.abspath(node.filepath)
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError as error:
+        raise BakeError(f"{path}: the file of an IES Texture node cannot be read: {error.strerror}") from error
 
 
 def column(items, name, width, kind=np.float32):

@@ -182,7 +182,7 @@ class Room {
     auto answer = with_stated_errors("reference", s, energy);
     double brightest = *std::max_element(s.radiosity.front.begin(), s.radiosity.front.end());
     for (std::size_t b = 0; b < patches_.band_count(); ++b)
-      brightest = std::max(brightest, patches_.sky_radiosity(b));
+      brightest = std::max(brightest, patches_.sky_radiosity(0, b));
     for (auto& error : answer.error)
       error = std::hypot(error, std::sqrt(0.5) * brightest / static_cast<double>(report.paths));
     return answer;

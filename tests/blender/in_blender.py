@@ -17,6 +17,7 @@ sys.path.insert(0, HERE)
 import bpy  # noqa: E402
 import numpy as np  # noqa: E402
 
+import luminaires  # noqa: E402
 import rooms  # noqa: E402
 import truth  # noqa: E402
 
@@ -149,6 +150,11 @@ class Check:
             shares = np.abs(found - wanted).max() / wanted.max()
             print(f"{name}: {found.sum() / wanted.sum():.4f} of Cycles' light, nowhere farther off than {shares:.4f}")
             expect(shares < 0.01, f"{name}: found {found}, Cycles has {wanted}")
+
+    # ---- luminaires: lamps with IES textures ----
+
+    def luminaires(self):
+        luminaires.check(self)
 
     def scaled_ellipse(self):
         rooms.lamp("AREA", (0, 0, 2), 50.0, shape="ELLIPSE", size=0.2, size_y=0.1).scale = (2.0, 3.0, 1.0)

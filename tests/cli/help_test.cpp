@@ -13,8 +13,10 @@
 namespace luxel::cli {
 namespace {
 
-constexpr const char* commands[] = {"bake",     "resume",    "relight", "merge", "render",      "export",
-                                    "lightmap", "reference", "compare", "info",  "viewfactors", "check"};
+constexpr const char* commands[] = {"bake",        "resume",   "relight",   "merge",     "render",
+                                    "export",      "lightmap", "reference", "compare",   "info",
+                                    "viewfactors", "check",    "ugr",       "ugr-table", "room",
+                                    "photometry",  "report",   "sky",       "weather"};
 
 // The options that a help text describes: lines that begin with one.
 std::vector<std::string> options_in(const std::string& help) {

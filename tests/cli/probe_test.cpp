@@ -166,7 +166,8 @@ TEST_F(Probe, names_file_and_line_of_bad_points) {
 }
 
 TEST_F(Probe, refuses_wrong_options) {
-  refuses("probe box.vtkhdf", 2, "give one of --points FILE, --line, --grid or --plane");
+  refuses("probe box.vtkhdf", 2,
+          "give one of --points FILE, --line, --grid or --plane HEIGHT, or --areas FILE");
   refuses("probe box.vtkhdf --plane 0.3 --line 0,0,0:1,0,0:2", 2, "found several");
   refuses("probe box.vtkhdf --plane nan", 2, "--plane: expected a height");
   refuses("probe box.vtkhdf --line 0,0,0:1,0,0", 2, "--line: expected two points and a number from 2");
@@ -184,6 +185,74 @@ TEST_F(Probe, refuses_wrong_options) {
   refuses("probe box.vtkhdf --plane 0.3 -o out.xls", 2, "expected one of the extensions .csv .json");
   refuses("probe cornell-box.obj --plane 0.3", 1, "cornell-box.obj");
   refuses("probe none.vtkhdf --plane 0.3", 1, "none.vtkhdf");
+}
+
+const std::string desk =
+    "[[area]]\nname = \"desk\"\nkind = \"task\"\npolygon = [[-0.2, -0.5], [0.2, -0.5], [0.2, -0.1], [-0.2, "
+    "-0.1]]\nheight = 0.45\n";
+
+TEST_F(Probe, measures_areas_and_judges_them) {
+  write_file(folder() / "areas.toml",
+             "maintenance = { LLMF = 0.9, LSF = 1, LMF = 0.95, RMF = 0.9 }\n" + desk +
+                 "requirement = \"client\"\n[[area]]\nname = \"way out\"\nkind = "
+                 "\"escape_route\"\nline = [[-0.2, 0.01, -0.05], [0.2, 0.01, -0.05]]\n");
+  write_file(folder() / "more.toml", "[requirement.client]\nEm = 1\nU0 = 0.99\nEz = 1\n");
+  const auto outcome = run(
+      "$LUXEL probe box.vtkhdf --areas areas.toml --requirements more.toml --error 10% -o plan.svg -o a.json "
+      "-o a.vtp -o a.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "plan-desk.svg\nplan-way-out.svg\na.json\na.vtp\na.csv\n");
+  EXPECT_NE(outcome.err.find("maintenance factor 0.77"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("Em ≥ 1: met"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("U0 ≥ 0.99: not met"), std::string::npos) << outcome.err;
+  const auto json = Json::parse(read_file(folder() / "a.json"));
+  ASSERT_EQ(json["areas"].size(), 2u);
+  const auto& area = json["areas"][0];
+  EXPECT_EQ(area["verdict"], "not met");
+  EXPECT_NEAR(area["maintenance"]["factor"].get<double>(), 0.7695, 1e-12);
+  for (const char* key : {"mean_lx", "min_lx", "max_lx", "min_over_mean", "min_over_max", "cylindrical_lx"}) {
+    EXPECT_LE(area[key]["low"], area[key]["value"]) << key;
+    EXPECT_LE(area[key]["value"], area[key]["high"]) << key;
+  }
+  EXPECT_EQ(area["points"].size(),
+            area["grid"]["columns"].get<std::size_t>() * area["grid"]["rows"].get<std::size_t>());
+  EXPECT_EQ(json["areas"][1]["direct"], true);
+  EXPECT_EQ(json["areas"][1]["points"][0]["place"], "free");
+  const auto table = lines_of(read_file(folder() / "a.csv"));
+  EXPECT_EQ(table.size(), 1 + area["points"].size() + json["areas"][1]["points"].size());
+  EXPECT_EQ(table[1].substr(0, 7), "\"desk\",");
+  EXPECT_NE(read_file(folder() / "plan-desk.svg").find("class=\"isolux\""), std::string::npos);
+  // The light that is not direct is missing.
+  const auto whole = run("$LUXEL probe box.vtkhdf --line 0,0.1,-0.05:0.1,0.1,-0.05:2 --json"),
+             direct = run("$LUXEL probe box.vtkhdf --line 0,0.1,-0.05:0.1,0.1,-0.05:2 --direct --json");
+  EXPECT_LT(Json::parse(direct.out)["mean_lx"], Json::parse(whole.out)["mean_lx"]);
+  EXPECT_GT(Json::parse(direct.out)["mean_lx"], 0.0);
+}
+
+TEST_F(Probe, names_file_and_line_of_bad_areas) {
+  write_file(folder() / "bad.toml", desk + "requirement = \"wriitng\"\n");
+  refuses("probe box.vtkhdf --areas bad.toml", 1, "bad.toml:6: requirement: there is no requirement");
+  write_file(folder() / "bad.toml", desk + "border = 1\n");
+  refuses("probe box.vtkhdf --areas bad.toml", 1, "area \"desk\": the border of 1 m leaves nothing");
+  write_file(folder() / "bad.toml", "[[area]]\nname = \"a\"\nsurface = \"flor\"\n");
+  refuses("probe box.vtkhdf --areas bad.toml", 1, "no material is called 'flor'; objects and groups need");
+  refuses("probe box.vtkhdf --areas none.toml", 1, "none.toml");
+  refuses("probe box.vtkhdf --areas bad.toml --plane 0.3", 2, "found several");
+  refuses("probe box.vtkhdf --areas bad.toml --sh 9", 2, "do not belong to --areas");
+  refuses("probe box.vtkhdf --plane 0.3 --drawing both", 2, "--drawing belongs to --areas");
+  refuses("probe box.vtkhdf --plane 0.3 -o plan.svg", 2, "expected one of the extensions .csv .json");
+}
+
+TEST_F(Probe, render_has_pictures_of_luminance_and_illuminance) {
+  const std::string small = " --width 32 --height 24 --samples 1 --quiet";
+  const auto outcome = run("$LUXEL render box.vtkhdf --quantity luminance -o l.png -o l.exr" + small +
+                           " && $LUXEL render box.vtkhdf --quantity illuminance --max-value 100 -o e.png" +
+                           small + " && $LUXEL render box.vtkhdf -o r.png" + small);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(read_file(folder() / "l.png"), read_file(folder() / "r.png"));
+  EXPECT_NE(read_file(folder() / "e.png"), read_file(folder() / "l.png"));
+  refuses("render box.vtkhdf --quantity illuminance --gather 16 -o never.png", 2, "--gather does not apply");
+  refuses("render box.vtkhdf --quantity lux -o never.png", 2, "--quantity: expected one of");
 }
 
 TEST_F(Probe, measure_lists_all_materials_or_the_named_surfaces) {
@@ -239,6 +308,55 @@ TEST_F(Probe, measure_refuses_names_that_there_are_not) {
           "no material, object or group is called 'flor', did you mean 'floor'?");
   refuses("measure box.vtkhdf --side top", 2, "--side: expected one of auto|front|back");
   refuses("measure cornell-box.obj", 1, "cornell-box.obj");
+}
+
+// A grid with requirements: verdicts by the whole interval, and how much longer what is open takes.
+TEST_F(Probe, judges_grids) {
+  const auto run_json = [&](const std::string& options) {
+    const auto outcome = run("$LUXEL probe box.vtkhdf --plane 0.2 --spacing 0.1 " + options + " --json");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return std::pair(Json::parse(outcome.out), outcome.err);
+  };
+  const auto [plain, nothing] = run_json("");
+  EXPECT_FALSE(plain.contains("figures"));
+  const auto mean = plain["mean_lx"].get<double>();
+  const auto [met, err] = run_json(fmt::format("--require-mean {} --require-uniformity 1", 0.5 * mean));
+  const auto& verdicts = met["figures"]["verdicts"];
+  EXPECT_EQ(verdicts[0]["quantity"], "Em");
+  EXPECT_EQ(verdicts[0]["verdict"], "met");
+  EXPECT_EQ(verdicts[1]["quantity"], "U0");
+  EXPECT_EQ(verdicts[1]["verdict"], "not met");
+  EXPECT_EQ(met["figures"]["verdict"], "not met");
+  EXPECT_NEAR(met["figures"]["mean_lx"]["value"].get<double>(), mean, 1e-9);
+  EXPECT_NE(err.find("Em ≥"), std::string::npos) << err;
+  EXPECT_NE(err.find("95 % intervals, initial"), std::string::npos) << err;
+  // A bound within the interval.
+  const auto& interval = met["figures"]["mean_lx"];
+  const auto inside = 0.5 * (interval["value"].get<double>() + interval["high"].get<double>());
+  const auto [open, advice] = run_json(fmt::format("--require-mean {}", inside));
+  EXPECT_EQ(open["figures"]["verdict"], "cannot be told yet");
+  EXPECT_TRUE(advice.find("some verdicts cannot be told yet: --error") != std::string::npos ||
+              advice.find("some verdicts need a better solution") != std::string::npos)
+      << advice;
+  const auto [named, text] = run_json("--requirement corridor");
+  EXPECT_EQ(named["figures"]["verdicts"][0]["required"], 100.0);
+  EXPECT_EQ(named["figures"]["verdicts"][2]["verdict"], "not known") << "Ra: the box has no luminaires";
+  refuses("probe box.vtkhdf --line 0,0,0.1:0.1,0,0.1:3 --require-mean 5", 2, "belong to --plane and --grid");
+  refuses("probe box.vtkhdf --plane 0.2 --requirement castle", 2, "there is no requirement 'castle'");
+}
+
+TEST_F(Probe, lists_requirements_without_a_solution) {
+  write_file(folder() / "mine.toml", "[requirement.shop]\nsource = \"client\"\nEm = 750\nU0 = 0.6\n");
+  const auto table = run("$LUXEL probe --list-requirements --requirements mine.toml");
+  ASSERT_EQ(table.code, 0) << table.err;
+  const auto lines = lines_of(table.out);
+  EXPECT_EQ(lines[0].substr(0, 4), "name");
+  EXPECT_NE(lines.back().find("shop"), std::string::npos);
+  EXPECT_NE(lines.back().find("client"), std::string::npos);
+  const auto json = Json::parse(run("$LUXEL probe --list-requirements --json").out);
+  EXPECT_EQ(json["requirements"][0]["name"], "writing");
+  EXPECT_EQ(json["requirements"][0]["UGR"], 19.0);
+  refuses("probe", 2, "SOLUTION is missing");
 }
 
 }  // namespace

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // `luxel view` by scripts: off screen, and in a window of a display that nobody looks at.
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include "cli/view_fixture.h"
 
 namespace luxel::cli {
@@ -120,19 +117,26 @@ TEST_F(View, what_cannot_be_is_one_clear_sentence) {
   EXPECT_NE(old.err.find("no OpenGL 3.3"), std::string::npos) << old.err;
 }
 
+// A display of its own, which nobody looks at: the server chooses the number, so that tests that begin at
+// once do not meet.
+std::string with_display(const std::string& command) {
+  return "Xvfb -displayfd 3 -screen 0 800x600x24 +extension GLX -nolisten tcp 3> display 2> server.txt & "
+         "server=$!; until [ -s display ]; do kill -0 $server || exit 9; sleep 0.05; done; "
+         "export DISPLAY=:$(cat display); " +
+         command + "; code=$?; kill $server; wait $server; rm display; exit $code";
+}
+
 TEST_F(View, a_window_shows_what_is_drawn_off_screen) {
-  if (cli::run(folder_, "command -v xvfb-run && command -v xauth").code != 0)
-    GTEST_SKIP() << "xvfb-run and xauth are not installed";
-  // -a alone looks for a free number and takes it later: two tests that begin at once would meet.
-  const auto xvfb = fmt::format("xvfb-run -a -n {} ", 1000 + getpid() % 9000);
+  if (cli::run(folder_, "command -v Xvfb").code != 0) GTEST_SKIP() << "Xvfb is not installed";
   // The window has the display's cursor somewhere.
   const std::string script = "wait finished\nset show irradiance\nmove 160 230\nwait 60 frames\nsnapshot ";
   ASSERT_EQ(run("a.txt", script + "off.png\n", "--off-screen").code, 0);
-  const auto window =
-      run("b.txt", script + "window.png\nclose\n", "", xvfb + "-s '-screen 0 800x600x24 +extension GLX' ");
+  std::ofstream(folder_ / "b.txt") << script << "window.png\nclose\n";
+  const auto window = cli::run(folder_, with_display(view + camera + "--script b.txt"));
   ASSERT_EQ(window.code, 0) << window.err;
   EXPECT_LT(difference(picture("off.png"), picture("window.png")), 0.02);
-  const auto old = cli::run(folder_, "MESA_GL_VERSION_OVERRIDE=2.1 " + xvfb + "$LUXEL view cornell-box.obj");
+  const auto old =
+      cli::run(folder_, with_display("MESA_GL_VERSION_OVERRIDE=2.1 $LUXEL view cornell-box.obj"));
   EXPECT_EQ(old.code, 1);
   EXPECT_NE(old.err.find("no OpenGL 3.3"), std::string::npos) << old.err;
 }

@@ -103,7 +103,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 inline bool same_material(const BandMaterial& a, const BandMaterial& b) {
   return a.name == b.name && a.two_sided == b.two_sided && a.light_group == b.light_group &&
-         same_bits(a.reflectance, b.reflectance) && same_bits(a.emittance, b.emittance);
+         same_bits(a.reflectance, b.reflectance) && same_bits(a.emittance, b.emittance) &&
+         same_bits(a.transmittance, b.transmittance);
 }
 
 // The first member that differs, or nothing.
@@ -122,6 +123,8 @@ inline std::string difference(const PatchSet& a, const PatchSet& b) {
   if (a.sky != b.sky) return "sky";
   if (a.light_groups != b.light_groups) return "light_groups";
   if (a.contacts != b.contacts) return "contacts";
+  if (a.portals != b.portals) return "portals";
+  if (a.panes != b.panes) return "panes";
   return a.scene_fingerprint == b.scene_fingerprint ? "" : "scene_fingerprint";
 }
 

@@ -223,9 +223,9 @@ TEST(Lightmap, no_light_leaks_through_walls_or_under_boxes_and_no_darkness_comes
   truth::SceneBuilder b;
   add_room(b, {0, 0, 0}, {4, 4, 2}, 0.5f);
   b.material("wall", 0.5f, 0.0f);
-  add_box(b, {2.0f, 0.0f, 0.0f}, {2.04f, 4.0f, 2.0f});
+  test::add_box(b, {2.0f, 0.0f, 0.0f}, {2.04f, 4.0f, 2.0f});
   b.material("box", 0.5f, 0.0f);
-  add_box(b, {0.53f, 0.61f, 0.0f}, {1.27f, 1.38f, 0.5f});
+  test::add_box(b, {0.53f, 0.61f, 0.0f}, {1.27f, 1.38f, 0.5f});
   b.material("lamp", 0.5f, 10.0f);
   b.quad({0.5f, 3.5f, 1.5f}, {1.5f, 3.5f, 1.5f}, {1.5f, 2.5f, 1.5f}, {0.5f, 2.5f, 1.5f});
   const auto baked = bake(b.scene(), 0.5f, 0.05);
@@ -290,7 +290,7 @@ TEST(Lightmap, a_room_with_a_block_has_the_light_of_paths_from_the_points) {
   truth::SceneBuilder b;
   add_room(b, {0, 0, 0}, {2, 2, 2}, 0.5f);
   b.material("block", 0.5f, 0.0f);
-  add_box(b, {0.4f, 0.5f, 0.0f}, {1.0f, 1.2f, 0.7f});
+  test::add_box(b, {0.4f, 0.5f, 0.0f}, {1.0f, 1.2f, 0.7f});
   b.material("lamp", 0.5f, 10.0f);
   b.quad({0.7f, 1.3f, 1.9f}, {1.3f, 1.3f, 1.9f}, {1.3f, 0.7f, 1.9f}, {0.7f, 0.7f, 1.9f});
   const auto baked = bake(b.scene(), 0.2f);

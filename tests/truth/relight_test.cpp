@@ -163,7 +163,7 @@ TEST(Relight, the_sky_is_a_group_of_its_own) {
     // The same seed, so the same rays: only the lamps' choice of samples could differ.
     EXPECT_LT(difference(fresh.solution.irradiance.front, relit.irradiance.front), 0.02);
     EXPECT_EQ(relighter.patches().has_sky(), fresh_patches.has_sky());
-    EXPECT_EQ(relighter.patches().sky_radiosity(1), fresh_patches.sky_radiosity(1));
+    EXPECT_EQ(relighter.patches().sky_radiosity(0, 1), fresh_patches.sky_radiosity(0, 1));
   };
   expect_fresh({1, 1, 1, 0, 0, 0});
   expect_fresh({0.25f, 0.25f, 0.25f, 3, 3, 3});

@@ -71,7 +71,7 @@ Answer reference(const PatchSet& patches, const Tracer& tracer, const Context& c
   options.limits.samples = 1024;
   options.bounces_from = BouncesFrom::patches;
   const auto report = trace_light(patches, tracer, a.light, options, context);
-  a.energy = {report.emitted, report.from_sky, report.absorbed, report.escaped, report.lost_at_backs, {}};
+  a.energy = {report.emitted, report.from_sky, report.absorbed, report.escaped, report.lost_at_backs, {}, {}};
   return a;
 }
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""page_test.py LUXEL NODE desk|phone|glb|babylon|blender: what Luxel writes for other programs, in these.
+"""page_test.py LUXEL NODE desk|phone|luminaires|glb|babylon|blender: what Luxel writes for other programs, in these.
 
-desk, phone: makes a page, and has a browser click through it and compare it with Luxel's pictures. glb: exports a GLB for
+desk, phone: makes a page, and has a browser click through it and compare it with Luxel's pictures. luminaires: the same of a
+room with luminaires. glb: exports a GLB for
 each program and in each form of light, validates them, and compares what three.js shows with Luxel's picture; babylon and
 blender compare what these programs show. Ends with 77, and a line that says why, where there is no browser, no npm
 package, no Blender, or no page.
@@ -151,6 +152,31 @@ def click_through(place, node, screen, photographs):
     return [node, os.path.join(HERE, "page_clicks.mjs"), screen, place.folder, photographs, TITLE, *pictures]
 
 
+LUMINAIRES = """file,x,y,z,group
+led-panel.ies,1.5,2,2.795,panel
+linear-pendant.ies,4,2,2,pendant
+"""
+
+
+def show_luminaires(place, node, photographs):
+    view = ("--eye", "3,0.3,1.2", "--target", "3,2.5,2.3", "--fov", "80")
+    for name in ("led-panel.ies", "linear-pendant.ies"):
+        shutil.copy(os.path.join(ROOT, "scenes", "luminaires", name), place.at(name))
+    with open(place.at("list.csv"), "w", encoding="ascii") as file:
+        file.write(LUMINAIRES)
+    subprocess.run([place.luxel, "room", "6x4x2.8", "-o", "room.obj"], cwd=place.folder, capture_output=True, check=True)
+    place.run("bake", "room.obj", "--luminaires", "list.csv", "--max-edge", "0.4", "--mesh-error", "none", "--error", "8%",
+              "--store-transport", "-o", "room.vtkhdf")
+    place.run("export", "room.vtkhdf", *view, "-o", "luminaires.html")
+    size = ("--width", "640", "--height", "480")
+    dark = ("--tone", "clamp", "--exposure", "-6")
+    place.run("render", "room.vtkhdf", *view, *size, "-o", "luminaires-plain.png")
+    place.run("render", "room.vtkhdf", *view, *size, *dark, "-o", "luminaires-dark.png")
+    place.run("relight", "room.vtkhdf", "--light", "panel=0.5", "--off", "pendant", *view, *size, *dark, "-o", "luminaires-relit.png")
+    words = [node, os.path.join(HERE, "page_luminaires.mjs"), place.folder, photographs]
+    return subprocess.run(words, check=False).returncode
+
+
 def show_glb(place, node, photographs):
     """Each program's file, and the light in each of its forms on the scene's own file, is valid; three.js shows the picture.
     So are the plain and the compressed ones."""
@@ -227,6 +253,8 @@ def main(luxel, node, what):
         place = Place(luxel, folder)
         photographs = os.environ.get("LUXEL_PAGE_PICTURES") or place.at("photographs")
         os.makedirs(photographs, exist_ok=True)
+        if what == "luminaires":
+            return show_luminaires(place, node, photographs)
         if what == "glb":
             return show_glb(place, node, photographs)
         if what == "babylon":

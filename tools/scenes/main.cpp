@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// luxel-scenes NAME FILE.obj|FILE.glb: writes one of the scenes that the gallery, the demo and the benchmarks
-// use.
+// luxel-scenes NAME FILE: writes one of the scenes that the gallery, the demo and the benchmarks use, one of
+// our own luminaires, or our own year of weather.
 
 #include <algorithm>
 #include <charconv>
@@ -14,15 +14,22 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/output_file.h"
+
+#include "scenes/luminaires/luminaires.h"
 #include "scenes/scene_list.h"
+#include "scenes/weather/temperate_year.h"
 #include "scenes/write_scene.h"
 
 namespace {
 
+using luxel::scenes::luminaire_list;
 using luxel::scenes::scene_list;
 
 constexpr auto usage =
     "usage: luxel-scenes NAME FILE.obj|FILE.glb [--detail N]\n"
+    "       luxel-scenes LUMINAIRE FILE.ies|FILE.ldt\n"
+    "       luxel-scenes temperate-year FILE.wea\n"
     "       luxel-scenes --list\n"
     "Writes a scene: metres, Y up, the same bytes on every run. An OBJ has its MTL beside it; good cameras "
     "and\n"
@@ -36,6 +43,23 @@ struct Order {
   std::filesystem::path path;
   int detail = 1;
 };
+
+bool is_luminaire_name(const std::string& name) {
+  return std::any_of(luminaire_list().begin(), luminaire_list().end(),
+                     [&](const auto& luminaire) { return luminaire.name == name; });
+}
+
+constexpr std::string_view weather_name = "temperate-year";
+
+// The extensions of its files.
+std::span<const char* const> endings_of(const std::string& name) {
+  static constexpr const char* of_scenes[] = {".obj", ".glb"};
+  static constexpr const char* of_luminaires[] = {".ies", ".ldt"};
+  static constexpr const char* of_weather[] = {".wea"};
+  if (name == weather_name) return of_weather;
+  if (is_luminaire_name(name)) return of_luminaires;
+  return of_scenes;
+}
 
 // What the command line orders; otherwise `wrong` is the reason.
 std::optional<Order> order_of(std::span<char*> words, std::string& wrong) {
@@ -58,19 +82,24 @@ std::optional<Order> order_of(std::span<char*> words, std::string& wrong) {
       wrong = fmt::format("expected a name and a file, found also '{}'", word);
     }
   }
-  const auto named = [&](const auto& scene) { return scene.name == order.name; };
-  const auto known = std::any_of(scene_list().begin(), scene_list().end(), named);
+  const auto named = [&](const auto& thing) { return thing.name == order.name; };
+  const auto known = order.name == weather_name || is_luminaire_name(order.name) ||
+                     std::any_of(scene_list().begin(), scene_list().end(), named);
   if (wrong.empty() && order.path.empty()) wrong = "expected the name of a scene and a file to write";
   if (wrong.empty() && !known)
     wrong = fmt::format("no scene is named '{}'; luxel-scenes --list prints the names", order.name);
-  if (wrong.empty() && order.path.extension() != ".obj" && order.path.extension() != ".glb")
-    wrong = fmt::format("expected a file that ends in .obj or .glb, found '{}'", order.path.string());
+  const auto endings = endings_of(order.name);
+  if (wrong.empty() && std::find(endings.begin(), endings.end(), order.path.extension()) == endings.end())
+    wrong = fmt::format("expected a file that ends in {}, found '{}'", fmt::join(endings, " or "),
+                        order.path.string());
   if (!wrong.empty()) return {};
   return order;
 }
 
 void print_list() {
   for (const auto& scene : scene_list()) fmt::print("{:<14} {}\n", scene.name, scene.about);
+  for (const auto& luminaire : luminaire_list()) fmt::print("{:<14} {}\n", luminaire.name, luminaire.about);
+  fmt::print("{:<14} {}\n", weather_name, "weather of a year at 50 degrees north, for daylight");
 }
 
 }  // namespace
@@ -94,7 +123,13 @@ int main(int count, char** words) {
     return misused;
   }
   try {
-    luxel::scenes::write_scene(order->path, luxel::scenes::make_scene(order->name, order->detail));
+    if (order->name == weather_name)
+      luxel::write_file(order->path, luxel::scenes::temperate_year());
+    else if (is_luminaire_name(order->name))
+      luxel::write_file(order->path,
+                        luxel::scenes::luminaire_file(order->name, order->path.extension().string()));
+    else
+      luxel::scenes::write_scene(order->path, luxel::scenes::make_scene(order->name, order->detail));
   } catch (const std::exception& error) {
     fmt::print(stderr, "luxel-scenes: {}\n", error.what());
     return failed;

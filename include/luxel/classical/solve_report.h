@@ -39,16 +39,20 @@ enum class ErrorKind {
 };
 
 /// Where the power of lamps and sky went. Arrays are [band], W. emitted + from_sky = absorbed + escaped +
-/// lost_at_backs + unshot, to rounding (see docs/json.md); shooting assigns each ray to lamps or sky.
+/// lost_at_backs + in_panes + unshot, to rounding (see docs/json.md); shooting assigns each ray to lamps or
+/// sky.
 struct EnergyBalance {
   std::vector<double> emitted;  ///< by lamps
   /// From the sky and from directional lamps, onto sides that take part: all fronts, and backs of two-sided
-  /// materials. Light that misses the scene or meets an absorbing back directly is not counted.
+  /// materials. Light that misses the scene, meets an absorbing back directly or is absorbed by panes of
+  /// glass on its way is not counted.
   std::vector<double> from_sky;
   std::vector<double> absorbed;       ///< taken up by surfaces that received it
   std::vector<double> escaped;        ///< left the scene
   std::vector<double> lost_at_backs;  ///< met the back of a one-sided material
   std::vector<double> unshot;         ///< not yet propagated when the iteration ended
+  /// Of the light of lamps and surfaces: what panes of glass absorb. Empty where the method knows none.
+  std::vector<double> in_panes = {};
 };
 
 /// The irradiance of one side of all patches of a material, in the mean over their area.

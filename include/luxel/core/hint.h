@@ -20,6 +20,7 @@ enum class Setting {
   flip,
   focus,
   force,
+  glass,
   light_group,
   max_edge,
   reflectance_limit,

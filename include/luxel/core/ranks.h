@@ -50,4 +50,12 @@ class Ranks {
                         std::span<const std::span<std::byte>> come) const = 0;
 };
 
+/// The ranks that an MPI launcher (mpirun, srun) started beside this process; none where it was not started
+/// so or is alone. Where Luxel was built without MPI it throws if there are others. To be called once, before
+/// threads are made.
+std::unique_ptr<Ranks> join_ranks();
+
+/// Ends all ranks at once, with this exit code: one of them cannot go on. Returns where there are no others.
+void leave_ranks(int exit_code);
+
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,69 @@ namespace luxel {
 inline constexpr int min_bands = 8;
 inline constexpr int max_bands = 500;
 
+/// A regular array of luminaires over the horizontal extents of a scene, half a step from its edges, that
+/// aim straight down.
+struct LuminaireGrid {
+  std::filesystem::path file;         ///< IES or EULUMDAT
+  std::size_t columns = 1, rows = 1;  ///< along the first and the second horizontal axis (x; y or z)
+  double height = 0.0;                ///< m, on the up axis
+  double rotation = 0.0;              ///< degrees, anticlockwise seen from above
+  double maintenance = 1.0;           ///< maintenance factor, (0, 1]
+};
+
+/// Makes materials panes of glass of this transmittance.
+struct GlassOption {
+  std::string materials = {};       ///< names (* and ? allowed); empty: all that are not opaque in the file
+  Vec3 transmittance = Vec3(1.0f);  ///< visible transmittance at normal incidence, [0, 1], not 0 in all bands
+};
+
+/// The sky and the sun around a scene. Angles are in degrees; azimuths are counted from north to the east.
+struct Daylight {
+  enum class Sky {
+    uniform,
+    cie,     ///< a CIE standard general sky (ISO 15469), or the traditional overcast sky as type 16
+    perez,   ///< Perez all-weather (1993), from irradiances
+    picture  ///< an equirectangular picture of the surroundings: HDR or EXR
+  };
+  struct Sun {
+    double elevation = 0.0, azimuth = 0.0;  ///< of its centre; below the horizon it does not shine
+  };
+
+  Sky sky = Sky::uniform;
+  int cie_type = 16;  ///< 1 to 16
+  /// Horizontal illuminance of open ground by the sky, without the sun, lx. A Perez sky has its own from the
+  /// irradiances where this is 0. With a picture: by all of its upper half, its sun included.
+  double illuminance = 10'000.0;
+  std::filesystem::path picture = {};  ///< left edge north, centre south, left half the east, top the zenith
+  std::optional<Sun> sun = {};         ///< skies of most types depend on it; pictures have their own
+  /// Illuminance by the sun of a plane that faces it, lx. None given: of a Perez sky by the irradiance; under
+  /// a CIE sky 127,500 exp(-c m) lx with the air mass m = 1 / sin(elevation) (Kasten and Young near the
+  /// horizon) and c = 0.21 for types 11 to 15 (clear), 0.80 for 7 to 10 (partly cloudy); none under others.
+  std::optional<double> sun_illuminance = {};
+  double direct_normal = 0.0, diffuse_horizontal = 0.0;  ///< W/m², of a Perez sky
+  double dew_point = 11.0;                               ///< °C, for the luminous efficacy of a Perez sky
+  double orbit_factor = 1.0;  ///< (mean distance of the sun / its distance)², of a Perez sky
+  double albedo = 0.2;        ///< diffuse reflectance of the ground, [0, 1]
+  /// Where north is: clockwise seen from above, from +Y where +Z is up, from -Z where +Y is up.
+  double north = 0.0;
+};
+
 struct LoadOptions {
   double scale = 1.0;                       ///< metres per unit of the file
   float max_reflectance = 0.98f;            ///< reflectances above are lowered to it, with a warning
   std::vector<std::string> one_sided = {};  ///< materials (* and ? allowed) whose back absorbs
   std::vector<std::string> flip = {};       ///< materials (* and ? allowed) whose triangles are turned round
+  std::vector<GlassOption> glass = {};      ///< in this order: the last one that matches a material counts
   float weld = 0.0f;                        ///< m; vertices nearer than this become one, see weld_vertices()
   bool orient = false;    ///< make the winding of each component consistent, see orient_windings()
   Vec3 sky = Vec3(0.0f);  ///< Scene::sky, W/(m² sr): light from all around
-  std::filesystem::path spectra = {};  ///< a CSV file, see read_spectra(); empty: plain colour
+  std::optional<Daylight> daylight = {};  ///< instead of `sky`: Scene::sky_radiance, and the sun
+  std::filesystem::path spectra = {};     ///< a CSV file, see read_spectra(); empty: plain colour
+  std::vector<std::filesystem::path> luminaires =
+      {};  ///< lists of luminaires: CSV files, see docs/luminaires.md
+  std::vector<LuminaireGrid> luminaire_grids = {};
+  /// Which way is up for these: (0, 1, 0) or (0, 0, 1); 0: as the file defines it, else estimated.
+  Vec3 up = Vec3(0.0f);
   /// with spectra: number of evenly spaced wavelengths; 0: those of the file, see apply_spectra()
   int bands = 0;
 };
@@ -43,6 +98,10 @@ struct LoadOptions {
 /// the reflectance; emission is luminance in cd/m²,
 /// lamps are in candela and lux, and luminous_efficacy converts all of these to watts; the back of a material
 /// that is not doubleSided absorbs; light passes where alpha is below one half.
+///
+/// Luminaires: those of the lists and grids; in glTF also those of EXT_lights_ies; in OBJ a material that is
+/// called like a photometric file beside the OBJ (panel.ies, panel.ldt) makes each connected component of its
+/// triangles a luminaire. See PointLight.
 ///
 /// PLY and STL: as OBJ; colours of PLY's faces or vertices are the reflectance, or the picture that it names.
 ///

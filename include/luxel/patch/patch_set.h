@@ -15,8 +15,9 @@
 #include "luxel/scene/camera.h"
 #include "luxel/scene/material.h"
 #include "luxel/scene/point_light.h"
+#include "luxel/scene/spectrum.h"
 #include "luxel/scene/texture.h"
-#include "luxel/scene/waveband.h"
+#include "luxel/sky/sky_patches.h"
 
 namespace luxel {
 
@@ -33,6 +34,8 @@ struct BandMaterial {
   std::vector<float> emittance;    ///< [band], W/m² in the band, front side
   std::uint32_t light_group = 0;   ///< of PatchSet::light_groups; counts for lamps only
   MaterialTextures textures = {};
+  /// [band], [0, 1]: of a pane of glass at normal incidence; empty: opaque, or light passes freely.
+  std::vector<float> transmittance = {};
 
   bool is_lamp() const;
 };
@@ -62,6 +65,19 @@ struct Portal {
   bool operator==(const Portal&) const = default;
 };
 
+/// A triangle of glass that absorbs a part of the light that crosses it. It is no surface: it receives and
+/// reflects nothing. See trace/panes.h.
+struct Pane {
+  std::array<Vec3, 3> corner{};  ///< m
+  Vec3 axis{0.0f};               ///< unit: angles of incidence are measured from it
+  MaterialId material{};         ///< with BandMaterial::transmittance
+  /// Exponent of that transmittance: 1 for a sheet, 0.5 for a face of a closed body, of which a ray crosses
+  /// two.
+  float exponent = 1.0f;
+
+  bool operator==(const Pane&) const = default;
+};
+
 /// The surfaces cut into patches of constant radiosity. Parallel arrays: entry i of each is patch i. Patches
 /// stand in the order of their input triangles. Vertices at the same place are one vertex, so neighbours
 /// share indices.
@@ -78,10 +94,12 @@ struct PatchSet {
   std::vector<Waveband> wavebands;  ///< [band], where light is solved by wavelength; else empty
   std::vector<BandMaterial> materials;
   std::vector<BandPointLight> point_lights;
-  std::vector<float> sky;  ///< [band], W/(m² sr): radiance of what lies around the scene; empty: dark
+  SkyPatches sky_patches;  ///< of what lies around the scene: one, or of a sky that is not the same all over
+  std::vector<float> sky;  ///< [sky patch * bands + band], W/(m² sr): their radiance; empty: dark
   /// Any set of triangles gives the same light; a good one gives it with less noise. Without a sky they have
   /// no effect. The samples of a run belong to its portals, so a solution file keeps them.
   std::vector<Portal> portals;
+  std::vector<Pane> panes;  ///< of glass that absorbs light; rays of the tracer pass them
   /// Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
   /// sky. Empty: all light is one.
   std::vector<std::string> light_groups;
@@ -111,11 +129,19 @@ struct PatchSet {
   std::size_t band_count() const { return bands.size(); }
   std::size_t group_count() const { return light_groups.empty() ? 1 : light_groups.size(); }
   bool has_sky() const;
-  /// Irradiance of what sees nothing but the sky, W/m²: pi times its radiance, as if it were a surface.
-  double sky_radiosity(std::size_t band) const {
-    assert(sky.empty() || band < sky.size());
-    return sky.empty() ? 0.0 : std::numbers::pi * static_cast<double>(sky[band]);
+  bool has_even_sky() const { return sky_patches.is_one(); }
+  /// Irradiance of what sees nothing but this patch of the sky, W/m²: pi times its radiance, as if it were a
+  /// surface.
+  double sky_radiosity(std::size_t sky_patch, std::size_t band) const {
+    const auto at = sky_patch * bands.size() + band;
+    assert(sky.empty() || at < sky.size());
+    return sky.empty() ? 0.0 : std::numbers::pi * static_cast<double>(sky[at]);
   }
+  /// Radiance in the mean over the directions above the horizon, or over all where the lower half mirrors
+  /// it: [band], W/(m² sr); empty where it is dark.
+  std::vector<float> mean_sky() const;
+  /// Irradiance of open ground by the sky, W/m²: [band]; empty where it is dark. Not by suns.
+  std::vector<double> open_irradiance() const;
   const BandMaterial& material_of(std::size_t patch) const {
     assert(patch < material.size());
     return materials[static_cast<std::size_t>(material[patch])];

@@ -20,7 +20,10 @@ struct Material {
   Vec3 emittance = Vec3(0.0f);    ///< W/m² a band, of the front side only; pi times the radiance (OBJ's Ke)
   bool two_sided = true;          ///< false: the back absorbs what meets it and is counted
 
-  bool opaque = true;  ///< false: light passes as if it were not there (a pane of glass)
+  bool opaque = true;  ///< false: no surface; light passes (a pane of glass)
+  /// Of what is not opaque: visible transmittance of the pane at normal incidence, [0, 1]; 1: all light
+  /// passes. A closed body of glass has it once, not at each of its two faces; see scene/glass.h.
+  Vec3 transmittance = Vec3(1.0f);
 
   /// Replace the colours above, which remain the means over the textures, for use of the material as a whole:
   /// the mean is above 0 in each band in which the texture is above 0 anywhere.

@@ -12,6 +12,7 @@
 #include "luxel/scene/material.h"
 #include "luxel/scene/point_light.h"
 #include "luxel/scene/texture.h"
+#include "luxel/sky/sky_patches.h"
 
 namespace luxel {
 
@@ -56,6 +57,10 @@ struct Scene {
   Vec3 up = Vec3(0.0f);
 
   Vec3 sky = Vec3(0.0f);  ///< radiance of what lies around the scene, the same all over, W/(m² sr)
+  /// Of a sky that is not the same all over: its patches, and the radiance of each, W/(m² sr), linear sRGB,
+  /// instead of `sky`. Empty: it is the same.
+  SkyPatches sky_patches;
+  std::vector<Vec3> sky_radiance;  ///< [sky patch]
 
   /// Of a scene that is solved by wavelength; else there are none, and it is solved in plain colour.
   /// Materials, and a sky, that were not measured get spectra that look like their colours (ColourSpectra).

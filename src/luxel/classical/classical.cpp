@@ -27,6 +27,7 @@ class ClassicalRun {
                const Context& context)
       : patches_(patches), solution_(solution), on_light_(on_light), context_(context) {
     check_light(patches);
+    check_even_sky(patches);
     const auto before = std::exchange(solution_, {});
     solution_.mesh_error = before.mesh_error;  // this and the three below are set by the caller
     solution_.provenance.program_version = before.provenance.program_version;
@@ -47,7 +48,8 @@ class ClassicalRun {
       solution_.radiosity.front[i] = patches_.emittance(i / patches_.band_count(), i % patches_.band_count());
     auto& energy = report_.energy;
     energy.emitted = energy.unshot = emitted_power(patches_);
-    for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
+    for (auto* part :
+         {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs, &energy.in_panes})
       part->assign(patches_.band_count(), 0.0);
     report_.back_loss.assign(patches_.materials.size(), 0.0);
     report_.unshot_fraction = 1.0;
@@ -155,7 +157,7 @@ std::vector<float> integration_errors(const DenseOperator& transport, const RowL
   // The part of a row that is left for the sky is as accurate as the row's sum.
   const auto& patches = transport.patches();
   for (std::size_t i = 0; i < error.size(); ++i) {
-    const auto sky = static_cast<float>(patches.sky_radiosity(i % patches.band_count()));
+    const auto sky = static_cast<float>(patches.sky_radiosity(0, i % patches.band_count()));
     error[i] += static_cast<float>(rounding) * (light.irradiance[i] + sky);
   }
   return error;

@@ -124,14 +124,14 @@ std::vector<double> DenseOperator::irradiance_error(std::span<const float> radio
   const auto count = bands();
   // The sky fills the part of the hemisphere that a receiver does not see covered.
   const auto contrast = [&](std::size_t receiver, std::size_t b) {
-    return std::abs(double{radiosity[receiver * count + b]} - patches().sky_radiosity(b));
+    return std::abs(double{radiosity[receiver * count + b]} - patches().sky_radiosity(0, b));
   };
   std::vector<double> sum(count, 0.0);
   for (std::size_t i = 0; i < radiosity.size(); ++i) sum[i % count] += contrast(i / count, i % count);
   std::vector<double> error(size() * count);
   for (std::size_t i = 0; i < error.size(); ++i)
     error[i] =
-        exact_error_ * sum[i % count] + error_at_backs_[i / count] * patches().sky_radiosity(i % count);
+        exact_error_ * sum[i % count] + error_at_backs_[i / count] * patches().sky_radiosity(0, i % count);
   for (const auto& pair : integrated_)
     for (std::size_t b = 0; b < count; ++b) {
       error[pair.receiver * count + b] += double{pair.error} * contrast(pair.other, b);

@@ -16,7 +16,7 @@ struct EnergyAccount {
   // Nothing but the emitted power is accounted for yet.
   EnergyAccount(const std::vector<double>& emitted, std::size_t materials) : back_loss(materials, 0.0) {
     const std::vector<double> zeros(emitted.size(), 0.0);
-    balance = {emitted, zeros, zeros, zeros, zeros, zeros};
+    balance = {emitted, zeros, zeros, zeros, zeros, zeros, zeros};
   }
 };
 

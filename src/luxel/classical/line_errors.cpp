@@ -19,7 +19,7 @@ std::vector<double> own_variance(const LinesOperator& transport, const RowLight&
   const auto bands = transport.bands();
   const double lines = transport.lines();
   std::vector<double> sky;
-  for (std::size_t b = 0; b < bands; ++b) sky.push_back(transport.patches().sky_radiosity(b));
+  for (std::size_t b = 0; b < bands; ++b) sky.push_back(transport.patches().sky_radiosity(0, b));
   auto brightest = sky;
   for (std::size_t i = 0; i < light.before.size(); ++i)
     brightest[i % bands] = std::max(brightest[i % bands], double{light.before[i]});

@@ -17,7 +17,7 @@ RowLight::RowLight(const RowOperator& transport) {
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
       reflectance.push_back(patches.reflectance(side.patch(), b));
       emittance.push_back(!side.is_back() ? patches.emittance(side.patch(), b) : 0.0f);
-      from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(b)));
+      from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(0, b)));
     }
   }
   before.assign(emittance.size(), 0.0f);

@@ -52,7 +52,8 @@ Deposits::Sums take(Deposits& deposits, std::size_t bands, const Context& contex
 struct Shot {
   const PatchSet& patches;
   const Tracer& tracer;
-  const SkyBox* sky;  // null where there is none
+  const SkyBox* sky;                 // null where there is none
+  std::span<const float> sky_ratio;  // of Shooter
   const SidePower& leaving;
   const RayPlan& plan;
   const ShootingOptions& options;
@@ -67,6 +68,7 @@ class ChunkShooter {
       : patches_(shot.patches),
         tracer_(shot.tracer),
         sky_(shot.sky),
+        sky_ratio_(shot.sky_ratio),
         leaving_(shot.leaving),
         plan_(shot.plan),
         options_(shot.options),
@@ -90,6 +92,7 @@ class ChunkShooter {
       rays_[waiting_] = shooter.emitter ? shooter.emitter->ray(u) : sky_->ray(shooter.face, u);
       is_of_sky_[waiting_] = !shooter.emitter;
       std::copy_n(&quantum_[block * bands_], bands_, &quantum_[waiting_ * bands_]);
+      if (is_of_sky_[waiting_] && !sky_ratio_.empty()) scale_by_sky();
       if (++waiting_ == block) flush();
     }
     flush();
@@ -110,6 +113,16 @@ class ChunkShooter {
     const auto key = stream_key(options_.seed, options_.step, side.index());
     if (side.index() >= sides) return {{}, side.index() - sides, key};
     return {PatchEmitter(patches_, side), 0, key};
+  }
+
+  // The power of the ray that was made last, by where in the sky it comes from.
+  void scale_by_sky() {
+    const auto sky_patch = patches_.sky_patches.patch_of(-Vec3d(rays_[waiting_].direction));
+    for (std::size_t b = 0; b < bands_; ++b) {
+      auto& quantum = quantum_[waiting_ * bands_ + b];
+      quantum = static_cast<std::int64_t>(
+          static_cast<double>(sky_ratio_[sky_patch * bands_ + b]) * static_cast<double>(quantum) + 0.5);
+    }
   }
 
   void flush() {
@@ -135,6 +148,7 @@ class ChunkShooter {
   const PatchSet& patches_;
   const Tracer& tracer_;
   const SkyBox* sky_;
+  std::span<const float> sky_ratio_;
   const SidePower& leaving_;
   const RayPlan& plan_;
   const ShootingOptions& options_;
@@ -157,7 +171,14 @@ Shooter::Shooter(const PatchSet& patches, const Tracer& tracer, const Context& c
       arrived_(side_count(patches.size()), patches.band_count(), context),
       absorbed_(patches.materials.size(), patches.band_count(), context),
       whole_(whole_places, patches.band_count(), context) {
-  if (patches.has_sky()) sky_.emplace(patches);
+  if (!patches.has_sky()) return;
+  sky_.emplace(patches);
+  if (patches.has_even_sky()) return;
+  const auto mean = patches.mean_sky();
+  for (std::size_t i = 0; i < patches.sky.size(); ++i) {
+    const auto of_band = mean[i % mean.size()];
+    sky_ratio_.push_back(of_band > 0.0f ? patches.sky[i] / of_band : 0.0f);
+  }
 }
 
 Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options, const Monitor& monitor) {
@@ -178,7 +199,7 @@ Arrival Shooter::shoot(const SidePower& leaving, const ShootingOptions& options,
     const auto count = static_cast<std::size_t>((plan.rays - j + batches - 1) / batches);
     context_.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int thread) {
       if (begin / grain % work.processes() != work.process()) return;
-      ChunkShooter({patches_, tracer_, sky, leaving, plan, options, ledger}, thread)
+      ChunkShooter({patches_, tracer_, sky, sky_ratio_, leaving, plan, options, ledger}, thread)
           .run(j, batches, begin, end);
     });
     traced += count;

@@ -64,6 +64,7 @@ class Shooter {
   Deposits absorbed_;  // by materials
   Deposits whole_;     // escaped, shot, and from the sky
   std::optional<SkyBox> sky_;
+  std::vector<float> sky_ratio_;  // [sky patch][band]: radiance over its mean; empty where the sky is even
 };
 
 // One shot.

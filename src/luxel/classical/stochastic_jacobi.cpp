@@ -47,7 +47,8 @@ class Iteration {
     auto& energy = report_.energy;
     energy.emitted = emitted_power(patches);
     emitted_ = carried_once_ = sum(energy.emitted);
-    for (auto* part : {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs})
+    for (auto* part :
+         {&energy.from_sky, &energy.absorbed, &energy.escaped, &energy.lost_at_backs, &energy.in_panes})
       part->assign(bands_, 0.0);
     report_.back_loss.assign(patches.materials.size(), 0.0);
     unshot_power_ = sum(unshot_.watts);

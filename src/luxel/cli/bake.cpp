@@ -57,8 +57,8 @@ class Bake final : public Command {
     RunRecord record;
 
     // 1. The mesh, or the run that an earlier one kept.
-    const auto scene =
-        record.stage("load", [&](auto&) { return load_lit_scene(settings_.scene, context, console); });
+    const auto scene = record.stage(
+        "load", [&](auto&) { return load_lit_scene(settings_.scene, settings_.look.up, context, console); });
     if (interrupted()) return stopped_before_light(console);
     if (!scene.cameras.empty()) settings_.picture.of_scene = scene.cameras.front();
     auto kept = run_to_go_on(settings_.keep, fingerprint(scene), options());

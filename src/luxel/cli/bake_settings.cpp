@@ -10,6 +10,7 @@ void BakeSettings::declare(OptionSet& set) {
   scene.declare_contacts(set);
   refine.declare(set);
   scene.declare_sky(set);
+  scene.declare_luminaires(set);
   scene.declare_spectra(set);
   light.declare(set);
   keep.declare(set);

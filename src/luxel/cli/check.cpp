@@ -24,6 +24,7 @@ class Check final : public Command {
   explicit Check(OptionSet& options) : Command(options) {
     scene_.declare_scene(options);
     scene_.declare_sky(options);
+    scene_.declare_luminaires(options);
     scene_.declare_spectra(options);
     options.heading("Check");
     options.add_number("places", "count", places_, 0u, 1'000'000u,
@@ -42,7 +43,8 @@ class Check final : public Command {
     Console console(run_);
     const Context context(run_.threads);
     RunRecord record;
-    const auto scene = record.stage("load", [&](auto&) { return load_lit_scene(scene_, context, console); });
+    const auto scene =
+        record.stage("load", [&](auto&) { return load_lit_scene(scene_, "auto", context, console); });
     if (interrupted()) return stopped_before_light(console);
     const auto report = record.stage(
         "check", [&](auto&) { return diagnose(scene, {.places = places_}, console.reporting(context)); });

@@ -97,11 +97,14 @@ bool is_among(const std::string& word, std::initializer_list<const char*> words)
 }
 
 // Checks that need all options of the line.
-void check_given(const OptionSet& chosen, const std::string& color) {
+void check_given(const OptionSet& chosen, const Given& given) {
+  const bool is_alone = std::any_of(given.options.begin(), given.options.end(),
+                                    [](const auto& option) { return option.first->alone; });
   for (const auto& positional : chosen.positionals())
-    if (positional.values ? positional.values->empty() : positional.value->empty())
+    if (!is_alone && (positional.values ? positional.values->empty() : positional.value->empty()))
       throw UsageError(fmt::format("{} is missing: expected 'luxel {} {}'; 'luxel {} --help' has examples",
                                    positional.name, chosen.name(), positional.name, chosen.name()));
+  const auto& color = given.color;
   if (!is_among(color, {"auto", "always", "never"}))
     throw UsageError(fmt::format("--color: expected one of {}, not '{}'", colour_modes, color));
 }
@@ -150,7 +153,7 @@ CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
     throw UsageError(fmt::format("{}; 'luxel {} --help' explains the command", error.what(), chosen.name_));
   }
   if (given.help || given.help_all) return {nullptr, help_of(chosen, given.help_all, help_style())};
-  check_given(chosen, given.color);
+  check_given(chosen, given);
 
   for (const auto& [declaration, texts] : given.options)
     for (auto& e : chosen.entries_)

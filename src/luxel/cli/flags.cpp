@@ -22,6 +22,7 @@ constexpr Flag flags[] = {
     {Setting::flip, "--flip"},
     {Setting::focus, "--focus"},
     {Setting::force, "--force"},
+    {Setting::glass, "--glass"},
     {Setting::light_group, "--light-group"},
     {Setting::max_edge, "--max-edge"},
     {Setting::reflectance_limit, "--max-reflectance"},

@@ -24,6 +24,7 @@ class FromSolution final : public Command {
     if (pictures) {
       picture_.declare(options);
       picture_.declare_gather(options);
+      picture_.declare_quantity(options);
     } else {
       mesh_.declare(options);
       options.add_text("scene", "FILE", scene_,
@@ -36,7 +37,7 @@ class FromSolution final : public Command {
     quality_.declare(options);
     if (pictures) {
       options.show_first({"output", "quality", "eye", "target", "fov", "width", "height", "samples",
-                          "exposure", "tone", "open"});
+                          "exposure", "tone", "quantity", "open"});
       options.set_examples(
           {{"luxel render room.vtkhdf -o room.png", "A picture from a view that Luxel chooses."},
            {"luxel render room.vtkhdf -o door.png --eye 1,1.6,4 --target 1,1.2,0 --exposure 1",

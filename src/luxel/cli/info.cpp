@@ -60,6 +60,8 @@ class Info final : public Command {
         text += fmt::format("  emits {:.4g} lm/m²", lumens(m.emittance.r, m.emittance.g, m.emittance.b));
       if (!m.two_sided) text += "  one-sided";
       if (!m.opaque) text += "  lets light pass";
+      if (const auto& t = m.transmittance; t != Vec3(1.0f))
+        text += fmt::format("  transmittance {:.3g} {:.3g} {:.3g}", t.r, t.g, t.b);
       text += "\n";
     }
     return text;
@@ -88,7 +90,8 @@ class Info final : public Command {
                            {"reflectance", triple(m.reflectance)},
                            {"emittance_W_per_m2", triple(m.emittance)},
                            {"two_sided", m.two_sided},
-                           {"opaque", m.opaque}});
+                           {"opaque", m.opaque},
+                           {"transmittance", triple(m.transmittance)}});
     }
     const Json json = {{"command", "info"},
                        {"triangles", scene.triangles.size()},

@@ -21,6 +21,7 @@
 #include "luxel/core/memory.h"
 #include "luxel/core/work_partition.h"
 #include "luxel/lamps/choose_portals.h"
+#include "luxel/lamps/luminaire_check.h"
 #include "luxel/patch/focus.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/session/words.h"
@@ -76,6 +77,8 @@ int LightRun::run(Baked& baked, const RefineReport* refined, const std::vector<s
   const auto views =
       record_.stage("lamps", [&](auto&) { return view_from_lamps(baked.patches, tracer, context_); });
   report_lamps(baked.patches, views);
+  for (const auto& group : group_faults(baked.patches, find_luminaire_faults(baked.patches, tracer)))
+    warn(console_.log(), fmt::format("{}: {}", group.fact, group.remedy));
   // Stopped during refinement: its light, rough as it is, is written.
   const bool is_refined_light = refined != nullptr && interrupted() && is_lit(baked.solution);
   if (interrupted() && !is_refined_light) return stopped_before_light(console_);
@@ -236,8 +239,7 @@ void LightRun::report_lamps(const PatchSet& patches, const std::vector<LampView>
   if (views.size() > max_listed && !settings_.run.verbose)
     lamps = fmt::format("{} lamp materials, {} lm together", views.size(), rounded(lumens));
   if (patches.has_sky())
-    console_.say("sky",
-                 fmt::format("{} lx in the open", rounded(std::numbers::pi * colours.lumens(patches.sky))));
+    console_.say("sky", fmt::format("{} lx in the open", rounded(colours.lumens(patches.open_irradiance()))));
   if (!lamps.empty()) console_.say("light", lamps);
   for (const auto& view : views) {
     const auto warning = lamp_warning(patches, view);

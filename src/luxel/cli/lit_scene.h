@@ -15,6 +15,8 @@ std::string describe_scene(const std::string& file, const Scene& scene, const Pa
 
 // Loads the scene of the settings. Where it has no light and --sky is auto, it gets the default light
 // (add_default_light()), which the console reports. Throws what load_scene() throws.
-Scene load_lit_scene(const SceneSettings& settings, const Context& context, Console& console);
+// up: "y", "z" or "auto", for luminaires that aim down.
+Scene load_lit_scene(const SceneSettings& settings, const std::string& up, const Context& context,
+                     Console& console);
 
 }  // namespace luxel

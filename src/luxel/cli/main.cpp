@@ -12,7 +12,7 @@
 #include "luxel/cli/flags.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/terminal.h"
-#include "luxel/core/mpi_ranks.h"
+#include "luxel/core/ranks.h"
 #include "luxel/version.h"
 
 namespace {
@@ -56,7 +56,15 @@ int run(int argc, char** argv) {
       luxel::make_export(line),
       luxel::make_lightmap_command(line),
       luxel::make_probe(line),
+      luxel::make_daylight(line),
       luxel::make_measure(line),
+      luxel::make_ugr(line),
+      luxel::make_ugr_table(line),
+      luxel::make_report(line),
+      luxel::make_photometry(line),
+      luxel::make_sky(line),
+      luxel::make_weather(line),
+      luxel::make_room(line),
       luxel::make_reference(line),
       luxel::make_compare(line),
       luxel::make_info(line),

@@ -36,12 +36,6 @@ std::string as_text(const MeasuredNumber& n) {
                         : fmt::format("{:.4g}", n.value);
 }
 
-const char* name(SolutionErrors errors) {
-  return errors == SolutionErrors::replicates ? "replicates"
-         : errors == SolutionErrors::patches  ? "patches"
-                                              : "none";
-}
-
 // `measure`: illuminance of surfaces by name.
 class Measure final : public Command {
  public:

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "luxel/cli/option_set.h"
+#include "luxel/cli/quantity.h"
 
 namespace luxel {
 namespace {
@@ -89,6 +90,17 @@ void OptionSet::add_number(const char* name, const char* unit, std::uint32_t& va
 void OptionSet::add_count(const char* name, std::uint64_t& value, const char* help) {
   const auto parse = [=, &value](const std::string& text) { value = parse_count(name, text); };
   add({name, "count", help, parse, [&value] { return fmt::format("{}", value); }});
+}
+
+void OptionSet::add_fraction(const char* name, double& value, const char* help) {
+  const auto parse = [=, &value](const std::string& text) {
+    const auto fraction = parse_fraction(text);
+    if (!fraction || !(*fraction > 0.0))
+      throw UsageError(
+          fmt::format("--{}: expected a fraction above 0 such as 2% or 0.02, not '{}'", name, text));
+    value = *fraction;
+  };
+  add({name, "fraction", help, parse, [&value] { return as_fraction(value); }});
 }
 
 void OptionSet::add_text(const char* name, const char* unit, std::string& value, const char* help) {

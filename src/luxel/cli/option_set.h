@@ -32,6 +32,7 @@ struct Declaration {
   bool many = false;                              // may be given several times; parse is called for each
   bool configurable = true;                       // may stand in a file
   bool recorded = true;                           // is part of the command that reproduces a result
+  bool alone = false;                             // where it is given, positionals may be missing
   std::string endings = {};                       // of the files it names, ".png .exr"; for completion
   // Values that it gives to other options, unless a person set those: option and value.
   std::function<std::vector<std::pair<std::string, std::string>>()> implied = {};
@@ -61,6 +62,8 @@ class OptionSet {
   void add_number(const char* name, const char* unit, int& value, int min, int max, const char* help);
   void add_number(const char* name, const char* unit, std::uint32_t& value, std::uint32_t min,
                   std::uint32_t max, const char* help);
+  // Above 0 and below 1, as "2%" or "0.02".
+  void add_fraction(const char* name, double& value, const char* help);
   void add_count(const char* name, std::uint64_t& value, const char* help);  // 50M, 2e6, 1000
   void add_text(const char* name, const char* unit, std::string& value, const char* help);
   void add_texts(const char* name, const char* unit, std::vector<std::string>& values, const char* help);

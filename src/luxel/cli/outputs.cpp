@@ -14,8 +14,10 @@
 #include "luxel/core/output_file.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_page.h"
+#include "luxel/image/false_colours.h"
 #include "luxel/image/image_file.h"
 #include "luxel/render/final_gather.h"
+#include "luxel/render/photometric_picture.h"
 
 namespace luxel {
 
@@ -71,6 +73,24 @@ void expect_ending(const std::string& option, const std::string& file, const std
 }
 
 bool is_page(const std::string& output) { return ending_of(output) == ".html"; }
+
+namespace {
+
+// A picture of luminance or illuminance: values in all channels, or false colours.
+void write_values(const std::string& output, const Image& radiance, const PictureSettings& settings) {
+  const bool is_luminance = settings.quantity == "luminance";
+  const auto values = is_luminance ? luminance_values(radiance) : illuminance_values(radiance);
+  if (ending_of(output) != ".png") {
+    Image image(radiance.width, radiance.height);
+    for (std::size_t i = 0; i < values.size(); ++i) image.pixels[i] = Vec3(static_cast<float>(values[i]));
+    return ending_of(output) == ".exr" ? write_exr(output, image) : write_hdr(output, image);
+  }
+  auto scale = automatic_scale(values, is_luminance ? "cd/m2" : "lx");
+  if (settings.max_value > 0.0) scale.high = settings.max_value;
+  write_png(output, false_colours(values, radiance.width, radiance.height, scale));
+}
+
+}  // namespace
 
 void write_picture(const std::string& output, const Picture& picture, const ToneOptions& tone) {
   if (ending_of(output) == ".exr") return write_exr(output, picture.radiance);
@@ -163,6 +183,10 @@ class OutputWriter {
   static bool is_any(const std::string&) { return true; }
 
   bool write_as_picture(const std::string& output) {
+    if (settings_.picture.quantity != "radiance") {
+      write_values(output, picture_->radiance, settings_.picture);
+      return true;
+    }
     write_picture(output, *picture_, settings_.look.tone);
     return true;
   }
@@ -274,6 +298,9 @@ class OutputWriter {
     }
     const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
     stage.rays = side * side * pixels;
+    if (picture.quantity == "illuminance")
+      return render_picture(white_patches(baked_.patches), *light_, *tracer_, *written_.camera,
+                            picture.render, context);
     return render_picture(baked_.patches, *light_, *tracer_, *written_.camera, picture.render, context);
   }
 

@@ -39,6 +39,12 @@ Camera framed(Camera view, float aspect) {
 
 }  // namespace
 
+void restore_up(const Provenance& provenance, LookSettings& look) {
+  if (look.up != "auto") return;
+  for (const auto& [key, value] : provenance.options)
+    if (key == "up" && (value == "y" || value == "z")) look.up = value;
+}
+
 Vec3 up_of(const LookSettings& look, const PatchSet& patches) {
   if (look.up == "y") return {0.0f, 1.0f, 0.0f};
   if (look.up == "z") return {0.0f, 0.0f, 1.0f};

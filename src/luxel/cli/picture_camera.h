@@ -11,6 +11,9 @@ namespace luxel {
 // Returns the up direction, from the settings or else from the surfaces.
 Vec3 up_of(const LookSettings& look, const PatchSet& patches);
 
+// Sets --up of a command that reads a solution to what it was when the solution was made, unless it is given.
+void restore_up(const Provenance& provenance, LookSettings& look);
+
 // A view that shows the scene well, for PatchSet::view: it depends on the scene, its light and the up
 // direction alone, not on the size of patches. Cost: a mesh of its own, and a million rays.
 Camera view_of(const Scene& scene, const LookSettings& look, const Context& context);

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "luxel/cli/area_output.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/outputs.h"
+#include "luxel/cli/picture_camera.h"
 #include "luxel/cli/probe_output.h"
 #include "luxel/cli/probe_settings.h"
 #include "luxel/cli/run_record.h"
 #include "luxel/cli/settings.h"
+#include "luxel/cli/solved_scene.h"
 #include "luxel/cli/streams.h"
-#include "luxel/core/ending_of.h"
+#include "luxel/cli/table_output.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 
@@ -19,6 +24,7 @@ namespace luxel {
 namespace {
 
 constexpr const char* table_kinds = ".csv .json";
+constexpr const char* area_kinds = ".csv .json .svg .vtp";
 
 // `probe`: measures the light of a solution at points.
 class ProbeCommand final : public Command {
@@ -28,25 +34,41 @@ class ProbeCommand final : public Command {
     settings_.declare(options);
     options.heading("Scene");
     look_.declare_up(options);
-    run_.declare(options, table_kinds);
+    run_.declare(options, area_kinds);
+    options.show_first({"output", "areas", "plane", "spacing", "line", "points", "requirement",
+                        "require-mean", "require-uniformity", "list-requirements", "error", "direct",
+                        "drawing"});
+    options.set_examples({{"luxel probe room.vtkhdf --areas areas.toml -o room.svg -o room.json",
+                           "Calculation areas with verdicts, isolux lines and values."},
+                          {"luxel probe room.vtkhdf --plane 0.75 --requirement writing -o plane.csv",
+                           "A horizontal grid over the whole scene, with verdicts."}});
   }
 
   int run() override {
+    if (settings_.lists_requirements) {
+      const auto table = settings_.required.table();
+      print_result(run_.json ? json_of(table) : text_of(table));
+      return exit_fine;
+    }
     settings_.check();
-    if (!run_.outputs.empty()) check_before_work(run_, {}, table_kinds);
+    const auto required = settings_.required.requirement();
+    if (!run_.outputs.empty())
+      check_before_work(run_, {}, settings_.areas.is_given() ? area_kinds : table_kinds);
     Console console(run_);
     const Context context(run_.threads);
     RunRecord record;
     const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
     const auto& patches = stored.baked.patches;
     const auto& solution = stored.baked.solution;
-    restore_up(solution.provenance);
+    restore_up(solution.provenance, look_);
     if (!patches.has_colours())
       throw InputError(file_,
                        "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
 
+    const Vec3d up(up_of(look_, patches));
+    if (settings_.areas.is_given()) return run_areas(stored, up, {context, console, record});
     ProbeReport report{.solution = file_, .bands = patches.bands};
-    report.points = settings_.points(patches, Vec3d(up_of(look_, patches)));
+    report.points = settings_.points(patches, up);
     std::vector<ProbePoint> points;
     for (std::size_t i = 0; i < report.points.position.size(); ++i)
       points.push_back({Vec3(report.points.position[i] - patches.origin), Vec3(report.points.normal[i])});
@@ -63,6 +85,12 @@ class ProbeCommand final : public Command {
       return light;
     });
     if (report.light.empty()) return stopped_before_light(console);
+    if (settings_.required.is_given()) {
+      report.grid = judge_grid(report.light, *probe, required);
+      VerdictEffort effort(settings_.probe);
+      effort.add(report.grid->verdicts, report.light);
+      report.grid->warnings = effort.sentences(solution_of(stored), record.stages().back().seconds);
+    }
     if (settings_.harmonics != "none") {
       report.harmonics = settings_.harmonics == "4" ? 4 : 9;
       report.spheres = record.stage("harmonics", [&](auto& stage) {
@@ -74,29 +102,68 @@ class ProbeCommand final : public Command {
       if (report.spheres.empty()) return stopped_before_light(console);
     }
     console.clear_bar();
-    write(report, console);
+    write_table({.label = "probe",
+                 .summary = summary_of(report),
+                 .warnings = warnings_of(report),
+                 .csv = [&] { return csv_of(report); },
+                 .json = [&](const auto& outputs) { return json_of(report, settings_, outputs); }},
+                run_, console);
     console.say("time", record.summary());
     console.detail("stages", record.table());
     return exit_fine;
   }
 
  private:
-  // The up axis was set when the solution was made and need not be repeated.
-  void restore_up(const Provenance& provenance) {
-    if (look_.up != "auto") return;
-    for (const auto& [key, value] : provenance.options)
-      if (key == "up" && (value == "y" || value == "z")) look_.up = value;
+  MeasuredSolution solution_of(const StoredRun& stored) const {
+    return {file_, stored.baked.solution.seen_error, stored.samples != nullptr};
   }
 
-  void write(const ProbeReport& report, Console& console) const {
+  int run_areas(const StoredRun& stored, const Vec3d& up, const Workplace& place) const {
+    const auto& patches = stored.baked.patches;
+    const auto& solution = stored.baked.solution;
+    auto& console = place.console;
+    const auto areas = settings_.areas.areas(settings_.required.table(), up);
+    std::optional<SolvedScene> solved;
+    if (!settings_.areas.scene.empty()) {
+      solved = load_solved_scene(settings_.areas.scene, file_, stored.baked, console);
+      if (!solved) return stopped_before_light(console);
+    }
+    console.announce("hierarchy");
+    const Tracer tracer(patches, place.context);
+    const SolutionProbe probe(patches, solution, tracer, stored.samples.get(), place.context);
+    const AreaScene scene{patches, solution, tracer, up, solved ? &solved->scene : nullptr};
+    AreaReport report{
+        .solution = solution_of(stored), .probe = settings_.probe, .results = {}, .drawings = {}};
+    for (const auto& area : areas) {
+      auto result = place.record.stage(area.name, [&](auto& stage) {
+        auto measured = measure_plane(probe, area, scene, settings_.probe, console.reporting(place.context));
+        if (measured) stage.rays = measured->rays;
+        return measured;
+      });
+      if (!result) return stopped_before_light(console);
+      report.seconds += place.record.stages().back().seconds;
+      constexpr double lift = 0.02;  // m: above surfaces in the plane
+      report.drawings.push_back({.plan = plan_of(patches, result->grid, lift), .title = {}});
+      report.results.push_back(std::move(*result));
+    }
+    console.clear_bar();
+    write(report, console);
+    console.say("time", place.record.summary());
+    console.detail("stages", place.record.table());
+    return exit_fine;
+  }
+
+  void write(const AreaReport& report, Console& console) const {
+    std::vector<std::string> files;
     for (const auto& output : run_.outputs)
-      write_file(output, ending_of(output) == ".csv" ? csv_of(report) : json_of(report, settings_, {}));
-    if (!run_.report.empty()) write_file(run_.report, json_of(report, settings_, run_.outputs));
-    console.say("probe", summary_of(report));
+      for (auto& file : write_areas(report, output, settings_.areas.drawing))
+        files.push_back(std::move(file));
+    if (!run_.report.empty()) write_file(run_.report, json_of(report, files));
+    console.say("areas", summary_of(report));
     for (const auto& warning : warnings_of(report)) warn(console.log(), warning);
-    if (run_.json) return print_result(json_of(report, settings_, run_.outputs));
-    for (const auto& output : run_.outputs) print_result(output + "\n");
-    if (run_.outputs.empty()) print_result(csv_of(report));
+    if (run_.json) return print_result(json_of(report, files));
+    for (const auto& file : files) print_result(file + "\n");
+    if (files.empty()) print_result(csv_of(report));
   }
 
   std::string file_;

@@ -6,22 +6,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "luxel/cli/verdict_json.h"
+#include "luxel/core/error.h"
+#include "luxel/lighting/calculation_plane.h"
+#include "luxel/lighting/colour_rendering.h"
+#include "luxel/lighting/judge_figures.h"
+#include "luxel/lighting/maintenance.h"
+
 namespace luxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* name(SolutionErrors errors) {
-  switch (errors) {
-    case SolutionErrors::not_stated:
-      return "none";
-    case SolutionErrors::patches:
-      return "patches";
-    case SolutionErrors::replicates:
-      return "replicates";
-  }
-  return "";
-}
 
 Json triple(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
@@ -48,6 +43,19 @@ Totals totals_of(const ProbeReport& report) {
   }
   for (const auto& s : report.spheres) t.rays += s.rays;
   return t;
+}
+
+Json grid_as_json(const GridVerdicts& grid) {
+  Json json = {{"mean_lx", figure_json(grid.mean)},
+               {"min_lx", figure_json(grid.min)},
+               {"max_lx", figure_json(grid.max)},
+               {"min_over_mean", figure_json(grid.min_over_mean)},
+               {"min_over_max", figure_json(grid.min_over_max)},
+               {"maintenance", grid.maintenance},
+               {"verdict", name(*compliance_of(grid.verdicts))},
+               {"verdicts", Json::array()}};
+  for (const auto& v : grid.verdicts) json["verdicts"].push_back(verdict_json(v));
+  return json;
 }
 
 Json point_as_json(const ProbeReport& report, std::size_t i) {
@@ -78,6 +86,31 @@ Json point_as_json(const ProbeReport& report, std::size_t i) {
 }
 
 }  // namespace
+
+GridVerdicts judge_grid(const std::vector<ProbedLight>& light, const SolutionProbe& probe,
+                        const Requirement& required) {
+  std::vector<ProbedLight> free;
+  for (const auto& l : light)
+    if (l.place != ProbePlace::behind) free.push_back(l);
+  if (free.empty())
+    throw InputError(
+        "all points lie behind one-sided surfaces or inside of something, so that nothing can be judged");
+  const auto samples = samples_of(free, probe.solved().error_degrees_of_freedom());
+  const GridFigures figures(samples);
+  GridVerdicts grid{.mean = figures.mean(),
+                    .min = figures.min(),
+                    .max = figures.max(),
+                    .min_over_mean = figures.min_over_mean(),
+                    .min_over_max = figures.min_over_max(),
+                    .maintenance = AppliedMaintenance{luminaire_maintenance(probe.patches()), {}}.text(),
+                    .verdicts = {},
+                    .warnings = {}};
+  const auto max_over_min = figures.max_over_min();
+  grid.verdicts =
+      judge_figures({grid.mean, grid.min, grid.min_over_mean, grid.min_over_max, max_over_min}, required);
+  if (required.Ra) grid.verdicts.push_back(judge_colour_rendering(probe.patches(), *required.Ra));
+  return grid;
+}
 
 std::string csv_of(const ProbeReport& report) {
   std::string text =
@@ -128,6 +161,7 @@ std::string json_of(const ProbeReport& report, const ProbeSettings& settings,
   if (report.points.columns > 0)
     json["grid"] = {{"columns", report.points.columns},
                     {"rows", report.points.position.size() / report.points.columns}};
+  if (report.grid) json["figures"] = grid_as_json(*report.grid);
   json["points"] = Json::array();
   for (std::size_t i = 0; i < report.light.size(); ++i) json["points"].push_back(point_as_json(report, i));
   if (!outputs.empty()) json["outputs"] = outputs;
@@ -144,6 +178,12 @@ std::string summary_of(const ProbeReport& report) {
         "mean {:.4g} lx, min {:.4g} lx, max {:.4g} lx, min/mean {:.3g}; standard error {:.2g} lx on average",
         t.mean, t.min, t.max, t.mean > 0.0 ? t.min / t.mean : 0.0, t.mean_error);
   text += fmt::format("; {} rays\n", t.rays);
+  if (report.grid) {
+    const auto& g = *report.grid;
+    text += fmt::format("95 % intervals, {}: mean {:.4g} to {:.4g} lx, U0 {:.3g} to {:.3g}\n", g.maintenance,
+                        g.mean.low, g.mean.high, g.min_over_mean.low, g.min_over_mean.high);
+    for (const auto& verdict : g.verdicts) text += sentence_of(verdict) + "\n";
+  }
   switch (report.solution_errors) {
     case SolutionErrors::not_stated:
       return text + "the standard errors are those of the sampling alone: the solution states none";
@@ -159,6 +199,7 @@ std::vector<std::string> warnings_of(const ProbeReport& report) {
   const auto t = totals_of(report);
   const auto n = report.light.size();
   std::vector<std::string> warnings;
+  if (report.grid) warnings = report.grid->warnings;
   if (t.unreached > 0)
     warnings.push_back(fmt::format(
         "{} of {} points have a larger error than requested (at most {:.2g} % of their light): more --rays "

@@ -7,10 +7,25 @@
 
 #include "luxel/cli/probe_points.h"
 #include "luxel/cli/probe_settings.h"
+#include "luxel/cli/verdict_effort.h"
+#include "luxel/lighting/grid_figures.h"
 #include "luxel/render/probe_light.h"
 #include "luxel/render/probe_sphere.h"
 
 namespace luxel {
+
+// Figures of the points of a grid, and verdicts on what is required of it.
+struct GridVerdicts {
+  Figure mean, min, max;  // lx
+  Figure min_over_mean, min_over_max;
+  std::string maintenance;  // "initial", "maintenance factor of the luminaires 0.80"
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> warnings;  // what would tell verdicts that cannot be told
+};
+
+// Points behind surfaces are left out. required: of the grid. Throws InputError where no point is left.
+GridVerdicts judge_grid(const std::vector<ProbedLight>& light, const SolutionProbe& probe,
+                        const Requirement& required);
 
 // The result of `probe`.
 struct ProbeReport {
@@ -21,6 +36,7 @@ struct ProbeReport {
   std::vector<SphereLight> spheres = {};  // [point], where requested
   std::size_t harmonics = 0;              // 4 or 9, where requested
   SolutionErrors solution_errors = SolutionErrors::not_stated;
+  std::optional<GridVerdicts> grid = {};  // where something is required
 };
 
 // A line of names, then one per point.

@@ -12,6 +12,7 @@
 
 #include "luxel/cli/option_set.h"
 #include "luxel/core/error.h"
+#include "luxel/import/csv_table.h"
 #include "luxel/import/numbers.h"
 #include "luxel/import/text.h"
 
@@ -58,11 +59,10 @@ class PointReader {
   [[noreturn]] void refuse(const std::string& sentence) const { throw InputError(file_, line_, sentence); }
 
   void take(std::string_view content) {
-    auto fields = parts_of(content, ',');
-    for (auto& f : fields)
-      if (f.size() >= 2 && f.front() == '"' && f.back() == '"') f = trim(f.substr(1, f.size() - 2));
+    const auto fields = csv_fields(content, ',', [this](const std::string& sentence) { refuse(sentence); });
     const bool is_first = !std::exchange(has_begun_, true);
-    const bool has_names = std::any_of(fields.begin(), fields.end(), [](auto f) { return is_a_name(f); });
+    const bool has_names =
+        std::any_of(fields.begin(), fields.end(), [](const auto& f) { return is_a_name(f); });
     if (is_first && has_names) return take_names(fields, content);
     if (is_first) take_columns(fields.size(), content);
     if (fields.size() != fields_)
@@ -76,7 +76,7 @@ class PointReader {
            lower_case(field) != "nan" && lower_case(field) != "inf" && lower_case(field) != "infinity";
   }
 
-  void take_names(const std::vector<std::string_view>& fields, std::string_view content) {
+  void take_names(const std::vector<std::string>& fields, std::string_view content) {
     fields_ = fields.size();
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto found = std::find_if(fields.begin(), fields.end(),
@@ -99,14 +99,14 @@ class PointReader {
     for (std::size_t k = 0; k < count; ++k) column_[k] = k;
   }
 
-  double number(const std::vector<std::string_view>& fields, std::size_t k) const {
+  double number(const std::vector<std::string>& fields, std::size_t k) const {
     const auto field = fields[*column_[k]];
     const auto value = read_precise_number(field);
     if (!value) refuse(fmt::format("expected a finite number for {}, found '{}'", names[k], excerpt(field)));
     return *value;
   }
 
-  void add(const std::vector<std::string_view>& fields) {
+  void add(const std::vector<std::string>& fields) {
     const Vec3d at(number(fields, 0), number(fields, 1), number(fields, 2));
     auto normal = normal_;
     if (column_[3]) {

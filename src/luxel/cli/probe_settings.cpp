@@ -109,17 +109,20 @@ void ProbeSettings::declare_points(OptionSet& set) {
 
 void ProbeSettings::declare(OptionSet& set) {
   declare_points(set);
+  areas.declare(set);
+  set.heading("Requirements");
+  required.declare(set, false);
+  Declaration list{"list-requirements", "",
+                   "print the table of requirements, with the source of each row, and end",
+                   [this](const std::string& text) { lists_requirements = text == "true"; },
+                   [this] { return lists_requirements ? "true" : "false"; }};
+  list.is_flag = list.alone = true;
+  list.configurable = list.recorded = false;
+  set.add(std::move(list));
   set.heading("Light");
-  set.add({"error", "fraction",
-           "standard error of the sampling per point, relative to its illuminance, such as 2% or 0.02",
-           [this](const std::string& text) {
-             const auto fraction = parse_fraction(text);
-             if (!fraction || !(*fraction > 0.0))
-               throw UsageError(
-                   fmt::format("--error: expected a fraction above 0 such as 2% or 0.02, not '{}'", text));
-             probe.error = *fraction;
-           },
-           [this] { return as_fraction(probe.error); }});
+  set.add_fraction(
+      "error", probe.error,
+      "standard error of the sampling per point, relative to its illuminance, such as 2% or 0.02");
   set.add_number("floor", "lx", probe.floor, 0.0, 1e9,
                  "--error of darker points is relative to this illuminance; 0: always to their own");
   set.add({"rays", "count",
@@ -134,18 +137,37 @@ void ProbeSettings::declare(OptionSet& set) {
              probe.max_rays = static_cast<std::uint32_t>(count);
            },
            [this] { return fmt::format("{}", probe.max_rays); }});
+  set.add_flag("direct", probe.direct,
+               "only light straight from lamps and the sky, without reflections, as for emergency lighting");
   set.add_choice("sh", {"none", "4", "9"}, harmonics,
                  "number of spherical harmonics of the radiance from all around, for game engines");
   set.add_count("seed", probe.seed, "seed of the random numbers; other seeds give independent errors");
 }
 
 void ProbeSettings::check() const {
-  const auto kinds = (file.empty() ? 0 : 1) + (line ? 1 : 0) + (grid ? 1 : 0) + (plane ? 1 : 0);
-  if (kinds == 0) throw UsageError("no points: give one of --points FILE, --line, --grid or --plane HEIGHT");
-  if (kinds > 1) throw UsageError("expected one of --points, --line, --grid and --plane, found several");
+  const auto kinds =
+      (file.empty() ? 0 : 1) + (line ? 1 : 0) + (grid ? 1 : 0) + (plane ? 1 : 0) + (areas.is_given() ? 1 : 0);
+  if (kinds == 0)
+    throw UsageError(
+        "no points: give one of --points FILE, --line, --grid or --plane HEIGHT, or --areas FILE");
+  if (kinds > 1)
+    throw UsageError("expected one of --points, --line, --grid, --plane and --areas, found several");
+  areas.check();
+  required.check(areas.is_given());
+  if (required.is_given() && !grid && !plane)
+    throw UsageError(
+        "--requirement, --require-mean and --require-uniformity belong to --plane and --grid; areas have "
+        "requirements in their file");
+  if (areas.is_given() && (normal || harmonics != "none"))
+    throw UsageError("--normal and --sh do not belong to --areas, whose file has directions of its own");
   if (!plane && (spacing != ProbeSettings().spacing || border != ProbeSettings().border))
     throw UsageError("--spacing and --border belong to --plane");
   if (normal && !(glm::length(*normal) > 0.0)) throw UsageError("--normal: expected a direction, not 0,0,0");
+}
+
+std::optional<PointGrid> ProbeSettings::cells(const PatchSet& patches, const Vec3d& up) const {
+  if (!file.empty() || line) return std::nullopt;
+  return grid ? *grid : grid_of_plane(patches, *this, up);
 }
 
 PointList ProbeSettings::points(const PatchSet& patches, const Vec3d& up) const {
@@ -154,7 +176,7 @@ PointList ProbeSettings::points(const PatchSet& patches, const Vec3d& up) const 
   if (!file.empty()) return read_points(file, given.value_or(up));
   if (line) return points_of(*line, given.value_or(up));
   if (grid) return points_of(*grid, given);
-  return points_of(grid_of_plane(patches, *this, up), given.value_or(up));
+  return points_of(*cells(patches, up), given.value_or(up));
 }
 
 }  // namespace luxel

@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "luxel/cli/area_settings.h"
 #include "luxel/cli/option_set.h"
 #include "luxel/cli/probe_points.h"
+#include "luxel/cli/requirement_settings.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/probe_light.h"
 
@@ -21,15 +23,19 @@ struct ProbeSettings {
   double border = 0.0;          // m, that it leaves free
   std::optional<Vec3d> normal;
   std::string harmonics = "none";
+  AreaSettings areas;
+  RequirementSettings required;  // of a grid or a plane
+  bool lists_requirements = false;
   ProbeOptions probe;
 
   void declare(OptionSet& set);
-  // Throws UsageError unless exactly one kind of points is given.
+  // Throws UsageError unless exactly one kind of points, or areas are given.
   void check() const;
   // The points. up: axis of the scene. Throws InputError.
   PointList points(const PatchSet& patches, const Vec3d& up) const;
-
- private:
+  // The cells of --grid or --plane; nothing for other points. Throws InputError.
+  std::optional<PointGrid> cells(const PatchSet& patches, const Vec3d& up) const;
+  // The options of the points alone, without areas.
   void declare_points(OptionSet& set);
 };
 

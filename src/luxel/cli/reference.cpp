@@ -28,6 +28,7 @@ class Reference final : public Command {
     scene_.declare(options, "the mesh (OBJ with MTL, glTF); or a solution (.vtkhdf), for its patches");
     scene_.declare_contacts(options);
     scene_.declare_sky(options);
+    scene_.declare_luminaires(options);
     scene_.declare_spectra(options);
     light_.declare(options);
     look_.declare(options);
@@ -99,20 +100,21 @@ class Reference final : public Command {
     const SceneSettings as_it_is;
     const auto& l = scene_.load;
     if (is_solution(scene_.file) &&
-        (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() ||
-         l.max_reflectance != as_it_is.load.max_reflectance || l.sky != as_it_is.load.sky ||
-         scene_.adds_default_light != as_it_is.adds_default_light || !l.spectra.empty() ||
+        (l.scale != as_it_is.load.scale || !l.one_sided.empty() || !l.flip.empty() || !l.glass.empty() ||
+         l.max_reflectance != as_it_is.load.max_reflectance || scene_.daylight.sky != "auto" ||
+         !scene_.daylight.outside.sun.empty() || !l.spectra.empty() ||
          scene_.patches.max_edge != as_it_is.patches.max_edge))
       throw UsageError(
-          "the patches of a solution cannot be changed: --scale, --max-reflectance, --one-sided, --flip, "
-          "--sky, --spectral and --max-edge apply to scenes");
+          "the patches of a solution cannot be changed: --scale, --max-reflectance, --one-sided, --glass, "
+          "--flip, --sky, --spectral and --max-edge apply to scenes");
   }
 
   // A solution's own light stays, to find a view by.
   Baked read(const Context& context, Console& console, RunRecord& record) {
     if (is_solution(scene_.file))
       return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
-    const auto scene = record.stage("load", [&](auto&) { return load_lit_scene(scene_, context, console); });
+    const auto scene =
+        record.stage("load", [&](auto&) { return load_lit_scene(scene_, look_.up, context, console); });
     if (interrupted()) return {};
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
@@ -172,6 +174,7 @@ class Reference final : public Command {
     report.energy.absorbed = traced.absorbed;
     report.energy.escaped = traced.escaped;
     report.energy.lost_at_backs = traced.lost_at_backs;
+    report.energy.in_panes = traced.in_panes;
     report.energy.unshot.assign(traced.emitted.size(), 0.0);
     return report;
   }

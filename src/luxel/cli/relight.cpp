@@ -14,6 +14,7 @@
 #include "luxel/cli/outputs.h"
 #include "luxel/cli/page_output.h"
 #include "luxel/cli/store_settings.h"
+#include "luxel/patch/luminaire_groups.h"
 #include "luxel/scene/name_pattern.h"
 #include "luxel/session/words.h"
 
@@ -53,8 +54,11 @@ class Relight final : public Command {
     options.heading("Light");
     options.add(named_values("light", "GROUP=FACTOR", "GROUP=FACTOR, such as desk=0.3",
                              "multiply the power of a light group by a factor", lights_));
-    options.add(named_values("tint", "GROUP=COLOUR", "GROUP=COLOUR, such as ceiling=#ffd0a0",
-                             "colour of the group's light: #rrggbb, or linear red,green,blue", tints_));
+    options.add(
+        named_values("tint", "GROUP=COLOUR", "GROUP=COLOUR, such as ceiling=#ffd0a0",
+                     "colour of the group's light: #rrggbb, or linear red,green,blue; luminaires keep their "
+                     "lumens",
+                     tints_));
     options.add_texts("off", "GROUP", off_, "switch off a light group");
     options.add(named_values(
         "reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
@@ -127,10 +131,12 @@ class Relight final : public Command {
     const auto bands = patches.band_count();
     std::vector<float> weight(patches.group_count() * bands, 1.0f);
     const auto names = patches.light_groups.empty() ? std::vector<std::string>{"all"} : patches.light_groups;
+    const auto scale_group = [&](std::size_t g, const std::vector<float>& by, double factor) {
+      for (std::size_t b = 0; b < bands; ++b) weight[g * bands + b] *= static_cast<float>(factor) * by[b];
+    };
     const auto scale = [&](const std::string& option, const std::string& pattern,
                            const std::vector<float>& by) {
-      for (const auto g : called(option, pattern, names, "light group"))
-        for (std::size_t b = 0; b < bands; ++b) weight[g * bands + b] *= by[b];
+      for (const auto g : called(option, pattern, names, "light group")) scale_group(g, by, 1.0);
     };
     for (const auto& [name, text] : lights_) {
       const auto factor = parse_number(text);
@@ -138,8 +144,13 @@ class Relight final : public Command {
         throw UsageError(fmt::format("--light {}: expected a number from 0 to 1e9, not '{}'", name, text));
       scale("light", name, std::vector(bands, *factor));
     }
-    for (const auto& [name, text] : tints_)
-      scale("tint", name, colour_of_bands(fmt::format("--tint {}", name), text, patches, 1e9f));
+    for (const auto& [name, text] : tints_) {
+      const auto tint = colour_of_bands(fmt::format("--tint {}", name), text, patches, 1e9f);
+      for (const auto g : called("tint", name, names, "light group")) {
+        const auto lumens = relative_lumens(patches, g, tint);
+        scale_group(g, tint, lumens > 0.0 ? 1.0 / lumens : 1.0);
+      }
+    }
     for (const auto& name : off_) scale("off", name, std::vector(bands, 0.0f));
     return weight;
   }

@@ -50,7 +50,7 @@ Json to_json(const Baked& baked) {
   if (s.mesh_error > 0.0) json["mesh_error"] = s.mesh_error;
   if (s.error_95th > 0.0) json["error_95th"] = s.error_95th;
   if (s.seen_error > 0.0) json["seen_error"] = s.seen_error;
-  if (baked.patches.has_sky()) json["sky_W_per_m2_sr"] = baked.patches.sky;
+  if (baked.patches.has_sky()) json["sky_W_per_m2_sr"] = baked.patches.mean_sky();
   for (const auto& band : baked.patches.wavebands) {
     json["wavelengths_nm"].push_back(band.wavelength);
     json["widths_nm"].push_back(band.width);
@@ -183,7 +183,8 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
   }
   const auto& e = report.energy;
   json["power_W"] = {{"emitted", e.emitted}, {"from_sky", e.from_sky},           {"absorbed", e.absorbed},
-                     {"escaped", e.escaped}, {"lost_at_backs", e.lost_at_backs}, {"unshot", e.unshot}};
+                     {"escaped", e.escaped}, {"lost_at_backs", e.lost_at_backs}, {"in_panes", e.in_panes},
+                     {"unshot", e.unshot}};
   return json;
 }
 
@@ -240,8 +241,10 @@ std::string bands_as_text(const PatchSet& patches) {
 
 // For a spectrum the sum, to which bands add up.
 std::string sky_as_text(const PatchSet& patches) {
-  if (patches.wavebands.empty()) return fmt::format("{}", fmt::join(patches.sky, " "));
-  return fmt::format("{:.4g}", std::accumulate(patches.sky.begin(), patches.sky.end(), 0.0));
+  const auto sky = patches.mean_sky();
+  const auto* in_the_mean = patches.has_even_sky() ? "" : " in the mean";
+  if (patches.wavebands.empty()) return fmt::format("{}{}", fmt::join(sky, " "), in_the_mean);
+  return fmt::format("{:.4g}{}", std::accumulate(sky.begin(), sky.end(), 0.0), in_the_mean);
 }
 
 Json to_json(const RunRecord& record) {
@@ -331,10 +334,13 @@ std::string describe(const SolveReport& report) {
   if (report.rays > 0) done += fmt::format("{}{} rays", done.empty() ? "" : ", ", report.rays);
   if (!done.empty()) done += "; ";
   auto text = fmt::format(
-      "{}emitted {:.4g} W{} = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + unshot {:.2g} "
+      "{}emitted {:.4g} W{} = absorbed {:.2f} % + escaped {:.2f} % + lost at backs {:.2f} % + {}unshot "
+      "{:.2g} "
       "%\n",
       done, sum(e.emitted), from_sky > 0.0 ? fmt::format(" + from sky and sun {:.4g} W", from_sky) : "",
-      percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs), percent(e.unshot));
+      percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs),
+      sum(e.in_panes) > 0.0 ? fmt::format("in panes of glass {:.2f} % + ", percent(e.in_panes)) : "",
+      percent(e.unshot));
   if (report.processes > 1)
     text += fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
                         report.processes, 1e-6 * static_cast<double>(report.traffic.bytes),

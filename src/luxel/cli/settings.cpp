@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/cli/glass_option.h"
 #include "luxel/cli/quantity.h"
 
 namespace luxel {
@@ -32,25 +33,6 @@ float parse_fov(const std::string& name, const std::string& text) {
   throw UsageError(fmt::format("--{}: expected auto or degrees from 1 to 170, not '{}'", name, text));
 }
 
-Vec3 parse_sky(const std::string& text) {
-  constexpr float max = 1e9f;
-  const auto grey = parse_number(text);
-  const auto three = parse_three(text);
-  const auto radiance = grey    ? std::optional(Vec3(*grey))
-                        : three ? std::optional(Vec3(*three))
-                                : std::nullopt;
-  if (!radiance || !is_finite(*radiance) || *radiance != glm::clamp(*radiance, 0.0f, max))
-    throw UsageError(fmt::format(
-        "--sky: expected auto, none, a number from 0 to {:g}, or three such as 0.8,0.9,1, not '{}'", max,
-        text));
-  return *radiance;
-}
-
-std::string sky_as_text(const Vec3& sky) {
-  if (sky == Vec3(0.0f)) return "none";
-  return sky == Vec3(sky.r) ? fmt::format("{}", sky.r) : fmt::format("{},{},{}", sky.r, sky.g, sky.b);
-}
-
 float parse_key(const std::string& name, const std::string& text) {
   const auto value = parse_number(text);
   if (value && *value >= 0.001f && *value <= 1.0f) return *value;
@@ -65,6 +47,46 @@ int parse_bands(const std::string& text) {
                                max_bands, text));
 }
 
+LuminaireGrid parse_luminaire_grid(const std::string& text) {
+  const auto at = text.rfind('@'), colon = text.rfind(':', at), times = text.find('x', colon);
+  const auto refuse = [&] {
+    throw UsageError(fmt::format(
+        "--luminaire-grid: expected a photometric file, numbers of columns and rows and a height in metres, "
+        "such as panel.ies:3x4@2.8, not '{}'",
+        text));
+  };
+  if (at == std::string::npos || colon == std::string::npos || colon == 0 || !(times < at)) refuse();
+  LuminaireGrid grid{.file = text.substr(0, colon)};
+  const auto count = [&](std::size_t from, std::size_t to) {
+    const auto value = parse_number(text.substr(from, to - from));
+    if (!value || !(*value >= 1.0f && *value <= 1000.0f) || *value != std::floor(*value)) refuse();
+    return static_cast<std::size_t>(*value);
+  };
+  grid.columns = count(colon + 1, times);
+  grid.rows = count(times + 1, at);
+  const auto height = parse_double(text.substr(at + 1));
+  if (!height || !(std::abs(*height) <= far)) refuse();
+  grid.height = *height;
+  return grid;
+}
+
+Declaration glass_declaration(std::vector<GlassOption>& glass) {
+  Declaration declaration{
+      "glass", "NAME=TAU",
+      "visible transmittance of panes at normal incidence, one number or red,green,blue, of materials (with "
+      "* "
+      "and ?), which become panes of glass; TAU alone: of all panes; NAME=tn:T: as transmissivity; see "
+      "docs/glass.md; repeatable",
+      [&glass](const std::string& text) { glass.push_back(parse_glass(text)); },
+      [&glass] {
+        std::vector<std::string> texts;
+        for (const auto& option : glass) texts.push_back(glass_as_text(option));
+        return fmt::format("{}", fmt::join(texts, "\n"));
+      }};
+  declaration.many = true;
+  return declaration;
+}
+
 }  // namespace
 
 void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
@@ -74,6 +96,7 @@ void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,
                  "maximum reflectance; higher ones are lowered to it");
   set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose backs absorb light");
+  set.add(glass_declaration(load.glass));
   set.add_texts("flip", "NAME", load.flip, "materials (with * and ?) whose faces are flipped");
   set.add_number("weld", "m", load.weld, 0.0f, static_cast<float>(far),
                  "merge vertices closer than this; 0 disables it");
@@ -95,18 +118,41 @@ void SceneSettings::declare_contacts(OptionSet& set) {
                  "maximum distance of surfaces that touch (at most a hundredth of their shortest edge)");
 }
 
-void SceneSettings::declare_sky(OptionSet& set) {
-  set.heading("Light");
-  set.add(
-      {"sky", "W/(m² sr)",
-       "radiance of a uniform sky around the scene, one number or red,green,blue; it enters through "
-       "windows; auto: none if the scene has a lamp, otherwise daylight, or a luminaire in a closed room; "
-       "none: no sky, and no light is added",
-       [this](const std::string& text) {
-         adds_default_light = text == "auto";
-         load.sky = text == "auto" || text == "none" ? Vec3(0.0f) : parse_sky(text);
-       },
-       [this] { return adds_default_light ? std::string("auto") : sky_as_text(load.sky); }});
+void SceneSettings::declare_sky(OptionSet& set) { daylight.declare(set); }
+
+LoadOptions SceneSettings::load_options() const {
+  auto options = load;
+  options.sky = daylight.even_radiance();
+  options.daylight = daylight.daylight();
+  return options;
+}
+
+void SceneSettings::declare_luminaires(OptionSet& set) {
+  Declaration lists{
+      "luminaires", "FILE",
+      "CSV list of luminaires: IES or EULUMDAT files and their places; see docs/luminaires.md; repeatable",
+      [this](const std::string& text) { load.luminaires.emplace_back(text); },
+      [this] {
+        std::vector<std::string> names;
+        for (const auto& path : load.luminaires) names.push_back(path.string());
+        return fmt::format("{}", fmt::join(names, "\n"));
+      }};
+  lists.many = true;
+  lists.endings = ".csv";
+  set.add(std::move(lists));
+  Declaration grids{
+      "luminaire-grid", "FILE:NxM@HEIGHT",
+      "N x M luminaires of an IES or EULUMDAT file, spaced evenly over the scene, that aim down "
+      "from this height on the up axis, such as panel.ies:3x4@2.8; repeatable",
+      [this](const std::string& text) { load.luminaire_grids.push_back(parse_luminaire_grid(text)); },
+      [this] {
+        std::vector<std::string> texts;
+        for (const auto& g : load.luminaire_grids)
+          texts.push_back(fmt::format("{}:{}x{}@{}", g.file.string(), g.columns, g.rows, g.height));
+        return fmt::format("{}", fmt::join(texts, "\n"));
+      }};
+  grids.many = true;
+  set.add(std::move(grids));
 }
 
 void SceneSettings::declare_spectra(OptionSet& set) {
@@ -122,6 +168,7 @@ void SceneSettings::declare_spectra(OptionSet& set) {
 
 void SceneSettings::check() const {
   if (load.bands > 0 && load.spectra.empty()) throw UsageError("--bands needs --spectral FILE");
+  daylight.check();
 }
 
 RefineOptions RefineSettings::options(std::size_t patches) const {
@@ -187,7 +234,17 @@ void PictureSettings::declare_gather(OptionSet& set) {
       "rays per pixel of a final gather at the visible points, instead of --samples; 0 disables it");
 }
 
+void PictureSettings::declare_quantity(OptionSet& set) {
+  set.add_choice("quantity", {"radiance", "luminance", "illuminance"}, quantity,
+                 "what the picture shows: the light as it is seen, or in false colours with a scale its "
+                 "luminance (cd/m²) or the illuminance of the surfaces (lx); an .exr or .hdr has the values");
+  set.add_number("max-value", "cd/m² or lx", max_value, 0.0, 1e9,
+                 "--quantity: value at the end of the scale; 0: chosen from the picture");
+}
+
 void PictureSettings::check() const {
+  if (quantity == "illuminance" && gather > 0)
+    throw UsageError("--gather does not apply to --quantity illuminance: leave one of them out");
   for (const auto& point : {eye, target})
     if (point && glm::length(*point) > far)
       throw UsageError(fmt::format("--eye and --target: expected points within {:g} m of the origin", far));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "luxel/cli/daylight_settings.h"
 #include "luxel/cli/option_set.h"
 #include "luxel/image/tone.h"
 #include "luxel/import/load_scene.h"
@@ -22,8 +23,8 @@ namespace luxel {
 
 struct SceneSettings {
   std::string file;
-  LoadOptions load;
-  bool adds_default_light = true;  // --sky auto
+  LoadOptions load;  // but for its sky
+  DaylightSettings daylight;
   PatchOptions patches;
   // Declares options of the input and of its reading; the second also those of the mesh.
   void declare_scene(OptionSet& set, const char* what_it_takes = "the mesh (OBJ with MTL, glTF)");
@@ -32,9 +33,11 @@ struct SceneSettings {
   // of light begin.
   void declare_contacts(OptionSet& set);
   void declare_sky(OptionSet& set);
+  void declare_luminaires(OptionSet& set);
   void declare_spectra(OptionSet& set);
   // Throws UsageError where options contradict each other.
   void check() const;
+  LoadOptions load_options() const;
 };
 
 // For commands that refine patches by the light.
@@ -83,6 +86,8 @@ struct PictureSettings {
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays per pixel of a final gather; 0: none
+  std::string quantity = "radiance";
+  double max_value = 0.0;  // lx or cd/m²: end of the scale of false colours; 0: automatic
   bool is_given() const { return eye && target; }
   // Throws UsageError where the camera is invalid: call it before a long solve.
   void check() const;
@@ -91,6 +96,7 @@ struct PictureSettings {
   void declare_camera(OptionSet& set);
   void declare(OptionSet& set);
   void declare_gather(OptionSet& set);
+  void declare_quantity(OptionSet& set);
 };
 
 struct LookSettings {

@@ -20,6 +20,7 @@ class View final : public Command {
     s.scene.declare_contacts(options);
     s.refine.declare(options);
     s.scene.declare_sky(options);
+    s.scene.declare_luminaires(options);
     s.scene.declare_spectra(options);
     s.light.declare(options);
     s.keep.declare_groups(options);
@@ -79,8 +80,8 @@ class View final : public Command {
   // The same settings as a bake of the file with these options.
   SessionSettings session_settings(const std::filesystem::path& file) const {
     const auto& s = settings_;
-    SessionSettings live{.load = s.scene.load,
-                         .adds_default_light = s.scene.adds_default_light,
+    SessionSettings live{.load = s.scene.load_options(),
+                         .adds_default_light = s.scene.daylight.adds_default_light(),
                          .patches = s.scene.patches,
                          .refine = {.mesh_error = s.refine.is_on(false) ? s.refine.mesh_error : 0.0,
                                     .max_patches = s.refine.max_patches},

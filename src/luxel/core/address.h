@@ -43,11 +43,12 @@ enum class RandomPurpose : std::uint32_t {
   sky_box = 0x736b7962u,         // of seed 0
   portals = 0x706f7274u,         // of seed 0
   lightmap_texels = 0x7465786cu,
-  traced_sides = 0x70617468u,   // the path-traced reference: sides,
-  traced_pixels = 0x76696577u,  // pixels,
-  traced_points = 0x706f696eu,  // points
-  probes = 0x6c757870u,         // points that measure a solution's light
-  sphere_probes = 0x73706870u,  // and what arrives there from all around
+  traced_sides = 0x70617468u,    // the path-traced reference: sides,
+  traced_pixels = 0x76696577u,   // pixels,
+  traced_points = 0x706f696eu,   // points
+  probes = 0x6c757870u,          // points that measure a solution's light
+  sphere_probes = 0x73706870u,   // and what arrives there from all around
+  daylight_points = 0x6461796cu  // rays of points that daylight coefficients are found for
 };
 
 // Seeds of those who follow no seed of the user's, or one apart from it.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/core/mpi_ranks.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "luxel/core/ranks.h"
 
 #ifdef LUXEL_HAS_MPI
 #include <mpi.h>

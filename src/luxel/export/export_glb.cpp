@@ -9,6 +9,7 @@
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
+#include "luxel/export/opening_bodies.h"
 #include "luxel/export/unlit_mesh.h"
 #include "luxel/export/utf8.h"
 #include "luxel/export/write_glb.h"
@@ -75,6 +76,7 @@ void export_glb(const std::filesystem::path& path, const PatchSet& patches, cons
     file.use_extension("KHR_materials_unlit");
     add_mesh(file, patches, mesh, profile);
     add_root(file, {{"name", "scene"}, {"mesh", 0}}, up, patches.origin);
+    add_opening_bodies(file, patches, mesh.curve(), {"/nodes/0/children"});
   }
   write_glb(path, file, options.program, options.compression);
 }

@@ -15,6 +15,7 @@
 #include "luxel/core/output_file.h"
 #include "luxel/export/page_arrays.h"
 #include "luxel/export/page_light.h"
+#include "luxel/export/page_luminaires.h"
 #include "luxel/export/page_mesh.h"
 #include "luxel/export/page_template.h"
 #include "luxel/export/page_textures.h"
@@ -167,6 +168,8 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
   for (std::size_t i = 0; i < textures.pictures().size(); ++i)
     arrays.add_file(fmt::format("picture{}", i), textures.pictures()[i]);
 
+  auto luminaires = add_luminaires(arrays, patches, !groups.empty());
+
   const auto packed = deflated(arrays.bytes());
   const Json about = {
       {"version", data_version},
@@ -176,7 +179,9 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
       {"tone", tone_of(options.tone)},
       {"origin", three(patches.origin)},
       {"groups", group_names(patches, groups)},
-      {"sky", three(patches.has_sky() ? colours.rgb(patches.sky) : Vec3d(0.0))},
+      {"lumens", lumens_of_groups(patches, !groups.empty())},
+      {"luminaires", std::move(luminaires)},
+      {"sky", three(patches.has_sky() ? colours.rgb(patches.mean_sky()) : Vec3d(0.0))},
       {"hasSky", patches.has_sky()},
       {"materials", materials_of(patches, colours, textures, !groups.empty())},
       {"parts", parts_of(mesh)},

@@ -18,6 +18,7 @@
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/mapped_surfaces.h"
+#include "luxel/export/opening_bodies.h"
 #include "luxel/export/quantise.h"
 #include "luxel/export/round_trip_materials.h"
 #include "luxel/export/round_trip_primitive.h"
@@ -277,12 +278,21 @@ std::size_t RoundTripExport::add_coordinates(const RoundTripPages& pages, const 
 
 // Removes the lamps: the light is on the surfaces already.
 void RoundTripExport::put_out_lamps() {
-  for (std::size_t n = 0; n < copy_.size("/nodes"); ++n)
+  for (std::size_t n = 0; n < copy_.size("/nodes"); ++n) {
     copy_.erase(fmt::format("/nodes/{}/extensions/KHR_lights_punctual", n));
+    copy_.erase(fmt::format("/nodes/{}/extensions/EXT_lights_ies", n));
+  }
 }
 
 void RoundTripExport::describe(const char* form, Json light) {
   copy_.put("/asset/extras/luxel", light_metadata(form, options_.program, std::move(light), input_.solution));
+  // A file of Luxel's own has a root that is turned and put in its place.
+  const auto number = copy_.has("/scene") ? copy_.index_at("/scene") : 0;
+  const auto scene = copy_.has("/scenes") ? fmt::format("/scenes/{}/nodes", number) : std::string();
+  add_opening_bodies(copy_, input_.patches, curve_,
+                     is_gltf(input_.scene.source)
+                         ? NodeParent{scene, options_.metres_per_unit, input_.patches.origin}
+                         : NodeParent{"/nodes/0/children"});
 }
 
 // material(part, surface, path, coordinates): changes the material of a primitive whose page coordinates are

@@ -41,19 +41,27 @@ class SceneWriter {
     const auto path = fmt::format("/materials/{}", number);
     file_.put(path + "/name", valid_utf8(material.name));
     file_.put(path + "/doubleSided", material.two_sided);
-    const auto base = textures.reflectance ? textures.reflectance_factor : material.reflectance;
-    // A surface that does not block light is invisible.
+    const bool is_pane = !material.opaque && material.transmittance != Vec3(1.0f);
+    const auto base = is_pane                ? material.transmittance
+                      : textures.reflectance ? textures.reflectance_factor
+                                             : material.reflectance;
+    // A surface that lets all light pass is invisible.
     file_.put(path + "/pbrMetallicRoughness",
-              {{"baseColorFactor", {base.r, base.g, base.b, material.opaque ? 1 : 0}},
+              {{"baseColorFactor", {base.r, base.g, base.b, material.opaque || is_pane ? 1 : 0}},
                {"metallicFactor", 0},
                {"roughnessFactor", 1}});
-    if (const auto picture = textures.reflectance ? textures.reflectance : textures.cutout)
+    if (const auto picture = textures.reflectance ? textures.reflectance : textures.cutout;
+        picture && !is_pane)
       file_.put(path + "/pbrMetallicRoughness/baseColorTexture", texture_of(*picture));
     if (textures.cutout) {
       file_.put(path + "/alphaMode", "MASK");
       file_.put(path + "/alphaCutoff", textures.cutout_threshold);
     }
-    if (!material.opaque) file_.put(path + "/alphaMode", "BLEND");
+    if (!material.opaque && !is_pane) file_.put(path + "/alphaMode", "BLEND");
+    if (is_pane) {
+      file_.put(path + "/extensions/KHR_materials_transmission", {{"transmissionFactor", 1}});
+      file_.use_extension("KHR_materials_transmission");
+    }
     // Luxel's surfaces are diffuse; glTF's have a gloss that takes a fraction of the light.
     file_.put(path + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
     file_.use_extension("KHR_materials_specular");

@@ -19,6 +19,9 @@ PatchSet remaining_patches(const PatchSet& patches, const HalfEdgeCollapse& coll
   result.bands = patches.bands;
   result.wavebands = patches.wavebands;
   result.materials = patches.materials;
+  result.point_lights = patches.point_lights;
+  result.light_groups = patches.light_groups;
+  result.sky_patches = patches.sky_patches;
   result.sky = patches.sky;
   result.textures = patches.textures;
   result.scene_fingerprint = patches.scene_fingerprint;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <new>
 
@@ -54,7 +55,8 @@ void check_header(std::string_view bytes) {
   if (header.version_major != 2 || header.version_minor != 2)
     refuse_damaged(
         fmt::format("expected version 2.2, found {}.{}", header.version_major, header.version_minor));
-  buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+  buffer.set_bitstream_version(
+      static_cast<std::uint16_t>(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor)));
   if (header.flags & METADATA_FLAG_MASK) {
     draco::GeometryMetadata metadata;
     if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata)) refuse_damaged("its metadata");

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/trig.h"
+#include "luxel/import/gltf_luminaires.h"
 #include "luxel/import/name_list.h"
 #include "luxel/scene/luminous_efficacy.h"
 
@@ -16,22 +17,6 @@ namespace luxel {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2.0;
-
-Vec3 place_of(const PlacedNode& placed, double scale, const Scene& scene) {
-  const auto at = scale * Vec3d(placed.world[3]);
-  if (!(std::abs(at.x) <= farthest && std::abs(at.y) <= farthest && std::abs(at.z) <= farthest))
-    placed.node.refuse(fmt::format("it comes to lie beyond {:g} m", farthest));
-  return Vec3(at - scene.origin);
-}
-
-// Returns an axis of the node in scene coordinates, of length 1.
-Vec3 axis_of(const PlacedNode& placed, const Vec3d& axis) {
-  const auto turned = glm::dmat3(placed.world) * axis;
-  const auto length = glm::length(turned);
-  if (!(length > 0.0) || !std::isfinite(length))
-    placed.node.refuse("expected an axis to look along, found a scale of 0");
-  return Vec3(turned / length);
-}
 
 Vec3 intensity_of(const JsonValue& light) {
   constexpr double most = 1e30;
@@ -85,9 +70,9 @@ Camera camera_of(const PlacedNode& placed, const JsonValue& perspective, double 
   if (!(degrees > 1e-3 && degrees < 179.999))
     field.refuse(fmt::format("expected an angle between 0 and pi, found {}", field.number()));
   Camera camera;
-  camera.eye = place_of(placed, scale, scene);
-  const auto ahead = axis_of(placed, Vec3d(0.0, 0.0, -1.0));
-  camera.up = axis_of(placed, Vec3d(0.0, 1.0, 0.0));
+  camera.eye = gltf_place(placed, scale, scene);
+  const auto ahead = gltf_axis(placed, Vec3d(0.0, 0.0, -1.0));
+  camera.up = gltf_axis(placed, Vec3d(0.0, 1.0, 0.0));
   if (!(glm::length(glm::cross(ahead, camera.up)) > 1e-3f))
     placed.node.refuse("expected a camera whose up is not along its view");
   camera.target = camera.eye +
@@ -98,11 +83,26 @@ Camera camera_of(const PlacedNode& placed, const JsonValue& perspective, double 
 
 }  // namespace
 
+Vec3 gltf_place(const PlacedNode& placed, double scale, const Scene& scene) {
+  const auto at = scale * Vec3d(placed.world[3]);
+  if (!(std::abs(at.x) <= farthest && std::abs(at.y) <= farthest && std::abs(at.z) <= farthest))
+    placed.node.refuse(fmt::format("it comes to lie beyond {:g} m", farthest));
+  return Vec3(at - scene.origin);
+}
+
+Vec3 gltf_axis(const PlacedNode& placed, const Vec3d& axis) {
+  const auto turned = glm::dmat3(placed.world) * axis;
+  const auto length = glm::length(turned);
+  if (!(length > 0.0) || !std::isfinite(length))
+    placed.node.refuse("expected an axis to look along, found a scale of 0");
+  return Vec3(turned / length);
+}
+
 void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene) {
   const auto lights = file.root()["extensions"]["KHR_lights_punctual"]["lights"];
   for (const auto& placed : nodes) {
     const auto index = placed.node["extensions"]["KHR_lights_punctual"]["light"];
-    if (!index) continue;
+    if (!index || has_luminaire(placed.node)) continue;
     const auto number = index.whole();
     if (number >= lights.size())
       index.refuse(
@@ -110,8 +110,8 @@ void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double s
     auto lamp = lamp_of(lights[number]);
     lamp.name = placed.node["name"].text(lamp.name);
     if (lamp.name.empty()) lamp.name = fmt::format("node {}", placed.number);
-    lamp.position = place_of(placed, scale, scene);
-    if (lamp.kind != PointLightKind::point) lamp.direction = axis_of(placed, Vec3d(0.0, 0.0, -1.0));
+    lamp.position = gltf_place(placed, scale, scene);
+    if (lamp.kind != PointLightKind::point) lamp.direction = gltf_axis(placed, Vec3d(0.0, 0.0, -1.0));
     scene.point_lights.push_back(std::move(lamp));
   }
 }

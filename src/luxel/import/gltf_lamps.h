@@ -18,4 +18,10 @@ void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double s
 void add_cameras(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene,
                  const Context& context);
 
+// Position of a node, m, counted from the scene's origin. Throws InputError beyond `farthest`.
+Vec3 gltf_place(const PlacedNode& placed, double scale, const Scene& scene);
+
+// An axis of the node in scene coordinates, of length 1. Throws InputError where the node's scale is 0.
+Vec3 gltf_axis(const PlacedNode& placed, const Vec3d& axis);
+
 }  // namespace luxel

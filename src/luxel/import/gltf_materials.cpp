@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/import/apply_glass.h"
 #include "luxel/import/make_materials.h"
 #include "luxel/import/name_list.h"
 #include "luxel/import/raster_colours.h"
@@ -212,7 +213,20 @@ void GltfMaterials::let_through(const Surface& surface, Material& material) {
   if (surface.is_blended && (material.textures.cutout || surface.alpha < 1.0))
     blended_.push_back(surface.name);
   material.opaque = material.is_lamp() || !(has_hole || surface.passes > half_solid);
-  if (!material.opaque) transparent_.push_back(surface.name);
+  if (material.opaque) return;
+  if (!has_hole) material.transmittance = transmittance_of(surface);
+  if (is_glass_of(options_.glass, surface.name)) return;  // told by apply_glass()
+  (material.transmittance == Vec3(1.0f) ? transparent_ : panes_).push_back(surface.name);
+}
+
+// The base colour tints what is transmitted (KHR_materials_transmission). A factor of 1 and white, which is
+// what programs write for glass, is no glass at all.
+Vec3 GltfMaterials::transmittance_of(const Surface& surface) {
+  const auto& picture = surface.base_picture;
+  auto colour = surface.base;
+  if (picture.texture) colour *= mean_colour(textures_.raster(*picture.texture));
+  const auto transmittance = glm::clamp(static_cast<float>(surface.passes) * colour, 0.0f, 1.0f);
+  return transmittance == Vec3(0.0f) ? Vec3(1.0f) : transmittance;
 }
 
 void GltfMaterials::reflect(const Surface& surface, Material& material) {
@@ -283,7 +297,17 @@ void GltfMaterials::say_warnings(const Context& context) const {
                              default_reflectance));
   say("the reflectance of", too_bright_,
       fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
-  say("light passes freely through what is more transparent than not, which is left out:", transparent_, "");
+  if (!transparent_.empty())
+    context.warn(
+        fmt::format("{}: light passes freely through what is more transparent than not, which is left "
+                    "out: {}",
+                    file_.source(), name_list(transparent_)),
+        {{Setting::glass, "NAME=0.8"}});
+  if (!panes_.empty())
+    context.note(
+        fmt::format("{}: panes of glass, with the transmittance of KHR_materials_transmission times the "
+                    "base colour: {}",
+                    file_.source(), name_list(panes_)));
   say("surfaces are solid or not there: alpha (BLEND) is taken as a hole where it is below 0.5, for",
       blended_, "");
   if (!metals_.empty())

@@ -48,6 +48,7 @@ class GltfMaterials {
   static void light_mirror(const JsonValue& specular, Surface& surface);
   void emit(const Surface& surface, Material& material) const;
   void let_through(const Surface& surface, Material& material);
+  Vec3 transmittance_of(const Surface& surface);
   void cap(Material& material);
   MaterialId add(Material material);
 
@@ -61,7 +62,7 @@ class GltfMaterials {
   std::optional<MaterialId> default_;  // of primitives without material
 
   // Names of materials, for the warnings.
-  std::vector<std::string> too_bright_, transparent_, blended_, unlit_, metals_, without_coordinates_;
+  std::vector<std::string> too_bright_, transparent_, panes_, blended_, unlit_, metals_, without_coordinates_;
 };
 
 }  // namespace luxel

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/import/gltf_areas.h"
 #include "luxel/import/gltf_array.h"
 
 namespace luxel {
@@ -35,29 +36,46 @@ std::string object_name(const PlacedNode& placed, const JsonValue& mesh) {
   return name.empty() ? fmt::format("node {}", placed.number) : name;
 }
 
+// The body that Luxel's exports have for the opening of a luminaire, which is no surface of the scene.
+bool is_opening(const JsonValue& mesh) {
+  const auto extras = mesh["extras"];
+  return extras.is_object() && extras["luxel_opening"];
+}
+
 }  // namespace
 
 const std::vector<std::string_view>& known_extensions() {
-  static const std::vector<std::string_view> known = {
-      "KHR_lights_punctual",       "KHR_materials_emissive_strength",
-      "KHR_materials_unlit",       "KHR_materials_pbrSpecularGlossiness",
-      "KHR_texture_transform",     "KHR_mesh_quantization",
-      "KHR_materials_anisotropy",  "KHR_materials_clearcoat",
-      "KHR_materials_dispersion",  "KHR_materials_ior",
-      "KHR_materials_iridescence", "KHR_materials_sheen",
-      "KHR_materials_specular",    "KHR_materials_transmission",
-      "KHR_materials_variants",    "KHR_materials_volume",
-      "KHR_xmp_json_ld",           "KHR_draco_mesh_compression",
-      "EXT_meshopt_compression",   "EXT_texture_webp",
-      "KHR_texture_basisu"};
+  static const std::vector<std::string_view> known = {"EXT_lights_ies",
+                                                      "KHR_lights_punctual",
+                                                      "KHR_materials_emissive_strength",
+                                                      "KHR_materials_unlit",
+                                                      "KHR_materials_pbrSpecularGlossiness",
+                                                      "KHR_texture_transform",
+                                                      "KHR_mesh_quantization",
+                                                      "KHR_materials_anisotropy",
+                                                      "KHR_materials_clearcoat",
+                                                      "KHR_materials_dispersion",
+                                                      "KHR_materials_ior",
+                                                      "KHR_materials_iridescence",
+                                                      "KHR_materials_sheen",
+                                                      "KHR_materials_specular",
+                                                      "KHR_materials_transmission",
+                                                      "KHR_materials_variants",
+                                                      "KHR_materials_volume",
+                                                      "KHR_xmp_json_ld",
+                                                      "KHR_draco_mesh_compression",
+                                                      "EXT_meshopt_compression",
+                                                      "EXT_texture_webp",
+                                                      "KHR_texture_basisu"};
   return known;
 }
 
 GltfParts drawn_parts(const GltfFile& file, const std::vector<PlacedNode>& nodes) {
   GltfParts found;
   for (const auto& placed : nodes) {
-    if (!placed.node["mesh"]) continue;
+    if (!placed.node["mesh"] || is_calculation_area(placed.node)) continue;
     const auto mesh = file.object(placed.node["mesh"], "meshes");
+    if (is_opening(mesh)) continue;
     const auto primitives = mesh["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       if (draws_triangles(primitives[i]))

@@ -81,6 +81,12 @@ JsonValue JsonValue::operator[](std::string_view key) const {
   return at(found == value.end() ? nullptr : &*found, std::move(path));
 }
 
+bool JsonValue::is_object() const { return node_ && json(node_).is_object(); }
+
+bool JsonValue::is_text() const { return node_ && json(node_).is_string(); }
+
+bool JsonValue::is_truth() const { return node_ && json(node_).is_boolean(); }
+
 JsonValue JsonValue::operator[](std::size_t index) const {
   return at(&json(node_)[index], fmt::format("{}/{}", path_, index));
 }

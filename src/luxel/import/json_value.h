@@ -21,6 +21,10 @@ class JsonValue {
   const std::string& path() const { return path_; }
   const std::string& source() const;
 
+  bool is_object() const;
+  bool is_text() const;
+  bool is_truth() const;
+
   // A member of an object; nothing where there is none, or where this itself is not there.
   JsonValue operator[](std::string_view key) const;
   // An element of an array, below size().

@@ -9,6 +9,7 @@
 #include "luxel/core/output_file.h"
 #include "luxel/import/gltf_array.h"
 #include "luxel/import/gltf_lamps.h"
+#include "luxel/import/gltf_luminaires.h"
 #include "luxel/import/gltf_materials.h"
 #include "luxel/import/gltf_mesh.h"
 #include "luxel/import/gltf_parts.h"
@@ -110,6 +111,8 @@ Scene GltfLoader::load() {
   GltfMaterials materials(file_, options_);
   if (!add_triangles(scene, materials)) return {};
   materials.give(scene);
+  PhotometryStore photometry(context_);
+  add_gltf_luminaires(file_, nodes_, options_.scale, photometry, scene);
   add_lamps(file_, nodes_, options_.scale, scene);
   add_cameras(file_, nodes_, options_.scale, scene, context_);
   materials.say_warnings(context_);

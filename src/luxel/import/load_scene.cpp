@@ -8,6 +8,7 @@
 
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
+#include "luxel/import/apply_glass.h"
 #include "luxel/import/apply_spectra.h"
 #include "luxel/import/is_gltf.h"
 #include "luxel/import/load_converted.h"
@@ -15,10 +16,13 @@
 #include "luxel/import/load_obj.h"
 #include "luxel/import/load_ply.h"
 #include "luxel/import/load_stl.h"
+#include "luxel/import/luminaires.h"
 #include "luxel/import/name_list.h"
+#include "luxel/import/set_daylight.h"
 #include "luxel/scene/name_pattern.h"
 #include "luxel/scene/orient_windings.h"
 #include "luxel/scene/scale_doubt.h"
+#include "luxel/scene/up_axis.h"
 #include "luxel/scene/weld_vertices.h"
 
 namespace luxel {
@@ -50,6 +54,12 @@ void check_options(const LoadOptions& options) {
   if (options.bands != 0 && (options.bands < min_bands || options.bands > max_bands))
     throw InputError(fmt::format("expected {} to {} bands, or 0 for those of the file, found {}", min_bands,
                                  max_bands, options.bands));
+  for (const auto& glass : options.glass)
+    if (const auto& t = glass.transmittance; t != glm::clamp(t, 0.0f, 1.0f) || t == Vec3(0.0f))
+      throw InputError(
+          fmt::format("expected a transmittance of glass in [0, 1] and above 0 in a band, found {}, "
+                      "{}, {}",
+                      t.r, t.g, t.b));
   for (int band = 0; band < 3; ++band)
     if (!(options.sky[band] >= 0.0f && std::isfinite(options.sky[band])))
       throw InputError(
@@ -126,6 +136,17 @@ void doubt_units(const LoadOptions& options, const Scene& scene, const Context& 
   }
 }
 
+void load_luminaires(const std::filesystem::path& path, const LoadOptions& options, Scene& scene,
+                     const Context& context) {
+  PhotometryStore store(context);
+  const auto up = up_of_scene(scene, options.up);
+  replace_by_luminaires(path, up, store, scene);
+  for (const auto& list : options.luminaires)
+    for (const auto& placement : read_luminaires(list, up, store)) add_luminaires(placement, up, scene);
+  for (const auto& grid : options.luminaire_grids)
+    add_luminaires(place_over(grid, scene, up, store), up, scene);
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const Context& context) {
@@ -136,8 +157,11 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, 
   doubt_units(options, scene, context);
   repair(options, scene, context);
   apply_one_sided(options.one_sided, scene);
+  apply_glass(options.glass, scene, context);
   apply_flip(options.flip, scene);
   scene.sky = options.sky;
+  if (options.daylight) set_daylight(*options.daylight, options.up, scene);
+  load_luminaires(path, options, scene, context);
   if (!options.spectra.empty()) apply_spectra(options, scene, context);
   return scene;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/import/apply_glass.h"
 #include "luxel/import/name_list.h"
 #include "luxel/import/raster_colours.h"
 #include "luxel/import/texture_files.h"
@@ -46,7 +47,7 @@ class MaterialMaker {
   TextureFiles files_;
 
   // Names of materials, for the warnings.
-  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, glasses_, mirrors_,
+  std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, glasses_, panes_, mirrors_,
       emitting_twice_;
   std::size_t first_unknown_line_ = 0;
 };
@@ -79,9 +80,12 @@ Material MaterialMaker::make(const NamedLine& use) {
 void MaterialMaker::let_through(const MtlMaterial& mtl, Material& material) {
   if (material.is_lamp()) return;
   const bool is_clear = mtl.opacity.value_or(1.0f) < half_solid;
-  if (is_clear) transparent_.push_back(mtl.name);
-  if (!is_clear && is_glass(mtl)) glasses_.push_back(mtl.name);
   material.opaque = !is_clear && !is_glass(mtl);
+  if (material.opaque) return;
+  material.transmittance = stated_transmittance(mtl).value_or(Vec3(1.0f));
+  const bool absorbs = material.transmittance != Vec3(1.0f);
+  if (is_glass_of(options_.glass, mtl.name)) return;  // told by apply_glass()
+  (absorbs ? panes_ : is_clear ? transparent_ : glasses_).push_back(mtl.name);
 }
 
 // A surface with specular colour alone would be black here, though it reflects most of the light. Treated as
@@ -157,8 +161,12 @@ void MaterialMaker::say_warnings(const std::string& source, const Context& conte
       fmt::format("; a grey of {} is taken", default_reflectance));
   say("the reflectance of", too_bright_,
       fmt::format(" was lowered to {}, as no surface reflects all light", options_.max_reflectance));
-  say("light passes freely through what is more transparent than not (d below 0.5), which is left out:",
-      transparent_, "");
+  if (!transparent_.empty())
+    context.warn(
+        fmt::format("{}: light passes freely through what is more transparent than not (d below 0.5), "
+                    "which is left out: {}",
+                    source, name_list(transparent_)),
+        {{Setting::glass, "NAME=0.8"}});
   if (!mirrors_.empty() || !glasses_.empty())
     context.note(fmt::format(
         "{}: stand-ins, since mirrors and glass are not modelled:{}{}", source,
@@ -168,6 +176,9 @@ void MaterialMaker::say_warnings(const std::string& source, const Context& conte
         glasses_.empty() ? ""
                          : fmt::format("{} light passes freely through {}, which is left out",
                                        mirrors_.empty() ? "" : ";", name_list(glasses_))));
+  if (!panes_.empty())
+    context.note(fmt::format("{}: panes of glass, with the transmittance Tf of the file: {}", source,
+                             name_list(panes_)));
   say("map_Ke is passed over where Ke is given, as for", emitting_twice_, "");
   files_.say_warnings(source, context);
 }

@@ -130,6 +130,13 @@ bool is_glass(const MtlMaterial& material) {
          largest(material.transmitted.value_or(Vec3(1.0f))) >= clear;
 }
 
+std::optional<Vec3> stated_transmittance(const MtlMaterial& material) {
+  constexpr float clear = 0.5f;
+  const auto tf = material.transmitted.value_or(Vec3(0.0f));
+  if (tf != glm::clamp(tf, 0.0f, 1.0f) || std::max({tf.r, tf.g, tf.b}) < clear) return std::nullopt;
+  return tf;
+}
+
 bool is_polished(const MtlMaterial& material) {
   return material.illumination >= 3 && material.illumination <= 9;
 }

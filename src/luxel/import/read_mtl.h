@@ -36,6 +36,10 @@ struct MtlMaterial {
 // give every material an illum of 4 leave its Ni at 1.
 bool is_glass(const MtlMaterial& material);
 
+// The transmittance of a pane, if Tf states one: [0, 1], at least 0.5 in a band. Below that Tf is usually the
+// opacity, which some writers put there.
+std::optional<Vec3> stated_transmittance(const MtlMaterial& material);
+
 // Whether illum asks for reflections of other surfaces, as metal and mirrors have them.
 bool is_polished(const MtlMaterial& material);
 

@@ -124,7 +124,7 @@ class PlyReader {
   PlyNumbers numbers_;
   PlyMesh found_;
   PolygonMesh& mesh_ = found_.mesh;
-  bool has_normals_ = false, has_uvs_ = false, has_face_colours_ = false;
+  bool has_normals_ = false, has_uvs_ = false;
   std::vector<std::uint32_t> indices_;  // of the current face
   std::vector<double> uvs_;             // of its corners, where it has its own
 };

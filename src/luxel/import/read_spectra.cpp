@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/import/csv_table.h"
 #include "luxel/import/numbers.h"
 #include "luxel/import/text.h"
 
@@ -71,39 +72,6 @@ class SpectraReader {
     throw InputError(source_, std::max<std::size_t>(1, lines_.line()), sentence);
   }
 
-  // Fields are separated by commas; a field in double quotes may contain commas, and two double quotes for
-  // one.
-  std::vector<std::string> fields() const {
-    std::vector<std::string> result;
-    auto rest = lines_.text();
-    for (bool more = true; more;) {
-      std::string field;
-      if (!rest.empty() && rest.front() == '"') {
-        rest.remove_prefix(1);
-        for (;;) {
-          const auto quote = rest.find('"');
-          if (quote == std::string_view::npos)
-            refuse("expected a closing quote (\"), found none on the line");
-          field += rest.substr(0, quote);
-          rest.remove_prefix(quote + 1);
-          if (rest.empty() || rest.front() != '"') break;
-          field += '"';
-          rest.remove_prefix(1);
-        }
-        if (!rest.empty() && rest.front() != ',') refuse("expected a comma after the closing quote");
-      } else {
-        const auto text = rest.substr(0, rest.find(','));
-        field = trim(text);
-        rest.remove_prefix(text.size());
-      }
-      more = !rest.empty();
-      if (more) rest.remove_prefix(1);
-      result.push_back(std::move(field));
-      if (more && rest.empty()) result.emplace_back(), more = false;
-    }
-    return result;
-  }
-
   Quantity quantity(const std::string& word) const {
     if (word == "reflectance") return Quantity::reflectance;
     if (word == "radiance") return Quantity::radiance;
@@ -120,7 +88,8 @@ class SpectraReader {
   }
 
   void take_row() {
-    const auto words = fields();
+    const auto words =
+        csv_fields(lines_.text(), ',', [this](const std::string& sentence) { refuse(sentence); });
     if (words.size() != 4) refuse(fmt::format("expected 4 fields ({}), found {}", header, words.size()));
     const auto what = quantity(words[1]);
     if (what == Quantity::sky && !words[0].empty())

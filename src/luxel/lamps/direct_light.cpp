@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <numeric>
 #include <vector>
 
 #include "luxel/core/address.h"
-#include "luxel/core/discrete_distribution.h"
 #include "luxel/core/sobol.h"
 #include "luxel/lamps/lamp_choices.h"
 #include "luxel/lamps/lamp_rays.h"
 #include "luxel/lamps/lamp_tally.h"
+#include "luxel/lamps/punctual_choices.h"
 #include "luxel/patch/side.h"
 #include "luxel/trace/gather_sides.h"
 #include "luxel/trace/patch_emitter.h"
-#include "luxel/trace/point_sight.h"
 
 namespace luxel {
 
@@ -61,11 +59,20 @@ class Numbers {
 
 struct Workspace {
   LampChoices choices;
-  std::vector<LampTally> tally;    // [replicate][lamp chosen individually]
-  std::vector<double> sum;         // [replicate][group][band]
-  std::vector<double> irradiance;  // [lamp chosen individually]
+  std::vector<LampTally> tally;      // [replicate][lamp chosen individually]
+  std::vector<double> seen_of_band;  // the same of each band, [...][band]; empty without tinted panes
+  std::vector<double> sum;           // [replicate][group][band]
+  std::vector<double> irradiance;    // [lamp chosen individually]
   LampEstimates estimates;
 };
+
+PunctualChoices::Receiver receiver_of(const PatchEmitter& side) {
+  const auto& corners = side.corners();
+  const auto centre = (Vec3d(corners[0]) + Vec3d(corners[1]) + Vec3d(corners[2])) / 3.0;
+  double radius = 0.0;
+  for (const auto& corner : corners) radius = std::max(radius, glm::length(Vec3d(corner) - centre));
+  return {centre, radius, Vec3d(side.normal())};
+}
 
 // Branches pay off only where there are enough samples to resolve them.
 std::size_t branches_for(std::uint32_t samples) {
@@ -80,10 +87,7 @@ DirectLight::DirectLight(const PatchSet& patches, const Tracer& tracer, const La
       tracer_(tracer),
       lamps_(lamps),
       options_(options),
-      rays_(patches, tracer, lamps, options.multiple_importance) {
-  for (const auto& light : patches.point_lights)
-    point_weight_.push_back(std::accumulate(light.intensity.begin(), light.intensity.end(), 0.0));
-}
+      rays_(patches, tracer, lamps, options.multiple_importance) {}
 
 DirectLight::Side DirectLight::start_on(SideId id) const {
   return {id, PatchEmitter(patches_, id), origin_lift(patches_.points(id.patch()))};
@@ -127,7 +131,7 @@ std::vector<ShadowRay> DirectLight::rays_of(SideId side_id, std::uint32_t positi
   for_each_term(side, choices, {position, round, per_replicate}, &ends,
                 [&](std::uint32_t r, const LampTerm& term) {
                   if (term.given > 0.0)
-                    rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen});
+                    rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen > 0.0});
                 });
   return rays;
 }
@@ -142,7 +146,7 @@ std::uint64_t DirectLight::estimate(SideId side_id, std::uint32_t position, std:
   const bool control_variate = options_.control_variate && !options_.multiple_importance;
   auto& choices = work.choices;
   choose_lamps(choices, side, options_.replicates * per_replicate);
-  if (choices.empty() && point_weight_.empty()) return 0;
+  if (choices.empty() && patches_.point_lights.empty()) return 0;
 
   // 1. Rays. Lamps chosen individually are tallied; the others are added directly.
   const auto known = choices.lamps().size();
@@ -150,59 +154,73 @@ std::uint64_t DirectLight::estimate(SideId side_id, std::uint32_t position, std:
   const auto replicates = options_.replicates;
   const auto per_sample = 1.0 / static_cast<double>(per_replicate);
   work.tally.assign(replicates * known, {});
+  work.seen_of_band.assign(rays_.panes().is_tinted() ? replicates * known * lamps_.bands() : 0, 0.0);
   work.sum.assign(replicates * width, 0.0);
-  auto rays = add_point_lights(side, position, round, per_replicate, work.sum);
+  auto rays = add_point_lights(side, {position, round, per_replicate}, work.sum);
   if (!choices.empty())
     for_each_term(side, choices, {position, round, per_replicate}, nullptr,
                   [&](std::uint32_t r, const LampTerm& term) {
-                    if (term.choice < known)
-                      work.tally[r * known + term.choice] += {term.given, term.seen ? term.given : 0.0};
-                    else if (term.seen)
-                      add_radiance(&work.sum[r * width], term.given * per_sample, lamps_, term.lamp);
                     rays += term.rays;
+                    if (term.choice < known)
+                      add_to_tally(term, r * known + term.choice, work.tally, work.seen_of_band);
+                    else if (term.seen > 0.0)
+                      add_sample(&work.sum[r * width], term, per_sample, lamps_);
+                    if (term.seen > 0.0) add_sky_difference(&work.sum[r * width], term, per_sample, lamps_);
                   });
 
   // 2. Each replicate is corrected by the visibility in the other replicates.
   work.irradiance.clear();
   for (const auto& lamp : choices.lamps()) work.irradiance.push_back(lamp.irradiance);
-  work.estimates.add({choices, lamps_, work.irradiance, work.tally, replicates, per_sample}, control_variate,
-                     work.sum);
+  work.estimates.add(
+      {choices, lamps_, work.irradiance, work.tally, work.seen_of_band, replicates, per_sample},
+      control_variate, work.sum);
   std::transform(work.sum.begin(), work.sum.end(), out.begin(),
                  [](double v) { return static_cast<float>(v); });
   return rays;
 }
 
 // sum: [replicate][group][band].
-std::uint64_t DirectLight::add_point_lights(const Side& side, std::uint32_t position, std::uint32_t round,
-                                            std::uint32_t per_replicate, std::span<double> sum) const {
-  if (point_weight_.empty()) return 0;
+std::uint64_t DirectLight::add_point_lights(const Side& side, const Samples& samples,
+                                            std::span<double> sum) const {
   const auto& lights = patches_.point_lights;
+  if (lights.empty()) return 0;
+  const auto per_replicate = samples.per_replicate;
+  const auto& punctual = rays_.punctual();
   const auto bands = lamps_.bands(), width = lamps_.groups() * bands;
   const Vec3d normal(side.emitter.normal());
-  thread_local std::vector<PointSight> sights;
-  thread_local DiscreteDistribution by_irradiance;  // lights in proportion to their unshadowed irradiance
-  sights.resize(lights.size());
+  thread_local PunctualChoices choices;
+  choices.make(lights, punctual.weights, punctual.chosen, receiver_of(side.emitter));
+  if (choices.empty() && punctual.suns.empty()) return 0;
   std::uint64_t rays = 0;
+  const auto add = [&](std::uint32_t r, const Vec3& from, std::uint32_t index, const PointSight& sight,
+                       double given) {
+    if (!(given > 0.0)) return;
+    ++rays;
+    const Ray ray{from, Vec3(sight.direction)};
+    if (tracer_.occluded(ray, sight.distance)) return;
+    const auto through = rays_.panes().along(ray, sight.distance);
+    const auto& light = lights[index];
+    auto* out = &sum[r * width + (lamps_.groups() > 1 ? light.light_group * bands : 0)];
+    for (std::size_t b = 0; b < bands; ++b)
+      out[b] += given / per_replicate * in_band(through, b) * static_cast<double>(light.intensity[b]);
+  };
   for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-    const Numbers numbers(options_, side.id, position, round, per_replicate, r);
+    const Numbers numbers(options_, side.id, samples.position, samples.round, per_replicate, r);
     for (std::uint32_t k = 0; k < per_replicate; ++k) {
       const auto u = numbers.at(k);
       const auto from = side.emitter.point(u[2], u[3]);
-      by_irradiance.clear();
-      for (std::size_t i = 0; i < lights.size(); ++i) {
-        sights[i] = sight_of(lights[i].light, Vec3d(from), normal);
-        by_irradiance.add(point_weight_[i] * sights[i].irradiance);
+      std::array<double, 2> opening{};
+      if (punctual.has_extended) {
+        const auto v = numbers.more(k);
+        opening = {static_cast<double>(v[0]), static_cast<double>(v[1])};
       }
-      const auto whole = by_irradiance.total();
-      if (!(whole > 0.0)) continue;
-      const auto chosen = by_irradiance.choose(static_cast<double>(u[0]));
-      const auto& sight = sights[chosen];
-      ++rays;
-      if (tracer_.occluded({from, Vec3(sight.direction)}, sight.distance)) continue;
-      const auto& light = lights[chosen];
-      const auto given = whole / point_weight_[chosen] / per_replicate;
-      auto* out = &sum[r * width + (lamps_.groups() > 1 ? light.light_group * bands : 0)];
-      for (std::size_t b = 0; b < bands; ++b) out[b] += given * static_cast<double>(light.intensity[b]);
+      for (const auto sun : punctual.suns) {
+        const auto sight = sight_of(lights[sun].light, Vec3d(from), normal, opening);
+        add(r, from, sun, sight, sight.irradiance);
+      }
+      if (choices.empty()) continue;
+      const auto sample = choices.sample(Vec3d(from), normal, static_cast<double>(u[0]), opening);
+      add(r, from, sample.light, sample.sight, sample.given);
     }
   }
   return rays;

@@ -39,9 +39,9 @@ struct DirectOptions {
 
 // Estimates the irradiance of one side of a patch straight from the lamps, by shadow rays. The sky seen
 // through a portal is a lamp whose rays continue behind the portal until they meet a surface, which hides the
-// sky, or none. Punctual lights are sampled apart, one for each ray, in proportion to their unshadowed
-// irradiance at that very point. Area lamps have constant radiance, so only their visibility is sampled. The
-// estimator is
+// sky, or none. Punctual lights and luminaires are sampled apart, one for each ray, in proportion to their
+// unshadowed irradiance at that very point (PunctualChoices). Area lamps have constant radiance, so only
+// their visibility is sampled. The estimator is
 //   sum over lamps of mean(c V) + beta (U - mean(c)),
 // with c the unshadowed sample, V its visibility, U the closed form of its mean, and beta the visibility met
 // by the other replicates (of that lamp, drawn to that of all lamps while samples are few). beta is thus
@@ -74,12 +74,11 @@ class DirectLight {
 
  private:
   struct Side;
-  std::uint64_t add_point_lights(const Side& side, std::uint32_t position, std::uint32_t round,
-                                 std::uint32_t per_replicate, std::span<double> sum) const;
   // Which samples of a side, as in estimate().
   struct Samples {
     std::uint32_t position, round, per_replicate;
   };
+  std::uint64_t add_point_lights(const Side& side, const Samples& samples, std::span<double> sum) const;
   Side start_on(SideId id) const;
   void choose_lamps(LampChoices& choices, const Side& side, std::uint32_t samples) const;
   // Calls body(replicate, term) for every sample; ends: its ends are written there, if anywhere.
@@ -92,7 +91,6 @@ class DirectLight {
   const Lamps& lamps_;
   DirectOptions options_;
   LampRays rays_;
-  std::vector<double> point_weight_;  // [point light]: intensity summed over bands
 };
 
 }  // namespace luxel

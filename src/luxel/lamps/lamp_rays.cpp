@@ -20,29 +20,48 @@ LampRays::LampRays(const PatchSet& patches, const Tracer& tracer, const Lamps& l
       lamps_(lamps),
       multiple_importance_(multiple_importance),
       tree_(lamps),
-      portals_(patches) {
+      portals_(patches),
+      panes_(patches),
+      punctual_(patches),
+      sky_patches_(patches.sky_patches) {
   for (const auto& lamp : lamps.triangles()) lift_.push_back(origin_lift(lamp.corner));
 }
 
 // Both ends are lifted off their planes by the bound on rounding. The lamp's own triangle therefore stays
 // behind the end of the ray, at grazing angles and at short distances too.
-bool LampRays::visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float min_lift) const {
-  if (const auto& triangle = lamps_.triangles()[lamp]; triangle.is_portal())
-    return sky_is_visible(from, to, triangle.portal);
-  const auto lift = static_cast<double>(std::max(min_lift, lift_[lamp]));
-  const auto way = to + lift * lamps_.triangles()[lamp].normal - Vec3d(from);
-  const auto distance = glm::length(way);
-  return !(distance > 0.0) || !tracer_.occluded({from, Vec3(way / distance)}, static_cast<float>(distance));
+void LampRays::look(const Vec3& from, const Vec3d& to, float min_lift, LampTerm& term) const {
+  const auto& triangle = lamps_.triangles()[term.lamp];
+  const auto lift = triangle.is_portal() ? 0.0 : static_cast<double>(std::max(min_lift, lift_[term.lamp]));
+  const auto way = to + lift * triangle.normal - Vec3d(from);
+  const auto length = glm::length(way);
+  if (!(length > 0.0)) {
+    term.seen = triangle.is_portal() ? 0.0 : 1.0;
+    return;
+  }
+  const Ray ray{from, Vec3(way / length)};
+  const auto distance =
+      triangle.is_portal() ? std::numeric_limits<float>::infinity() : static_cast<float>(length);
+  const bool visible =
+      triangle.is_portal() ? sky_is_visible(ray, triangle.portal) : !tracer_.occluded(ray, distance);
+  if (visible) look_through_panes(ray, distance, term);
+}
+
+void LampRays::look_through_panes(const Ray& ray, float distance, LampTerm& term) const {
+  const auto through = panes_.along(ray, distance);
+  term.seen = panes_.luminous(through);
+  if (panes_.is_tinted()) term.of_band = through;
 }
 
 // Of several portals on a line only the first counts, so that each line counts once.
-bool LampRays::sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const {
-  const auto way = to - Vec3d(from);
-  const auto distance = glm::length(way);
-  if (!(distance > 0.0)) return false;
-  const Ray ray{from, Vec3(way / distance)};
+bool LampRays::sky_is_visible(const Ray& ray, std::uint32_t portal_side) const {
   return !tracer_.occluded(ray, std::numeric_limits<float>::infinity()) &&
          portals_.first_crossed(ray) == portal_side;
+}
+
+// What lies behind a portal in that direction; 0 for other lamps.
+std::uint32_t LampRays::sky_patch(std::uint32_t lamp, const Vec3d& direction) const {
+  return lamps_.triangles()[lamp].is_portal() ? static_cast<std::uint32_t>(sky_patches_.patch_of(direction))
+                                              : 0;
 }
 
 // Sample towards a chosen lamp.
@@ -58,9 +77,14 @@ LampTerm LampRays::towards_lamp(const LampRayOrigin& origin, const LampChoices& 
   const auto cosine = glm::dot(Vec3d(normal), sample.direction);
   if (!(sample.density > 0.0) || !(cosine > 0.0)) return {};
   const auto to = Vec3d(from) + sample.distance * sample.direction;
-  const bool seen = visible(from, to, chosen.lamp, lift);
   if (ends != nullptr) *ends = {from, Vec3(to)};
-  return {choice, chosen.lamp, given(cosine, sample.density * chosen.probability), seen, 1};
+  LampTerm term{.choice = choice,
+                .lamp = chosen.lamp,
+                .sky_patch = sky_patch(chosen.lamp, sample.direction),
+                .given = given(cosine, sample.density * chosen.probability),
+                .rays = 1};
+  look(from, to, lift, term);
+  return term;
 }
 
 // Sample towards the bounding sphere of a bulb, uniform in solid angle; the hit determines the facet.
@@ -86,7 +110,9 @@ LampTerm LampRays::towards_ball(const LampRayOrigin& origin, const LampChoices& 
   if (lamp == none || !tree_.holds(branch, lamp)) return {.rays = 1};
   if (ends != nullptr) *ends = {from, from + hit.distance * direction};
   const auto density = choices.probability(choice) / (2.0 * std::numbers::pi * width);
-  return {choice, lamp, given(cosine, density), true, 1};
+  LampTerm term{.choice = choice, .lamp = lamp, .given = given(cosine, density), .rays = 1};
+  look_through_panes({from, direction}, hit.distance, term);
+  return term;
 }
 
 // Cosine ray, which may hit a lamp.
@@ -101,7 +127,13 @@ LampTerm LampRays::along(const Ray& ray, const Vec3& normal, const LampChoices& 
   const auto density = lamp_density(lamps_.triangles()[lamp], Vec3d(ray.origin), Vec3d(ray.direction));
   const auto length = hit ? hit.distance : portals_.distance(ray);
   if (ends != nullptr) *ends = {ray.origin, ray.origin + length * ray.direction};
-  return {found.choice, lamp, given(cosine, density * found.lamp.probability), true, 1};
+  LampTerm term{.choice = found.choice,
+                .lamp = lamp,
+                .sky_patch = sky_patch(lamp, Vec3d(ray.direction)),
+                .given = given(cosine, density * found.lamp.probability),
+                .rays = 1};
+  look_through_panes(ray, hit.distance, term);
+  return term;
 }
 
 // The balance heuristic (Veach and Guibas 1995) divides both by the sum of the two densities.

@@ -4,12 +4,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "luxel/lamps/lamps.h"
 #include "luxel/lamps/light_tree.h"
 #include "luxel/lamps/portals.h"
+#include "luxel/lamps/punctual_lights.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/trace/panes.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -20,9 +23,16 @@ class LampChoices;
 struct LampTerm {
   std::size_t choice = 0;
   std::uint32_t lamp = 0;
-  double given = 0.0;  // W/m² at unit radiance, were nothing between: the sample over its density
-  bool seen = false;
-  std::uint64_t rays = 0;  // traced
+  std::uint32_t sky_patch = 0;  // where the lamp is a portal: what lies behind
+  double given = 0.0;           // W/m² at unit radiance, were nothing between: the sample over its density
+  double seen = 0.0;            // 0: hidden; 1: seen; between: luminous transmittance of the panes between
+  std::uint64_t rays = 0;       // traced
+  // Where there are tinted panes, what is seen of each band, [band]; else empty. Valid until the next ray of
+  // the thread.
+  std::span<const double> of_band = {};
+
+  // What the sample gives at unit radiance, W/m²; of_band is a factor of it.
+  double value() const { return of_band.empty() ? given * seen : given; }
 };
 
 // The two ends of such a ray, m; the second is on the lamp.
@@ -50,6 +60,8 @@ class LampRays {
   const Lamps& lamps() const { return lamps_; }
   const LightTree& tree() const { return tree_; }
   const Portals& portals() const { return portals_; }
+  const Panes& panes() const { return panes_; }
+  const PunctualLights& punctual() const { return punctual_; }
 
   // One sample towards a lamp of the choices, which are those of the origin or of a patch around it. u:
   // uniform in [0, 1): the lamp and a coordinate on it; the other coordinate. ends: are written there, if
@@ -63,14 +75,19 @@ class LampRays {
   LampTerm towards_ball(const LampRayOrigin& from, const LampChoices& choices, std::size_t choice,
                         const std::array<double, 2>& u, LampRayEnds* ends) const;
   double given(double cosine, double lamp_density) const;
-  bool sky_is_visible(const Vec3& from, const Vec3d& to, std::uint32_t portal_side) const;
-  bool visible(const Vec3& from, const Vec3d& to, std::uint32_t lamp, float min_lift) const;
+  std::uint32_t sky_patch(std::uint32_t lamp, const Vec3d& direction) const;
+  bool sky_is_visible(const Ray& ray, std::uint32_t portal_side) const;
+  void look(const Vec3& from, const Vec3d& to, float min_lift, LampTerm& term) const;
+  void look_through_panes(const Ray& ray, float distance, LampTerm& term) const;
 
   const Tracer& tracer_;
   const Lamps& lamps_;
   bool multiple_importance_;
   LightTree tree_;
   Portals portals_;
+  Panes panes_;
+  PunctualLights punctual_;
+  SkyPatches sky_patches_;
   std::vector<float> lift_;  // [triangle], m
 };
 

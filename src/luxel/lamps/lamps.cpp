@@ -131,7 +131,12 @@ Lamps::Lamps(const PatchSet& patches)
 
 void Lamps::add_portals(const PatchSet& patches) {
   std::vector<float> emittance;
-  for (std::size_t b = 0; b < bands_; ++b) emittance.push_back(static_cast<float>(patches.sky_radiosity(b)));
+  const auto sky = patches.mean_sky();
+  for (const auto radiance : sky)
+    emittance.push_back(static_cast<float>(std::numbers::pi * static_cast<double>(radiance)));
+  if (!patches.has_even_sky())
+    for (std::size_t i = 0; i < patches.sky.size(); ++i)
+      sky_difference_.push_back(patches.sky[i] - sky[i % bands_]);
   lamp_of_portal_.assign(2 * patches.portals.size(), none);
   for (std::size_t i = 0; i < lamp_of_portal_.size(); ++i) {
     const auto side = SideId::at(i);  // of a portal

@@ -45,9 +45,14 @@ class Lamps {
   std::uint32_t lamp_of_portal(std::uint32_t portal_side) const {
     return portal_side < lamp_of_portal_.size() ? lamp_of_portal_[portal_side] : none;
   }
-  // Radiance of one triangle's front, W/(m² sr), [band].
+  // Radiance of one triangle's front, W/(m² sr), [band]; of a portal the sky's mean.
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
+  }
+  // What a patch of the sky has more than that mean: [band], W/(m² sr); empty where the sky is even.
+  std::span<const float> sky_difference(std::size_t sky_patch) const {
+    return sky_difference_.empty() ? std::span<const float>()
+                                   : std::span(sky_difference_).subspan(sky_patch * bands_, bands_);
   }
   // Its light group.
   std::size_t group(std::size_t triangle) const { return group_[triangle]; }
@@ -64,8 +69,9 @@ class Lamps {
   std::vector<std::uint32_t> lamp_of_portal_;  // [side of a portal]
   std::size_t bands_ = 0;
   std::size_t groups_ = 1;
-  std::vector<float> radiance_;       // [triangle][band]
-  std::vector<std::uint32_t> group_;  // [triangle]
+  std::vector<float> radiance_;        // [triangle][band]
+  std::vector<float> sky_difference_;  // [sky patch][band]
+  std::vector<std::uint32_t> group_;   // [triangle]
   bool one_colour_ = true;
   std::vector<double> colour_;  // of the first lamp, sums to 1
 };

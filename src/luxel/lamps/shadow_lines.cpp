@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "luxel/core/trig.h"
 #include "luxel/lamps/outer_back.h"
 #include "luxel/lamps/outline_edges.h"
 #include "luxel/lamps/shadow_parts.h"
@@ -15,6 +16,7 @@
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/vertex_triangles.h"
 #include "luxel/scene/clean_triangles.h"
+#include "luxel/trace/point_sight.h"
 
 namespace luxel {
 namespace {
@@ -46,9 +48,11 @@ class Finder {
         neighbours_(clean_, triangles.vertices.size()),
         lengths_{options.max_edge, reach()} {}
 
-  std::vector<ShadowLine> find() const {
+  std::vector<ShadowLine> find() {
     if (triangles_.point_lights.empty()) return {};
-    auto shadows = shadows_of(outline_edges());
+    auto edges = outline_edges();
+    split_penumbras(edges);
+    auto shadows = shadows_of(edges);
     if (!shadows || shadows->empty()) return {};
     keep_heaviest(*shadows, max_edges());
     std::stable_sort(shadows->begin(), shadows->end(),
@@ -92,6 +96,7 @@ class Finder {
     std::vector<LitEdge> edges;
     const auto weight = [](const LitEdge& e) { return e.edge.weight; };
     for (std::uint32_t light = 0; light < triangles_.point_lights.size(); ++light) {
+      if (has_opening(triangles_.point_lights[light].light)) continue;  // its shadows are soft
       for (const auto& edge :
            find_outline_edges(triangles_, neighbours_, triangles_.point_lights[light], context_))
         edges.push_back({edge, light});
@@ -101,9 +106,39 @@ class Finder {
     return edges;
   }
 
+  // The disc of a sun gives each edge two lines, where its penumbra begins and ends: those of suns without a
+  // disc, turned about the edge by its angular radius both ways.
+  void split_penumbras(std::vector<LitEdge>& edges) {
+    const auto is_soft = [&](const LitEdge& e) { return is_extended(lights().point_lights[e.light].light); };
+    if (std::none_of(edges.begin(), edges.end(), is_soft)) return;
+    with_rims_ = triangles_;
+    std::vector<LitEdge> split;
+    for (const auto& e : edges) {
+      if (!is_extended(triangles_.point_lights[e.light].light)) {
+        split.push_back(e);
+        continue;
+      }
+      for (const double sign : {-1.0, 1.0}) {
+        auto rim = triangles_.point_lights[e.light];
+        const auto axis = glm::normalize(e.edge.b - e.edge.a);
+        const auto turn = sin_cos(sign * static_cast<double>(rim.light.angular_radius));
+        const Vec3d way(rim.light.direction);
+        const auto along = glm::dot(axis, way) * axis;
+        rim.light.direction = Vec3(along + turn.cosine * (way - along) + turn.sine * glm::cross(axis, way));
+        rim.light.angular_radius = 0.0f;
+        split.push_back({e.edge, static_cast<std::uint32_t>(with_rims_->point_lights.size())});
+        with_rims_->point_lights.push_back(std::move(rim));
+      }
+    }
+    edges = std::move(split);
+  }
+
+  // The triangles with the lights that edges name.
+  const PatchSet& lights() const { return with_rims_ ? *with_rims_ : triangles_; }
+
   // Nothing after the monitor's stop.
   std::optional<std::vector<EdgeShadow>> shadows_of(const std::vector<LitEdge>& edges) const {
-    const ShadowReceivers receivers(triangles_, neighbours_, tracer_, lengths_);
+    const ShadowReceivers receivers(lights(), neighbours_, tracer_, lengths_);
     std::vector<EdgeShadow> shadows;
     for (std::size_t first = 0; first < edges.size(); first += edges_per_report) {
       const auto count = std::min(edges_per_report, edges.size() - first);
@@ -135,8 +170,8 @@ class Finder {
       const auto range =
           std::equal_range(contacts.begin(), contacts.end(), ContactLine{.on = on},
                            [](const ContactLine& a, const ContactLine& b) { return a.on < b.on; });
-      parts[g] = true_parts(triangles_, tracer_, groups[g], {range.first, range.second}, lengths_);
-      std::erase_if(parts[g], [&](const EdgeShadow& s) { return is_on_outer_back(triangles_, tracer_, s); });
+      parts[g] = true_parts(lights(), tracer_, groups[g], {range.first, range.second}, lengths_);
+      std::erase_if(parts[g], [&](const EdgeShadow& s) { return is_on_outer_back(lights(), tracer_, s); });
     });
     std::vector<EdgeShadow> result;
     for (const auto& some : parts) result.insert(result.end(), some.begin(), some.end());
@@ -169,6 +204,7 @@ class Finder {
   }
 
   const PatchSet& triangles_;
+  std::optional<PatchSet> with_rims_;  // the same, where suns have a disc: with their rims as lights
   const Tracer& tracer_;
   const ShadowLineOptions& options_;
   const Context& context_;

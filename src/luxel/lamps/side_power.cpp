@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numbers>
 
 #include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
@@ -24,10 +25,11 @@ SidePower lamp_power(const PatchSet& patches) {
 }
 
 void add_sky_power(const PatchSet& patches, const SkyBox& box, SidePower& power) {
+  const auto sky = patches.mean_sky();
   for (std::size_t face = 0; face < SkyBox::faces; ++face) {
     power.side.push_back(SideId::at(side_count(patches.size()) + face));
     for (std::size_t b = 0; b < patches.band_count(); ++b)
-      power.watts.push_back(box.area(face) * patches.sky_radiosity(b));
+      power.watts.push_back(box.area(face) * std::numbers::pi * static_cast<double>(sky[b]));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/cut_contacts.h"
 #include "luxel/patch/line_search.h"
+#include "luxel/patch/make_panes.h"
 #include "luxel/patch/near_lines.h"
 #include "luxel/patch/set_bands.h"
 #include "luxel/patch/triangle_splitter.h"
@@ -220,8 +221,9 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
   set_bands(patches, scene);
   patches.scene_fingerprint = fingerprint(scene);
   patches.origin = scene.origin;
-  patches.up = scene.up == Vec3(0.0f) ? up_axis(scene) : scene.up;
+  patches.up = up_of_scene(scene);
   patches.cameras = scene.cameras;
+  patches.panes = make_panes(scene);
 
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld, context).kept;

@@ -45,4 +45,30 @@ BandColours PatchSet::colours() const {
 
 bool PatchSet::has_sky() const { return any_above_zero(sky); }
 
+std::vector<double> PatchSet::open_irradiance() const {
+  std::vector<double> sum(sky.empty() ? 0 : bands.size(), 0.0);
+  if (has_even_sky())
+    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] = sky_radiosity(0, b);
+  else
+    for (std::size_t i = 0; i < sky.size(); ++i)
+      sum[i % bands.size()] +=
+          std::max(0.0, sky_patches.projected_solid_angle(i / bands.size())) * static_cast<double>(sky[i]);
+  return sum;
+}
+
+std::vector<float> PatchSet::mean_sky() const {
+  if (sky.empty() || has_even_sky()) return sky;
+  const bool whole = sky_patches.lower_half() == LowerHalf::mirrored;
+  std::vector<double> sum(bands.size(), 0.0);
+  double angle = 0.0;
+  for (std::size_t p = whole ? 0 : 1; p < sky_patches.size(); ++p) {
+    const auto own = sky_patches.solid_angle(p);
+    angle += own;
+    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += own * static_cast<double>(sky[p * sum.size() + b]);
+  }
+  std::vector<float> mean;
+  for (const auto s : sum) mean.push_back(static_cast<float>(s / angle));
+  return mean;
+}
+
 }  // namespace luxel

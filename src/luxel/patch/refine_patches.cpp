@@ -132,9 +132,11 @@ class Refiner {
     set.scene_fingerprint = old.scene_fingerprint;
     set.origin = old.origin;
     set.up = old.up;
+    set.sky_patches = old.sky_patches;
     set.sky = old.sky;
     set.point_lights = old.point_lights;
     set.portals = old.portals;
+    set.panes = old.panes;
     set.light_groups = old.light_groups;
     set.cameras = old.cameras;
     set.focuses_on_cameras = old.focuses_on_cameras;

@@ -22,15 +22,20 @@ MaterialTextures textures_of(const Material& m) {
   return textures;
 }
 
+// Panes that let all light pass have none: they are not there.
+bool absorbs(const Material& m) { return !m.opaque && m.transmittance != Vec3(1.0f); }
+
 void set_plain_bands(PatchSet& patches, const Scene& scene) {
   const auto three = [](const Vec3& rgb) { return std::vector<float>{rgb.r, rgb.g, rgb.b}; };
   patches.bands = {"red", "green", "blue"};
   for (const auto& m : scene.materials)
-    patches.materials.push_back(
-        {m.name, m.two_sided, three(m.reflectance), three(m.emittance), 0, textures_of(m)});
+    patches.materials.push_back({m.name, m.two_sided, three(m.reflectance), three(m.emittance), 0,
+                                 textures_of(m), absorbs(m) ? three(m.transmittance) : std::vector<float>()});
   for (const auto& light : scene.point_lights)
     patches.point_lights.push_back({light, three(light.intensity)});
   if (scene.sky != Vec3(0.0f)) patches.sky = three(scene.sky);
+  for (const auto& radiance : scene.sky_radiance)
+    patches.sky.insert(patches.sky.end(), {radiance.r, radiance.g, radiance.b});
 }
 
 // Spectra of measured materials and of those given by a colour, at the bands.
@@ -43,6 +48,12 @@ class SpectraAtBands {
   std::vector<float> reflectance(const Material& m) {
     if (m.reflectance_spectrum.empty()) return of_colours().reflectance(m.reflectance);
     return at_bands([&](std::size_t b) { return value(m.reflectance_spectrum, b, Beyond::holds); });
+  }
+  std::vector<float> transmittance(const Material& m) {
+    if (!absorbs(m)) return {};
+    const auto& rgb = m.transmittance;
+    if (rgb == Vec3(rgb.r)) return std::vector<float>(bands_.size(), rgb.r);
+    return of_colours().reflectance(glm::min(rgb, Vec3(max_reflectance)));
   }
   std::vector<float> light(const Vec3& rgb, const Spectrum& measured) {
     if (!measured.empty())
@@ -78,16 +89,23 @@ class SpectraAtBands {
 }  // namespace
 
 void set_bands(PatchSet& patches, const Scene& scene) {
+  patches.sky_patches = scene.sky_patches;
   if (scene.wavelengths.empty()) return set_plain_bands(patches, scene);
   SpectraAtBands spectra(scene);
   patches.wavebands = spectra.bands();
   for (const auto& band : patches.wavebands) patches.bands.push_back(fmt::format("{} nm", band.wavelength));
   for (const auto& m : scene.materials)
     patches.materials.push_back({m.name, m.two_sided, spectra.reflectance(m),
-                                 spectra.light(m.emittance, m.emittance_spectrum), 0, textures_of(m)});
+                                 spectra.light(m.emittance, m.emittance_spectrum), 0, textures_of(m),
+                                 spectra.transmittance(m)});
   for (const auto& light : scene.point_lights)
     patches.point_lights.push_back({light, spectra.light(light.intensity, {})});
-  auto sky = spectra.light(scene.sky, scene.sky_spectrum);
+  std::vector<float> sky;
+  if (scene.sky_radiance.empty()) sky = spectra.light(scene.sky, scene.sky_spectrum);
+  for (const auto& radiance : scene.sky_radiance) {
+    const auto at_bands = spectra.light(radiance, {});
+    sky.insert(sky.end(), at_bands.begin(), at_bands.end());
+  }
   if (std::any_of(sky.begin(), sky.end(), [](float x) { return x > 0.0f; })) patches.sky = std::move(sky);
 }
 

@@ -49,13 +49,15 @@ Image gather_picture(const PatchSet& patches, const Solution& solution, const Tr
   // Irradiance at x: direct light from lamps and sky, plus the light reflected where the cosine ray hits.
   const auto gather = [&](const SurfacePoint& x, const VertexNumbers& numbers, std::uint64_t,
                           std::span<double> H) {
-    const auto hit = paths.direct(x, numbers, one, H).first;
+    const auto trail = paths.direct(x, numbers, one, H);
+    const auto& hit = trail.first;
     if (!hit || !is_reflecting(patches, hit.patch, hit.back)) return;
     for (std::size_t b = 0; b < bands; ++b) {
       const auto at = bands * hit.patch + b;
-      H[b] += hit.back ? static_cast<double>(solution.radiosity.back[at])
-                       : static_cast<double>(solution.radiosity.front[at]) -
-                             static_cast<double>(patches.emittance(hit.patch, b));
+      const auto reflected = hit.back ? static_cast<double>(solution.radiosity.back[at])
+                                      : static_cast<double>(solution.radiosity.front[at]) -
+                                            static_cast<double>(patches.emittance(hit.patch, b));
+      H[b] += in_band(trail.through, b) * reflected;
     }
   };
   const auto radiance_of_pixel = [&](std::size_t pixel) {

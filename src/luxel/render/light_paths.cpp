@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <numbers>
+#include <span>
 
 #include "luxel/core/address.h"
 #include "luxel/core/warp.h"
+#include "luxel/lamps/punctual_choices.h"
 #include "luxel/patch/check_light.h"
 #include "luxel/trace/point_sight.h"
 
@@ -17,8 +19,41 @@ double dot(const Vec3& a, const Vec3& b) { return glm::dot(Vec3d(a), Vec3d(b)); 
 }  // namespace
 
 LightPaths::LightPaths(const PatchSet& patches, const Tracer& tracer)
-    : patches_(patches), tracer_(tracer), lamps_(patches) {
+    : patches_(patches), tracer_(tracer), lamps_(patches), punctual_(patches), panes_(patches) {
   check_light(patches);
+}
+
+// Each light by itself where they are few; else one of them, chosen by its irradiance.
+template <typename Add>
+void LightPaths::add_punctual(const SurfacePoint& x, const VertexNumbers& numbers, Trail& trail,
+                              const Add& add) const {
+  const auto [u, v, w] = numbers.lamp;
+  const std::array<double, 2> opening = {static_cast<double>(v), static_cast<double>(w)};
+  const auto add_seen = [&](std::uint32_t light, const PointSight& sight, double given) {
+    if (!(given > 0.0)) return;
+    ++trail.rays;
+    const Ray ray{x.position, Vec3(sight.direction)};
+    if (tracer_.occluded(ray, sight.distance)) return;
+    const auto through = panes_.along(ray, sight.distance);
+    const auto cosine = glm::dot(Vec3d(x.normal), sight.direction);
+    add(sight.direction, cosine, given / cosine, [&](std::size_t b) {
+      return in_band(through, b) * static_cast<double>(patches_.point_lights[light].intensity[b]);
+    });
+  };
+  const Vec3d position(x.position), normal(x.normal);
+  const auto add_each = [&](std::span<const std::uint32_t> lights) {
+    for (const auto i : lights) {
+      const auto sight = sight_of(patches_.point_lights[i].light, position, normal, opening);
+      add_seen(i, sight, sight.irradiance);
+    }
+  };
+  add_each(punctual_.suns);
+  if (punctual_.chosen.size() <= PunctualChoices::max_near) return add_each(punctual_.chosen);
+  thread_local PunctualChoices choices;
+  choices.make(patches_.point_lights, punctual_.weights, punctual_.chosen, {position, 0.0, normal});
+  if (choices.empty()) return;
+  const auto sample = choices.sample(position, normal, static_cast<double>(u), opening);
+  add_seen(sample.light, sample.sight, sample.given);
 }
 
 // Calls add(direction, cosine, solid_angle, radiance) for the arriving light: the expected sum of solid_angle
@@ -27,9 +62,9 @@ template <typename Add>
 LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread,
                                        const Add& add) const {
   Trail trail;
-  const auto of_lamp = [&](std::size_t patch) {
-    return [this, patch](std::size_t b) {
-      return static_cast<double>(patches_.emittance(patch, b)) / std::numbers::pi;
+  const auto of_lamp = [&](std::size_t patch, std::span<const double> through) {
+    return [this, patch, through](std::size_t b) {
+      return in_band(through, b) * static_cast<double>(patches_.emittance(patch, b)) / std::numbers::pi;
     };
   };
   // Densities per steradian: of the shadow ray (lamp sampling) and of the other ray.
@@ -50,21 +85,14 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
     const auto there = -glm::dot(Vec3d(y.normal), way) / distance;
     if (here > 0.0 && there > 0.0) {
       ++trail.rays;
-      if (!tracer_.occluded({x.position, Vec3(way / distance)}, static_cast<float>(distance)))
+      const Ray ray{x.position, Vec3(way / distance)};
+      if (!tracer_.occluded(ray, static_cast<float>(distance)))
         add(way / distance, here, 1.0 / (lamp_density(y.patch, distance, there) + ray_density(here)),
-            of_lamp(y.patch));
+            of_lamp(y.patch, panes_.along(ray, static_cast<float>(distance))));
     }
   }
 
-  for (const auto& lamp : patches_.point_lights) {
-    const auto sight = sight_of(lamp.light, Vec3d(x.position), Vec3d(x.normal));
-    if (!(sight.irradiance > 0.0)) continue;
-    ++trail.rays;
-    if (tracer_.occluded({x.position, Vec3(sight.direction)}, sight.distance)) continue;
-    const auto cosine = glm::dot(Vec3d(x.normal), Vec3d(sight.direction));
-    add(Vec3d(sight.direction), cosine, sight.irradiance / cosine,
-        [&](std::size_t b) { return static_cast<double>(lamp.intensity[b]); });
-  }
+  if (!patches_.point_lights.empty()) add_punctual(x, numbers, trail, add);
 
   // 2. Cosine-distributed ray or, for light vectors, one of the mixture of cosine and uniform directions.
   auto [u, v] = numbers.direction;
@@ -80,15 +108,20 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
   trail.cosine = cosine;
   trail.solid_angle = density > 0.0 ? 1.0 / density : 0.0;
   const auto& hit = trail.first;
-  if (!hit)
-    add(trail.direction, cosine, trail.solid_angle,
-        [&](std::size_t b) { return patches_.sky_radiosity(b) / std::numbers::pi; });
+  if (const auto through = panes_.along(ray, hit.distance); !through.empty())
+    trail.through.assign(through.begin(), through.end());
+  if (!hit) {
+    const auto sky_patch = patches_.sky_patches.patch_of(trail.direction);
+    add(trail.direction, cosine, trail.solid_angle, [&](std::size_t b) {
+      return in_band(trail.through, b) * patches_.sky_radiosity(sky_patch, b) / std::numbers::pi;
+    });
+  }
   if (!hit || hit.back || !patches_.material_of(hit.patch).is_lamp()) return trail;
   const auto facing = -dot(patches_.normal[hit.patch], ray.direction);
   if (!(facing > 0.0)) return trail;
   add(trail.direction, cosine,
       1.0 / (lamp_density(hit.patch, static_cast<double>(hit.distance), facing) + density),
-      of_lamp(hit.patch));
+      of_lamp(hit.patch, trail.through));
   return trail;
 }
 
@@ -116,6 +149,7 @@ LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumb
   std::fill(weight.begin(), weight.end(), 1.0);
   auto whole = direct(x, first, weight, sum);
   auto hit = whole.first;
+  for (std::size_t b = 0; b < whole.through.size(); ++b) weight[b] *= whole.through[b];
   for (std::uint64_t vertex = 0; hit && is_reflecting(patches_, hit.patch, hit.back); ++vertex) {
     const auto u = uniform4(key, 2 * vertex);
     const auto v = uniform4(key, 2 * vertex + 1);
@@ -132,6 +166,7 @@ LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumb
                               {{v[0], v[1]}, {u[1], u[2], u[3]}}, weight, sum);
     whole.rays += trail.rays;
     hit = trail.first;
+    for (std::size_t b = 0; b < trail.through.size(); ++b) weight[b] *= trail.through[b];
   }
   return whole;
 }

@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "luxel/lamps/punctual_lights.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lamp_table.h"
 #include "luxel/render/surface_point.h"
+#include "luxel/trace/panes.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -28,8 +30,8 @@ struct VertexNumbers {
 // Paths that start at a surface and gather light (Kajiya 1986). Each vertex traces a shadow ray to a lamp and
 // a cosine ray: light straight from lamps comes from both, weighted by the balance heuristic (Veach and
 // Guibas 1995), so that no path carries much more than others where a lamp is near; the cosine ray continues
-// the path, or meets the sky, which no other ray samples. Shares tracer and patches with the solvers, and no
-// estimator.
+// the path, or meets the sky, which no other ray samples. Shares tracer, patches and the choice of
+// luminaires with the solvers, and no estimator.
 class LightPaths {
  public:
   // Keeps references. Throws InputError where there is neither lamp nor sky.
@@ -43,6 +45,8 @@ class LightPaths {
     // what is seen.
     Vec3d direction{0.0};
     double cosine = 0.0, solid_angle = 0.0;
+    // What panes of glass let through on that ray: [band]; empty where it crosses none.
+    std::vector<double> through = {};
   };
 
   // Adds weight * (unbiased estimate of the irradiance at x straight from lamps and sky, W/m²) to sum.
@@ -67,9 +71,14 @@ class LightPaths {
   template <typename Add>
   Trail arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread, const Add& add) const;
 
+  template <typename Add>
+  void add_punctual(const SurfacePoint& x, const VertexNumbers& numbers, Trail& trail, const Add& add) const;
+
   const PatchSet& patches_;
   const Tracer& tracer_;
   LampTable lamps_;
+  PunctualLights punctual_;
+  Panes panes_;
 };
 
 }  // namespace luxel

@@ -5,7 +5,9 @@
 
 #include "luxel/core/error.h"
 #include "luxel/patch/colour_patches.h"
+#include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
+#include "luxel/render/sky_colours.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 
@@ -20,10 +22,11 @@ struct Shot {
   const Lightmap& lightmap;
   const FineColours& fine;
   const BandColours& colours;
+  const SkyColours& sky;
 };
 
-Vec3d radiance_at(const Shot& shot, const Hit& hit) {
-  if (!hit) return shot.patches.sky.empty() ? Vec3d(0.0) : shot.colours.rgb(shot.patches.sky);
+Vec3d radiance_at(const Shot& shot, const Ray& ray, const Hit& hit) {
+  if (!hit) return shot.sky.at(Vec3d(ray.direction));
   const auto& atlas = shot.lightmap.atlas;
   const auto side = hit.side();
   Vec3 irradiance(0.0f);
@@ -50,7 +53,9 @@ Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const 
   const Pinhole pinhole(camera, options.width, options.height);
   const FineColours fine(patches, context);
   const auto colours = patches.colours();
-  const Shot shot{patches, lightmap, fine, colours};
+  const SkyColours sky(patches, colours);
+  const PaneColours panes(patches, colours);
+  const Shot shot{patches, lightmap, fine, colours, sky};
   const auto side = options.samples_per_side;
   const auto width = static_cast<std::size_t>(options.width);
   Image picture(options.width, options.height);
@@ -60,7 +65,8 @@ Image lightmap_picture(const PatchSet& patches, const Lightmap& lightmap, const 
       Vec3d sum(0.0);
       for (int cell = 0; cell < side * side; ++cell) {
         const auto ray = pinhole.ray(x + (cell % side + 0.5) / side, y + (cell / side + 0.5) / side);
-        sum += radiance_at(shot, tracer.nearest(ray));
+        const auto hit = tracer.nearest(ray);
+        sum += panes.along(ray, hit.distance) * radiance_at(shot, ray, hit);
       }
       picture.pixels[i] = in_gamut(sum / static_cast<double>(side * side));
     }

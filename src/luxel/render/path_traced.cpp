@@ -15,7 +15,9 @@ namespace luxel {
 namespace {
 
 enum Name : std::uint32_t { place, direction, lamp_place, lamp_choice };  // of strata
-enum Fate : std::size_t { escaped, lost, fates };  // of first rays; stored after the bands
+// What became of first rays, [fate][band], after the irradiance of the bands; and the light of the sky that
+// they meet.
+enum Fate : std::size_t { escaped, lost, in_panes, from_sky, fates };
 
 class SideMeans {
  public:
@@ -24,7 +26,7 @@ class SideMeans {
         options_(options),
         bands_(patches.band_count()),
         paths_(patches, tracer),
-        means_(side_count(patches.size()), bands_ + fates) {}
+        means_(side_count(patches.size()), bands_ * (1 + fates)) {}
 
   StopReason run(const Context& context) {
     return means_.run(
@@ -74,12 +76,23 @@ class SideMeans {
       const auto trail = paths_.irradiance(surface_point(patches_, patch, back, uniform_triangle(at.x, at.y)),
                                            first, of_path, options_.bounces_from, weight, sums.first(bands_));
       rays += trail.rays;
-      if (!trail.first)
-        sums[bands_ + escaped] += 1.0;
-      else if (!is_reflecting(patches_, trail.first.patch, trail.first.back))
-        sums[bands_ + lost] += 1.0;
+      add_fate(trail, sums.subspan(bands_));
     }
     return rays;
+  }
+
+  void add_fate(const LightPaths::Trail& trail, std::span<double> fate) const {
+    const auto& hit = trail.first;
+    const auto sky_patch = hit ? 0 : patches_.sky_patches.patch_of(trail.direction);
+    const bool is_lost = hit && !is_reflecting(patches_, hit.patch, hit.back);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      const auto through = in_band(trail.through, b);
+      fate[in_panes * bands_ + b] += 1.0 - through;
+      if (is_lost) fate[lost * bands_ + b] += through;
+      if (hit) continue;
+      fate[escaped * bands_ + b] += through;
+      fate[from_sky * bands_ + b] += through * patches_.sky_radiosity(sky_patch, b);
+    }
   }
 
   const PatchSet& patches_;
@@ -115,8 +128,8 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
 
 void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& report) {
   const auto bands = patches.band_count();
-  for (auto* part :
-       {&report.emitted, &report.from_sky, &report.absorbed, &report.escaped, &report.lost_at_backs})
+  for (auto* part : {&report.emitted, &report.from_sky, &report.absorbed, &report.escaped,
+                     &report.lost_at_backs, &report.in_panes})
     part->assign(bands, 0.0);
   for (std::size_t i = 0; i < side_count(patches.size()); ++i) {
     const auto side = SideId::at(i);
@@ -127,11 +140,14 @@ void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& rep
           side.is_back() ? 0.0 : sides.area(side) * static_cast<double>(patches.emittance(side.patch(), b));
       const auto leaves = emitted + sides.area(side) * rho * H;
       report.emitted[b] += emitted;
-      report.from_sky[b] +=
-          sides.area(side) * sides.means().mean(side.index(), bands + escaped) * patches.sky_radiosity(b);
+      const auto fraction = [&](Fate fate) {
+        return sides.means().mean(side.index(), bands * (1 + fate) + b);
+      };
+      report.from_sky[b] += sides.area(side) * fraction(from_sky);
       report.absorbed[b] += sides.area(side) * (1.0 - rho) * H;
-      report.escaped[b] += leaves * sides.means().mean(side.index(), bands + escaped);
-      report.lost_at_backs[b] += leaves * sides.means().mean(side.index(), bands + lost);
+      report.escaped[b] += leaves * fraction(escaped);
+      report.lost_at_backs[b] += leaves * fraction(lost);
+      report.in_panes[b] += leaves * fraction(in_panes);
     }
   }
 }

@@ -29,8 +29,9 @@ struct PathReport {
   double error_95th = 0.0;
   // W, [band]. Power leaving a side escapes, or is lost at the backs of one-sided materials, in the share of
   // its first rays that do: exact where light is constant on each patch; the power from the sky is found in
-  // the same way. emitted + from_sky = absorbed + escaped + lost, but for noise.
-  std::vector<double> emitted, from_sky, absorbed, escaped, lost_at_backs;
+  // the same way, and what panes of glass absorb. emitted + from_sky = absorbed + escaped + lost_at_backs +
+  // in_panes, but for noise.
+  std::vector<double> emitted, from_sky, absorbed, escaped, lost_at_backs, in_panes;
 };
 
 // Computes the reference for solvers: the irradiance of every patch side, the mean over random points of the

@@ -49,7 +49,7 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
       result.rays += trail.rays;
       const auto& hit = trail.first;
       if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
-      for (std::size_t b = 0; b < bands; ++b) sum[b] += reflected(hit, b);
+      for (std::size_t b = 0; b < bands; ++b) sum[b] += in_band(trail.through, b) * reflected(hit, b);
       return;
     }
     const auto vector = std::span(vectors).subspan(r * bands, bands);
@@ -59,7 +59,7 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
     const bool reflects = hit && is_reflecting(patches_, hit.patch, hit.back);
     for (std::size_t b = 0; b < bands; ++b) {
       if (reflects)
-        vector[b] += trail.solid_angle * reflected(hit, b) / std::numbers::pi *
+        vector[b] += trail.solid_angle * in_band(trail.through, b) * reflected(hit, b) / std::numbers::pi *
                      glm::dvec4(trail.direction, trail.cosine);
       sum[b] = vector[b].w;
     }

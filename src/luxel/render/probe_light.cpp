@@ -82,14 +82,19 @@ SolutionProbe::SolutionProbe(const PatchSet& patches, const Solution& solution, 
       solved_(patches, solution, samples, context),
       tolerance_(surface_tolerance(patches)) {}
 
-void SolutionProbe::add_arriving(const Ray& ray, const Hit& hit, double weight,
-                                 std::span<double> radiosity) const {
+double SolutionProbe::add_arriving(const Ray& ray, const Hit& hit, double weight,
+                                   std::span<double> radiosity) const {
+  const auto& panes = lamp_rays_.panes();
+  const auto through = panes.along(ray, hit.distance);
   if (hit) {
-    for (std::size_t b = 0; b < radiosity.size(); ++b) radiosity[b] += weight * solved_.reflected(hit, b);
-    return;
+    for (std::size_t b = 0; b < radiosity.size(); ++b)
+      radiosity[b] += weight * in_band(through, b) * solved_.reflected(hit, b);
+  } else if (patches_.has_sky() && lamp_rays_.portals().first_crossed(ray) == none) {
+    const auto sky_patch = patches_.sky_patches.patch_of(Vec3d(ray.direction));
+    for (std::size_t b = 0; b < radiosity.size(); ++b)
+      radiosity[b] += weight * in_band(through, b) * patches_.sky_radiosity(sky_patch, b);
   }
-  if (!patches_.has_sky() || lamp_rays_.portals().first_crossed(ray) != none) return;
-  for (std::size_t b = 0; b < radiosity.size(); ++b) radiosity[b] += weight * patches_.sky_radiosity(b);
+  return panes.luminous(through);
 }
 
 ProbedLight SolutionProbe::at(const ProbePoint& point, const ProbeOptions& options, std::uint64_t key) const {
@@ -104,14 +109,18 @@ ProbedLight SolutionProbe::at(const ProbePoint& point, const ProbeOptions& optio
   ProbedLight light;
 
   const auto sample = [&](std::uint32_t r, std::uint32_t i) {
-    lamps.sample(r, Numbers::pair(numbers.lamp[r], i));
+    std::array<float, 3> opening{};
+    if (lamps.has_openings())
+      for (int d = 0; d < 3; ++d) opening[static_cast<std::size_t>(d)] = numbers.lamp[r].at(i, d + 2);
+    lamps.sample(r, Numbers::pair(numbers.lamp[r], i), opening);
     const auto [u, v] = Numbers::pair(numbers.direction[r], i);
     const Ray ray{origin.rays.position, frame.to_world(cosine_hemisphere(u, v))};
     const auto hit = tracer_.nearest(ray);
     ++cosine_rays;
     if (hit && !is_reflecting(patches_, hit.patch, hit.back)) ++behind;
-    add_arriving(ray, hit, 1.0, std::span(gathered).subspan(r * bands, bands));
-    solved_.add_error(hit, 1.0, errors);
+    if (options.direct && hit) return;
+    const auto through = add_arriving(ray, hit, 1.0, std::span(gathered).subspan(r * bands, bands));
+    solved_.add_error(hit, through, errors);
   };
   DoubledVariance<double> doubled;
   const auto is_enough = [&](std::uint32_t samples) {
@@ -136,6 +145,7 @@ ProbedLight SolutionProbe::at(const ProbePoint& point, const ProbeOptions& optio
   for (std::size_t i = 0; i < means.size(); ++i)
     light.irradiance[i % bands] += means[i] / static_cast<double>(replicates);
   light.solution_error = solved_.error(errors, static_cast<double>(cosine_rays));
+  light.solution_replicates = solved_.replicates(errors, static_cast<double>(cosine_rays));
   light.rays = cosine_rays + lamps.rays();
   light.place = origin.on_surface ? ProbePlace::surface : ProbePlace::free;
   if (2 * behind > cosine_rays)

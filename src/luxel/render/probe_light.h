@@ -34,6 +34,7 @@ struct ProbeOptions {
   double floor = 1.0;               // lx: darker points have the error of this much
   std::uint32_t max_rays = 262144;  // cosine rays per point
   std::uint64_t seed = 1;
+  bool direct = false;  // only light straight from lamps and the sky, without reflections
 };
 
 struct ProbedLight {
@@ -42,8 +43,10 @@ struct ProbedLight {
   double illuminance = 0.0;        // lx
   double sampling_error = 0.0;     // standard error of the probe's own rays, lx; widened as Student's t is
   double solution_error = 0.0;     // of the light that the rays picked up, lx; see SolutionLight::errors()
-  std::uint64_t rays = 0;          // traced
-  bool reached = false;            // whether the sampling error is the requested one
+  std::vector<double> solution_replicates;  // the light that they picked up in each replicate of the
+                                            // solution, lx; empty unless the solution stores these
+  std::uint64_t rays = 0;                   // traced
+  bool reached = false;                     // whether the sampling error is the requested one
 
   // Of both together, lx.
   double standard_error() const;
@@ -75,8 +78,9 @@ class SolutionProbe {
     return origin_of(patches_, solution_, tracer_, point, tolerance_);
   }
   // Radiosity that arrives on a ray from surfaces or the sky, W/m², without what lamps emit and without the
-  // sky behind portals, which shadow rays find. hit: what the ray met. Adds to radiosity, [band].
-  void add_arriving(const Ray& ray, const Hit& hit, double weight, std::span<double> radiosity) const;
+  // sky behind portals, which shadow rays find. hit: what the ray met. Adds to radiosity, [band]. Returns the
+  // luminous transmittance of the panes of glass that the ray crosses.
+  double add_arriving(const Ray& ray, const Hit& hit, double weight, std::span<double> radiosity) const;
 
   // The light of one point. key: of the random numbers. Depends on the arguments alone; any number of threads
   // may call. Cost: 2 to 3 us per cosine ray, shadow rays included.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,8 +12,11 @@
 #include "luxel/core/address.h"
 #include "luxel/core/error.h"
 #include "luxel/patch/colour_patches.h"
+#include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
+#include "luxel/render/sky_colours.h"
 #include "luxel/render/sky_look.h"
+#include "luxel/render/visible_luminaires.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/surface/smooth_irradiance.h"
@@ -51,13 +55,15 @@ struct Shot {
   const RenderOptions& options;
   const BandColours& colours;
   const FineColours& fine;
-  Vec3d sky;  // W/(m² sr)
+  const VisibleLuminaires& luminaires;
+  const SkyColours& sky;
+  const PaneColours& panes;
   Vec3d zenith;
 };
 
 // here: scratch, [band].
-Vec3d radiance_at(const Shot& shot, const Hit& hit, std::vector<float>& here) {
-  if (!hit) return shot.sky;
+Vec3d radiance_at(const Shot& shot, const Ray& ray, const Hit& hit, std::vector<float>& here) {
+  if (!hit) return shot.sky.at(Vec3d(ray.direction));
   for (std::size_t band = 0; band < here.size(); ++band)
     here[band] = smooth_irradiance<float>(shot.light, hit.side(), {hit.u, hit.v}, band, here.size());
   const auto fraction = texture_ratio_at(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
@@ -118,11 +124,15 @@ Vec3 pixel_radiance(const Shot& shot, int x, int y, PixelParts& parts) {
   for (int cell = 0; cell < side * side; ++cell) {
     const auto ray = shot.pinhole.ray_in_cell(x, y, key, cell, side);
     const auto hit = shot.tracer.nearest(ray);
-    const auto radiance = radiance_at(shot, hit, parts.bands);
-    const auto displayed = hit ? radiance : sky_look(radiance, glm::dot(Vec3d(ray.direction), shot.zenith));
+    const auto lamp = shot.luminaires.empty() ? std::nullopt : shot.luminaires.first(ray, hit.distance);
+    const auto radiance = shot.panes.along(ray, lamp ? lamp->distance : hit.distance) *
+                          (lamp ? lamp->radiance : radiance_at(shot, ray, hit, parts.bands));
+    const auto displayed = hit || lamp || !shot.sky.is_even()
+                               ? radiance
+                               : sky_look(radiance, glm::dot(Vec3d(ray.direction), shot.zenith));
     sum += radiance;
     shown += displayed;
-    of_sky += hit ? 0 : 1;
+    of_sky += hit || lamp ? 0 : 1;
     parts.samples.push_back(in_gamut(displayed));
   }
   const double samples = side * side;
@@ -143,11 +153,12 @@ Picture render_picture(const PatchSet& patches, const SmoothLight& light, const 
   check(patches, light, options);
   const Pinhole pinhole(camera, options.width, options.height);
   const auto colours = patches.colours();
-  const auto& sky = patches.sky;
+  const SkyColours sky(patches, colours);
+  const PaneColours panes(patches, colours);
   const FineColours fine(patches, context);
-  const Shot shot{patches,          light,   tracer, pinhole,
-                  options,          colours, fine,   sky.empty() ? Vec3d(0.0) : colours.rgb(sky),
-                  zenith_of(camera)};
+  const VisibleLuminaires luminaires(patches, colours);
+  const Shot shot{patches, light,      tracer, pinhole, options,          colours,
+                  fine,    luminaires, sky,    panes,   zenith_of(camera)};
   Picture picture{Image(options.width, options.height), {parts_per_pixel(options), {}, {}}, {}};
 
   const auto width = static_cast<std::size_t>(options.width);

@@ -21,7 +21,9 @@ SeenPoints::SeenPoints(const PatchSet& patches, const Tracer& tracer, const Came
       tracer_(tracer),
       pinhole_(camera, width, height),
       colours_(patches.colours()),
-      sky_(patches.sky.empty() ? Vec3d(0.0) : colours_.rgb(patches.sky)),
+      luminaires_(patches, colours_),
+      sky_(patches, colours_),
+      panes_(patches, colours_),
       width_(static_cast<std::size_t>(width)),
       height_(static_cast<std::size_t>(height)) {}
 
@@ -35,10 +37,10 @@ SeenPoints::Numbers SeenPoints::numbers_of(const Batch& batch, std::uint32_t i, 
           {{direction.x, direction.y}, {batch.choice.number(i, v[2]), lamp.x, lamp.y}}};
 }
 
-Hit SeenPoints::hit_of(std::size_t pixel, const Vec2& at) const {
+Ray SeenPoints::ray_of(std::size_t pixel, const Vec2& at) const {
   const auto x = static_cast<double>(pixel % width_) + static_cast<double>(at.x);
   const auto y = static_cast<double>(pixel / width_) + static_cast<double>(at.y);
-  return tracer_.nearest(pinhole_.ray(x, y));
+  return pinhole_.ray(x, y);
 }
 
 }  // namespace luxel

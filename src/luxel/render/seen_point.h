@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "luxel/render/light_paths.h"
+#include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
+#include "luxel/render/sky_colours.h"
 #include "luxel/render/strata.h"
+#include "luxel/render/visible_luminaires.h"
 #include "luxel/scene/band_colours.h"
 
 namespace luxel {
@@ -46,8 +50,15 @@ class SeenPoints {
             const Irradiance& irradiance) const {
     const auto path_key = batch.path_key(i);
     const auto numbers = numbers_of(batch, i, path_key);
-    const auto hit = hit_of(pixel, numbers.pixel);
-    if (!hit) sums.radiance += sky_;
+    const auto ray = ray_of(pixel, numbers.pixel);
+    const auto hit = tracer_.nearest(ray);
+    if (!luminaires_.empty())
+      if (const auto lamp = luminaires_.first(ray, hit.distance)) {
+        sums.radiance += panes_.along(ray, lamp->distance) * lamp->radiance;
+        return;
+      }
+    const auto through = panes_.along(ray, hit.distance);
+    if (!hit) sums.radiance += through * sky_.at(Vec3d(ray.direction));
     if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
     auto& scratch = sums.scratch;
     scratch.assign(bands(), 0.0);
@@ -56,8 +67,8 @@ class SeenPoints {
     for (std::size_t b = 0; b < bands(); ++b) {
       const auto back_to_eye = static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] * per_pi;
       const auto own = hit.back ? 0.0 : static_cast<double>(patches_.emittance(hit.patch, b)) * per_pi;
-      sums.radiance += (own + back_to_eye) * colours_.of(b);
-      sums.reflected += back_to_eye * colours_.of(b);
+      sums.radiance += (own + back_to_eye) * through * colours_.of(b);
+      sums.reflected += back_to_eye * through * colours_.of(b);
     }
   }
 
@@ -68,13 +79,15 @@ class SeenPoints {
     VertexNumbers vertex;
   };
   static Numbers numbers_of(const Batch& batch, std::uint32_t i, std::uint64_t path_key);
-  Hit hit_of(std::size_t pixel, const Vec2& at) const;
+  Ray ray_of(std::size_t pixel, const Vec2& at) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;
   Pinhole pinhole_;
   BandColours colours_;
-  Vec3d sky_;  // W/(m² sr), linear RGB
+  VisibleLuminaires luminaires_;
+  SkyColours sky_;
+  PaneColours panes_;
   std::size_t width_, height_;
 };
 

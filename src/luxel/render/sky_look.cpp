@@ -2,12 +2,15 @@
 #include "luxel/render/sky_look.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "luxel/core/address.h"
+#include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
 #include "luxel/render/render.h"
+#include "luxel/render/sky_colours.h"
 #include "luxel/scene/band_colours.h"
 
 namespace luxel {
@@ -48,7 +51,9 @@ SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Trace
                      const Camera& camera, const RenderOptions& options, const Context& context) {
   const Pinhole pinhole(camera, radiance.width, radiance.height);
   const auto zenith = zenith_of(camera);
-  const auto sky = patches.colours().rgb(patches.sky);
+  const SkyColours colours(patches, patches.colours());
+  const PaneColours panes(patches, patches.colours());
+  const auto sky = colours.at(zenith);
   const auto side = options.samples_per_side;
   const auto width = static_cast<std::size_t>(radiance.width);
   std::vector<SkyPixels> chunks((radiance.pixels.size() + pixels_per_chunk - 1) / pixels_per_chunk);
@@ -60,7 +65,9 @@ SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Trace
       const auto ray = pinhole.ray_in_cell(static_cast<double>(pixel % width),
                                            static_cast<double>(pixel / width), key, cell, side);
       if (tracer.nearest(ray)) continue;
-      shown += sky_look(sky, glm::dot(Vec3d(ray.direction), zenith)) - sky;
+      if (colours.is_even())
+        shown += panes.along(ray, std::numeric_limits<float>::infinity()) *
+                 (sky_look(sky, glm::dot(Vec3d(ray.direction), zenith)) - sky);
       ++seen;
     }
     if (seen == 0) return;

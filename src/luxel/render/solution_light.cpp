@@ -85,6 +85,18 @@ double error_of_replicates(std::span<const double> values) {
   return student_widening(n - 1.0) * std::sqrt(sum / (n * (n - 1.0)));
 }
 
+const char* name(SolutionErrors errors) {
+  switch (errors) {
+    case SolutionErrors::not_stated:
+      return "none";
+    case SolutionErrors::patches:
+      return "patches";
+    case SolutionErrors::replicates:
+      return "replicates";
+  }
+  return "";
+}
+
 SolutionLight::SolutionLight(const PatchSet& patches, const Solution& solution, const SampleState* samples,
                              const Context& context)
     : patches_(patches), solution_(solution), lux_(lux_of_bands(patches)) {
@@ -132,6 +144,19 @@ void SolutionLight::add_error(const Hit& hit, double weight, std::span<double> s
 double SolutionLight::error(std::span<const double> sums, double whole) const {
   if (errors_ == SolutionErrors::not_stated || !(whole > 0.0)) return 0.0;
   return (errors_ == SolutionErrors::replicates ? error_of_replicates(sums) : sums[0]) / whole;
+}
+
+std::vector<double> SolutionLight::replicates(std::span<const double> sums, double whole) const {
+  if (errors_ != SolutionErrors::replicates || !(whole > 0.0)) return {};
+  std::vector<double> lux(sums.begin(), sums.end());
+  for (auto& value : lux) value /= whole;
+  return lux;
+}
+
+double SolutionLight::error_degrees_of_freedom() const {
+  if (errors_ == SolutionErrors::not_stated) return 0.0;
+  return errors_ == SolutionErrors::replicates ? static_cast<double>(reflected_lux_.size() - 1)
+                                               : solution_.error_degrees_of_freedom;
 }
 
 }  // namespace luxel

@@ -22,6 +22,9 @@ enum class SolutionErrors {
   replicates   // the spread of the solution's replicates, which are stored with its transport
 };
 
+// "none", "patches", "replicates".
+const char* name(SolutionErrors errors);
+
 // lx of 1 W/m² in each band. Throws MismatchError where the bands have no luminance.
 std::vector<double> lux_of_bands(const PatchSet& patches);
 
@@ -58,6 +61,10 @@ class SolutionLight {
   std::size_t error_sums() const;
   void add_error(const Hit& hit, double weight, std::span<double> sums) const;
   double error(std::span<const double> sums, double whole) const;
+  // The light of such sums in each replicate of the solution, lx; empty where there are no replicates.
+  std::vector<double> replicates(std::span<const double> sums, double whole) const;
+  // Degrees of freedom of these errors; 0: not from replicates, the errors are not widened.
+  double error_degrees_of_freedom() const;
 
  private:
   const PatchSet& patches_;

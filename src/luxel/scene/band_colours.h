@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "luxel/core/vector.h"
-#include "luxel/scene/waveband.h"
+#include "luxel/scene/spectrum.h"
 
 namespace luxel {
 

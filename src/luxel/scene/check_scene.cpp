@@ -122,6 +122,19 @@ void check_point_light(const Scene& scene, const PointLight& light) {
   if (light.kind == PointLightKind::spot &&
       !(light.cos_outer >= -1.0f && light.cos_outer < light.cos_inner && light.cos_inner <= 1.0f))
     refuse("an inner angle smaller than the outer one");
+  if (!(light.angular_radius >= 0.0f && light.angular_radius <= 0.5f))
+    refuse("an angular radius from 0 to 0.5 rad");
+  if (light.kind != PointLightKind::luminaire) return;
+  if (!light.photometry) refuse("the distribution of a photometric file");
+  const auto is_axis = [](const Vec3& v, const Vec3& w) {
+    return std::abs(glm::length(v) - 1.0f) < 1e-3f && std::abs(glm::dot(v, w)) < 1e-3f;
+  };
+  if (!is_axis(light.local_x, light.direction) || !is_axis(light.local_y, light.direction) ||
+      !is_axis(light.local_x, light.local_y))
+    refuse("axes of length 1 at right angles");
+  if (!(light.dimming >= 0.0f && std::isfinite(light.dimming))) refuse("a dimming of 0 or more");
+  if (!(light.maintenance > 0.0f && light.maintenance <= 1.0f))
+    refuse("a maintenance factor above 0, at most 1");
 }
 
 void check_sky(const Scene& scene) {
@@ -129,6 +142,17 @@ void check_sky(const Scene& scene) {
     if (!(scene.sky[band] >= 0.0f && std::isfinite(scene.sky[band])))
       throw InputError(scene.source, fmt::format("expected the radiance of the sky to be 0 or more, found {}",
                                                  scene.sky[band]));
+  const auto& uneven = scene.sky_radiance;
+  if (uneven.empty() ? !scene.sky_patches.is_one() : uneven.size() != scene.sky_patches.size())
+    throw InputError(scene.source, fmt::format("expected a radiance for each of the {} patches of the sky, "
+                                               "found {}",
+                                               scene.sky_patches.size(), uneven.size()));
+  if (!uneven.empty() && (scene.sky != Vec3(0.0f) || !scene.sky_spectrum.empty()))
+    throw InputError(scene.source,
+                     "expected either a sky of one radiance or one of a radiance per patch, found both");
+  for (const auto& radiance : uneven)
+    if (!(is_finite(radiance) && radiance.r >= 0.0f && radiance.g >= 0.0f && radiance.b >= 0.0f))
+      throw InputError(scene.source, "expected the radiance of each patch of the sky to be 0 or more");
 }
 
 void check_spectrum(const Scene& scene, const Spectrum& spectrum, double limit, const std::string& what) {

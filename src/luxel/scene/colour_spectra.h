@@ -5,7 +5,7 @@
 
 #include "luxel/core/vector.h"
 #include "luxel/scene/band_colours.h"
-#include "luxel/scene/waveband.h"
+#include "luxel/scene/spectrum.h"
 
 namespace luxel {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
 
 #include "luxel/scene/scene.h"
@@ -59,6 +60,15 @@ void add_spectra(WordHash& hash, const Scene& scene) {
   add_spectrum(hash, scene.sky_spectrum);
 }
 
+void add_sky(WordHash& hash, const Scene& scene) {
+  const auto& patches = scene.sky_patches;
+  hash.add(static_cast<std::uint32_t>(patches.subdivision()));
+  hash.add(std::uint32_t{patches.lower_half() == LowerHalf::mirrored});
+  for (int axis = 0; axis < 3; ++axis) hash.add(patches.zenith()[axis]);
+  for (int axis = 0; axis < 3; ++axis) hash.add(patches.north()[axis]);
+  for (const auto& radiance : scene.sky_radiance) hash.add(radiance);
+}
+
 void add_use(WordHash& hash, const std::optional<TextureUse>& use) {
   hash.add(std::uint32_t{use.has_value()});
   if (!use) return;
@@ -104,6 +114,20 @@ void add_colours(WordHash& hash, const Scene& scene) {
     for (const auto& colour : corners) hash.add(colour);
 }
 
+void add_luminaire(WordHash& hash, const PointLight& light) {
+  hash.add(light.local_x);
+  hash.add(light.local_y);
+  const auto& [shape, size] = light.photometry->opening;
+  hash.add(static_cast<std::uint32_t>(shape));
+  for (int axis = 0; axis < 3; ++axis) hash.add(size[axis]);
+  const auto& intensity = light.photometry->intensity;
+  hash.add(static_cast<std::uint32_t>(intensity.type()));
+  for (const auto* values : {&intensity.vertical(), &intensity.horizontal(), &intensity.candela()}) {
+    hash.add_length(values->size());
+    for (const auto value : *values) hash.add(value);
+  }
+}
+
 void add_lights(WordHash& hash, const Scene& scene) {
   hash.add_length(scene.point_lights.size());
   for (const auto& light : scene.point_lights) {
@@ -113,7 +137,16 @@ void add_lights(WordHash& hash, const Scene& scene) {
     hash.add(light.intensity);
     hash.add(light.cos_inner);
     hash.add(light.cos_outer);
+    if (light.angular_radius > 0.0f) hash.add(light.angular_radius);
+    if (light.kind == PointLightKind::luminaire) add_luminaire(hash, light);
   }
+}
+
+bool absorbs(const Material& material) { return !material.opaque && material.transmittance != Vec3(1.0f); }
+
+void add_transmittances(WordHash& hash, const Scene& scene) {
+  for (const auto& material : scene.materials)
+    hash.add(absorbs(material) ? material.transmittance : Vec3(1.0f));
 }
 
 }  // namespace
@@ -134,12 +167,14 @@ std::uint64_t fingerprint(const Scene& scene) {
     hash.add(std::uint32_t{material.two_sided} | std::uint32_t{!material.opaque} << 1);
   }
   if (scene.sky != Vec3(0.0f)) hash.add(scene.sky);
+  if (!scene.sky_radiance.empty()) add_sky(hash, scene);
   if (scene.origin != Vec3d(0.0))
     for (int axis = 0; axis < 3; ++axis) hash.add(scene.origin[axis]);
   if (!scene.wavelengths.empty()) add_spectra(hash, scene);
   if (!scene.textures.empty()) add_textures(hash, scene);
   if (!scene.corner_colours.empty()) add_colours(hash, scene);
   if (!scene.point_lights.empty()) add_lights(hash, scene);
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), absorbs)) add_transmittances(hash, scene);
   return hash.value();
 }
 

@@ -196,4 +196,9 @@ Vec3 up_axis(const Scene& scene) {
   return Evidence(scene).score() < 0.0 ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(0.0f, 1.0f, 0.0f);
 }
 
+Vec3 up_of_scene(const Scene& scene, const Vec3& given) {
+  if (given != Vec3(0.0f)) return given;
+  return scene.up != Vec3(0.0f) ? scene.up : up_axis(scene);
+}
+
 }  // namespace luxel

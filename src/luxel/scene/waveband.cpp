@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/scene/waveband.h"
+#include "luxel/scene/spectrum.h"
 
 namespace luxel {
 namespace {

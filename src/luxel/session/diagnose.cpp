@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "luxel/patch/make_patches.h"
+#include "luxel/session/glass_diagnostics.h"
 #include "luxel/session/light_diagnostics.h"
 #include "luxel/session/mesh_diagnostics.h"
 
@@ -31,6 +32,7 @@ bool look_at_light(const ScannedMesh& mesh, const CheckOptions& options, const C
   report.walks = walk_light(patches, tracer, paths, options.seed, context);
   const auto openings = find_openings(mesh, report.walks.lost, context);
   find_bad_lamps(mesh, patches, views, report.walks, report.diagnostics);
+  find_misplaced_luminaires(mesh, patches, tracer, options.places, report.diagnostics);
   find_lost_light(mesh, patches, report.walks, openings, options.places, report.diagnostics);
   report.rays = report.walks.rays + 2000 * views.size();
   if (views.empty() && !patches.has_sky()) return true;  // no light at all: a list is useless
@@ -60,6 +62,7 @@ CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Cont
   find_bad_triangles(mesh, options.places, report.diagnostics);
   find_bad_edges(mesh, options.places, report.diagnostics);
   find_bad_numbers(mesh, options.places, report.diagnostics);
+  find_bad_glass(mesh, context, options.places, report.diagnostics);
   if (!mesh.clean.kept.empty()) report.is_whole = look_at_light(mesh, options, context, report);
   std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
                    [](const Diagnostic& a, const Diagnostic& b) {

@@ -18,6 +18,7 @@ constexpr Kind kinds[] = {
     {"lamp-faces-wall", {{0.6f, 0.0f, 0.6f}, "magenta"}},
     {"lamp-enclosed", {{0.3f, 0.02f, 0.35f}, "plum"}},
     {"lamp-windings", {{0.95f, 0.3f, 0.5f}, "rose"}},
+    {"luminaire-misplaced", {{0.75f, 0.1f, 0.25f}, "crimson"}},
     {"unlit", {{0.02f, 0.02f, 0.06f}, "black"}},
     {"lost-at-backs", {{0.25f, 0.08f, 0.02f}, "brown"}},
     {"reflectance", {{0.9f, 0.85f, 0.6f}, "cream"}},
@@ -31,8 +32,11 @@ constexpr Kind kinds[] = {
     {"open-edge", {{0.9f, 0.75f, 0.0f}, "yellow"}},
     {"non-manifold-edge", {{0.05f, 0.55f, 0.1f}, "green"}},
     {"sliver", {{0.35f, 0.4f, 0.02f}, "olive"}},
+    {"opaque-glass", {{0.15f, 0.25f, 0.45f}, "slate blue"}},
+    {"doubled-panes", {{0.0f, 0.55f, 0.6f}, "turquoise"}},
+    {"clear-panes", {{0.55f, 0.8f, 0.85f}, "pale blue"}},
 };
-static_assert(std::size(kinds) == static_cast<std::size_t>(DiagnosticKind::sliver) + 1);
+static_assert(std::size(kinds) == static_cast<std::size_t>(DiagnosticKind::clear_panes) + 1);
 
 }  // namespace
 

@@ -21,6 +21,7 @@ enum class DiagnosticKind {
   lamp_faces_wall,
   lamp_enclosed,
   lamp_windings,
+  luminaire_misplaced,
   unlit,
   lost_at_backs,
   reflectance,
@@ -34,6 +35,9 @@ enum class DiagnosticKind {
   open_edge,
   non_manifold_edge,
   sliver,
+  opaque_glass,
+  doubled_panes,
+  clear_panes,
 };
 
 // Where something was found. Names are those of the file.

@@ -79,7 +79,7 @@ void find_no_lamp(const ScannedMesh& mesh, std::vector<Diagnostic>& diagnostics)
 
 void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
                     const LightWalks& walks, std::vector<Diagnostic>& diagnostics) {
-  if (views.empty()) return find_no_lamp(mesh, diagnostics);
+  if (views.empty() && patches.point_lights.empty()) return find_no_lamp(mesh, diagnostics);
   for (const auto& view : views) {
     const auto material = scene_material(mesh, patches, view.material);
     const auto& name = mesh.scene->materials[material].name;
@@ -110,6 +110,27 @@ void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std:
         "give the cover 'd 0' in its MTL, and light passes freely; or turn the lamp round if it should shine "
         "outwards";
     diagnostic.hints = {{Setting::flip, name}};
+    diagnostics.push_back(std::move(diagnostic));
+  }
+}
+
+void find_misplaced_luminaires(const ScannedMesh& mesh, const PatchSet& patches, const Tracer& tracer,
+                               std::size_t places, std::vector<Diagnostic>& diagnostics) {
+  for (const auto& group : group_faults(patches, find_luminaire_faults(patches, tracer))) {
+    const bool crosses = group.kind == LuminaireFault::Kind::crosses;
+    Diagnostic diagnostic{DiagnosticKind::luminaire_misplaced, Severity::warning, group.faults.size(),
+                          group.fact};
+    diagnostic.consequence = crosses ? "loses the light that comes out on the other side of the surface"
+                                     : "lets the surface hide the light of the opening";
+    diagnostic.remedy = group.remedy;
+    std::vector<Candidate> candidates;
+    for (const auto& fault : group.faults)
+      candidates.push_back({patches.triangle[fault.patch],
+                            Vec3(patches.point_lights[fault.light].light.position), glm::length(fault.move)});
+    tell_places(
+        *mesh.scene, candidates, places,
+        [](const Candidate& c) { return fmt::format("move it by {:.0f} mm", 1000.0 * c.weight); },
+        diagnostic);
     diagnostics.push_back(std::move(diagnostic));
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "luxel/lamps/lamp_check.h"
+#include "luxel/lamps/luminaire_check.h"
 #include "luxel/session/light_walks.h"
 #include "luxel/session/unlit.h"
 
@@ -13,6 +14,10 @@ namespace luxel {
 // never gets away from it.
 void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
                     const LightWalks& walks, std::vector<Diagnostic>& diagnostics);
+
+// Luminaires whose opening a surface crosses or hides.
+void find_misplaced_luminaires(const ScannedMesh& mesh, const PatchSet& patches, const Tracer& tracer,
+                               std::size_t places, std::vector<Diagnostic>& diagnostics);
 
 // Light that leaves the scene, by the holes through which it does, and light that one-sided backs take.
 void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const LightWalks& walks,

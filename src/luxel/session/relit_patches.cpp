@@ -2,12 +2,14 @@
 #include "luxel/session/relit_patches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/patch/luminaire_groups.h"
 #include "luxel/solve/own_lighting.h"
 
 namespace luxel {
@@ -30,8 +32,13 @@ void describe_lighting(const PatchSet& patches, const Lighting& lighting, Proven
   };
   for (std::size_t g = 0; g < lighting.lamps.size() / bands; ++g) {
     const auto weight = std::span(lighting.lamps).subspan(g * bands, bands);
-    if (std::any_of(weight.begin(), weight.end(), [](float w) { return w != 1.0f; }))
-      note("tint", patches.light_groups.empty() ? "all" : patches.light_groups[g], weight);
+    const auto name = patches.light_groups.empty() ? std::string("all") : patches.light_groups[g];
+    // A tint does not change the lumens of luminaires: these are named by themselves.
+    const auto lumens = static_cast<float>(relative_lumens(patches, g, weight));
+    const bool is_dimmed = std::abs(lumens - 1.0f) > 1e-5f;
+    if (is_dimmed) note("light", name, {&lumens, 1});
+    if (std::any_of(weight.begin(), weight.end(), [&](float w) { return w != (is_dimmed ? lumens : 1.0f); }))
+      note("tint", name, weight);
   }
   for (std::size_t m = 0; m < lighting.reflectance.size() / bands; ++m) {
     const auto reflectance = std::span(lighting.reflectance).subspan(m * bands, bands);

@@ -9,6 +9,7 @@
 #include "luxel/core/hint.h"
 #include "luxel/import/load_scene.h"
 #include "luxel/lamps/choose_portals.h"
+#include "luxel/lamps/luminaire_check.h"
 #include "luxel/patch/focus.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/patch/uncut_faces.h"
@@ -27,6 +28,7 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
   auto& mesh = opened.mesh;
   auto loaded = load_scene(file_, settings_.load, context_);
   if (loaded.triangles.empty()) return opened;  // it was stopped: a scene without triangles is an error
+  for (const auto& group : move_luminaires_free(loaded, context_)) context_.note(moved_text(group));
   if (settings_.adds_default_light) {
     const auto added = add_default_light(loaded, context_);
     if (added.kind != DefaultLightKind::not_needed) context_.note(added.as_text());

@@ -50,6 +50,9 @@ std::string fault_in_material(const BandMaterial& material, std::size_t bands) {
   for (const auto r : material.reflectance)
     if (!(r >= 0.0f && r < 1.0f))
       return fmt::format("material '{}' has the reflectance {}, expected 0 to below 1", material.name, r);
+  if (!material.transmittance.empty() && material.transmittance.size() != bands)
+    return fmt::format("the glass '{}' does not have one transmittance for each of the {} bands",
+                       material.name, bands);
   for (const auto e : material.emittance)
     if (!(e >= 0.0f && std::isfinite(e)))
       return fmt::format("material '{}' has the emittance {} W/m²", material.name, e);
@@ -65,8 +68,9 @@ std::string fault_in_light_groups(const PatchSet& patches) {
 }
 
 std::string fault_in_sky(const PatchSet& patches) {
-  if (!patches.sky.empty() && patches.sky.size() != patches.band_count())
-    return fmt::format("the sky does not have one number for each of the {} bands", patches.band_count());
+  const auto count = patches.sky_patches.size() * patches.band_count();
+  if (!patches.sky.empty() && patches.sky.size() != count)
+    return fmt::format("the sky does not have one number for each of the {} bands", count);
   for (const auto radiance : patches.sky)
     if (!(radiance >= 0.0f && std::isfinite(radiance)))
       return fmt::format("the sky has the radiance {} W/(m² sr)", radiance);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "luxel/core/vector.h"
 #include "luxel/solution/hdf5_handle.h"
@@ -59,6 +60,16 @@ Hdf5Array table(std::span<const T> values, std::size_t rows, std::size_t columns
 inline Hdf5Array vectors(std::span<const Vec3> values) {
   static_assert(sizeof(Vec3) == 3 * sizeof(float));
   return {Hdf5Element::float32, values.data(), values.size(), 3};
+}
+
+// The same of whole vectors: flat, and in rows of some columns.
+template <typename T>
+Hdf5Array flat(const std::vector<T>& values) {
+  return flat_array(std::span<const T>(values));
+}
+template <typename T>
+Hdf5Array rows_of(const std::vector<T>& values, std::size_t columns) {
+  return table(std::span<const T>(values), values.size() / columns, columns);
 }
 
 }  // namespace luxel

@@ -25,7 +25,7 @@ bool same_materials(const PatchSet& a, const PatchSet& b) {
   return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
                     [](const BandMaterial& m, const BandMaterial& n) {
                       return m.two_sided == n.two_sided && m.reflectance == n.reflectance &&
-                             m.emittance == n.emittance;
+                             m.emittance == n.emittance && m.transmittance == n.transmittance;
                     });
 }
 
@@ -43,7 +43,8 @@ void check(const std::vector<NamedSolution>& all) {
                      "expected a solution of the sampled method"),
           {{Setting::method, "sampled"}});
     if (patches.scene_fingerprint != first.baked.patches.scene_fingerprint ||
-        patches.sky != first.baked.patches.sky || !same_materials(patches, first.baked.patches))
+        patches.sky != first.baked.patches.sky || patches.sky_patches != first.baked.patches.sky_patches ||
+        !same_materials(patches, first.baked.patches))
       refuse(fmt::format("it is of another scene than {}", first.name));
     if (patches.bands != first.baked.patches.bands || patches.vertices != first.baked.patches.vertices ||
         patches.corners != first.baked.patches.corners || patches.material != first.baked.patches.material)

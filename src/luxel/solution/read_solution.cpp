@@ -11,6 +11,8 @@
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_reader.h"
+#include "luxel/solution/lights_file.h"
+#include "luxel/solution/panes_file.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/portals_file.h"
 #include "luxel/solution/provenance_file.h"
@@ -156,6 +158,22 @@ void read_light_groups(const Hdf5Reader& file, PatchSet& patches) {
   for (std::size_t m = 0; m < of.size(); ++m) patches.materials[m].light_group = of[m];
 }
 
+void read_sky(Hdf5Reader& file, PatchSet& patches) {
+  if (file.has("Luxel/sky_axes")) {
+    const auto axes = file.array<double>("Luxel/sky_axes", 6);
+    const Vec3d zenith(axes[0], axes[1], axes[2]), north(axes[3], axes[4], axes[5]);
+    const auto cut = file.array<std::uint32_t>("Luxel/sky_subdivision", 2);
+    const auto is_unit = [](const Vec3d& v) { return std::fabs(glm::dot(v, v) - 1.0) < 1e-6; };
+    if (!is_unit(zenith) || !is_unit(north) || !(std::fabs(glm::dot(zenith, north)) < 1e-6) || cut[0] < 1 ||
+        cut[0] > 16 || cut[1] > 1)
+      file.refuse_as_damaged("the axes of its sky are not at right angles, or its patches are too many");
+    patches.sky_patches = SkyPatches(static_cast<int>(cut[0]), zenith, north,
+                                     cut[1] == 1 ? LowerHalf::mirrored : LowerHalf::one);
+  }
+  if (file.has("Luxel/sky"))
+    patches.sky = file.array<float>("Luxel/sky", patches.sky_patches.size() * patches.band_count());
+}
+
 Baked read_baked(Hdf5Reader& file) {
   check_version(file);
   Baked baked;
@@ -166,10 +184,11 @@ Baked read_baked(Hdf5Reader& file) {
   read_mesh(file, patches);
   patches.materials = read_materials(file, patches.band_count());
   read_light_groups(file, patches);
-  if (file.has("Luxel/sky")) patches.sky = file.array<float>("Luxel/sky", patches.band_count());
+  read_sky(file, patches);
   read_surface(file, patches);
   read_point_lights(file, patches);
   read_portals(file, patches);
+  read_panes(file, patches);
   solution = read_light(file, patches.bands, patches.size());
   patches.scene_fingerprint = solution.provenance.scene_fingerprint;
   patches.contacts = read_contacts(file);

@@ -13,11 +13,6 @@ namespace {
 
 const std::string group = "Luxel/samples";
 
-template <typename T>
-Hdf5Array flat(const std::vector<T>& values) {
-  return flat_array(std::span<const T>(values));
-}
-
 std::string round_name(std::size_t index) { return fmt::format("{}/round_{:02}", group, index); }
 
 // Writes light[replicate][number] as one table.

@@ -17,16 +17,6 @@ namespace {
 
 constexpr std::uint32_t max_side = 16384;
 const std::string group = "Luxel/surface";
-const std::string lights = "Luxel/point_lights";
-
-template <typename T>
-Hdf5Array flat(const std::vector<T>& values) {
-  return flat_array(std::span<const T>(values));
-}
-template <typename T>
-Hdf5Array rows_of(const std::vector<T>& values, std::size_t columns) {
-  return table(std::span<const T>(values), values.size() / columns, columns);
-}
 
 // One column of the table of materials: the use of a texture by each.
 struct UseColumn {
@@ -186,57 +176,6 @@ void read_surface(const Hdf5Reader& file, PatchSet& patches) {
                                      std::pair("emittance_ratio", &patches.emittance_ratio)})
     if (const auto path = fmt::format("{}/{}", group, name); file.has(path))
       *ratios = file.array<float>(path, n, patches.band_count());
-}
-
-void add_point_lights(Hdf5Writer& file, const PatchSet& patches) {
-  if (patches.point_lights.empty()) return;
-  std::vector<std::string> names;
-  std::vector<std::uint32_t> kind, in_group;
-  std::vector<Vec3> place, direction;
-  std::vector<float> intensity, cosines;
-  for (const auto& [light, bands, light_group] : patches.point_lights) {
-    names.push_back(light.name);
-    kind.push_back(static_cast<std::uint32_t>(light.kind));
-    in_group.push_back(light_group);
-    place.push_back(light.position);
-    direction.push_back(light.direction);
-    intensity.insert(intensity.end(), bands.begin(), bands.end());
-    cosines.insert(cosines.end(), {light.cos_inner, light.cos_outer});
-  }
-  file.add_group(lights);
-  file.add_strings(lights + "/name", names);
-  file.add_array(lights + "/kind", flat(kind));
-  file.add_array(lights + "/light_group", flat(in_group));
-  file.add_array(lights + "/place", vectors(place), "m");
-  file.add_array(lights + "/direction", vectors(direction), "1");
-  file.add_array(lights + "/intensity", rows_of(intensity, patches.band_count()), "W/sr");
-  file.add_array(lights + "/cosines", rows_of(cosines, 2), "1");
-}
-
-void read_point_lights(const Hdf5Reader& file, PatchSet& patches) {
-  if (!file.has(lights)) return;
-  const auto n = file.rows(lights + "/kind");
-  const auto bands = patches.band_count();
-  const auto names = file.strings(lights + "/name", n);
-  const auto kind = file.array<std::uint32_t>(lights + "/kind", n);
-  const auto in_group = file.array<std::uint32_t>(lights + "/light_group", n);
-  const auto place = file.vectors(lights + "/place", n);
-  const auto direction = file.vectors(lights + "/direction", n);
-  const auto intensity = file.array<float>(lights + "/intensity", n, bands);
-  const auto cosines = file.array<float>(lights + "/cosines", n, 2);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (kind[i] > static_cast<std::uint32_t>(PointLightKind::directional))
-      file.refuse_as_damaged(fmt::format("lamp '{}' is of no known kind", names[i]));
-    auto& [light, of_bands, light_group] = patches.point_lights.emplace_back();
-    light.name = names[i];
-    light.kind = static_cast<PointLightKind>(kind[i]);
-    light.position = place[i];
-    light.direction = direction[i];
-    light.cos_inner = cosines[2 * i];
-    light.cos_outer = cosines[2 * i + 1];
-    of_bands.assign(&intensity[i * bands], &intensity[i * bands] + bands);
-    light_group = in_group[i];
-  }
 }
 
 std::string fault_in_surface(const PatchSet& patches) {

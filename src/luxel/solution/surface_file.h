@@ -13,10 +13,6 @@ void add_surface(Hdf5Writer& file, const PatchSet& patches);
 // Into patches whose mesh, bands and materials have been read.
 void read_surface(const Hdf5Reader& file, PatchSet& patches);
 
-// Lamps without a surface, likewise: Luxel/point_lights.
-void add_point_lights(Hdf5Writer& file, const PatchSet& patches);
-void read_point_lights(const Hdf5Reader& file, PatchSet& patches);
-
 // Describes what is wrong with the surfaces; empty if they are valid.
 std::string fault_in_surface(const PatchSet& patches);
 

@@ -12,6 +12,8 @@
 #include "luxel/solution/check_solution.h"
 #include "luxel/solution/focus_file.h"
 #include "luxel/solution/hdf5_writer.h"
+#include "luxel/solution/lights_file.h"
+#include "luxel/solution/panes_file.h"
 #include "luxel/solution/places_file.h"
 #include "luxel/solution/portals_file.h"
 #include "luxel/solution/provenance_file.h"
@@ -22,11 +24,6 @@
 
 namespace luxel {
 namespace {
-
-template <typename T>
-Hdf5Array flat(const std::vector<T>& values) {
-  return flat_array(std::span<const T>(values));
-}
 
 void add_count(Hdf5Writer& file, const std::string& name, std::size_t count) {
   file.add_array(name, flat(std::vector{static_cast<std::int64_t>(count)}));
@@ -63,6 +60,19 @@ void add_cells(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   file.add_array("VTKHDF/CellData/area", flat(patches.area), "m^2");
   file.add_array("VTKHDF/CellData/triangle", flat(patches.triangle));
   file.add_array("VTKHDF/CellData/material", flat(patches.material));
+}
+
+void add_sky(Hdf5Writer& file, const PatchSet& patches) {
+  if (patches.sky.empty()) return;
+  file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
+  const auto& sky = patches.sky_patches;
+  if (sky.is_one()) return;
+  const auto &up = sky.zenith(), &north = sky.north();
+  file.add_array("Luxel/sky_axes", flat(std::vector<double>{up.x, up.y, up.z, north.x, north.y, north.z}),
+                 "1");
+  file.add_array("Luxel/sky_subdivision",
+                 flat(std::vector<std::uint32_t>{static_cast<std::uint32_t>(sky.subdivision()),
+                                                 sky.lower_half() == LowerHalf::mirrored ? 1u : 0u}));
 }
 
 void add_materials(Hdf5Writer& file, const PatchSet& patches) {
@@ -138,11 +148,12 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
   add_origin(file, "Luxel/origin", patches.origin);
   if (patches.up != Vec3(0.0f))
     file.add_array("Luxel/up", flat_array(std::span<const float>(&patches.up.x, 3)), "1");
-  if (!patches.sky.empty()) file.add_array("Luxel/sky", flat(patches.sky), "W/(m^2 sr)");
+  add_sky(file, patches);
   add_contacts(file, patches);
   add_surface(file, patches);
   add_point_lights(file, patches);
   add_portals(file, patches);
+  add_panes(file, patches);
   add_focus(file, patches);
   add_provenance(file, "Luxel/provenance", solution.provenance);
 }

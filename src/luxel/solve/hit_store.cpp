@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/address.h"
 #include "luxel/core/error.h"
 #include "luxel/core/none.h"
 #include "luxel/solve/tuning.h"
@@ -31,6 +32,14 @@ std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> values,
   return places;
 }
 
+// A number that differs from ray to ray; of the same ray it is the same whenever it is traced.
+std::uint64_t key_of(const Ray& ray) {
+  std::uint64_t key = 0;
+  for (const auto& v : {ray.origin, ray.direction})
+    for (int i = 0; i < 3; ++i) key = nth_key(key, std::bit_cast<std::uint32_t>(v[i]));
+  return key;
+}
+
 }  // namespace
 
 HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tracer,
@@ -38,6 +47,8 @@ HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tra
     : patches_(patches),
       tracer_(tracer),
       portals_(patches),
+      panes_(patches),
+      tints_(patches, panes_),
       sides_(std::move(sides)),
       options_(options),
       partition_(work, gather_block_positions, sides_.position),
@@ -45,9 +56,24 @@ HitStore::HitStore(const PatchSet& patches, GatherSides sides, const Tracer& tra
       rays_per_receiver_(sides_.size(), 0),
       doublings_(sides_.size(), 0) {}
 
+std::uint32_t HitStore::escape_of(const Ray& ray, std::optional<std::size_t> tint) const {
+  const auto sky_patch = patches_.sky_patches.patch_of(Vec3d(ray.direction));
+  const bool is_open = portals_.first_crossed(ray) == none;
+  if (tint)
+    return static_cast<std::uint32_t>(is_open ? tinted(sky_patch, *tint)
+                                              : tinted_through_portal(sky_patch, *tint));
+  return static_cast<std::uint32_t>(is_open ? escaped(sky_patch) : through_portal(sky_patch));
+}
+
 std::uint32_t HitStore::element_of(const Hit& hit, const Ray& ray) const {
-  if (!hit)
-    return static_cast<std::uint32_t>(portals_.first_crossed(ray) == none ? escaped() : through_portal());
+  std::optional<std::size_t> tint;
+  if (const auto through = panes_.along(ray, hit.distance); !through.empty()) {
+    const auto u = uniform4(key_of(ray), 0);
+    const auto transmitted = panes_.luminous(through);
+    if (!(static_cast<double>(u[0]) < transmitted)) return static_cast<std::uint32_t>(in_panes());
+    if (!hit && tints() > 0) tint = tints_.choose(through, transmitted, static_cast<double>(u[1]));
+  }
+  if (!hit) return escape_of(ray, tint);
   const auto receiver = sides_.receiver_of_side[hit.side().index()];
   if (receiver != none) return receiver;
   if (hit.back && !patches_.material_of(hit.patch).two_sided)

@@ -12,8 +12,10 @@
 #include "luxel/lamps/portals.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/sample_state.h"
+#include "luxel/solve/escape_tints.h"
 #include "luxel/trace/gather_rays.h"
 #include "luxel/trace/gather_sides.h"
+#include "luxel/trace/panes.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -30,9 +32,14 @@ struct HitStoreOptions {
 // whenever they are read, which needs no memory and gives the same bits.
 //
 // Elements are the receivers of GatherSides. Rays that bring no light end in sinks, elements of their own
-// after the receivers, whose radiosity is 0 or the sky's: escaped, dark (a side that does not gather), and
-// one for each one-sided material's back; where there are portals also one for rays that escape through a
-// portal, whose light is direct light.
+// after the receivers, whose radiosity is 0 or the sky's: escaped (one for each patch of the sky), dark (a
+// side that does not gather), and one for each one-sided material's back; where there are portals also some
+// for rays that escape through a portal, again one for each patch of the sky: their light is direct light.
+//
+// Panes of glass: hits have no weights, so a ray is kept with the probability of the luminous transmittance
+// of the panes it crosses, by a hash of the ray, and else ends in the sink of the panes. Escapes through
+// tinted panes end in sinks of their own, one for each tint (EscapeTints); rays to surfaces carry all bands
+// alike.
 //
 // Memory: 4 bytes per stored ray. Cost of a round: one nearest hit per ray. Not safe to change while another
 // call runs; any number of threads may read.
@@ -75,17 +82,54 @@ class HitStore {
   // they cannot be: receivers and elements in range and rising, each receiver's rounds one after the other.
   void restore(std::vector<HitRound> rounds);
 
-  // Sinks, from size() on.
-  std::size_t escaped() const { return sides_.size(); }
+  // Sinks, from size() on. Those of the sky's first patch have the numbers that a sky of one patch has.
+  std::size_t escaped(std::size_t sky_patch = 0) const {
+    return sky_patch == 0 ? sides_.size() : first_extra() + sky_patch - 1;
+  }
   std::size_t dark() const { return sides_.size() + 1; }
   std::size_t absorbed(std::size_t material) const { return sides_.size() + 2 + material; }
   // Escaped through a portal; where there is none, no element.
-  std::size_t through_portal() const { return absorbed(patches_.materials.size()); }
-  bool has_portals() const { return !portals_.empty(); }
-  bool is_escape(std::size_t element) const {
-    return element == escaped() || (has_portals() && element == through_portal());
+  std::size_t through_portal(std::size_t sky_patch = 0) const {
+    return sky_patch == 0 ? absorbed(patches_.materials.size())
+                          : first_extra() + (sky_patches() - 1) + sky_patch - 1;
   }
-  std::size_t elements() const { return through_portal() + (has_portals() ? 1 : 0); }
+  bool has_portals() const { return !portals_.empty(); }
+  std::size_t sky_patches() const { return patches_.sky_patches.size(); }
+  // Absorbed by a pane of glass; where there is none, no element.
+  std::size_t in_panes() const { return first_extra() + (has_portals() ? 2 : 1) * (sky_patches() - 1); }
+  bool has_panes() const { return !panes_.empty(); }
+  // Escaped through tinted panes; where none is tinted, no element.
+  std::size_t tinted(std::size_t sky_patch, std::size_t tint) const {
+    return in_panes() + 1 + sky_patch * tints_.size() + tint;
+  }
+  std::size_t tinted_through_portal(std::size_t sky_patch, std::size_t tint) const {
+    return tinted(sky_patches() + sky_patch, tint);
+  }
+  std::size_t tints() const { return tints_.size(); }
+  // An escape not through a portal; any.
+  bool is_sky(std::size_t element) const {
+    return element == escaped() ||
+           (element >= first_extra() && element < first_extra() + sky_patches() - 1) ||
+           (element >= tinted(0, 0) && element < tinted(sky_patches(), 0));
+  }
+  bool is_escape(std::size_t element) const {
+    return element == escaped() || (has_portals() && element == through_portal()) ||
+           (element >= first_extra() && element != in_panes());
+  }
+  // Of an escape.
+  std::size_t sky_patch_of(std::size_t element) const {
+    if (element < first_extra()) return 0;
+    if (element >= tinted(0, 0)) return (element - tinted(0, 0)) / tints() % sky_patches();
+    const auto extra = element - first_extra(), further = sky_patches() - 1;
+    return 1 + (extra < further ? extra : extra - further);
+  }
+  // Factor of a band of what such rays carry.
+  double tint_of(std::size_t element, std::size_t band) const {
+    return element < tinted(0, 0) ? 1.0 : tints_.of((element - tinted(0, 0)) % tints(), band);
+  }
+  std::size_t elements() const {
+    return has_panes() ? tinted((has_portals() ? 2 : 1) * sky_patches(), 0) : in_panes();
+  }
 
   // Calls body(receiver, element hit) for every ray of one replicate whose receiver lies in that block; of
   // several processes, for this one's blocks alone.
@@ -173,10 +217,15 @@ class HitStore {
   void trace(const Round& round, std::span<const std::uint32_t> receivers, std::size_t begin_row,
              std::size_t end_row, std::span<std::uint32_t* const> to) const;
   std::uint32_t element_of(const Hit& hit, const Ray& ray) const;
+  std::uint32_t escape_of(const Ray& ray, std::optional<std::size_t> tint) const;
+  // The sinks of the sky's further patches begin here.
+  std::size_t first_extra() const { return absorbed(patches_.materials.size()) + (has_portals() ? 1 : 0); }
 
   const PatchSet& patches_;
   const Tracer& tracer_;
   Portals portals_;
+  Panes panes_;
+  EscapeTints tints_;
   GatherSides sides_;
   HitStoreOptions options_;
   RowPartition partition_;

@@ -116,8 +116,16 @@ std::vector<float> dark_but_for_sky(const HitStore& hits, const PatchSet& patche
   const auto bands = patches.band_count();
   const auto rows = hits.sides().size();
   std::vector<float> radiosity((rows + hits.elements()) * bands, 0.0f);
-  for (std::size_t b = 0; b < bands; ++b)
-    radiosity[(rows + hits.escaped()) * bands + b] = static_cast<float>(patches.sky_radiosity(b));
+  for (std::size_t p = 0; p < hits.sky_patches(); ++p)
+    for (std::size_t b = 0; b < bands; ++b)
+      radiosity[(rows + hits.escaped(p)) * bands + b] = static_cast<float>(patches.sky_radiosity(p, b));
+  for (std::size_t p = 0; p < hits.sky_patches(); ++p)
+    for (std::size_t t = 0; t < hits.tints(); ++t)
+      for (std::size_t b = 0; b < bands; ++b) {
+        const auto element = hits.tinted(p, t);
+        radiosity[(rows + element) * bands + b] =
+            static_cast<float>(hits.tint_of(element, b) * patches.sky_radiosity(p, b));
+      }
   return radiosity;
 }
 

@@ -139,9 +139,9 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   // Power carried by a ray of the receiver in one replicate, W, [receiver][band].
   std::vector<double> carried(sides.size() * bands);
   std::vector<double> area_per_ray(sides.size());  // m²
-  // Per block: absorbed, escaped, and lost at each material's back, [band]; and the area that sees the sky,
-  // m².
-  const auto width = (2 + materials) * bands + 1;
+  // Per block: absorbed, escaped, lost at each material's back, absorbed in panes, and from the sky, [band].
+  const auto in_panes = 2 + materials, from_sky = in_panes + 1, parts = from_sky + 1;
+  const auto width = parts * bands;
   std::vector<double> sums(hits.blocks() * width, 0.0);
   const auto begins = hits.block_begins();
   context.for_chunks(hits.blocks(), 1, [&](std::size_t first, std::size_t last, int) {
@@ -166,10 +166,21 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
         hits.for_each_hit(r, block, [&](std::uint32_t receiver, std::uint32_t element) {
           if (element < sides.size() || element == hits.dark()) return;
           const auto counts = weight * transport.row_factor(r, receiver);
-          const auto sink = hits.is_escape(element) ? 1 : 2 + element - hits.absorbed(0);
-          for (std::size_t b = 0; b < bands; ++b)
-            sum[sink * bands + b] += counts * carried[receiver * bands + b];
-          if (hits.is_escape(element)) sum[width - 1] += counts * area_per_ray[receiver];
+          const auto power = std::span(carried).subspan(receiver * bands, bands);
+          if (!hits.is_escape(element)) {
+            const auto sink =
+                hits.has_panes() && element == hits.in_panes() ? in_panes : 2 + element - hits.absorbed(0);
+            for (std::size_t b = 0; b < bands; ++b) sum[sink * bands + b] += counts * power[b];
+            return;
+          }
+          const auto sky_patch = hits.sky_patch_of(element);
+          for (std::size_t b = 0; b < bands; ++b) {
+            const auto let_through = hits.tint_of(element, b);
+            sum[bands + b] += counts * power[b] * let_through;
+            sum[in_panes * bands + b] += counts * power[b] * (1.0 - let_through);
+            sum[from_sky * bands + b] +=
+                counts * area_per_ray[receiver] * patches.sky_radiosity(sky_patch, b) * let_through;
+          }
         });
       }
     }
@@ -184,7 +195,8 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   for (std::size_t block = 0; block < hits.blocks(); ++block)
     for (std::size_t b = 0; b < bands; ++b) {
       const auto* sum = &sums[block * width];
-      balance.from_sky[b] += sum[width - 1] * patches.sky_radiosity(b);
+      balance.from_sky[b] += sum[from_sky * bands + b];
+      balance.in_panes[b] += sum[in_panes * bands + b];
       balance.absorbed[b] += sum[b];
       balance.escaped[b] += sum[bands + b];
       for (std::size_t m = 0; m < materials; ++m) {

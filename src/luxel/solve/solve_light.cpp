@@ -13,6 +13,7 @@
 #include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
 #include "luxel/core/work_partition.h"
+#include "luxel/patch/check_light.h"
 
 namespace luxel {
 namespace {
@@ -64,6 +65,7 @@ SolveReport solve_by_method(const PatchSet& patches, const Tracer& tracer, Solut
                                "reference solve such lamps",
                                patches.point_lights.front().light.name)),
         {{Setting::method, "sampled"}});
+  check_no_panes(patches);
   return info_of(options.method).solve(patches, tracer, solution, options, hooks.on_light, context);
 }
 
@@ -96,6 +98,7 @@ SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution&
 
 std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tracer,
                                        const LightOptions& options, const Context& context) {
+  if (options.method != Method::sampled) check_no_panes(patches);
   switch (options.method) {
     case Method::dense:
       return forecast_dense(patches, tracer, options.dense, context);

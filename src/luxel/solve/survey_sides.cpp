@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "luxel/core/address.h"
@@ -85,8 +86,8 @@ std::vector<std::uint8_t> lit_receivers(const PatchSet& patches, const HitStore&
       lit[s] = is_lit ? 1 : 0;
     }
   });
-  lit[hits.escaped()] = patches.has_sky() ? 1 : 0;
-  if (hits.has_portals()) lit[hits.through_portal()] = lit[hits.escaped()];
+  for (std::size_t e = sides.size(); e < hits.elements(); ++e)
+    lit[e] = patches.has_sky() && hits.is_escape(e) ? 1 : 0;
   const auto groups = neighbour_begins(sides, neighbours);
   // Light propagates from receiver to receiver. Each pass reads the result of the one before, so the result
   // does not depend on threads.
@@ -137,7 +138,7 @@ SkyNotFound::SkyNotFound(const PatchSet& patches, const HitStore& hits, std::spa
   std::vector<float> rays(receivers, 0.0f), found(receivers, 0.0f), nearby(receivers, 0.0f);
   for_first_rays(hits, context, [&](std::uint32_t receiver, std::uint32_t element) {
     rays[receiver] += 1.0f;
-    found[receiver] += element == hits.escaped() ? 1.0f : 0.0f;
+    found[receiver] += hits.is_sky(element) ? 1.0f : 0.0f;
   });
   hits.all_gather_receivers(rays, 1);
   hits.all_gather_receivers(found, 1);
@@ -149,9 +150,7 @@ SkyNotFound::SkyNotFound(const PatchSet& patches, const HitStore& hits, std::spa
               static_cast<float>(fraction));
   }
   for_first_rays(hits, context, [&](std::uint32_t receiver, std::uint32_t element) {
-    nearby[receiver] += element < receivers         ? found_by_unit[element]
-                        : element == hits.escaped() ? 1.0f
-                                                    : 0.0f;
+    nearby[receiver] += element < receivers ? found_by_unit[element] : hits.is_sky(element) ? 1.0f : 0.0f;
   });
   hits.all_gather_receivers(nearby, 1);
   // If no ray of the whole scene met the sky, half a ray of all of them is assumed.
@@ -164,6 +163,7 @@ SkyNotFound::SkyNotFound(const PatchSet& patches, const HitStore& hits, std::spa
 
 std::vector<float> SkyNotFound::variance() const {
   const auto bands = patches_.band_count();
+  const auto sky = patches_.mean_sky();
   std::vector<float> variance(hits_.sides().size() * bands, 0.0f);
   for (std::size_t u = 0; u < expected_.size(); ++u) {
     const auto of_unit = hits_.rays_per_receiver().subspan(units_[u], units_[u + 1] - units_[u]);
@@ -173,7 +173,8 @@ std::vector<float> SkyNotFound::variance() const {
     const auto of_fraction = q / (rays * (1.0 + 2.0 * q * rays));
     for (auto s = units_[u]; s < units_[u + 1]; ++s)
       for (std::size_t b = 0; b < bands; ++b)
-        variance[s * bands + b] = static_cast<float>(of_fraction * squared(patches_.sky_radiosity(b)));
+        variance[s * bands + b] =
+            static_cast<float>(of_fraction * squared(std::numbers::pi * static_cast<double>(sky[b])));
   }
   return variance;
 }

@@ -59,9 +59,9 @@ SeenSide light_of_side(const PatchSet& patches, SideId side, std::span<const flo
 
 float sky_radiance(const PatchSet& patches) {
   double sum = 0.0;
-  for (const auto radiance : patches.sky) sum += squared(static_cast<double>(radiance));
-  return patches.sky.empty() ? 0.0f
-                             : static_cast<float>(std::sqrt(sum / static_cast<double>(patches.sky.size())));
+  const auto sky = patches.mean_sky();
+  for (const auto radiance : sky) sum += squared(static_cast<double>(radiance));
+  return sky.empty() ? 0.0f : static_cast<float>(std::sqrt(sum / static_cast<double>(sky.size())));
 }
 
 SeenError::SeenError(const Views& views, const SeenLight& light) : views_(views), light_(light) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "luxel/render/sky_colours.h"
+#include "luxel/render/visible_luminaires.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/surface/smooth_light.h"
 
@@ -23,7 +26,8 @@ Seen seen_light(const SessionLight& light, const Pose& pose, const Space& space,
   const auto& patches = *light.mesh.patches;
   const auto colours = patches.colours();
   const auto bands = patches.band_count();
-  const Vec3 sky = patches.sky.empty() ? Vec3(0.0f) : in_gamut(colours.rgb(patches.sky));
+  const SkyColours sky(patches, colours);
+  const VisibleLuminaires luminaires(patches, colours);
   Seen seen;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
@@ -33,8 +37,15 @@ Seen seen_light(const SessionLight& light, const Pose& pose, const Space& space,
       const auto ray = sight(pose, space, aspect, at(x, columns), at(y, rows));
       const auto hit = light.mesh.tracer->nearest({ray.origin, ray.direction});
       auto& pixel = seen.radiance.at(x, y);
+      if (!luminaires.empty()) {
+        const auto bright = luminaires.first({ray.origin, ray.direction}, hit.distance);
+        if (bright) {
+          pixel = in_gamut(bright->radiance);
+          continue;
+        }
+      }
       if (!hit) {
-        pixel = sky;
+        pixel = in_gamut(sky.at(Vec3d(ray.direction)));
         seen.sky.pixels.push_back(static_cast<std::uint32_t>(y * columns + x));
         seen.sky.fraction.push_back(1.0f);
         continue;

@@ -41,7 +41,7 @@ constexpr std::array<KeyHelp, 17> keys_of_view = {
      {"Shift drag", "light along a line"},
      {"Escape", "clear probe and line"},
      {"F11", "full screen"}}};
-constexpr std::array<KeyHelp, 17> keys_of_light = {{{"Space", "pause the solver, go on"},
+constexpr std::array<KeyHelp, 18> keys_of_light = {{{"Space", "pause the solver, go on"},
                                                     {"Ctrl Z", "undo a change of lamps or colours"},
                                                     {"Ctrl Shift Z", "redo it"},
                                                     {"Ctrl wheel", "exposure; flying: speed"},
@@ -53,6 +53,7 @@ constexpr std::array<KeyHelp, 17> keys_of_light = {{{"Space", "pause the solver,
                                                     {"O", "the next thing to show"},
                                                     {"G", "patch edges"},
                                                     {"N B R", "normals, boxes, rays"},
+                                                    {"C", "photometric solids of luminaires"},
                                                     {"P", "panel and menus"},
                                                     {"F12", "a picture"},
                                                     {"Ctrl O", "open a scene or a solution"},
@@ -113,8 +114,8 @@ void key_card(const Viewer& viewer) {
   const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(em(0.6f), em(0.1f)));
   if (ImGui::BeginTable("##table", 4, flags)) {
-    for (std::size_t i = 0; i < keys_of_view.size(); ++i) {
-      key_cells(keys_of_view[i]);
+    for (std::size_t i = 0; i < keys_of_light.size(); ++i) {
+      key_cells(i < keys_of_view.size() ? keys_of_view[i] : KeyHelp{"", ""});
       key_cells(keys_of_light[i]);
     }
     ImGui::EndTable();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "luxel/patch/luminaire_groups.h"
 #include "luxel/scene/colour_spectra.h"
 
 namespace luxel {
@@ -15,6 +16,12 @@ Vec3 colour_of(const std::vector<float>& reflectance, const PatchSet& patches) {
   const std::vector<float> white(reflectance.size(), 1.0f);
   const auto seen = colours.rgb(reflectance), full = colours.rgb(white);
   return glm::clamp(Vec3(seen / glm::max(full, Vec3d(1e-9))), Vec3(0.0f), Vec3(max_reflectance));
+}
+
+// What a tint of a light group is multiplied by: the colour of luminaires does not change their lumens.
+float lumens_kept(const PatchSet& patches, std::size_t group, const std::vector<float>& tint) {
+  const auto relative = relative_lumens(patches, group, tint);
+  return relative > 0.0 ? static_cast<float>(1.0 / relative) : 1.0f;
 }
 
 }  // namespace
@@ -42,9 +49,10 @@ Lighting LightMixer::lighting(const PatchSet& patches) const {
   std::optional<ColourSpectra> spectra;
   if (!patches.wavebands.empty()) spectra.emplace(patches.wavebands);
   const auto rgb_values = [](const Vec3& rgb) { return std::vector<float>{rgb.r, rgb.g, rgb.b}; };
-  for (const auto& group : lamps) {
-    const auto tint = spectra ? spectra->tint(group.tint) : rgb_values(group.tint);
-    for (std::size_t b = 0; b < bands; ++b) lighting.lamps.push_back(group.factor * tint[b]);
+  for (std::size_t g = 0; g < lamps.size(); ++g) {
+    const auto tint = spectra ? spectra->tint(lamps[g].tint) : rgb_values(lamps[g].tint);
+    const auto factor = lamps[g].factor * lumens_kept(patches, g, tint);
+    for (std::size_t b = 0; b < bands; ++b) lighting.lamps.push_back(factor * tint[b]);
   }
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const auto& surface = materials[m];

@@ -32,7 +32,8 @@ struct LightMixer {
 
   bool is_untouched() const;
   bool operator==(const LightMixer&) const = default;
-  // What the solver is told. Bands without colour stay as they are.
+  // What the solver is told. Bands without colour stay as they are. The tint of a group of luminaires changes
+  // their colour but not their lumens.
   Lighting lighting(const PatchSet& patches) const;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/viewer/light_probe.h"
 
+#include <limits>
+
 namespace luxel {
 namespace {
 
@@ -16,17 +18,22 @@ Ray ray_of(const Pose& pose, const Space& space, float aspect, Vec2 at) {
 void LightProbe::forget() {
   pinned_.reset();
   probe_.reset();
+  luminaire_.reset();
   clear_line();
 }
 
 void LightProbe::look_at(const SessionMesh& mesh, const SessionLight* light, const Pose& pose,
                          const Space& space, float aspect, Vec2 at) {
   last_ = ray_of(pose, space, aspect, at);
-  probe_ = luxel::probe(mesh, light, pinned_.value_or(last_));
+  const auto ray = pinned_.value_or(last_);
+  probe_ = luxel::probe(mesh, light, ray);
+  const bool is_lit = light != nullptr && light->mesh.geometry == mesh.geometry;
+  luminaire_ = seen_luminaire(is_lit ? *light->mesh.patches : *mesh.patches, ray,
+                              probe_ ? probe_->distance : std::numeric_limits<float>::infinity());
 }
 
 void LightProbe::pin() {
-  if (probe_) pinned_ = last_;
+  if (probe_ || luminaire_) pinned_ = last_;
 }
 
 void LightProbe::draw_line(const Pose& pose, const Space& space, float aspect, Vec2 from, Vec2 to) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "luxel/session/probe.h"
+#include "luxel/session/seen_luminaire.h"
 #include "luxel/viewer/pose.h"
 
 namespace luxel {
@@ -23,6 +24,8 @@ class LightProbe {
   void unpin() { pinned_.reset(); }
   bool is_pinned() const { return pinned_.has_value(); }
   const std::optional<Probe>& probe() const { return probe_; }
+  // The luminaire at that point, if its opening is there.
+  const std::optional<SeenLuminaire>& luminaire() const { return luminaire_; }
 
   // A line over the screen, from one point to another, [-1, 1].
   void draw_line(const Pose& pose, const Space& space, float aspect, Vec2 from, Vec2 to);
@@ -36,6 +39,7 @@ class LightProbe {
   std::optional<Ray> pinned_;
   Ray last_{};
   std::optional<Probe> probe_;
+  std::optional<SeenLuminaire> luminaire_;
   std::vector<Ray> sights_;
   std::uint64_t profiled_light_ = 0, line_version_ = 0;
   const void* profiled_tracer_ = nullptr;

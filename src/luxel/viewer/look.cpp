@@ -38,6 +38,7 @@ constexpr Switch switches[] = {{"automatic-exposure", &Look::automatic_exposure}
                                {"rays", &Look::rays},
                                {"samples", &Look::samples},
                                {"faults", &Look::diagnostics},
+                               {"solids", &Look::solids},
                                {"panel", &Look::panel},
                                {"keys", &Look::keys},
                                {"help", &Look::help},

@@ -32,6 +32,7 @@ struct Look {
   bool rays = false;     // of the patch under the cursor
   bool samples = false;  // its direct light
   bool diagnostics = false;
+  bool solids = false;  // photometric solids of luminaires
 
   bool panel = true;   // with the menus
   bool keys = true;    // the line of keys at the bottom

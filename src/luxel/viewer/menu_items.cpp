@@ -99,8 +99,9 @@ void add_shown(const Look& look, Items& items) {
                                                            {"Boxes of the patch tree", &Look::boxes},
                                                            {"Rays of a patch", &Look::rays},
                                                            {"Rays to lamps", &Look::samples},
-                                                           {"Faults", &Look::diagnostics}};
-  const char* keys[] = {"G", "N", "B", "R", "", ""};
+                                                           {"Faults", &Look::diagnostics},
+                                                           {"Photometric solids", &Look::solids}};
+  const char* keys[] = {"G", "N", "B", "R", "", "", "C"};
   for (std::size_t i = 0; i < std::size(overlays); ++i)
     add_switch(items, {"View", "Overlays", overlays[i].first}, keys[i], overlays[i].second, look);
 }

@@ -7,6 +7,7 @@
 #include "luxel/patch/patch_tree.h"
 #include "luxel/session/sample_rays.h"
 #include "luxel/session/tree_boxes.h"
+#include "luxel/viewer/solid_marks.h"
 
 namespace luxel {
 namespace {
@@ -104,6 +105,8 @@ bool Overlays::update(const Look& look, const std::shared_ptr<const SessionMesh>
                       const std::shared_ptr<const CheckReport>& diagnostics) {
   if (!mesh) return false;
   const auto& probe = light_probe.probe();
+  const bool is_lit = light && light->mesh.geometry == mesh->geometry;
+  const auto& as_lit = is_lit ? light->mesh.patches : mesh->patches;
   const bool asks_rays = look.rays || look.samples;
   const bool has_side = probe && (light_probe.is_pinned() || asks_rays);
   const Made wanted{
@@ -116,6 +119,7 @@ bool Overlays::update(const Look& look, const std::shared_ptr<const SessionMesh>
       light_probe.line_version(),
       mesh->patches.get(),
       look.diagnostics ? diagnostics.get() : nullptr,
+      look.solids ? as_lit.get() : nullptr,
       has_side ? std::optional<std::uint64_t>(2ull * probe->patch + (probe->back ? 1 : 0)) : std::nullopt};
   if (wanted == made_) return false;
   made_ = wanted;
@@ -132,6 +136,7 @@ bool Overlays::update(const Look& look, const std::shared_ptr<const SessionMesh>
   if (has_side && light && look.rays) add_gather_rays(*light, *probe, size_of(patches), marks_);
   if (has_side && light && look.samples) add_direct_rays(*light, *probe, marks_);
   if (wanted.diagnostics != nullptr && mesh->scene) add_faults(*mesh->scene, *diagnostics, marks_);
+  if (wanted.luminaires != nullptr) add_photometric_solids(*as_lit, size_of(patches), marks_);
   return true;
 }
 

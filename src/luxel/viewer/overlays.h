@@ -14,7 +14,8 @@
 namespace luxel {
 
 // Lines and points over the surfaces that show how the scene and the solver work: normals, boxes of the
-// hierarchy, rays of a patch, diagnostics, the line that light is plotted along.
+// hierarchy, rays of a patch, diagnostics, photometric solids of luminaires, the line that light is plotted
+// along.
 class Overlays {
  public:
   // Another scene.
@@ -35,6 +36,7 @@ class Overlays {
     std::uint64_t light = 0, line = 0;
     const void* mesh = nullptr;
     const void* diagnostics = nullptr;
+    const void* luminaires = nullptr;  // patches whose solids are shown
     std::optional<std::uint64_t> side;
     bool operator==(const Made&) const = default;
   } made_;

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "luxel/image/image.h"
+#include "luxel/patch/luminaire_groups.h"
 #include "luxel/viewer/layout.h"
 #include "luxel/viewer/panels.h"
 
@@ -53,6 +54,7 @@ void overlays_section(Viewer& viewer) {
   ImGui::Checkbox("boxes", &look.boxes);
   ImGui::SameLine(em(10.0f));
   ImGui::Checkbox("faults", &look.diagnostics);
+  if (has_luminaires(*viewer.session.mesh()->patches)) ImGui::Checkbox("photometric solids", &look.solids);
   if (look.boxes) ImGui::SliderInt("level", &look.box_level, 0, 24);
   bounce_choice(viewer);
   if (look.diagnostics) fault_list(viewer);

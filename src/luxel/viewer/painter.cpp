@@ -57,6 +57,8 @@ void Painter::update(std::uint64_t scene, const std::shared_ptr<const SessionMes
   update_light(look);
   update_side_values(look, difference);
   update_scale(look);
+  const bool is_of_light = light_ && light_->mesh.geometry == geometry_;
+  luminaires_.set(is_of_light ? light_->mesh.patches : mesh_->patches);
 }
 
 void Painter::update_light(const Look& look) {
@@ -140,6 +142,7 @@ void Painter::look_around(Canvas& canvas, const Viewpoint& from, const PicturePa
       .tone = from.tone};
   draw_sky(view, from.space);
   surfaces_.draw(view);
+  draw_luminaires(view);
   canvas.local->finish(from.tone, static_cast<float>(pixel_step(edges)));
 }
 
@@ -164,13 +167,20 @@ void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, cons
                          .wires = look.wires};
   draw_sky(view, from.space);
   surfaces_.draw(view);
+  draw_luminaires(view);
   marks_.draw(to_screen, drawn.point_size, true);
+}
+
+// Grey as the surfaces are before there is light.
+void Painter::draw_luminaires(SurfaceView view) {
+  if (view.paint == Paint::light && !surfaces_.shows_radiance()) view.paint = Paint::grey;
+  luminaires_.draw(view);
 }
 
 // Where there is light to show it by.
 void Painter::draw_sky(const SurfaceView& view, const Space& space) const {
   if (!mesh_ || !mesh_->patches->has_sky() || !light_) return;
-  const auto radiance = in_gamut(mesh_->patches->colours().rgb(mesh_->patches->sky));
+  const auto radiance = in_gamut(mesh_->patches->colours().rgb(mesh_->patches->mean_sky()));
   if (radiance != Vec3(0.0f)) sky_.draw(view, radiance, space.up);
 }
 

@@ -12,6 +12,7 @@
 #include "luxel/viewer/lines.h"
 #include "luxel/viewer/local_tone.h"
 #include "luxel/viewer/look.h"
+#include "luxel/viewer/luminaire_bodies.h"
 #include "luxel/viewer/sky_backdrop.h"
 #include "luxel/viewer/surfaces.h"
 
@@ -65,11 +66,13 @@ class Painter {
   void update_scale(const Look& look);
   Paint paint(const Look& look) const;
   void draw_sky(const SurfaceView& view, const Space& space) const;
+  void draw_luminaires(SurfaceView view);
   void look_around(Canvas& canvas, const Viewpoint& from, const PicturePart& part, EdgeSmoothing edges,
                    const Tile& all);
 
   Surfaces surfaces_;
   SkyBackdrop sky_;
+  LuminaireBodies luminaires_;
   MarkBuffer marks_;
   std::shared_ptr<const SessionMesh> mesh_;
   std::shared_ptr<const SessionLight> light_;

@@ -38,8 +38,17 @@ void value_line(const char* what, const LightValue& value) {
   row("", with_error(value.watts, value.watts_error, "W/m\u00b2"));
 }
 
-bool shows_probe(const Viewer& viewer) {
+bool shows_surface(const Viewer& viewer) {
   return viewer.light_probe.probe() && (viewer.light_probe.is_pinned() || viewer.look.show != Show::light);
+}
+
+bool shows_probe(const Viewer& viewer) { return viewer.light_probe.luminaire() || shows_surface(viewer); }
+
+void luminaire_text(const SeenLuminaire& luminaire) {
+  row("luminaire", luminaire.name);
+  if (luminaire.file != luminaire.name) row("", luminaire.file);
+  if (!luminaire.group.empty() && luminaire.group != luminaire.name) row("light group", luminaire.group);
+  row("flux", fmt::format("{:.0f} lm", luminaire.lumens));
 }
 
 void place_text(const Probe& probe) {
@@ -50,6 +59,12 @@ void place_text(const Probe& probe) {
       fmt::format("{}{}", probe.triangle, probe.line > 0 ? fmt::format(", line {}", probe.line) : ""));
   if (!probe.group.empty()) row("group", probe.group);
   row("at", fmt::format("{:.3f}, {:.3f}, {:.3f} m", probe.at.x, probe.at.y, probe.at.z));
+}
+
+void surface_text(const Probe& probe) {
+  if (probe.irradiance) value_line("irradiance", *probe.irradiance);
+  if (probe.radiosity) value_line("radiosity", *probe.radiosity);
+  place_text(probe);
 }
 
 }  // namespace
@@ -89,7 +104,6 @@ void legend(const Viewer& viewer) {
 }
 
 void probe_card(const Viewer& viewer) {
-  const auto& probe = viewer.light_probe.probe();
   if (!shows_probe(viewer)) return;
   const auto& display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(display.x - em(0.6f), display.y - em(2.7f)), ImGuiCond_Always,
@@ -97,9 +111,10 @@ void probe_card(const Viewer& viewer) {
   ImGui::Begin("##probe", nullptr, still_card);
   ImGui::TextDisabled(viewer.light_probe.is_pinned() ? "pinned; Escape lets go"
                                                      : "under the cursor; a click pins it");
-  if (probe->irradiance) value_line("irradiance", *probe->irradiance);
-  if (probe->radiosity) value_line("radiosity", *probe->radiosity);
-  place_text(*probe);
+  const auto& luminaire = viewer.light_probe.luminaire();
+  if (luminaire) luminaire_text(*luminaire);
+  if (luminaire && shows_surface(viewer)) ImGui::Separator();
+  if (shows_surface(viewer)) surface_text(*viewer.light_probe.probe());
   ImGui::End();
 }
 

@@ -49,7 +49,8 @@ constexpr Verb verbs[] = {
     {"stop", 0, 0, "stop"},
     {"step", 0, 0, "step"},
     {"stepping", 1, 1, "stepping on|off"},
-    {"expect", 1, 99, "expect mesh|light|no-error|error TEXT|file NAME|lamp GROUP FACTOR"},
+    {"expect", 1, 99,
+     "expect mesh|light|no-error|error TEXT|file NAME|lamp GROUP FACTOR|luminaire GROUP LUMENS"},
     {"close", 0, 0, "close"},
 };
 

@@ -177,6 +177,7 @@ void ScriptPlayer::expect(const Words& words) {
     throw InputError(
         fmt::format("expected the file '{}', but '{}' is shown", rest(words, 2), viewer_.session.title()));
   if (words[1] == "lamp") return expect_lamp(words);
+  if (words[1] == "luminaire") return expect_luminaire(words);
   if (words[1] == "error" && (errors.empty() || errors.back().find(rest(words, 2)) == std::string::npos))
     throw InputError(fmt::format("expected an error that says '{}', but {}", rest(words, 2), said));
 }
@@ -191,6 +192,18 @@ void ScriptPlayer::expect_lamp(const Words& words) const {
         fmt::format("the lamps '{}' have the factor {}, not {}", words[2], lamps.factor, factor));
   }
   throw InputError(fmt::format("there is no light group '{}'", words[2]));
+}
+
+// Under the cursor; to half a per cent.
+void ScriptPlayer::expect_luminaire(const Words& words) const {
+  if (words.size() != 4) throw InputError("expected: expect luminaire GROUP LUMENS");
+  const auto lumens = static_cast<double>(script_number("lumens", words[3]));
+  const auto& found = viewer_.light_probe.luminaire();
+  if (!found) throw InputError("no luminaire is under the cursor");
+  if (found->group != words[2] || std::abs(found->lumens - lumens) > 0.005 * lumens)
+    throw InputError(
+        fmt::format("the luminaire under the cursor is of '{}' and has {:.1f} lm, not '{}' and {} lm",
+                    found->group, found->lumens, words[2], lumens));
 }
 
 void ScriptPlayer::set_view(const Words& words) {

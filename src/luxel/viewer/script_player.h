@@ -30,6 +30,7 @@ class ScriptPlayer {
   void frames(int count);
   void expect(const Words& words);
   void expect_lamp(const Words& words) const;
+  void expect_luminaire(const Words& words) const;
   void set_view(const Words& words);
   void change_lamp(const Words& words);
   void paint(const Words& words);

@@ -82,6 +82,9 @@ void Viewer::handle_key(Key key) {
     case 'R':
       flip(look.rays);
       return;
+    case 'C':
+      flip(look.solids);
+      return;
     case 'X':
       flip(look.automatic_exposure);
       return;

@@ -216,6 +216,20 @@ TEST_F(LoadGltfMaterials, light_passes_through_what_is_more_transparent_than_not
       load(R"({"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}})").materials[0].opaque);
 }
 
+TEST_F(LoadGltfMaterials, what_transmits_is_a_pane_of_the_factor_times_the_base_colour) {
+  const auto pane = load(R"({"name":"pane","pbrMetallicRoughness":{"baseColorFactor":[0.8,0.9,0.7,1]},)"
+                         R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":0.9}}})");
+  EXPECT_FALSE(pane.materials[0].opaque);
+  expect_near(pane.materials[0].transmittance, Vec3(0.72f, 0.81f, 0.63f));
+  EXPECT_NE(files_.all_warnings().find("panes of glass, with the transmittance"), std::string::npos);
+  const auto clear = load(R"({"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}})");
+  EXPECT_EQ(clear.materials[0].transmittance, Vec3(1.0f));
+  EXPECT_NE(files_.all_warnings().find("light passes freely"), std::string::npos);
+  const auto solid = load(R"({"extensions":{"KHR_materials_transmission":{"transmissionFactor":0.4}}})");
+  EXPECT_TRUE(solid.materials[0].opaque);
+  EXPECT_EQ(solid.materials[0].transmittance, Vec3(1.0f));
+}
+
 TEST_F(LoadGltfMaterials, older_files_state_a_diffuse_colour) {
   const auto scene =
       load(R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.1,0.2,0.3,1]}}})",

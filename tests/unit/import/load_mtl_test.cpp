@@ -105,6 +105,31 @@ TEST(LoadMtl, what_lets_most_light_through_is_left_out_and_told) {
   }
 }
 
+TEST(LoadMtl, Tf_of_glass_is_its_transmittance) {
+  SceneFiles files;
+  const std::string glass = "newmtl m\nKd 0 0 0\nillum 7\nNi 1.5\n";
+  const auto pane = load_material(files, glass + "Tf 0.8 0.85 0.75\n");
+  EXPECT_FALSE(pane.opaque);
+  EXPECT_EQ(pane.transmittance, Vec3(0.8f, 0.85f, 0.75f));
+  EXPECT_EQ(files.all_warnings(), "room.obj: panes of glass, with the transmittance Tf of the file: 'm'\n");
+  EXPECT_EQ(load_material(files, "newmtl m\nd 0.3\nTf 0.7\n").transmittance, Vec3(0.7f));
+  EXPECT_EQ(load_material(files, "newmtl m\nd 0.6\nTf 0.7\n").transmittance, Vec3(1.0f));  // opaque
+  files.all_warnings();
+}
+
+TEST(LoadMtl, Tf_that_is_no_transmittance_is_passed_over) {
+  SceneFiles files;
+  const std::string glass = "newmtl m\nKd 0 0 0\nillum 7\nNi 1.5\n";
+  for (const auto& text : {glass, glass + "Tf 1 1 1\n", glass + "Tf 2 2 2\n",
+                           std::string("newmtl m\nd 0.2\nTf 0.2 0.2 0.2\n"),  // the opacity again
+                           std::string("newmtl m\nd 0.2\nTf 0 0 0\n")}) {
+    const auto material = load_material(files, text);
+    EXPECT_FALSE(material.opaque) << text;
+    EXPECT_EQ(material.transmittance, Vec3(1.0f)) << text;
+    EXPECT_NE(files.all_warnings().find("light passes freely"), std::string::npos) << text;
+  }
+}
+
 TEST(LoadMtl, a_mirror_lends_its_specular_colour_and_is_reported) {
   SceneFiles files;
   EXPECT_EQ(load_material(files, "newmtl m\nKd 0 0 0\nKs 0.7 0.6 0.5\n").reflectance, Vec3(0.7f, 0.6f, 0.5f));

@@ -125,6 +125,34 @@ TEST(LoadScene, a_material_named_by_two_patterns_is_flipped_once) {
   EXPECT_EQ(scene.triangles[0], (std::array<std::uint32_t, 3>{0, 2, 1}));
 }
 
+TEST(LoadScene, glass_makes_panes_and_the_last_option_counts) {
+  SceneFiles files;
+  const auto scene =
+      files.load_text(two_triangles, {.glass = {{"wall*", Vec3(0.8f)}, {"*right", Vec3(0.5f, 0.6f, 0.7f)}}});
+  EXPECT_FALSE(scene.materials[0].opaque);
+  EXPECT_EQ(scene.materials[0].transmittance, Vec3(0.8f));
+  EXPECT_EQ(scene.materials[1].transmittance, Vec3(0.5f, 0.6f, 0.7f));
+  const auto all = files.load_text(two_triangles, {.glass = {{"*right", Vec3(0.8f)}, {"", Vec3(0.7f)}}});
+  EXPECT_TRUE(all.materials[0].opaque);
+  EXPECT_EQ(all.materials[1].transmittance, Vec3(0.7f));
+}
+
+TEST(LoadScene, glass_that_cannot_be_is_refused) {
+  SceneFiles files;
+  EXPECT_EQ(files.refusal_of_text(two_triangles, {.glass = {{"window", Vec3(0.8f)}}}),
+            "room.obj: glass: no material matches 'window'; there are 'wall left', 'wall right'");
+  EXPECT_EQ(files.refusal_of_text(two_triangles, {.glass = {{"", Vec3(0.8f)}}}),
+            "room.obj: glass: no material lets light pass, so there are no panes; name the material that is "
+            "glass; there are 'wall left', 'wall right'");
+  for (const auto& wrong : {Vec3(0.0f), Vec3(1.5f), Vec3(0.5f, -0.1f, 0.5f)})
+    EXPECT_NE(files.refusal_of_text(two_triangles, {.glass = {{"wall*", wrong}}}).find("transmittance"),
+              std::string::npos);
+  files.write("room.mtl", "newmtl lamp\nKe 1 1 1\n");
+  EXPECT_EQ(files.refusal_of_text("mtllib room.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl lamp\nf 1 2 3\n",
+                                  {.glass = {{"lamp", Vec3(0.8f)}}}),
+            "room.obj: glass: the material 'lamp' emits light, so it is no pane");
+}
+
 TEST(LoadScene, a_pattern_that_matches_nothing_names_the_materials) {
   SceneFiles files;
   EXPECT_EQ(files.refusal_of_text(two_triangles, {.one_sided = {"wal"}}),

@@ -115,8 +115,9 @@ TEST_F(Spectra, what_is_damaged_is_one_sentence_with_its_line) {
          "3: expected the quantity reflectance, radiance or sky, found 'colour'");
   expect(rows(",radiance,400,1\n"), "3: expected the name of a material, found none");
   expect(rows("lamp,sky,400,1\n"), "3: expected no material for the sky, found 'lamp'");
-  expect(rows("\"lamp,radiance,400,1\n"), "3: expected a closing quote (\"), found none on the line");
-  expect(rows("\"lamp\" x,radiance,400,1\n"), "3: expected a comma after the closing quote");
+  expect(rows("\"lamp,radiance,400,1\n"), "3: a double quote is not closed");
+  expect(rows("\"lamp\" x,radiance,400,1\n"),
+         "3: expected ',' after a closing quote, found 'x,radiance,400,1'");
   expect(rows("lamp,radiance,0.4,1\n"), "3: expected a wavelength from 1 to 1e+06 nm, found '0.4'");
   expect(rows("lamp,radiance,nan,1\n"), "3: expected a wavelength from 1 to 1e+06 nm, found 'nan'");
   expect(rows("lamp,reflectance,400,1.2\n"), "3: expected a reflectance from 0 to 1, found '1.2'");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/scene_files.h"
@@ -225,6 +226,48 @@ TEST(DiagnoseFromTheWild, knows_the_faults_of_the_corner_cases) {
   EXPECT_EQ(found(of("xatlas/degenerate_edge.obj"), DiagnosticKind::no_area).count, 1u);
   EXPECT_EQ(found(of("tinyobjloader/cornell_box.obj"), DiagnosticKind::units).severity, Severity::warning)
       << "its units are millimetres";
+}
+
+// The room with a window of glass before the wall z = 2, from line 17 on.
+std::string with_sheets(const std::vector<double>& depths) {
+  auto text = corners + ceiling + floor_face + left + right + rear + "usemtl glass\n";
+  for (std::size_t i = 0; i < depths.size(); ++i)
+    text += fmt::format("v 0 0 {0}\nv 2 0 {0}\nv 2 2 {0}\nv 0 2 {0}\nf -4 -3 -2 -1\n", depths[i]);
+  return text;
+}
+constexpr const char* glass = "newmtl wall\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\nnewmtl glass\n";
+
+TEST_F(Diagnose, finds_glass_that_is_opaque) {
+  mtl_ = std::string(glass) + "Kd 0.1 0.1 0.1\n";
+  const auto report = of(with_sheets({2.0}));
+  const auto& opaque = found(report, DiagnosticKind::opaque_glass);
+  EXPECT_EQ(opaque.severity, Severity::note);
+  EXPECT_EQ(opaque.count, 1u);
+  EXPECT_EQ(opaque.hints, (std::vector<Hint>{{Setting::glass, "glass=0.8"}}));
+  ASSERT_EQ(opaque.places.size(), 1u);
+  EXPECT_EQ(opaque.places[0].material, "glass");
+  const auto under_sky = of(with_sheets({2.0}), {.sky = Vec3(1.0f)});
+  EXPECT_EQ(found(under_sky, DiagnosticKind::opaque_glass).severity, Severity::warning);
+  const auto pane = of(with_sheets({2.0}), {.glass = {{"glass", Vec3(0.8f)}}, .sky = Vec3(1.0f)});
+  EXPECT_EQ(kinds(pane).find("glass"), std::string::npos);
+  EXPECT_EQ(kinds(pane).find("panes"), std::string::npos);
+}
+
+TEST_F(Diagnose, finds_panes_that_let_all_light_pass_under_a_sky) {
+  mtl_ = std::string(glass) + "d 0.2\n";
+  const auto report = of(with_sheets({2.0}), {.sky = Vec3(1.0f)});
+  const auto& clear = found(report, DiagnosticKind::clear_panes);
+  EXPECT_EQ(clear.severity, Severity::warning);
+  EXPECT_EQ(clear.fact, "1 material lets all light pass, as if there were no glass");
+  EXPECT_EQ(kinds(of(with_sheets({2.0}))).find("panes"), std::string::npos);  // no sky
+}
+
+TEST_F(Diagnose, finds_sheets_within_a_millimetre) {
+  mtl_ = std::string(glass) + "d 0.2\n";
+  const LoadOptions options{.glass = {{"", Vec3(0.8f)}}, .sky = Vec3(1.0f)};
+  const auto report = of(with_sheets({2.0, 2.0005, 2.1}), options);
+  EXPECT_EQ(found(report, DiagnosticKind::doubled_panes).count, 4u);
+  EXPECT_EQ(kinds(of(with_sheets({2.0, 2.002}), options)).find("doubled"), std::string::npos);
 }
 
 }  // namespace

@@ -126,6 +126,30 @@ TEST_F(DamagedSolution, standard_errors_with_any_byte_changed_are_refused_or_rea
   EXPECT_GT(complaints_, attempts_ / 2);
 }
 
+TEST_F(DamagedSolution, panes_that_cannot_be_are_named) {
+  auto sample = sample::baked(4, 3);
+  auto& patches = sample.patches;
+  patches.materials[1].transmittance = {0.5f, 0.8f, 1.0f};
+  patches.panes = {{{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}}, {0, 1, 0}, MaterialId{1}, 1.0f}};
+  make(sample);
+  const std::vector<float> exponents = {0.7f}, transmittances = {1.0f, 1.0f, 1.0f, 0.5f, 1.5f, 1.0f};
+  EXPECT_EQ(complaint_after([&](hid_t file) {
+              replace_dataset(file, "Luxel/panes/exponent", H5T_NATIVE_FLOAT, {1}, exponents.data());
+            }),
+            "damaged: the axis of a pane is no unit vector, or its exponent is neither 1 nor 0.5");
+  EXPECT_EQ(
+      complaint_after([&](hid_t file) {
+        replace_dataset(file, "Luxel/panes/transmittance", H5T_NATIVE_FLOAT, {2, 3}, transmittances.data());
+      }),
+      "damaged: a transmittance is not a number from 0 to 1");
+  const std::vector<std::uint32_t> material = {0};
+  EXPECT_EQ(complaint_after([&](hid_t file) {
+              replace_dataset(file, "Luxel/panes/material", H5T_NATIVE_UINT32, {1}, material.data());
+            }),
+            "damaged: a pane has no material with a transmittance");
+  damage_every(13);
+}
+
 TEST_F(DamagedSolution, the_standard_errors_of_one_side_alone_are_refused) {
   make(sample::baked_with_errors(4, 3));
   EXPECT_EQ(complaint_after(

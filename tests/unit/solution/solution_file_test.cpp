@@ -67,6 +67,21 @@ TEST(SolutionFile, arrays_of_several_compressed_chunks_are_read_to_the_bit) {
   }
 }
 
+Baked with_panes() {
+  auto sample = sample::baked(4, 3);
+  auto& patches = sample.patches;
+  patches.materials.push_back({"glass", true, {0.1f, 0.1f, 0.1f}, {0.0f, 0.0f, 0.0f}});
+  patches.materials.back().transmittance = {0.5f, 0.8f, 1.0f};
+  patches.panes = {{{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}}, {0, 1, 0}, MaterialId{2}, 1.0f},
+                   {{{{0, 0, 0}, {1, 0, 1}, {0, 0, 1}}}, {0, -1, 0}, MaterialId{2}, 0.5f}};
+  return sample;
+}
+
+TEST(SolutionFile, panes_of_glass_are_read_to_the_bit) {
+  const auto sample = with_panes();
+  expect_same(read_solution(write("panes.vtkhdf", sample)), sample);
+}
+
 TEST(SolutionFile, cameras_focus_and_seen_error_are_read_to_the_bit) {
   auto sample = sample::baked(6, 3);
   auto& patches = sample.patches;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/cli/daylight_drawings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "luxel/core/ending_of.h"
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
+#include "luxel/daylight/daylight_plans.h"
+#include "luxel/daylight/heat_map.h"
+#include "luxel/export/utf8.h"
+
+namespace luxel {
+namespace {
+
+bool is_skewed(const PointGrid& grid) {
+  const auto a = grid.first - grid.corner, b = grid.second - grid.corner;
+  return std::abs(glm::dot(a, b)) > 1e-6 * glm::length(a) * glm::length(b);
+}
+
+std::vector<MetricPlan> plans_of(const DaylightReport& report) {
+  std::vector<MetricPlan> plans = {plan_of(report.factors.front())};
+  if (report.year)
+    for (auto& plan : plans_of(report.year->metrics)) plans.push_back(std::move(plan));
+  return plans;
+}
+
+}  // namespace
+
+void DaylightDrawings::declare(OptionSet& set) {
+  Declaration file{"heat-map", "FILE",
+                   "SVG drawing of the illuminance of each hour of the year: hour over day",
+                   [this](const std::string& text) {
+                     if (!text.empty()) expect_ending("--heat-map", text, ".svg");
+                     heat_map_ = text;
+                   },
+                   [this] { return heat_map_; }};
+  file.endings = ".svg";
+  set.add(std::move(file));
+  set.add({"heat-map-point", "N|mean",
+           "--heat-map: a point, counted from 1 in the order of the table, or the mean over all points",
+           [this](const std::string& text) {
+             const auto number = parse_number(text);
+             if (text != "mean" &&
+                 (!number || !(*number >= 1.0f && *number <= 1e7f) || std::floor(*number) != *number))
+               throw UsageError(fmt::format(
+                   "--heat-map-point: expected mean or the number of a point from 1 on, not '{}'", text));
+             point_ = text == "mean" ? 0 : static_cast<std::size_t>(*number);
+           },
+           [this] { return point_ == 0 ? std::string("mean") : fmt::format("{}", point_); }});
+}
+
+void DaylightDrawings::check(const ProbeSettings& places, const std::vector<std::string>& outputs,
+                             bool has_weather) const {
+  if (!heat_map_.empty() && !has_weather)
+    throw UsageError("--heat-map draws the hours of a year: give --weather FILE");
+  if (point_ > 0 && heat_map_.empty() &&
+      std::none_of(outputs.begin(), outputs.end(), [](const auto& o) { return is_page(o); }))
+    throw UsageError("--heat-map-point belongs to --heat-map FILE.svg and to -o FILE.html");
+  for (const auto& output : outputs) {
+    if (ending_of(output) != ".svg") continue;
+    if (!places.file.empty() || places.line)
+      throw UsageError(fmt::format(
+          "-o {}: a plan needs a grid of points: give --plane or --grid, not --points or --line", output));
+    if (places.grid && is_skewed(*places.grid))
+      throw UsageError(
+          fmt::format("-o {}: a plan needs a rectangular --grid, whose edges are at right angles", output));
+  }
+}
+
+void DaylightDrawings::check_point(std::size_t points) const {
+  if (point_ > points)
+    throw InputError(fmt::format("--heat-map-point {}: expected a number from 1 to {}, the number of points",
+                                 point_, points));
+}
+
+std::vector<NamedOutput> DaylightDrawings::files() const {
+  return heat_map_.empty() ? std::vector<NamedOutput>() : std::vector<NamedOutput>{{"--heat-map", heat_map_}};
+}
+
+std::optional<MetricGround> DaylightDrawings::ground_of(const ProbeSettings& places, const Vec3d& up,
+                                                        const DrawnPlace& place) {
+  constexpr double lift = 0.02, beyond_border = 0.3;  // m
+  const auto cells = places.cells(place.patches, up);
+  if (!cells || is_skewed(*cells)) return std::nullopt;
+  MetricGround ground;
+  ground.grid = rectangular_grid(cells->corner, cells->first, cells->second, cells->columns, cells->rows);
+  ground.plan = plan_of(place.patches, ground.grid, lift);
+  std::vector<Vec3d> corners;
+  for (const auto& portal : place.openings)
+    for (const auto& corner : portal.corner) corners.push_back(place.patches.in_file(corner));
+  ground.openings = openings_of(ground.grid, corners);
+  const Vec2d north(glm::dot(place.north, ground.grid.along), glm::dot(place.north, ground.grid.across));
+  constexpr double level = 0.5;  // sine of the angle between north and the plane's normal
+  if (glm::length(north) > level) ground.north = glm::normalize(north);
+  if (places.plane) ground.around = places.border + beyond_border;
+  return ground;
+}
+
+std::string DaylightDrawings::heat_map(const DrawnDaylight& drawn) const {
+  const auto& points = drawn.report.points.position;
+  std::optional<std::size_t> point;
+  HeatMap map;
+  map.title = "Illuminance, mean over the points";
+  if (point_ > 0) {
+    point = point_ - 1;
+    const auto& at = points[*point];
+    map.title = fmt::format("Illuminance at point {} ({:.4g}, {:.4g}, {:.4g} m)", point_, at.x, at.y, at.z);
+  }
+  map.figures = {valid_utf8(drawn.weather->place) + "; by sky and sun, blinds open"};
+  map.illuminance = hourly_illuminance(*drawn.year, point);
+  map.from = drawn.metrics.from;
+  map.to = drawn.metrics.to;
+  return heat_map_svg(map, *drawn.year, *drawn.weather);
+}
+
+void DaylightDrawings::write(const std::string& output, const DrawnDaylight& drawn) const {
+  write_file(output,
+             output == heat_map_ ? heat_map(drawn) : metric_plans_svg(*drawn.ground, plans_of(drawn.report)));
+}
+
+void DaylightDrawings::add(const DrawnDaylight& drawn, DaylightPage& page) const {
+  if (drawn.ground) {
+    page.plans = metric_plan_svgs(*drawn.ground, plans_of(drawn.report));
+    page.are_plans_wide = is_wide_plan(drawn.ground->grid);
+  }
+  if (drawn.year) page.heat_map = heat_map(drawn);
+}
+
+}  // namespace luxel

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "luxel/cli/daylight_report.h"
+#include "luxel/cli/option_set.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/cli/probe_settings.h"
+#include "luxel/daylight/metric_plan.h"
+#include "luxel/daylight/year.h"
+#include "luxel/report/daylight_page.h"
+
+namespace luxel {
+
+// What drawings of daylight show.
+struct DrawnDaylight {
+  const DaylightReport& report;
+  const MetricOptions& metrics;
+  const DaylightYear* year = nullptr;  // with the weather; null: daylight factors alone
+  const Weather* weather = nullptr;
+  std::optional<MetricGround> ground;  // where the points are a grid
+};
+
+// Where the surfaces are, and which way north is.
+struct DrawnPlace {
+  const PatchSet& patches;
+  const std::vector<Portal>& openings;
+  Vec3d north{0.0, 1.0, 0.0};  // unit, in the scene
+};
+
+// The drawings of `daylight`: plans over the grid of points, and the heat map of the year.
+class DaylightDrawings {
+ public:
+  void declare(OptionSet& set);
+  // Throws UsageError where a drawing needs a grid or the weather of a year.
+  void check(const ProbeSettings& places, const std::vector<std::string>& outputs, bool has_weather) const;
+  // Throws InputError where --heat-map-point is none of the points.
+  void check_point(std::size_t points) const;
+  const std::string& heat_map_file() const { return heat_map_; }
+  // With the options that declare them.
+  std::vector<NamedOutput> files() const;
+
+  // The plan around the points; nothing where these are no grid.
+  static std::optional<MetricGround> ground_of(const ProbeSettings& places, const Vec3d& up,
+                                               const DrawnPlace& place);
+  // Writes a .svg file: the heat map or the plans.
+  void write(const std::string& output, const DrawnDaylight& drawn) const;
+  // Adds the drawings to a page.
+  void add(const DrawnDaylight& drawn, DaylightPage& page) const;
+
+ private:
+  std::string heat_map(const DrawnDaylight& drawn) const;
+
+  std::string heat_map_;
+  std::size_t point_ = 0;  // from 1; 0: the mean
+};
+
+}  // namespace luxel

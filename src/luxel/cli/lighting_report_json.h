@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "luxel/report/lighting_report.h"
+
+namespace luxel {
+
+// The numbers of a report as JSON; docs/json.md lists its keys. outputs: files that were written.
+std::string json_of(const LightingReport& report, const std::vector<std::string>& outputs);
+
+}  // namespace luxel

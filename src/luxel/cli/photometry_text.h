@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/photometry/figures.h"
+#include "luxel/photometry/photometry.h"
+
+namespace luxel {
+
+// What `luxel photometry` prints of a luminaire.
+struct PhotometryText {
+  const Photometry* photometry = nullptr;
+  PhotometricFigures figures;
+  std::string output;  // the diagram, if one was written
+
+  std::string as_text() const;
+  std::string as_json() const;
+};
+
+}  // namespace luxel

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/cli/commands.h"
+#include "luxel/cli/console.h"
+#include "luxel/cli/file_date.h"
+#include "luxel/cli/lighting_report_json.h"
+#include "luxel/cli/outputs.h"
+#include "luxel/cli/picture_camera.h"
+#include "luxel/cli/probe_points.h"
+#include "luxel/cli/report_settings.h"
+#include "luxel/cli/run_record.h"
+#include "luxel/cli/settings.h"
+#include "luxel/cli/solved_scene.h"
+#include "luxel/cli/streams.h"
+#include "luxel/cli/verdict_effort.h"
+#include "luxel/core/error.h"
+#include "luxel/core/output_file.h"
+#include "luxel/image/image_file.h"
+#include "luxel/report/number_text.h"
+#include "luxel/report/report_page.h"
+#include "luxel/version.h"
+
+namespace luxel {
+namespace {
+
+constexpr const char* page_kinds = ".html .json";
+
+// `report`: the report of a lighting design.
+class ReportCommand final : public Command {
+ public:
+  explicit ReportCommand(OptionSet& options) : Command(options) {
+    options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote", ".vtkhdf");
+    settings_.declare(options);
+    options.heading("Scene");
+    look_.declare_up(options);
+    run_.declare(options, page_kinds);
+    options.show_first({"output", "title", "project", "author", "plane", "areas", "requirement",
+                        "require-mean", "require-uniformity", "require-ugr", "maintenance", "json"});
+    options.set_examples({{"luxel report office.vtkhdf -o office.html", "The report of a lighting design."},
+                          {"luxel report office.vtkhdf --require-mean 500 --require-uniformity 0.6 "
+                           "--require-ugr 19 -o office.html",
+                           "With verdicts on what is required."}});
+  }
+
+  int run() override {
+    settings_.settle();
+    if (run_.outputs.empty() && !run_.json && run_.report.empty())
+      throw UsageError("no file to write: give -o report.html, or --json");
+    if (!run_.outputs.empty()) check_before_work(run_, {}, page_kinds);
+    Console console(run_);
+    const Context context(run_.threads);
+    RunRecord record;
+    const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
+    if (!stored.baked.patches.has_colours())
+      throw InputError(file_,
+                       "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
+    restore_up(stored.baked.solution.provenance, look_);
+    console.announce("hierarchy");
+    const auto tracer =
+        record.stage("hierarchy", [&](auto&) { return Tracer(stored.baked.patches, context); });
+    LightingReport report;
+    const Workplace place{context, console, record};
+    if (!fill(stored, tracer, place, report)) return stopped_before_light(console);
+    console.clear_bar();
+    write(report, console);
+    console.say("time", record.summary());
+    console.detail("stages", record.table());
+    return exit_fine;
+  }
+
+ private:
+  // Returns false where the user stopped the work.
+  bool fill(const StoredRun& stored, const Tracer& tracer, const Workplace& place,
+            LightingReport& report) const {
+    const auto& patches = stored.baked.patches;
+    const auto probe = place.record.stage("light", [&](auto&) {
+      return std::make_unique<SolutionProbe>(patches, stored.baked.solution, tracer, stored.samples.get(),
+                                             place.context);
+    });
+    set_titles(report);
+    set_origin(stored.baked, *probe, report);
+    report.room = find_room_data(patches, Vec3d(up_of(look_, patches)));
+    report.maintenance.luminaires = luminaire_maintenance(patches);
+    report.luminaires =
+        place.record.stage("luminaires", [&](auto&) { return list_luminaires(patches, report.room.axes); });
+    if (!measure_planes(stored, *probe, place, report)) return false;
+    measure_surfaces(stored, place.context, report);
+    if (settings_.has_unfolded && !measure_faces(*probe, stored, place, report)) return false;
+    if (!measure_glare(*probe, place, report)) return false;
+    if (settings_.has_picture) report.picture = draw(stored.baked, tracer, place);
+    if (interrupted()) return false;
+    add_warnings(stored, report);
+    return true;
+  }
+
+  void set_titles(LightingReport& report) const {
+    const std::filesystem::path path(file_);
+    report.title = settings_.title.empty() ? "Lighting report: " + path.stem().string() : settings_.title;
+    report.project = settings_.project;
+    report.author = settings_.author;
+    report.hours = settings_.hours;
+    report.date = settings_.date;
+    if (!report.date.empty()) return;
+    report.date_label = "File of the solution of";
+    report.date = day_of_file(path);
+  }
+
+  void set_origin(const Baked& baked, const SolutionProbe& probe, LightingReport& report) const {
+    const auto& provenance = baked.solution.provenance;
+    report.origin = {.solution = file_,
+                     .version = LUXEL_VERSION,
+                     .report_command = options().given_as_command(RunSettings::heading),
+                     .solution_version = provenance.program_version,
+                     .solution_command = provenance.command_line,
+                     .method = provenance.method,
+                     .seed = provenance.seed,
+                     .rays = provenance.rays,
+                     .measuring_seed = settings_.probe.seed,
+                     .patches = baked.patches.size(),
+                     .seen_error = baked.solution.seen_error,
+                     .errors = probe.solved().errors()};
+  }
+
+  // Returns false where the user stopped the work.
+  bool measure_planes(const StoredRun& stored, const SolutionProbe& probe, const Workplace& place,
+                      LightingReport& report) const {
+    constexpr double lift = 0.02;  // m: the plan of the drawings is cut so much above the plane
+    std::optional<SolvedScene> solved;
+    if (!settings_.scene.empty()) {
+      solved = load_solved_scene(settings_.scene, file_, stored.baked, place.console);
+      if (!solved) return false;
+    }
+    const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
+                          solved ? &solved->scene : nullptr};
+    for (const auto& area : areas_of(report)) {
+      auto result = place.record.stage(area.name, [&](auto&) {
+        return measure_plane(probe, area, scene, settings_.probe, place.console.reporting(place.context));
+      });
+      if (!result) return false;
+      seconds_ += place.record.stages().back().seconds;
+      PlaneDrawing drawing{
+          .plan = plan_of(probe.patches(), result->grid, lift), .max_height = drawing_height, .title = {}};
+      if (!add_finer(*result, probe, scene, place, drawing)) return false;
+      report.planes.push_back({std::move(*result), std::move(drawing)});
+    }
+    return true;
+  }
+
+  // The working planes, and the areas of the file.
+  std::vector<CalculationArea> areas_of(LightingReport& report) const {
+    CalculationArea like;
+    like.requirement = settings_.required.requirement();
+    if (like.requirement.Ez || like.requirement.modelling_min) {
+      like.has_cylinders = true;
+      like.Ez_height = report.room.low.z + settings_.eye_height;
+    }
+    std::vector<CalculationArea> of_file;
+    if (!settings_.areas.empty()) {
+      const auto toml = read_area_file(settings_.areas);
+      auto table = settings_.required.table();
+      table.add(toml);
+      of_file = luxel::areas_of(toml, table, report.room.axes.up);
+      like.maintenance = maintenance_of(toml).value_or(MaintenanceFactor{});
+    }
+    if (settings_.maintenance > 0.0) {
+      like.maintenance = MaintenanceFactor{};
+      like.maintenance.factor = settings_.maintenance;
+    }
+    report.maintenance.area = like.maintenance;
+    auto areas = working_planes(report.room, settings_.plane_height, settings_.border, like);
+    for (auto& area : of_file) areas.push_back(std::move(area));
+    return areas;
+  }
+
+  // Points three times as close for isolux lines, of planes that these do not make slow. Returns false where
+  // the user stopped the work.
+  bool add_finer(const PlaneResult& result, const SolutionProbe& probe, const AreaScene& scene,
+                 const Workplace& place, PlaneDrawing& drawing) const {
+    constexpr std::size_t max_points = 4000;
+    const auto& grid = result.grid;
+    if (!(grid.height > 0.0) || 9 * grid.points() > max_points) return true;
+    // Lines of nearly even light show errors that lines of uneven light hide.
+    const auto contrast = (result.max.value - result.min.value) / std::max(result.mean.value, 1e-9);
+    auto finer = measure_finer(result.area,
+                               std::max(grid.width / static_cast<double>(grid.columns),
+                                        grid.height / static_cast<double>(grid.rows)),
+                               std::clamp(0.01 * contrast, 0.001, 0.02), probe, scene, place);
+    if (!finer) return false;
+    drawing.finer_grid = finer->grid;
+    for (const auto& light : finer->light) drawing.finer_values.push_back(light.illuminance);
+    return true;
+  }
+
+  // The light of an area at points a third of the spacing apart, without verdicts. error: of the sampling.
+  std::optional<PlaneResult> measure_finer(CalculationArea area, double spacing, double error,
+                                           const SolutionProbe& probe, const AreaScene& scene,
+                                           const Workplace& place) const {
+    area.spacing = spacing / 3.0;
+    area.requirement = {};
+    area.has_cylinders = false;
+    auto options = settings_.probe;
+    options.error = error;
+    return place.record.stage("drawing of " + area.name, [&](auto&) {
+      return measure_plane(probe, area, scene, options, place.console.reporting(place.context));
+    });
+  }
+
+  // Returns false where the user stopped the work.
+  bool measure_faces(const SolutionProbe& probe, const StoredRun& stored, const Workplace& place,
+                     LightingReport& report) const {
+    const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
+                          nullptr};
+    for (auto& face : faces_of(report.room, probe.patches())) {
+      face.area.maintenance = report.maintenance.area;
+      const auto size = report.room.high - report.room.low;
+      auto result =
+          measure_finer(face.area, std::max({size.x, size.y, size.z}) / 12.0, 0.01, probe, scene, place);
+      if (!result) return false;
+      report.unfolded.push_back({std::move(face), std::move(*result)});
+    }
+    return true;
+  }
+
+  static void measure_surfaces(const StoredRun& stored, const Context& context, LightingReport& report) {
+    const auto& patches = stored.baked.patches;
+    std::vector<std::vector<float>> replicates;
+    if (stored.samples) replicates = replicate_illuminance(patches, *stored.samples, context);
+    const SurfaceMeter meter(patches, stored.baked.solution, std::move(replicates));
+    const auto add = [&](const char* name, const std::vector<std::uint32_t>& among) {
+      if (!among.empty()) report.surfaces.push_back({name, meter.measure(among, SurfaceSide::automatic)});
+    };
+    add("floor", report.room.floor);
+    add("walls", report.room.walls);
+    add("ceiling", report.room.ceiling);
+  }
+
+  // Returns false where the user stopped the work.
+  bool measure_glare(const SolutionProbe& probe, const Workplace& place, LightingReport& report) const {
+    const GlareMeter meter(probe, report.room.axes.up);
+    if (meter.lamps() == 0) return true;
+    report.observers = wall_observers(report.room, settings_.eye_height);
+    add_observers_of_file(report);
+    std::vector<GlareObserver> observers;
+    for (const auto& o : report.observers)
+      observers.push_back(
+          {Vec3(report.room.axes.in_scene(o.place.eye) - probe.patches().origin), Vec3(o.view)});
+    const auto glare = place.record.stage("observers", [&](auto&) {
+      return observe_glare(meter, observers, settings_.glare, place.console.reporting(place.context));
+    });
+    if (glare.empty()) return false;
+    for (std::size_t i = 0; i < glare.size(); ++i) report.observers[i].glare = glare[i];
+    judge_observers(report);
+    return true;
+  }
+
+  void add_observers_of_file(LightingReport& report) const {
+    if (settings_.observers.empty()) return;
+    const auto list = read_points(settings_.observers, Vec3d(0.0));
+    for (std::size_t i = 0; i < list.position.size(); ++i) {
+      if (!(glm::length(list.normal[i]) > 0.0))
+        throw InputError(settings_.observers,
+                         "expected where observers look: x,y,z,nx,ny,nz on each line, or columns nx, ny, nz");
+      ReportObserver observer;
+      observer.view = list.normal[i];
+      observer.place.name = observer_name(report.observers.size());
+      observer.place.eye = report.room.axes.in_plan(list.position[i]);
+      const auto view = report.room.axes.in_plan(observer.view);
+      const PlanPoint level(view.x, view.y);
+      if (glm::length(level) > 0.0) observer.place.view = glm::normalize(level);
+      const auto at = observer.place.eye - report.room.low;
+      observer.description = fmt::format("{:.2f}, {:.2f} m, eyes at {:.2f} m", at.x, at.y, at.z);
+      report.observers.push_back(std::move(observer));
+    }
+  }
+
+  static void judge_observers(LightingReport& report) {
+    const auto named = report.named_glare();
+    const auto is_working_plane = [&](std::size_t i) { return i < report.room.outline.size(); };
+    for (std::size_t i = 0; i < report.planes.size(); ++i) {
+      auto& result = report.planes[i].result;
+      const auto verdict = judge_glare(result.area, named, report.room.axes.up);
+      if (!verdict) continue;
+      if (is_working_plane(i))
+        report.ugr_verdict = judge_glare(named, *result.area.requirement.ugr);
+      else
+        result.verdicts.push_back(*verdict);
+    }
+  }
+
+  std::string draw(const Baked& baked, const Tracer& tracer, const Workplace& place) const {
+    constexpr int width = 960, height = 720;  // pixels
+    return place.record.stage("picture", [&](auto&) {
+      PictureSettings picture;
+      picture.render.width = width;
+      picture.render.height = height;
+      const auto context = place.console.reporting(place.context);
+      const auto camera = camera_of(picture, look_, baked, tracer, place.context);
+      const auto light = make_smooth_light(baked.patches, baked.solution, look_.smooth, place.context);
+      const auto drawn = render_picture(baked.patches, light, tracer, camera, picture.render, context);
+      return png_of(tone_map(drawn.radiance, look_.tone, drawn.edges, drawn.sky), {}, context);
+    });
+  }
+
+  void add_warnings(const StoredRun& stored, LightingReport& report) const {
+    auto& warnings = report.warnings;
+    VerdictEffort effort(settings_.probe);
+    for (const auto& [result, drawing] : report.planes) {
+      effort.add(result.verdicts, result.light);
+      if (const auto twice = maintenance_warning(result.maintenance(), result.area.name); !twice.empty())
+        warnings.push_back(sentence(twice));
+    }
+    for (const auto& text :
+         effort.sentences({file_, stored.baked.solution.seen_error, stored.samples != nullptr}, seconds_))
+      warnings.push_back(sentence(text));
+    if (report.luminaires.types.empty())
+      warnings.push_back(
+          "The solution has no luminaires with photometric files: bake it with --luminaires or "
+          "--luminaire-grid to have a list of luminaires and their power.");
+    for (const auto& [result, drawing] : report.planes)
+      if (result.unreached > 0)
+        warnings.push_back(
+            fmt::format("{} of {} points of the {} have a larger error than requested: more --rays "
+                        "reduce it.",
+                        result.unreached, result.grid.points(), result.area.name));
+    std::size_t large = 0;
+    for (const auto& o : report.observers) large += o.glare.large > 0 ? 1 : 0;
+    if (large > 0)
+      warnings.push_back(
+          fmt::format("{} of {} observers see a source above 0.1 sr, for which UGR is not made.", large,
+                      report.observers.size()));
+  }
+
+  void write(const LightingReport& report, Console& console) const {
+    for (const auto& output : run_.outputs)
+      write_file(output, is_page(output) ? report_page(report) : json_of(report, {}));
+    if (!run_.report.empty()) write_file(run_.report, json_of(report, run_.outputs));
+    console.say("report", summary_of(report));
+    for (const auto& warning : report.warnings) warn(console.log(), warning);
+    if (run_.json) return print_result(json_of(report, run_.outputs));
+    for (const auto& output : run_.outputs) print_result(output + "\n");
+  }
+
+  static std::string sentence_of_report(const Verdict& verdict) {
+    auto text = beginning_of(verdict) + name(verdict.compliance);
+    for (const auto& more : {verdict.note, remedy_of(verdict)})
+      if (!more.empty()) text += "; " + more;
+    return text;
+  }
+
+  // With a capital and a full stop.
+  static std::string sentence(std::string text) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text + ".";
+  }
+
+  static std::string summary_of(const LightingReport& report) {
+    std::string text;
+    for (const auto& [result, drawing] : report.planes) {
+      text += fmt::format("{}{}: mean {} lx, U0 {}", text.empty() ? "" : "\n", result.area.name,
+                          lux_text(result.mean), ratio_text(result.min_over_mean));
+      for (const auto& verdict : result.verdicts) text += "\n" + sentence_of_report(verdict);
+    }
+    if (const auto most = report.max_glare())
+      text += fmt::format("\nhighest UGR {}", ugr_text(report.observers[*most].ugr()));
+    if (report.ugr_verdict) text += "\n" + sentence_of_report(*report.ugr_verdict);
+    if (const auto density = report.power_density())
+      text += fmt::format("\ninstalled power {:.2f} W/m²", *density);
+    return text;
+  }
+
+  static constexpr double drawing_height = 195.0;  // pixels of 720 in width: two drawings fit on a page
+
+  std::string file_;
+  mutable double seconds_ = 0.0;  // that the planes took
+  ReportSettings settings_;
+  LookSettings look_;
+  RunSettings run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_report(CommandLine& line) {
+  return std::make_unique<ReportCommand>(line.command(
+      "report", "report of a lighting design as an HTML page: luminaires, planes, glare, power"));
+}
+
+}  // namespace luxel

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/cli/outside_settings.h"
+
+namespace luxel {
+
+// What `luxel sky` prints.
+std::string text_of(const OutsideLight& light);
+std::string json_of(const OutsideLight& light, const std::string& output);
+
+}  // namespace luxel

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/sky/weather_figures.h"
+
+namespace luxel {
+
+// What `luxel weather` prints of a file.
+std::string text_of(const Weather& weather, const WeatherFigures& figures);
+std::string json_of(const Weather& weather, const WeatherFigures& figures);
+
+}  // namespace luxel

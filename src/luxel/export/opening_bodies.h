@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/image/tone.h"
+#include "luxel/import/gltf_writer.h"
+#include "luxel/patch/patch_set.h"
+
+namespace luxel {
+
+// Where nodes are added.
+struct NodeParent {
+  std::string children;          // path of an array of nodes; empty: of a file without scenes
+  double metres_per_unit = 1.0;  // of the file
+  Vec3d origin{0.0};             // m, in the parent's axes: where the patches' coordinates begin
+};
+
+// Adds the luminous opening of each luminaire as a node with a mesh that emits, so that programs show where
+// the light comes from; one mesh per photometric file and colour. The colour is that of a diffuse surface of
+// the opening's area and luminous flux, after the tone curve. The extras of a mesh have `luxel_opening`:
+// readers of Luxel pass it over, for the light is that of the luminaire, not of the mesh. Bodies that a file
+// has from an earlier export are taken off. Without luminaires nothing is changed.
+void add_opening_bodies(GltfWriter& file, const PatchSet& patches, const ToneCurve& curve,
+                        const NodeParent& parent);
+
+}  // namespace luxel

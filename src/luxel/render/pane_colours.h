@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/band_colours.h"
+#include "luxel/trace/panes.h"
+
+namespace luxel {
+
+// What panes of glass make of the colours behind them, in pictures. In plain colour exact; among wavebands
+// the colour that white light has behind them. Immutable; safe for any number of threads.
+class PaneColours {
+ public:
+  PaneColours(const PatchSet& patches, const BandColours& colours);
+
+  // Linear RGB, a factor of radiance; 1 where the ray crosses no pane before distance (m).
+  Vec3d along(const Ray& ray, float distance) const;
+
+ private:
+  Panes panes_;
+  std::vector<Vec3d> of_band_;  // [band]: linear RGB, their sum is 1 in each channel
+};
+
+}  // namespace luxel

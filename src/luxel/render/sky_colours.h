@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "luxel/patch/patch_set.h"
+#include "luxel/scene/band_colours.h"
+
+namespace luxel {
+
+// What the sky looks like, W/(m² sr), linear RGB: of a sky in patches a smooth field through the centres of
+// these, since a picture of the patches would show their edges. Immutable; safe for any number of threads.
+class SkyColours {
+ public:
+  SkyColours(const PatchSet& patches, const BandColours& colours);
+
+  bool is_even() const { return radiance_.size() <= 1; }
+  // direction: unit.
+  Vec3d at(const Vec3d& direction) const;
+
+ private:
+  SkyPatches patches_;
+  std::vector<Vec3d> radiance_;  // [sky patch]; empty: dark
+};
+
+}  // namespace luxel

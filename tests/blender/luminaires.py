@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A lamp with an IES Texture node has the lumens of its photometric file, whatever its watts and its colour."""
+import json
+import os
+
+import bpy
+import numpy as np
+
+import rooms
+import truth
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FILE = os.path.join(ROOT, "scenes", "luminaires", "spotlight.ies")
+HEIGHT = 2.0  # m
+EFFICACY = 179.0  # lm/W
+
+
+def add_lamp(mode, strength, tint):
+    lamp = rooms.lamp("POINT", (0, 0, HEIGHT), 7.0, shadow_soft_size=0.0, color=tint).data
+    lamp.use_nodes = True
+    node = lamp.node_tree.nodes.new("ShaderNodeTexIES")
+    node.mode = mode
+    if mode == "EXTERNAL":
+        node.filepath = FILE
+    else:
+        node.ies = bpy.data.texts.load(FILE)
+    node.inputs["Strength"].default_value = strength
+    emission = next(each for each in lamp.node_tree.nodes if each.type == "EMISSION")
+    lamp.node_tree.links.new(node.outputs["Fac"], emission.inputs["Strength"])
+    return node
+
+
+def check(scene):
+    """scene: the Check of in_blender.py. Straight below the lamp: candela over the square of the height."""
+    candela = json.loads(scene.printed("photometry", FILE, "--json"))["maximum"]["intensity"]
+    for mode, strength, tint in (("EXTERNAL", 1.0, (1.0, 1.0, 1.0)), ("INTERNAL", 0.25, (1.0, 0.5, 0.1))):
+        scene.scene = rooms.fresh_scene()
+        item = scene.small_triangles()
+        node = add_lamp(mode, strength, tint)
+        bpy.context.view_layer.update()
+        assert scene.bake(error=0.5, max_edge=0.5) == {"FINISHED"}, mode
+        found = truth.corner_colours(item, scene.add_on.LAYER)[0]
+        luminance, wanted = found @ (0.2126, 0.7152, 0.0722), strength * candela / HEIGHT ** 2 / EFFICACY / np.pi
+        assert abs(luminance / wanted - 1.0) < 0.01, f"{mode}: found {luminance}, expected {wanted}"
+        assert np.allclose(found / found[0], np.array(tint) / tint[0], rtol=0.01), f"{mode}: the colour {found}"
+    # A missing file is one sentence.
+    node.mode = "EXTERNAL"
+    node.filepath = os.path.join(scene.folder, "none.ies")
+    try:
+        scene.bake()
+    except RuntimeError as error:
+        assert "none.ies: the file of an IES Texture node cannot be read" in str(error), error
+    else:
+        raise AssertionError("a missing photometric file was accepted")
