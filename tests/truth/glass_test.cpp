@@ -45,7 +45,8 @@ struct Case {
 class Window : public testing::TestWithParam<Case> {};
 
 TEST_P(Window, gives_a_point_the_integral_of_its_transmittance_over_the_sky) {
-  const auto [name, glazing, portals] = GetParam();
+  const auto& [name, case_glazing, portals] = GetParam();
+  const auto glazing = case_glazing;
   const auto patches = with_portals(glazed_room(glazing, tint), portals);
   EXPECT_EQ(patches.portals.empty(), !portals);
   const ProbeRig rig(patches, 0.0f);
@@ -67,7 +68,8 @@ TEST_P(Window, gives_a_point_the_integral_of_its_transmittance_over_the_sky) {
 }
 
 TEST_P(Window, gives_the_floor_the_same_by_the_solver) {
-  const auto [name, glazing, portals] = GetParam();
+  const auto& [name, case_glazing, portals] = GetParam();
+  const auto glazing = case_glazing;
   const auto patches = with_portals(glazed_room(glazing, tint), portals, 0.25f);
   const Context context(2);
   const Tracer tracer(patches, context);

@@ -18,17 +18,17 @@ class Chicago : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(chicago_file)) GTEST_SKIP() << chicago_file << " is not there";
-    weather = load_weather(chicago_file.string());
+    weather_ = load_weather(chicago_file.string());
   }
-  Weather weather;
+  Weather weather_;
 };
 
 TEST_F(Chicago, has_the_known_sums) {
-  EXPECT_EQ(weather.site.latitude, 41.98);
-  EXPECT_EQ(weather.site.longitude, -87.92);
-  EXPECT_EQ(weather.timezone, -6.0);
-  EXPECT_EQ(weather.hours.size(), 8760u);
-  const auto figures = weather_figures(weather);
+  EXPECT_EQ(weather_.site.latitude, 41.98);
+  EXPECT_EQ(weather_.site.longitude, -87.92);
+  EXPECT_EQ(weather_.timezone, -6.0);
+  EXPECT_EQ(weather_.hours.size(), 8760u);
+  const auto figures = weather_figures(weather_);
   EXPECT_EQ(figures.light_hours, 4696.0);
   EXPECT_EQ(figures.sun_hours, 4208.0);
   EXPECT_EQ(figures.global, 1406646.0);
@@ -50,13 +50,13 @@ TEST_F(Chicago, has_the_skies_of_gendaymtx) {
   };
   for (const auto& [month, elevation, azimuth, direct, diffuse] :
        {Hour{3, 47.0454, 191.3832, 81798.0, 17599.7}, Hour{9, 46.6093, 196.5261, 245.0, 35506.0}}) {
-    const auto hour = find_hour(weather, month, 21, 12.5);
+    const auto hour = find_hour(weather_, month, 21, 12.5);
     ASSERT_TRUE(hour.has_value());
-    auto sun = sun_of(weather, *hour);
+    auto sun = sun_of(weather_, *hour);
     EXPECT_NEAR(sun.elevation, elevation, 1.1);  // gendaymtx's sun is off by up to 1.07 degrees
     sun.elevation = elevation;
     sun.direction = direction_towards(elevation, azimuth);
-    const auto sky = perez_sky(weather, *hour, sun);
+    const auto sky = perez_sky(weather_, *hour, sun);
     EXPECT_NEAR(sky.direct_normal_illuminance, direct, 1.0);
     EXPECT_NEAR(sky.diffuse_illuminance, diffuse, 5e-4 * diffuse);  // by the earth's orbit
   }
@@ -66,28 +66,28 @@ TEST_F(Chicago, has_the_skies_of_gendaymtx) {
 // gendaymtx are 16,900 there. Over the year the module's are 7.1 % higher (measured).
 TEST_F(Chicago, has_illuminances_by_the_same_efficacies) {
   double file = 0.0, model = 0.0;
-  for (std::size_t i = 0; i < weather.hours.size(); ++i)
-    if (const auto& hour = weather.hours[i]; hour.diffuse_horizontal.value_or(0.0) > 0.0) {
+  for (std::size_t i = 0; i < weather_.hours.size(); ++i)
+    if (const auto& hour = weather_.hours[i]; hour.diffuse_horizontal.value_or(0.0) > 0.0) {
       file += *hour.diffuse_illuminance;
-      model += perez_sky(weather, i, sun_of(weather, i)).diffuse_illuminance;
+      model += perez_sky(weather_, i, sun_of(weather_, i)).diffuse_illuminance;
     }
   EXPECT_NEAR(model / file, 1.0, 0.10);
 }
 
 TEST_F(Chicago, has_direct_light_at_sunrise_and_no_other_oddity) {
-  EXPECT_TRUE(weather.oddities.empty());
-  ASSERT_EQ(weather.notes.size(), 1u);
-  EXPECT_NE(weather.notes[0].find("with direct light, in whose middle the sun is below the horizon"),
+  EXPECT_TRUE(weather_.oddities.empty());
+  ASSERT_EQ(weather_.notes.size(), 1u);
+  EXPECT_NE(weather_.notes[0].find("with direct light, in whose middle the sun is below the horizon"),
             std::string::npos)
-      << weather.notes[0];
+      << weather_.notes[0];
   // gendaymtx warns of 36 hours with more than 20 W/m² and no part of the sun above the horizon, by its own
   // sun.
   int bright = 0;
-  for (std::size_t i = 0; i < weather.hours.size(); ++i) {
-    const auto& hour = weather.hours[i];
+  for (std::size_t i = 0; i < weather_.hours.size(); ++i) {
+    const auto& hour = weather_.hours[i];
     if (!(hour.direct_normal.value_or(0.0) > 0.0)) continue;
-    EXPECT_GE(sun_of(weather, i).elevation, 0.0) << hour.line;
-    const auto middle = sun_position(hour.middle, weather.site, {.pressure = 0.0});
+    EXPECT_GE(sun_of(weather_, i).elevation, 0.0) << hour.line;
+    const auto middle = sun_position(hour.middle, weather_.site, {.pressure = 0.0});
     bright += *hour.direct_normal > 20.0 && middle.elevation < -0.5 * sun_diameter;
   }
   EXPECT_NEAR(bright, 36, 8);
