@@ -45,11 +45,11 @@ Columns columns_of(const DaylightCoefficients& c, std::uint32_t left_out) {
 
 }  // namespace
 
-DaylightYear::DaylightYear(const DaylightCoefficients& coefficients, const Weather& weather,
-                           std::span<const ProbePoint> points, const SunSurroundings& around, double albedo,
+DaylightYear::DaylightYear(const YearCoefficients& coefficients, const Weather& weather,
+                           std::span<const ProbePoint> points, const Surroundings& around,
                            const Context& context)
-    : coefficients_(coefficients), context_(context.quiet()) {
-  const auto& patches = coefficients.sky;
+    : coefficients_(coefficients.open), windows_(coefficients.windows), context_(context.quiet()) {
+  const auto& patches = coefficients_.sky;
   const auto width = patches.size();
   for (std::size_t h = 0; h < weather.hours.size(); ++h) {
     const auto& record = weather.hours[h];
@@ -59,7 +59,7 @@ DaylightYear::DaylightYear(const DaylightCoefficients& coefficients, const Weath
     if (hour.sun.direction.z > 0.0) hour.sun_illuminance = perez.direct_normal_illuminance;
     if (!(hour.sky_illuminance > 0.0)) continue;
     const SkyLevel level{hour.sky_illuminance, hour.sun_illuminance * std::max(0.0, hour.sun.direction.z),
-                         albedo};
+                         around.albedo};
     for (const auto l : sky_patch_luminances(perez.model, patches, level))
       sky_.push_back(static_cast<float>(l));
     sun_.resize(sky_.size(), 0.0f);
@@ -73,10 +73,13 @@ DaylightYear::DaylightYear(const DaylightCoefficients& coefficients, const Weath
   trace_sun(points, around, context);
 }
 
-void DaylightYear::trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around,
+void DaylightYear::trace_sun(std::span<const ProbePoint> points, const Surroundings& around,
                              const Context& context) {
   const Panes panes(around.patches);
+  std::vector<Panes> without;
+  for (const auto& dark : windows_.dark) without.emplace_back(dark);
   direct_sun_.assign(hours_.size() * points.size(), 0.0f);
+  sun_through_.assign(without.size(), direct_sun_);
   PointLight disc;
   disc.kind = PointLightKind::directional;
   disc.angular_radius = static_cast<float>(0.5 * sun_diameter * std::numbers::pi / 180.0);
@@ -101,17 +104,23 @@ void DaylightYear::trace_sun(std::span<const ProbePoint> points, const SunSurrou
                                       {static_cast<double>(u[0]), static_cast<double>(u[1])});
           const Ray ray{points[m].position, Vec3(sight.direction)};
           if (!(sight.irradiance > 0.0) || around.tracer.occluded(ray, sight.distance)) continue;
-          const auto through = panes.luminous(panes.along(ray, sight.distance));
-          direct_sun_[h * points.size() + m] =
-              static_cast<float>(through * sight.irradiance * hour.sun_illuminance);
+          const auto arriving = [&](const Panes& glass) {
+            return static_cast<float>(glass.luminous(glass.along(ray, sight.distance)) * sight.irradiance *
+                                      hour.sun_illuminance);
+          };
+          const auto at = h * points.size() + m;
+          direct_sun_[at] = arriving(panes);
+          for (std::size_t g = 0; g < without.size(); ++g)
+            sun_through_[g][at] = direct_sun_[at] - arriving(without[g]);
         }
       }
     });
   }
 }
 
-std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
-  const auto columns = columns_of(coefficients_, left_out);
+std::vector<float> DaylightYear::diffuse_by(const DaylightCoefficients& coefficients,
+                                            std::uint32_t left_out) const {
+  const auto columns = columns_of(coefficients, left_out);
   const auto width = coefficients_.sky.size(), count = points();
   std::vector<float> light(hours_.size() * count, 0.0f);
   context_.for_chunks(hours_.size(), hours_per_chunk, [&](std::size_t begin, std::size_t end, int) {
@@ -127,6 +136,19 @@ std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
       }
     }
   });
+  return light;
+}
+
+std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
+  return diffuse_by(coefficients_, left_out);
+}
+
+std::vector<float> DaylightYear::through(std::size_t group, std::uint32_t left_out) const {
+  auto light = illuminance(left_out);
+  if (!has_groups()) return light;
+  const auto rest = diffuse_by(windows_.without[group], left_out);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    light[i] -= rest[i] + direct_sun_[i] - sun_through_[group][i];
   return light;
 }
 

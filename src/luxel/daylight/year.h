@@ -7,6 +7,7 @@
 
 #include "luxel/core/context.h"
 #include "luxel/daylight/coefficients.h"
+#include "luxel/daylight/window_groups.h"
 #include "luxel/sky/weather.h"
 #include "luxel/trace/tracer.h"
 
@@ -22,10 +23,18 @@ struct DaylightHour {
   double sun_illuminance = 0.0;  // of a plane that faces the sun, lx; 0 where it is below the horizon
 };
 
-// What the sun's rays meet.
-struct SunSurroundings {
+// What the sun's rays meet, and what reflects them outside.
+struct Surroundings {
   const PatchSet& patches;  // for their panes of glass
   const Tracer& tracer;
+  double albedo = 0.2;  // of the ground
+};
+
+// The coefficients of all windows, and those without the windows of each group. A group without coefficients,
+// the only one then, is all windows and openings.
+struct YearCoefficients {
+  const DaylightCoefficients& open;
+  const WindowLight& windows;
 };
 
 // The light of a year at points, hour by hour (Tregenza and Waters 1983, Reinhart and Walkenhorst 2001). The
@@ -35,10 +44,9 @@ struct SunSurroundings {
 class DaylightYear {
  public:
   // Keeps references to the coefficients. Traces one ray per point and hour with sun, and polls the monitor;
-  // after its stop is_stopped(). albedo: of the ground.
-  DaylightYear(const DaylightCoefficients& coefficients, const Weather& weather,
-               std::span<const ProbePoint> points, const SunSurroundings& around, double albedo,
-               const Context& context);
+  // after its stop is_stopped().
+  DaylightYear(const YearCoefficients& coefficients, const Weather& weather,
+               std::span<const ProbePoint> points, const Surroundings& around, const Context& context);
 
   bool is_stopped() const { return is_stopped_; }
   // Hours with light, in the order of the file.
@@ -53,15 +61,28 @@ class DaylightYear {
   std::vector<float> diffuse(std::uint32_t left_out) const;
   std::uint32_t replicates() const { return coefficients_.replicates; }
 
+  const std::vector<WindowGroup>& groups() const { return windows_.groups; }
+  bool has_groups() const { return !windows_.without.empty(); }  // else the only one is all light
+  double light_taken_twice() const { return windows_.twice; }    // see WindowLight
+  // lx, by sky and sun through the windows of a group: [hour * points + point].
+  std::vector<float> through(std::size_t group, std::uint32_t left_out) const;
+  // lx, straight from the sun through them, likewise.
+  const std::vector<float>& direct_sun_through(std::size_t group) const {
+    return sun_through_.empty() ? direct_sun_ : sun_through_[group];
+  }
+
  private:
-  void trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
+  void trace_sun(std::span<const ProbePoint> points, const Surroundings& around, const Context& context);
+  std::vector<float> diffuse_by(const DaylightCoefficients& coefficients, std::uint32_t left_out) const;
 
   const DaylightCoefficients& coefficients_;
+  const WindowLight& windows_;
   Context context_;  // reports nothing
   std::vector<DaylightHour> hours_;
   // cd/m²: [hour * sky patches + sky patch], of the sky, and what the sun adds for reflected light.
   std::vector<float> sky_, sun_;
   std::vector<float> direct_sun_;
+  std::vector<std::vector<float>> sun_through_;  // [group]; empty: all of it
   bool is_stopped_ = false;
 };
 

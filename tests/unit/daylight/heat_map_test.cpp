@@ -26,13 +26,14 @@ struct OpenGround {
   Tracer tracer;
   DaylightCoefficients coefficients;
   std::vector<ProbePoint> points = {{Vec3(0, 0, 1), Vec3(0, 0, 1)}, {Vec3(1, 0.3f, -0.02f), Vec3(0, 0, 1)}};
+  WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
   DaylightYear year;
 
   OpenGround()
       : patches(make_patches(ground(), {})),
         tracer(patches, context),
         coefficients(of_sky()),
-        year(coefficients, weather, points, {patches, tracer}, 0.2, context) {}
+        year({coefficients, windows}, weather, points, {patches, tracer, 0.2}, context) {}
 
   static Scene ground() {
     truth::SceneBuilder builder;
@@ -111,8 +112,8 @@ TEST(HeatMap, hours_that_the_weather_lacks_have_no_colour) {
   OpenGround open;
   auto part = open.weather;
   part.hours.resize(24 * 31);  // January
-  const DaylightYear year(open.coefficients, part, open.points, {open.patches, open.tracer}, 0.2,
-                          open.context);
+  const DaylightYear year({open.coefficients, open.windows}, part, open.points,
+                          {open.patches, open.tracer, 0.2}, open.context);
   const HeatMap map{.title = "", .figures = {}, .illuminance = hourly_illuminance(year, 0)};
   const auto svg = heat_map_svg(map, year, part);
   double whole = 0.0;
