@@ -102,7 +102,10 @@ class DaylightCommand final : public Command {
     if (interrupted()) return stopped_before_light(console);
     const auto up = up_of(scene);
     const SkyPatches sky(subdivision_, up, north_of(up, north_));
-    set_only_sky(sky, weather ? mean_sky_of_year(*weather, sky, albedo_) : overcast(sky), scene);
+    YearSkies skies;
+    if (weather)
+      skies = record.stage("skies", [&](auto&) { return skies_of_year(*weather, sky, albedo_, context); });
+    set_only_sky(sky, weather ? mean_sky(skies) : overcast(sky), scene);
     if (year_.has_groups()) make_panes_of_groups(year_.groups(), scene);
     const auto transport = solve(scene, context, console, record);
     if (!transport) return stopped_before_light(console);
@@ -139,8 +142,8 @@ class DaylightCommand final : public Command {
       });
       if (windows.groups.empty()) return stopped_before_light(console);
       year.emplace(record.stage("sun", [&](auto&) {
-        return DaylightYear({coefficients, windows}, *weather, coefficients.origins,
-                            {transport->patches, tracer, albedo_}, console.reporting(context));
+        return DaylightYear({coefficients, windows}, skies, coefficients.origins,
+                            {transport->patches, tracer}, console.reporting(context));
       }));
       if (year->is_stopped()) return stopped_before_light(console);
       report.year = record.stage("metrics", [&](auto&) { return metrics_of(*year, *weather, metrics); });

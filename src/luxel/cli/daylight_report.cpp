@@ -86,7 +86,7 @@ std::string blinds_text(const YearReport& year) {
   for (const auto& group : groups)
     text += fmt::format("{} {} closed {:.0f} h, {:.0f} % of the light", &group == &groups.front() ? ":" : ";",
                         group.name, group.closed_hours, 100.0 * group.part_of_light);
-  return text + fmt::format("; light through two of them {:.2g} %\n", 100.0 * year.light_taken_twice);
+  return text + fmt::format("; light through two of them {:.2f} %\n", 100.0 * year.light_taken_twice);
 }
 
 std::string text_of(const YearReport& year) {

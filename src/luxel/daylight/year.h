@@ -8,26 +8,15 @@
 #include "luxel/core/context.h"
 #include "luxel/daylight/coefficients.h"
 #include "luxel/daylight/window_groups.h"
-#include "luxel/sky/weather.h"
+#include "luxel/daylight/year_skies.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
 
-// Sky and sun of one record of a weather file, by Perez's model.
-struct DaylightHour {
-  std::size_t record = 0;  // of Weather::hours
-  double time = 0.0;       // h of local standard time at the middle of the record
-  double duration = 1.0;   // h
-  SunPosition sun;
-  double sky_illuminance = 0.0;  // of the ground by the sky, lx
-  double sun_illuminance = 0.0;  // of a plane that faces the sun, lx; 0 where it is below the horizon
-};
-
-// What the sun's rays meet, and what reflects them outside.
-struct Surroundings {
+// What the sun's rays meet.
+struct SunSurroundings {
   const PatchSet& patches;  // for their panes of glass
   const Tracer& tracer;
-  double albedo = 0.2;  // of the ground
 };
 
 // The coefficients of all windows, and those without the windows of each group. A group without coefficients,
@@ -43,14 +32,14 @@ struct YearCoefficients {
 // it comes by the coefficients of the four patches around it, which is as coarse as these are.
 class DaylightYear {
  public:
-  // Keeps references to the coefficients. Traces one ray per point and hour with sun, and polls the monitor;
-  // after its stop is_stopped().
-  DaylightYear(const YearCoefficients& coefficients, const Weather& weather,
-               std::span<const ProbePoint> points, const Surroundings& around, const Context& context);
+  // Keeps references to the coefficients and the skies, whose patches are the same. Traces one ray per point
+  // and hour with sun, and polls the monitor; after its stop is_stopped().
+  DaylightYear(const YearCoefficients& coefficients, const YearSkies& skies,
+               std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
 
   bool is_stopped() const { return is_stopped_; }
-  // Hours with light, in the order of the file.
-  const std::vector<DaylightHour>& hours() const { return hours_; }
+  // Hours with light.
+  const std::vector<DaylightHour>& hours() const { return skies_.hours; }
   std::size_t points() const { return coefficients_.points; }
   // lx, straight from the sun: [hour * points + point].
   const std::vector<float>& direct_sun() const { return direct_sun_; }
@@ -72,15 +61,15 @@ class DaylightYear {
   }
 
  private:
-  void trace_sun(std::span<const ProbePoint> points, const Surroundings& around, const Context& context);
+  void trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
   std::vector<float> diffuse_by(const DaylightCoefficients& coefficients, std::uint32_t left_out) const;
 
   const DaylightCoefficients& coefficients_;
   const WindowLight& windows_;
   Context context_;  // reports nothing
-  std::vector<DaylightHour> hours_;
-  // cd/m²: [hour * sky patches + sky patch], of the sky, and what the sun adds for reflected light.
-  std::vector<float> sky_, sun_;
+  const YearSkies& skies_;
+  // cd/m²: [hour * sky patches + sky patch], what the sun adds to the sky for reflected light.
+  std::vector<float> sun_;
   std::vector<float> direct_sun_;
   std::vector<std::vector<float>> sun_through_;  // [group]; empty: all of it
   bool is_stopped_ = false;

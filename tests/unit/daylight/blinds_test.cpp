@@ -30,7 +30,8 @@ struct OpenGround {
   std::vector<ProbePoint> points = {{Vec3(0, 0, 1), Vec3(0, 0, 1)}};
   DaylightCoefficients open = of_sky(1.0f);
   WindowLight windows{{{"a", 0.5}, {"b", 0.0}}, {patches, patches}, {of_sky(0.9f), of_sky(0.1f)}, 0.0};
-  DaylightYear year{{open, windows}, weather, points, {patches, tracer, 0.2}, context};
+  YearSkies skies = skies_of_year(weather, open.sky, 0.2);
+  DaylightYear year{{open, windows}, skies, points, {patches, tracer}, context};
   std::uint32_t all = year.replicates();
 
   static Scene ground() {
@@ -78,7 +79,7 @@ TEST(Blinds, close_where_the_sun_comes_through_their_windows) {
   const Blinds groups(o.year, occupied, {}, {});
   EXPECT_EQ(groups.closed(0), std::vector<float>(3, 0.0f));
   const WindowLight one{{{"all windows", 0.05}}, {}, {}, 0.0};
-  const DaylightYear year({o.open, one}, o.weather, o.points, {o.patches, o.tracer, 0.2}, o.context);
+  const DaylightYear year({o.open, one}, o.skies, o.points, {o.patches, o.tracer}, o.context);
   ASSERT_GT(year.direct_sun()[2], 1000.0f);
   EXPECT_EQ(Blinds(year, occupied, {}, {}).closed(0), (std::vector<float>{0.0f, 0.0f, 1.0f}));
   EXPECT_EQ(Blinds(year, {true, true, false}, {}, {}).closed(0), std::vector<float>(3, 0.0f));
