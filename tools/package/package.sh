@@ -113,26 +113,32 @@ debian_sources() {
 }
 
 # new_root TARGET SCRIPT FILE...: makes a bare Debian root, with the files in its folder /try, runs the script in it, and
-# leaves it as TARGET, a .tar file or nothing ("-"). mmdebstrap finds a way with root or without.
+# leaves it as TARGET, a .tar file or nothing ("-"). mmdebstrap finds a way with root or without. root_options: more of it.
+root_options=()
 new_root() {
   local target=$1 script=$2 file uploads=()
   shift 2
   for file in "$script" "$@"; do uploads+=("--customize-hook=copy-in '$root/$file' /try"); done
   [[ $target != - ]] || target=/dev/null
-  debian_sources | mmdebstrap --variant=minbase --customize-hook='mkdir -p "$1/try"' "${uploads[@]}" \
+  debian_sources | mmdebstrap --variant=minbase "${root_options[@]}" --customize-hook='mkdir -p "$1/try"' "${uploads[@]}" \
     --customize-hook="chroot \"\$1\" bash /try/${script##*/}" --customize-hook='rm -rf "$1/try"' \
     "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$target" -
 }
 
 scene_files=(scenes/cornell-box.obj scenes/cornell-box.mtl tools/package/box.dae)
-try_archive() { new_root "$packages/luxel-root.tar.gz" tools/package/try_archive.sh "$packages/$archive.tar.gz" "${scene_files[@]}"; }
+# The root becomes that of the image, without translations and documents but licences.
+try_archive() {
+  local root_options=(--dpkgopt='path-exclude=/usr/share/doc/*' --dpkgopt='path-include=/usr/share/doc/*/copyright'
+    --dpkgopt='path-exclude=/usr/share/locale/*' --dpkgopt='path-exclude=/usr/share/man/*')
+  new_root "$packages/luxel-root.tar.gz" tools/package/try_archive.sh "$packages/$archive.tar.gz" "${scene_files[@]}"
+}
 try_debs() { new_root - tools/package/try_debs.sh "$packages"/*.deb "${scene_files[@]}" examples; }
 
 # The image of tools/package/Containerfile, where there is a program that makes it.
 try_image() {
   local maker=podman
   command -v podman >/dev/null || maker=buildah
-  "$maker" build --file tools/package/Containerfile --build-arg "ARCHIVE=$archive" --tag luxel "$packages"
+  "$maker" build --isolation chroot --file tools/package/Containerfile --build-arg "ARCHIVE=$archive" --tag luxel "$packages"
   [[ $maker != podman ]] || podman run --rm luxel --version
 }
 

@@ -9,7 +9,8 @@ begin=$SECONDS
 say() { printf 'try: %s (%d s)\n' "$1" $((SECONDS - begin)); begin=$SECONDS; }
 fail() { printf 'try: FAILED: %s\n' "$1" >&2; exit 1; }
 install() { apt-get -qq -y -o DPkg::Lock::Timeout=60 install --no-install-recommends "$@" >install.log 2>&1 || { tail install.log; fail "installing $*"; }; }
-used() { df --output=used -BM / | tail -n 1 | tr -dc 0-9; }
+# MB of all installed packages, by their own account.
+used() { dpkg-query -W -f='${Installed-Size}\n' | awk '{ sum += $1 } END { print int(sum / 1000) }'; }
 
 apt-get -qq update
 before=$(used)
@@ -22,21 +23,20 @@ luxel info box.dae >/dev/null || fail "a COLLADA file was not read"
 say "a scene is baked, and a COLLADA file read"
 
 install man-db bash-completion xvfb xauth shared-mime-info desktop-file-utils libglib2.0-bin
-# What the packages of the tools left to others.
 for page in luxel luxel-bake luxel-view; do
-  MANWIDTH=80 man "$page" | grep -q "^NAME" || fail "man $page shows nothing"
+  [[ $(MANWIDTH=80 man "$page") == *NAME*"$page"* ]] || fail "man $page shows nothing"
 done
-man luxel-bake | grep -q -- "--quality" || fail "luxel-bake(1) lacks an option"
+[[ $(man luxel-bake) == *--quality* ]] || fail "luxel-bake(1) lacks an option"
 say "man shows luxel, luxel-bake and luxel-view"
 
-bash -c 'source /usr/share/bash-completion/bash_completion; _completion_loader luxel; complete -p luxel' | grep -q "_luxel luxel" ||
-  fail "bash does not load the completion"
+loaded=$(bash -c 'source /usr/share/bash-completion/bash_completion; _completion_loader luxel; complete -p luxel')
+[[ $loaded == *"_luxel luxel"* ]] || fail "bash does not load the completion"
 say "bash loads the completion"
 
-printf 'wait light\nclose\n' >close.script
-xvfb-run --auto-servernum luxel view box.vtkhdf --script close.script || fail "the window did not open"
+printf 'wait light\nwait view\nsnapshot window.png\nclose\n' >close.script
+{ xvfb-run --auto-servernum luxel view box.vtkhdf --script close.script && [[ -s window.png ]]; } || fail "the window did not open"
 [[ $(gio info -a standard::content-type box.vtkhdf) == *application/x-vtkhdf* ]] || fail "the desktop does not know .vtkhdf"
-gio mime application/x-vtkhdf | grep -q luxel.desktop || fail "the desktop does not open .vtkhdf with luxel"
+[[ $(gio mime application/x-vtkhdf) == *luxel.desktop* ]] || fail "the desktop does not open .vtkhdf with luxel"
 say "the window opens, and the desktop opens .vtkhdf with it"
 
 install ./libluxel-dev_*.deb g++ cmake ninja-build
@@ -54,6 +54,7 @@ if compgen -G './python3-luxel_*.deb' >/dev/null; then
 fi
 
 apt-get -qq -y purge "${packages[@]}" >/dev/null
-left=$(find / -xdev -iname '*luxel*' -not -path '/try/*' -not -path '/proc/*' -not -path '/sys/*')
+# man-db tends its own cache.
+left=$(find / -xdev -iname '*luxel*' -not -path '/try/*' -not -path '/proc/*' -not -path '/sys/*' -not -path '/var/cache/man/*')
 [[ -z $left ]] || fail "removed packages leave $left"
 say "removed, they leave nothing"
