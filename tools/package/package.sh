@@ -3,7 +3,8 @@
 # tried in. dev sources this file after its own functions; it runs in the root of the sources.
 
 packages=out/packages
-packager=(debhelper dpkg-dev lintian file patchelf mmdebstrap man-db groff desktop-file-utils appstream python3)
+packager=(debhelper dpkg-dev lintian file patchelf mmdebstrap man-db desktop-file-utils appstream python3)
+((EUID == 0)) || packager+=(uidmap)  # roots without root: a user's range of identifiers
 
 # What is packaged has the date of the last commit, so that the same sources give the same bytes.
 set_package_version() {
@@ -96,7 +97,6 @@ make_archive() {
     --root "$tree" --output "$tree/share/doc/luxel/luxel.spdx.json" --licences "$tree/share/doc/luxel/licences" --bundled
   tar --create --use-compress-program="gzip -9n" --file "$1/$archive.tar.gz" --directory build/portable --sort=name --owner=0 --group=0 --numeric-owner \
     --mtime="@$SOURCE_DATE_EPOCH" --format=gnu --mode=go-w "$archive"
-  say "the archive asks for $(glibc_of "$tree") or a later one"
 }
 
 # The newest version of glibc that a program or library below a folder asks for.
@@ -157,13 +157,14 @@ make_and_try_packages() {
   configure portable "${options[@]}"
   step "building what becomes the archive" compile portable luxel luxel-import || fail "the build failed"
   rm -rf -- "$packages"
-  check "making Debian packages" quietly make-debs make_debs "$packages"
-  check "making the archive" quietly make-archive make_archive "$packages"
+  step "making Debian packages" quietly make-debs make_debs "$packages" || fail "the Debian packages could not be made"
+  step "making the archive" quietly make-archive make_archive "$packages" || fail "the archive could not be made"
+  say "the archive needs $(glibc_of "build/portable/$archive") or later"
   check "checking the packages with lintian" check_lintian
   check "making all again, which gives the same bytes" quietly make-again check_reproducible
   check "trying the archive in a bare root" tried try-archive
   check "trying the packages in a bare root: installing, using and removing them" tried try-debs
-  if command -v podman || command -v buildah; then check "making the image" quietly image try_image; fi >/dev/null
+  if command -v podman >/dev/null || command -v buildah >/dev/null; then check "making the image" quietly image try_image; fi
   (cd "$packages" && du -h --apparent-size -- *)
   say "ready: $root/$packages"
 }

@@ -47,6 +47,8 @@ class View final : public Command {
   }
 
   int run() override {
+    if (settings_.scene.file.empty() && !(snapshot_.empty() && compare_.empty() && save_.empty()))
+      throw UsageError("--snapshot, --compare and --save need a scene: expected 'luxel view SCENE'");
     settings_.scene.check();
     settings_.light.check();
     settings_.picture.check();
