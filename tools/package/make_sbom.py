@@ -8,6 +8,7 @@ licences those of /usr/share/doc/*/copyright. The result depends on nothing else
 """
 import argparse
 import datetime
+import functools
 import json
 import os
 import re
@@ -27,20 +28,29 @@ def output_of(*command, folder="."):
     return subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
 
 
+@functools.cache
+def owners():
+    """Path -> package, of all files of all installed packages."""
+    found = {}
+    for line in output_of("dpkg-query", "-W", "-f", "${Package}\n${db-fsys:Files}").splitlines():
+        if line.startswith(" "):
+            found[line.strip()] = package
+        elif line:
+            package = line
+    return found
+
+
 def packages_of(paths):
     """The Debian packages that own these files, each with its dpkg fields; files of no package are ignored."""
-    paths = {os.path.realpath(path) for path in paths}
-    # Since /usr and / were merged, dpkg may know a library by either name.
-    both = sorted(paths | {path[len("/usr"):] for path in paths if path.startswith("/usr/lib")})
     names = set()
-    for begin in range(0, len(both), 500):
-        found = subprocess.run(["dpkg-query", "-S", *both[begin:begin + 500]], check=False, capture_output=True, text=True)
-        names |= {name.strip() for line in found.stdout.splitlines() if not line.startswith("diversion ")
-                  for name in line.rsplit(": ", 1)[0].split(",")}
+    for path in (os.path.realpath(path) for path in paths):
+        # Since /usr and / were merged, dpkg may know a library by either name.
+        names.add(owners().get(path) or owners().get(path[len("/usr"):]))
+    names = sorted(names - {None})
     if not names:
         return {}
     form = "\t".join("${" + field + "}" for field in FIELDS) + "\n"
-    rows = (line.split("\t") for line in output_of("dpkg-query", "-W", "-f", form, *sorted(names)).splitlines())
+    rows = (line.split("\t") for line in output_of("dpkg-query", "-W", "-f", form, *names).splitlines())
     return {row[0]: dict(zip(FIELDS, row)) for row in rows}
 
 
