@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Packages for administrators, of ./dev package: .deb files, an archive for other distributions, and the root that both are
 # tried in. dev sources this file after its own functions; it runs in the root of the sources.
@@ -15,7 +16,6 @@ set_package_version() {
   version=$(sed -n 's/^project(luxel VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
   # Below the version itself, so that the release replaces it.
   [[ $(git tag --points-at HEAD 2>/dev/null) == *"v$version"* ]] || version+="~$(date -u -d "@$SOURCE_DATE_EPOCH" +%Y%m%d.%H%M)"
-  architecture=$(dpkg --print-architecture)
   archive=luxel-${version/\~/-}-linux-$(uname -m)
 }
 
@@ -58,6 +58,7 @@ make_debs() {
 
 check_reproducible() {
   local again=build/package/again deb
+  rm -rf -- "$again"
   make_debs "$again"
   make_archive "$again"
   for deb in "$again"/*.deb "$again"/*.tar.gz; do cmp -- "$deb" "$packages/${deb##*/}" || return; done

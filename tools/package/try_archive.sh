@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs in a bare Debian root, in which /try has the archive and a scene: unpacks it at an odd place and bakes with it.
 set -euo pipefail

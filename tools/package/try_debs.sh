@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs in a bare Debian root, in which /try has the .deb files, a scene and the examples: installs, tries and removes them.
 set -euo pipefail
