@@ -26,8 +26,8 @@ struct CalendarDay {
   unsigned month = 3, day = 21;
 };
 
-// The illuminance in each hour with light of a day, blinds open, with lines at 100, 300 and 3,000 lx. Empty
-// where the year has no such hours. Cost: that of DaylightYear::illuminance().
+// The illuminance in each hour with light of a day, blinds open; without lines, since sunlight ends in
+// jumps. Empty where the year has no such hours. Cost: that of DaylightYear::illuminance().
 std::vector<MetricPlan> plans_of_day(const DaylightYear& year, const Weather& weather,
                                      const CalendarDay& day);
 
