@@ -183,7 +183,8 @@ camera {{ perspective location {vector(scene.eye)} right {vector(right * top * s
                 file.write("mesh2 { vertex_vectors { " + str(len(used)))
                 file.writelines(f",\n{vector(point)}" for point in scene.points[used])
                 file.write(f" }}\nface_indices {{ {len(chosen)}")
-                file.writelines(",\n<{},{},{}>".format(*triangle) for triangle in corners.reshape(-1, 3))
+                # Its axes are left-handed, and so are its fronts: the other way round.
+                file.writelines(",\n<{},{},{}>".format(*triangle[::-1]) for triangle in corners.reshape(-1, 3))
                 file.write(" }\n")
                 if radiance.any():
                     file.write(f"texture {{ pigment {{ rgb {vector(radiance)} }} finish {{ diffuse 0 emission 1 }} }}\n"
