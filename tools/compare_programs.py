@@ -113,7 +113,7 @@ def main():
     options.add_argument("--size", default="320x240", help="of the pictures, pixels (default: 320x240)")
     options.add_argument("--threads", type=int, default=os.cpu_count(), help="of each program (default: one per core)")
     options.add_argument("--truth", type=int, default=2048, help="paths per pixel of each of the four runs (default: 2048)")
-    wanted = options.parse_args()
+    wanted = options.parse_intermixed_args()
     wanted.bin, wanted.folder = os.path.abspath(wanted.bin), os.path.abspath(wanted.folder)
     if wanted.quick:
         wanted.size, wanted.truth = "48x36", 64
