@@ -26,7 +26,11 @@ class Truth:
         return (picture @ LUMINANCE)[self.surfaces]
 
     def _root(self, product):
-        return math.sqrt(max(0.0, float(numpy.mean(product / self.scale**2))))
+        """The root of the mean of a product of relative differences, and its standard error, from independent pixels."""
+        product = product / self.scale**2
+        mean, error = float(numpy.mean(product)), float(numpy.std(product)) / math.sqrt(len(product))
+        root = math.sqrt(max(0.0, mean))
+        return root, min(math.sqrt(error), error / (2 * root) if root > 0 else math.inf)
 
     def agreement(self):
         """Fractions: noise of the mean of all runs per pixel; of two programs, their difference beyond noise (RMS) and
@@ -36,7 +40,7 @@ class Truth:
         found = {"noise_rms": noise}
         if len(self.pairs) == 2:
             (a, b), (c, d) = self.pairs
-            found["difference_rms"] = self._root((a - c) * (b - d))
+            found["difference_rms"], found["difference_standard_error"] = self._root((a - c) * (b - d))
             found["brightness_ratio"] = float((a + b).sum() / (c + d).sum() - 1)
             found["brightness_standard_error"] = noise * 2 / math.sqrt(len(self.mean))
         return found
@@ -46,25 +50,27 @@ class Truth:
         with that noise, and the relative error of the mean luminance."""
         light = self.luminance(picture)
         first, second = self.opposite
-        return {"rms": self._root((light - first) * (light - second)),
+        rms, standard_error = self._root((light - first) * (light - second))
+        return {"rms": rms, "rms_standard_error": standard_error,
                 "percentile_95": float(numpy.percentile(numpy.abs(light - self.mean) / self.scale, 95)),
                 "mean": float(light.sum() / self.mean.sum() - 1)}
 
 
 def at_time(runs, seconds):
-    """The RMS error at this processor time, a line between the runs on logarithmic axes; None where there is none."""
+    """The RMS error at this processor time, a line between the runs on logarithmic axes, in words; in brackets that of
+    the slowest run, which took less."""
     runs = sorted((run["cpu_seconds"], max(run["rms"], 1e-6)) for run in runs)
     if not runs or seconds < runs[0][0]:
-        return None
+        return "-"
     for (t0, e0), (t1, e1) in zip(runs, runs[1:]):
         if seconds <= t1:
             weight = math.log(seconds / t0) / math.log(t1 / t0)
-            return e0 * (e1 / e0)**weight
-    return runs[-1][1]
+            return percent(e0 * (e1 / e0)**weight)
+    return f"({percent(runs[-1][1])})"
 
 
 def percent(value):
-    return "-" if value is None else f"{100 * value:.2g} %" if value < 0.995 else f"{100 * value:.0f} %"
+    return f"{100 * value:.2g} %" if value < 0.995 else f"{100 * value:.0f} %"
 
 
 def markdown(measured):
@@ -72,25 +78,30 @@ def markdown(measured):
     lines = [f"Measured {measured['date']}: {measured['machine']}, {measured['threads']} threads, pictures of "
              f"{measured['width']} x {measured['height']} pixels.", ""]
     budgets = measured["budgets_s"]
-    lines += ["| scene | program | " + " | ".join(f"{budget:g} s" for budget in budgets) + " |", "|---" * (len(budgets) + 2) + "|"]
+    lines += ["| scene | program | " + " | ".join(f"{budget:g} s" for budget in budgets) + " |",
+              "|---" * (len(budgets) + 2) + "|"]
     for scene in measured["scenes"]:
         for program in scene["programs"]:
             cells = [program["problem"]] + [""] * (len(budgets) - 1) if program["problem"] else \
-                [percent(at_time(program["runs"], budget)) for budget in budgets]
+                [at_time(program["runs"], budget) for budget in budgets]
             lines.append(f"| {scene['scene']} | {program['program']} | " + " | ".join(cells) + " |")
-    lines += ["", "| scene | program | setting | processor time | RMS error | 95 % of pixels below | mean |", "|---|---|---|---|---|---|---|"]
+    lines += ["", "| scene | program | setting | processor time | RMS error | 95 % of pixels below | mean |",
+              "|---|---|---|---|---|---|---|"]
     for scene in measured["scenes"]:
         for program in scene["programs"]:
             for run in program["runs"]:
                 lines.append(f"| {scene['scene']} | {program['program']} | {run['setting']} | {run['cpu_seconds']:.1f} s | "
-                             f"{percent(run['rms'])} | {percent(run['percentile_95'])} | {100 * run['mean']:+.1f} % |")
+                             f"{percent(run['rms'])} ± {percent(run['rms_standard_error'])} | "
+                             f"{percent(run['percentile_95'])} | {100 * run['mean']:+.1f} % |")
     lines += ["", "| scene | triangles | compared pixels | truth | noise per pixel | difference of the two | of their means |",
               "|---|---|---|---|---|---|---|"]
     for scene in measured["scenes"]:
         truth = scene["truth"]
         two = "brightness_ratio" in truth
-        lines.append(f"| {scene['scene']} | {scene['triangles']} | {percent(scene['compared_fraction'])} | {truth['by']} | {percent(truth['noise_rms'])} | " +
-                     (f"{percent(truth['difference_rms'])} | {100 * truth['brightness_ratio']:+.2f} ± "
+        lines.append(f"| {scene['scene']} | {scene['triangles']} | {percent(scene['compared_fraction'])} | {truth['by']} | "
+                     f"{percent(truth['noise_rms'])} | " +
+                     (f"{percent(truth['difference_rms'])} ± {percent(truth['difference_standard_error'])} | "
+                      f"{100 * truth['brightness_ratio']:+.2f} ± "
                       f"{100 * truth['brightness_standard_error']:.2f} % |" if two else "- | - |"))
     return "\n".join(lines) + "\n"
 
@@ -109,8 +120,8 @@ def chart(measured, path):
         for i, program in enumerate(scene["programs"]):
             runs = sorted(program["runs"], key=lambda run: run["cpu_seconds"])
             if runs:
-                lines[program["program"]], = axis.plot([run["cpu_seconds"] for run in runs], [100 * run["rms"] for run in runs],
-                                                       marker="osD^vP"[i % 6], color=f"C{i}")
+                lines[program["program"]], = axis.plot([run["cpu_seconds"] for run in runs],
+                                                       [100 * run["rms"] for run in runs], marker="osD^vP"[i % 6], color=f"C{i}")
         axis.set(xscale="log", yscale="log", title=scene["scene"], xlabel="processor time, s")
         for values in (axis.xaxis, axis.yaxis):
             values.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
@@ -120,8 +131,8 @@ def chart(measured, path):
         axis.set_ylabel("RMS relative error, %")
     for axis in axes.flat[len(scenes):]:
         axis.set_visible(False)
-    figure.legend(lines.values(), lines.keys(), loc="upper center", ncol=4, frameon=False)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.45 / figure.get_figheight()))
+    figure.legend(lines.values(), lines.keys(), loc="upper center", ncol=2 * columns, frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (0.45 if columns > 1 else 0.7) / figure.get_figheight()))
     figure.savefig(path, metadata={"Date": None})
     pyplot.close(figure)
 

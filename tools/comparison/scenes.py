@@ -74,12 +74,14 @@ class Scene:
                     basis=numpy.stack([right, up, -ahead]), fov=math.radians(self.fov))
 
     def surfaces(self, width, height):
-        """Pixels (height, width) that see one plane of one material, no lamp and no sky, with their neighbours' edges
-        left out: programs filter pixels in different ways, which matters at edges only."""
+        """Pixels (height, width) that see one plane of one material, and whose eight neighbours see no lamp and no sky:
+        programs filter pixels in different ways, which matters at edges only."""
         ids = self._visible(width * SUBSAMPLES, height * SUBSAMPLES)
         blocks = ids.reshape(height, SUBSAMPLES, width, SUBSAMPLES)
         low, high = blocks.min(axis=(1, 3)), blocks.max(axis=(1, 3))
-        return (low == high) & (low >= 0)
+        dim = numpy.pad(low >= 0, 1, constant_values=True)
+        beside = [dim[y:y + height, x:x + width] for y in range(3) for x in range(3)]
+        return (low == high) & numpy.all(beside, axis=0)
 
     def _planes(self):
         """A number for each triangle, shared by those of one plane and material; -1 for lamps."""
