@@ -26,6 +26,7 @@ except ImportError as missing:
 
 SCENES = ("cornell-box", "study", "stairwell", "art-gallery")
 BUDGETS = (2, 5, 10, 20)  # s of processor time
+LIMIT = 30  # s of processor time: after a run this long, a program's slower settings are not tried
 
 
 def machine():
@@ -58,6 +59,8 @@ def measure(program, problem, scene, truth, wanted):
                 picture, seconds = program.render(scene, setting, seed=1)
                 found["runs"].append({"setting": label, "cpu_seconds": seconds, **truth.errors(picture)})
                 print(f"  {program.name}, {label}: {seconds:.1f} s, {results.percent(found['runs'][-1]['rms'])}", flush=True)
+                if seconds > LIMIT:
+                    break
         except (RuntimeError, ValueError, OSError) as fault:
             found["problem"] = f"failed: {str(fault).splitlines()[0]}"
     if found["problem"]:
