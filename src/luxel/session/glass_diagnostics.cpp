@@ -75,7 +75,8 @@ void find_opaque_glass(const ScannedMesh& mesh, std::size_t places, std::vector<
   std::vector<std::uint32_t> triangles;
   for (const auto& t : mesh.clean.kept) {
     const auto& material = material_of(scene, t.triangle);
-    if (!material.is_lamp() && is_glass_name(material.name)) triangles.push_back(t.triangle);
+    if (!material.is_lamp() && !material.is_diffuser() && is_glass_name(material.name))
+      triangles.push_back(t.triangle);
   }
   if (triangles.empty()) return;
   Diagnostic diagnostic{DiagnosticKind::opaque_glass,
