@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -29,7 +30,7 @@ struct Scattering {
   bool transmits() const { return !transmittance.empty(); }
 
   // The light that element i = row * columns + column sends on. irradiance(i): what arrives there.
-  template <typename Irradiance>
+  template <std::invocable<std::size_t> Irradiance>
   float sent_on(const Irradiance& irradiance, std::size_t i, std::size_t columns) const {
     const auto reflected = reflectance[i] * irradiance(i);
     return transmits() ? reflected + transmitted(irradiance, i, columns) : reflected;
@@ -37,7 +38,7 @@ struct Scattering {
   float sent_on(std::span<const float> irradiance, std::size_t i, std::size_t columns) const {
     return sent_on([irradiance](std::size_t at) { return irradiance[at]; }, i, columns);
   }
-  template <typename Irradiance>
+  template <std::invocable<std::size_t> Irradiance>
   float transmitted(const Irradiance& irradiance, std::size_t i, std::size_t columns) const {
     assert(i < transmittance.size());
     return transmittance[i] * irradiance(far[i / columns] * columns + i % columns);

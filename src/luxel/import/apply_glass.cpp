@@ -60,7 +60,6 @@ bool limit_albedo(Material& material, float max_reflectance) {
   material.textures.max_reflectance = std::min(material.textures.max_reflectance, left);
   const auto limited = glm::min(material.reflectance, Vec3(max_reflectance) - tau);
   if (limited == material.reflectance) return false;
-  if (!material.stated_reflectance) material.stated_reflectance = material.reflectance;
   material.reflectance = limited;
   return true;
 }
