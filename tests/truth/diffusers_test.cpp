@@ -19,6 +19,7 @@
 #include "luxel/solve/relight.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/error_bars.h"
 #include "support/glass_panes.h"
 #include "support/known_rooms.h"
 #include "support/probe_rig.h"

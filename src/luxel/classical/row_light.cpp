@@ -9,7 +9,7 @@
 namespace luxel {
 
 RowLight::RowLight(const RowOperator& transport)
-    : scattering(scattering_of(transport.patches(), transport.sides())) {
+    : scattering(scattering_of(transport.patches(), transport.sides(), Context(1))) {
   const auto& patches = transport.patches();
   for (std::size_t receiver = 0; receiver < transport.size(); ++receiver) {
     const auto side = transport.sides().side[receiver];

@@ -5,25 +5,36 @@
 
 namespace luxel {
 
-ScatteringTable scattering_of(const PatchSet& patches, const GatherSides& sides) {
+namespace {
+
+constexpr std::size_t grain = 4096;  // receivers per chunk
+
+}  // namespace
+
+ScatteringTable scattering_of(const PatchSet& patches, const GatherSides& sides, const Context& context) {
   const auto bands = patches.band_count();
+  const bool transmits = patches.has_diffusers();
   ScatteringTable table;
-  table.reflectance.reserve(sides.size() * bands);
-  for (const auto side : sides.side)
-    for (std::size_t b = 0; b < bands; ++b) table.reflectance.push_back(patches.reflectance(side.patch(), b));
-  if (!patches.has_diffusers()) return table;
-  for (std::uint32_t s = 0; s < sides.size(); ++s) {
-    const auto patch = sides.side[s].patch();
-    const auto other = sides.receiver_of_side[sides.side[s].opposite().index()];
-    const bool transmits = patches.material_of(patch).is_diffuser() && other != none;
-    table.far.push_back(transmits ? other : s);
-    for (std::size_t b = 0; b < bands; ++b)
-      table.transmittance.push_back(transmits ? patches.diffuse_transmittance(patch, b) : 0.0f);
-  }
+  table.reflectance.resize(sides.size() * bands);
+  table.transmittance.assign(transmits ? sides.size() * bands : 0, 0.0f);
+  table.far.resize(transmits ? sides.size() : 0);
+  context.for_chunks(sides.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto s = begin; s < end; ++s) {
+      const auto patch = sides.side[s].patch();
+      for (std::size_t b = 0; b < bands; ++b)
+        table.reflectance[s * bands + b] = patches.reflectance(patch, b);
+      if (!transmits) continue;
+      const auto other = sides.receiver_of_side[sides.side[s].opposite().index()];
+      const bool diffuses = patches.material_of(patch).is_diffuser() && other != none;
+      table.far[s] = diffuses ? other : static_cast<std::uint32_t>(s);
+      for (std::size_t b = 0; diffuses && b < bands; ++b)
+        table.transmittance[s * bands + b] = patches.diffuse_transmittance(patch, b);
+    }
+  });
   return table;
 }
 
-ScatteringTable twice(const Scattering& scattering) {
+ScatteringTable repeated_twice(const Scattering& scattering) {
   ScatteringTable both{{scattering.reflectance.begin(), scattering.reflectance.end()},
                        {scattering.transmittance.begin(), scattering.transmittance.end()},
                        {scattering.far.begin(), scattering.far.end()}};

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/trace/gather_sides.h"
 
@@ -56,9 +57,9 @@ struct ScatteringTable {
 
 // Of the receivers of patches, one column per band. A diffuser whose other side takes no part, which no light
 // reaches, only reflects.
-ScatteringTable scattering_of(const PatchSet& patches, const GatherSides& sides);
+ScatteringTable scattering_of(const PatchSet& patches, const GatherSides& sides, const Context& context);
 
 // The same rows twice, one set after the other.
-ScatteringTable twice(const Scattering& scattering);
+ScatteringTable repeated_twice(const Scattering& scattering);
 
 }  // namespace luxel

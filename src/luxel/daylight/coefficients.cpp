@@ -40,7 +40,7 @@ ScatteringTable luminous_scattering(const PatchSet& patches, const GatherSides& 
     }
     return means;
   };
-  const auto of_bands = scattering_of(patches, sides);
+  const auto of_bands = scattering_of(patches, sides, Context(1));
   return {luminous(of_bands.reflectance), luminous(of_bands.transmittance), of_bands.far};
 }
 

@@ -47,7 +47,7 @@ struct Bounces::State {
                      context);
     const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, context);
     area.assign(receivers.area().begin(), receivers.area().end());
-    scattering = scattering_of(patches, sampling.hits().sides());
+    scattering = scattering_of(patches, sampling.hits().sides(), context);
     begin();
   }
 

@@ -156,7 +156,7 @@ ReplicateLight solve_replicates(const SampledOperator& transport, std::span<cons
   const auto mean_direct = mean_of(direct, context);
   const CrossedHalves crossed(transport, bands);
   std::vector<float> irradiance(2 * count);
-  const auto both = twice(scattering);
+  const auto both = repeated_twice(scattering);
   ReplicateLight light;
   light.iteration = gauss_seidel(crossed, {twice(mean_direct), both, radiosity, irradiance},
                                  {.tolerance = tolerance, .parts = 2}, context);

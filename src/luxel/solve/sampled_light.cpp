@@ -25,7 +25,7 @@ SampledLight::SampledLight(const PatchSet& patches, const PatchTree& tree, const
     : patches_(patches),
       sides_(sides),
       units_(neighbour_begins(sides, hue_positions)),
-      scattering_(scattering_of(patches, sides)) {
+      scattering_(scattering_of(patches, sides, context)) {
   for (const auto side : sides.side) area_.push_back(patches.area[side.patch()]);
   if (smooths && sides.size() >= min_smoothed_receivers) smoothing_.emplace(patches, tree, sides);
 }
@@ -131,7 +131,7 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   const auto& sides = hits.sides();
   const auto bands = patches.band_count();
   const auto materials = patches.materials.size();
-  const auto table = scattering_of(patches, sides);
+  const auto table = scattering_of(patches, sides, context);
   const auto scattering = table.view();
   // Power carried by a ray of the receiver in one replicate, W, [receiver][band].
   std::vector<double> carried(sides.size() * bands);
