@@ -75,8 +75,9 @@ Declaration glass_declaration(std::vector<GlassOption>& glass) {
       "glass", "NAME=TAU",
       "visible transmittance of panes at normal incidence, one number or red,green,blue, of materials (with "
       "* "
-      "and ?), which become panes of glass; TAU alone: of all panes; NAME=tn:T: as transmissivity; see "
-      "docs/glass.md; repeatable",
+      "and ?), which become panes of glass; TAU alone: of all panes; NAME=tn:T: as transmissivity; "
+      "NAME=diffuse:TAU: a surface that scatters the light it transmits, such as a blind, fabric or opal "
+      "glass; see docs/glass.md; repeatable",
       [&glass](const std::string& text) { glass.push_back(parse_glass(text)); },
       [&glass] {
         std::vector<std::string> texts;

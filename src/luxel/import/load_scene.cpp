@@ -57,7 +57,7 @@ void check_options(const LoadOptions& options) {
   for (const auto& glass : options.glass)
     if (const auto& t = glass.transmittance; t != glm::clamp(t, 0.0f, 1.0f) || t == Vec3(0.0f))
       throw InputError(
-          fmt::format("expected a transmittance of glass in [0, 1] and above 0 in a band, found {}, "
+          fmt::format("expected a transmittance in [0, 1] and above 0 in a band, found {}, "
                       "{}, {}",
                       t.r, t.g, t.b));
   for (int band = 0; band < 3; ++band)
@@ -157,7 +157,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, 
   doubt_units(options, scene, context);
   repair(options, scene, context);
   apply_one_sided(options.one_sided, scene);
-  apply_glass(options.glass, scene, context);
+  apply_glass(options, scene, context);
   apply_flip(options.flip, scene);
   scene.sky = options.sky;
   if (options.daylight) set_daylight(*options.daylight, options.up, scene);
