@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/runs/glass_option.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "luxel/runs/option_set.h"
+#include "luxel/scene/glass.h"
+
+namespace luxel {
+
+GlassOption parse_glass(const std::string& text) {
+  const auto equals = text.rfind('=');
+  GlassOption option;
+  if (equals != std::string::npos) option.materials = text.substr(0, equals);
+  auto number = equals == std::string::npos ? text : text.substr(equals + 1);
+  const bool is_transmissivity = number.rfind("tn:", 0) == 0;
+  if (is_transmissivity) number.erase(0, 3);
+  auto three = parse_three(number);
+  if (const auto grey = parse_double(number)) three = Vec3d(*grey);
+  if (equals == 0 || !three || *three != glm::clamp(*three, 0.0, 1.0) || *three == Vec3d(0.0))
+    throw UsageError(fmt::format(
+        "--glass: expected a visible transmittance above 0 and at most 1 with the material's name before it, "
+        "such as window=0.8, window=0.7,0.8,0.75 (red, green, blue) or, as a transmissivity, window=tn:0.96; "
+        "or 0.8 for all panes; not '{}'",
+        text));
+  for (int band = 0; band < 3; ++band)
+    option.transmittance[band] = static_cast<float>(
+        is_transmissivity ? transmittance_of_transmissivity((*three)[band]) : (*three)[band]);
+  return option;
+}
+
+std::string glass_as_text(const GlassOption& option) {
+  const auto& t = option.transmittance;
+  const auto number = t == Vec3(t.r) ? fmt::format("{}", t.r) : fmt::format("{},{},{}", t.r, t.g, t.b);
+  return option.materials.empty() ? number : fmt::format("{}={}", option.materials, number);
+}
+
+}  // namespace luxel
