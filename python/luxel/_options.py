@@ -15,9 +15,7 @@ log = logging.getLogger("luxel")
 _CONSOLE = {"output", "json", "json-file", "open", "quiet", "verbose", "progress", "each-step", "threads"}
 _DISPLAY_HEADINGS = {"Mesh (.glb)"}
 _DISPLAY = {"tone", "exposure", "key", "white", "samples"}
-_SCENE_HEADINGS = {"Scene", "Sky"}
-_SCENE = {"luminaires", "luminaire-grid", "spectral", "bands", "up"}
-_KEYWORDS = {"for": "for_", "as": "as_"}  # words of Python
+_KEYWORDS = {"for": "for_", "as": "as_", "from": "from_"}  # words of Python
 
 RUN = ("threads", "progress")
 RUN_TEXT = """    threads: number of threads; None: all cores. Results do not depend on it.
@@ -36,14 +34,9 @@ def options_of(command):
     return table
 
 
-def _belongs_to_scene(option):
-    return option["heading"] in _SCENE_HEADINGS or option["name"] in _SCENE
-
-
-@functools.lru_cache(maxsize=None)
 def scene_options():
     """Those that say how a scene is read and lit."""
-    return {name: o for name, o in options_of("bake").items() if _belongs_to_scene(o)}
+    return options_of("scene")
 
 
 @functools.lru_cache(maxsize=None)
@@ -65,6 +58,8 @@ def _words(option, value):
         return "on" if value else "off"
     if isinstance(value, (str, os.PathLike)):
         return os.fspath(value)
+    if hasattr(value, "isoformat"):  # a date and time
+        return value.isoformat()
     if isinstance(value, (tuple, list)) or hasattr(value, "tolist") and getattr(value, "ndim", 0) == 1:
         return ",".join(_number(v) for v in (value.tolist() if hasattr(value, "tolist") else value))
     if hasattr(value, "item"):

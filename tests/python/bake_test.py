@@ -34,33 +34,23 @@ def test_intervals_of_the_sampled_solver_hold_the_truth():
 
 @pytest.mark.parametrize("options, flags", [
     ({"quality": "draft"}, ["--quality", "draft"]),
-    ({"error": 0.08, "max_edge": 0.4, "seed": 7, "store_transport": True, "light_group": {"top": "light*"}},
-     ["--error", "8%", "--max-edge", "0.4", "--seed", "7", "--store-transport", "--light-group", "top=light*"]),
-    ({"method": "shooting", "tolerance": 0.01, "max_edge": 0.4, "sky": 0.5, "one_sided": ["*box*"], "eye": (0, 1, 4)},
-     ["--method", "shooting", "--tolerance", "0.01", "--max-edge", "0.4", "--sky", "0.5", "--one-sided", "*box*",
-      "--eye", "0,1,4"]),
+    ({"error": "8%", "max_edge": 0.4, "seed": 7, "store_transport": True, "light_group": {"top": "lamp*"}},
+     ["--error", "8%", "--max-edge", "0.4", "--seed", "7", "--store-transport", "--light-group", "top=lamp*"]),
+    ({"method": "shooting", "tolerance": 0.01, "max_edge": 0.4, "sky": 0.5, "one_sided": ["green", "red"],
+      "contacts": False, "eye": (0, 1, 4)},
+     ["--method", "shooting", "--tolerance", "0.01", "--max-edge", "0.4", "--sky", "0.5", "--one-sided", "green",
+      "--one-sided", "red", "--contacts", "off", "--eye", "0,1,4"]),
+    ({"focus": "camera", "error": 0.2, "max_edge": 0.5, "width": 200, "height": 100, "max_reflectance": 0.6},
+     ["--focus", "camera", "--error", "20%", "--max-edge", "0.5", "--width", "200", "--height", "100",
+      "--max-reflectance", "0.6"]),
 ])
 def test_same_bytes_as_the_command(tmp_path, program, box_file, options, flags):
-    materials = luxel.load_scene(box_file).materials
-    pattern = materials[0]
-    options = {k: ([pattern] if k == "one_sided" else {"top": "*ight*"} if k == "light_group" else v)
-               for k, v in options.items()}
-    flags = [pattern if f == "*box*" else "top=*ight*" if f == "top=light*" else f for f in flags]
     command = tmp_path / "command.vtkhdf"
     subprocess.run([program, "bake", str(box_file), *flags, "-o", str(command), "--quiet"], check=True,
                    stdout=subprocess.DEVNULL)
     ours = tmp_path / "ours.vtkhdf"
     luxel.bake(str(box_file), **options).save(ours)
-    stored, baked = luxel.load(command), luxel.load(ours)
-    for name in ("irradiance", "irradiance_back", "radiosity", "radiosity_back", "irradiance_error", "areas", "normals",
-                 "vertices", "corners", "triangles", "patch_materials"):
-        theirs, mine = getattr(stored, name), getattr(baked, name)
-        assert (theirs is None) == (mine is None), name
-        assert mine is None or theirs.tobytes() == mine.tobytes(), name
-    if "max_edge" in options:  # a fraction is recorded as it was typed
-        assert stored.facts["options"].keys() == baked.facts["options"].keys()
-    if options == {"quality": "draft"}:
-        assert command.read_bytes() == ours.read_bytes()
+    assert command.read_bytes() == ours.read_bytes()
 
 
 def test_threads_change_no_bit(box_file):

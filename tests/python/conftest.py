@@ -14,8 +14,8 @@ PROGRAM = os.environ.get("LUXEL_PROGRAM")
 
 CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 # Wound so that fronts face inwards.
-INSIDE = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
-                   [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+INSIDE = np.array([[3, 1, 0], [2, 3, 0], [7, 6, 4], [5, 7, 4], [5, 4, 0], [1, 5, 0],
+                   [7, 3, 2], [6, 7, 2], [6, 2, 0], [4, 6, 0], [7, 5, 1], [3, 7, 1]])
 
 
 def furnace(reflectance=0.5, emission=1.0):

@@ -56,6 +56,14 @@ py::list options_of(const std::string& command) {
     bake.picture.declare_quantity(set);
     return entries_of(set);
   }
+  if (command == "scene") {
+    bake.scene.declare_scene(set);
+    bake.scene.declare_sky(set);
+    bake.scene.declare_luminaires(set);
+    bake.scene.declare_spectra(set);
+    bake.look.declare_up(set);
+    return entries_of(set);
+  }
   RelightChanges changes;
   if (command == "relight") {
     changes.declare(set);
