@@ -737,6 +737,7 @@ def daylight(
     max_edge: float | None = None,
     occupied: tuple[float, float] = (8, 18),
     blind_transmittance: float | None = None,
+    blinds: dict[str, float] | None = None,
     threads: int | None = None,
     progress: _Progress | None = None,
     **options: Any,

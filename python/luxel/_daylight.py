@@ -96,7 +96,7 @@ class Daylight:
     def metrics(self):
         """Metrics of the year as a dictionary: sDA, sDA_with_blinds and ASE as Intervals; by point, with standard errors under
         NAME_error, daylight_autonomy, continuous_daylight_autonomy, useful_daylight, below_100, autonomous, above_3000
-        (fractions of the occupied hours), exposure (lx h) and sun_hours (h); occupied_hours."""
+        (fractions of the occupied hours), exposure (lx h) and sun_hours (h); occupied_hours; closed_hours of blinds by group."""
         self._needs_year()
         return intervals(self._handle.metrics(), _FIGURES)
 
@@ -111,7 +111,7 @@ class Daylight:
 
 
 def daylight(scene, positions, normals=None, *, weather=None, north=0.0, albedo=0.2, sky_patches=577, error=None, rays=None,
-             seed=None, max_edge=None, occupied=(8, 18), blind_transmittance=None, threads=None, progress=None, **options):
+             seed=None, max_edge=None, occupied=(8, 18), blind_transmittance=None, blinds=None, threads=None, progress=None, **options):
     """Daylight factors at points and, with weather, the illuminance of each hour of a year: from one solve.
 
     scene: a path, a Scene, or an object with `vertices` and `faces`; its lamps are left out. positions: (n, 3) m, in the
@@ -121,6 +121,7 @@ def daylight(scene, positions, normals=None, *, weather=None, north=0.0, albedo=
     error: standard error of the light that the sky's patches together give; None: 0.05. rays: cosine rays per point, and as
         many towards windows; None: 4096. seed: None: 1. max_edge: m; None: automatic.
     occupied: hours of every day that metrics count, local standard time. blind_transmittance: of closed blinds; None: 0.05.
+        blinds: windows whose blinds are operated apart: {name of a glass, object or group: transmittance of closed blinds}.
     options: those of load_scene().
     threads: None: all cores. progress: as of bake().
 
@@ -145,6 +146,7 @@ def daylight(scene, positions, normals=None, *, weather=None, north=0.0, albedo=
                         ("blind_transmittance", blind_transmittance)):
         if value is not None:
             setattr(question, name, value)
+    question.blinds = [(str(name), float(tau)) for name, tau in (blinds or {}).items()]
     handle = _core.daylight(loaded._handle, points, directions(normals, len(points)), question, call(threads, progress))
     if handle is None:
         raise Stopped("stopped before the daylight was computed")

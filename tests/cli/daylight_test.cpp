@@ -263,5 +263,47 @@ TEST(DaylightCommand, reports_the_oddities_of_weather) {
   EXPECT_NE(read_file(folder / "day.html").find("744 records, where a year has 8760"), std::string::npos);
 }
 
+// The window to the south has the sun, that to the north never; a schedule replaces the rule.
+TEST(DaylightCommand, blinds_are_operated_by_groups_of_windows) {
+  const auto folder = room("groups", "south:1,1,2,1.5 --window north:1,1,2,1.5");
+  const std::string command = "$LUXEL daylight room.obj --weather town.wea --spacing 1 --json" + quick;
+  const auto year = [&](const std::string& options) {
+    const auto run = cli::run(folder, command + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return Json::parse(run.out)["year"];
+  };
+  const std::string groups = " --blinds window_1=0.1 --blinds window_2 --lighting-power 200";
+  const auto by_sun = year(groups);
+  ASSERT_EQ(by_sun["blinds"].size(), 2u);
+  EXPECT_EQ(by_sun["blinds"][0]["transmittance"], 0.1);
+  EXPECT_GT(by_sun["blinds"][0]["closed_hours"], 500.0);
+  EXPECT_EQ(by_sun["blinds"][1]["closed_hours"], 0.0);
+  EXPECT_NEAR(double{by_sun["blinds"][0]["part_of_light"]} + double{by_sun["blinds"][1]["part_of_light"]},
+              1.0, 0.02);
+  const double undimmed = 0.2 * 3650.0;
+  EXPECT_NEAR(double{by_sun["lighting_energy_kwh"]["value"]} + double{by_sun["lighting_saved_kwh"]["value"]},
+              undimmed, 1e-6 * undimmed);
+
+  std::string open = "blinds,occupied\n", closed = open;
+  for (int i = 0; i < 8760; ++i) {
+    open += i % 24 == 12 ? "0,1\n" : "0,0\n";
+    closed += i % 24 == 12 ? "1,1\n" : "1,0\n";
+  }
+  write_file(folder / "open.csv", open);
+  write_file(folder / "closed.csv", closed);
+  const auto opened = year(groups + " --schedule open.csv"), shut = year(groups + " --schedule closed.csv");
+  EXPECT_EQ(opened["occupied_hours"], 365);
+  EXPECT_EQ(opened["hours_with_blinds"], 0);
+  EXPECT_EQ(opened["sda_300_50_with_blinds"]["value"], opened["sda_300_50"]["value"]);
+  EXPECT_EQ(shut["hours_with_blinds"], 365);
+  EXPECT_LT(double{shut["lighting_saved_kwh"]["value"]}, double{opened["lighting_saved_kwh"]["value"]});
+
+  const auto unknown = cli::run(folder, command + " --blinds west");
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_NE(unknown.err.find("no window is called 'west'"), std::string::npos) << unknown.err;
+  EXPECT_EQ(cli::run(folder, "$LUXEL daylight room.obj --blinds window_1" + quick).code, 2);
+  EXPECT_EQ(cli::run(folder, command + " --blinds =0.5").code, 2);
+}
+
 }  // namespace
 }  // namespace luxel::cli

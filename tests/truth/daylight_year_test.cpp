@@ -152,9 +152,11 @@ TEST(DaylightYear, has_the_light_of_solves_of_its_hours) {
   const auto weather = read_weather(weather_text, "ours.wea");
   ASSERT_EQ(weather.hours.size(), 3u);
   const SkyPatches sky(2, zenith, north);
-  const Solved solved(sky, mean_sky_of_year(weather, sky, albedo));
+  const auto skies = skies_of_year(weather, sky, albedo);
+  const Solved solved(sky, mean_sky(skies));
   const auto coefficients = solved.coefficients();
-  const DaylightYear year(coefficients, weather, points, {solved.patches, solved.tracer}, albedo,
+  const WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
+  const DaylightYear year({coefficients, windows}, skies, points, {solved.patches, solved.tracer},
                           solved.context);
   ASSERT_EQ(year.hours().size(), 3u);
   const auto light = year.illuminance(year.replicates());
@@ -184,9 +186,11 @@ TEST(DaylightYear, has_the_light_of_solves_of_its_hours) {
 TEST(DaylightYear, counts_what_its_definitions_say) {
   const auto weather = read_weather(weather_text, "ours.wea");
   const SkyPatches sky(1, zenith, north);
-  const Solved solved(sky, mean_sky_of_year(weather, sky, albedo));
+  const auto skies = skies_of_year(weather, sky, albedo);
+  const Solved solved(sky, mean_sky(skies));
   const auto coefficients = solved.coefficients(4096);
-  const DaylightYear year(coefficients, weather, points, {solved.patches, solved.tracer}, albedo,
+  const WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
+  const DaylightYear year({coefficients, windows}, skies, points, {solved.patches, solved.tracer},
                           solved.context);
   const auto light = year.illuminance(year.replicates());
   const auto report = metrics_of(year, weather, {});

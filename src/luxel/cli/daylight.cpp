@@ -14,6 +14,7 @@
 #include "luxel/cli/file_date.h"
 #include "luxel/cli/probe_settings.h"
 #include "luxel/cli/table_output.h"
+#include "luxel/cli/year_settings.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/daylight/daylight_scene.h"
@@ -46,7 +47,7 @@ class DaylightCommand final : public Command {
     scene_.declare(options);
     places_.declare_points(options);
     declare_sky(options);
-    declare_year(options);
+    year_.declare(options);
     drawings_.declare(options);
     options.heading("Light");
     options.add_fraction(
@@ -79,15 +80,22 @@ class DaylightCommand final : public Command {
     RunRecord record;
     std::optional<Weather> weather;
     if (!weather_file_.empty()) weather = load_weather(weather_file_);
-    if (weather)
+    MetricOptions metrics;
+    if (weather) {
       for (const auto& oddity : weather->oddities) warn(noting(console, context).log(), oddity);
+      metrics = year_.metrics(*weather);
+    }
 
     auto scene = record.stage(
         "load", [&](auto&) { return load_scene(scene_.file, scene_.load, noting(console, context)); });
     if (interrupted()) return stopped_before_light(console);
     const auto up = up_of(scene);
     const SkyPatches sky(subdivision_, up, north_of(up, north_));
-    set_only_sky(sky, weather ? mean_sky_of_year(*weather, sky, albedo_) : overcast(sky), scene);
+    YearSkies skies;
+    if (weather)
+      skies = record.stage("skies", [&](auto&) { return skies_of_year(*weather, sky, albedo_, context); });
+    set_only_sky(sky, weather ? mean_sky(skies) : overcast(sky), scene);
+    if (year_.has_groups()) make_panes_of_groups(year_.groups(), scene);
     const auto transport = solve_daylight(
         scene, scene_.file, {scene_.patches, error_, coefficients_.seed},
         [&](const PatchSet& patches) { drawings_.check_point(points(patches, up).position.size()); },
@@ -118,17 +126,22 @@ class DaylightCommand final : public Command {
     if (median_diffuse_ > 0.0) report.median_diffuse = median_diffuse_;
     if (report.median_diffuse > 0.0)
       report.provision = factor_provision(report.factors.front(), report.median_diffuse);
+    WindowLight windows;
     std::optional<DaylightYear> year;
     if (weather) {
+      windows = record.stage("windows", [&](auto& stage) {
+        return window_light(scene, *transport, coefficients, console.reporting(context), stage.rays);
+      });
+      if (windows.groups.empty()) return stopped_before_light(console);
       year.emplace(record.stage("sun", [&](auto&) {
-        return DaylightYear(coefficients, *weather, coefficients.origins, {transport->patches, tracer},
-                            albedo_, console.reporting(context));
+        return DaylightYear({coefficients, windows}, skies, coefficients.origins,
+                            {transport->patches, tracer}, console.reporting(context));
       }));
       if (year->is_stopped()) return stopped_before_light(console);
-      report.year = record.stage("metrics", [&](auto&) { return metrics_of(*year, *weather, metrics_); });
+      report.year = record.stage("metrics", [&](auto&) { return metrics_of(*year, *weather, metrics); });
     }
     console.clear_bar();
-    DrawnDaylight drawn{report, metrics_, year ? &*year : nullptr, weather ? &*weather : nullptr, {}};
+    DrawnDaylight drawn{report, metrics, year ? &*year : nullptr, weather ? &*weather : nullptr, {}};
     drawn.ground =
         DaylightDrawings::ground_of(places_, up, {transport->patches, transport->openings, sky.north()});
     write(drawn, transport->patches, up, console);
@@ -164,27 +177,6 @@ class DaylightCommand final : public Command {
                        "weather file");
   }
 
-  void declare_year(OptionSet& options) {
-    options.heading("Year");
-    options.add({"occupied", "FROM-TO", "occupied hours of every day, local standard time, such as 8-18",
-                 [this](const std::string& text) { parse_occupied(text); },
-                 [this] { return fmt::format("{:g}-{:g}", metrics_.from, metrics_.to); }});
-    options.add_number(
-        "blind-transmittance", "0..1", metrics_.blind_transmittance, 0.0, 1.0,
-        "part of all light through windows that closed blinds let through; they are closed in "
-        "hours when more than 2 % of the points have more than 1,000 lx straight from the sun");
-  }
-
-  void parse_occupied(const std::string& text) {
-    const auto dash = text.find('-');
-    const auto from = dash == std::string::npos ? std::nullopt : parse_number(text.substr(0, dash));
-    const auto to = dash == std::string::npos ? std::nullopt : parse_number(text.substr(dash + 1));
-    if (!from || !to || !(*from >= 0.0f && *to <= 24.0f && *from < *to))
-      throw UsageError(fmt::format("--occupied: expected two hours of a day such as 8-18, not '{}'", text));
-    metrics_.from = static_cast<double>(*from);
-    metrics_.to = static_cast<double>(*to);
-  }
-
   void check() {
     const bool has_points = !places_.file.empty() || places_.line || places_.grid || places_.plane;
     if (!has_points) {
@@ -195,6 +187,7 @@ class DaylightCommand final : public Command {
     drawings_.check(places_, run_.outputs, !weather_file_.empty());
     if (!run_.outputs.empty() || !drawings_.files().empty())
       check_before_work(run_, {}, kinds, drawings_.files());
+    year_.check(!weather_file_.empty());
     if (weather_file_.empty() && std::any_of(run_.outputs.begin(), run_.outputs.end(), is_year_file))
       throw UsageError("-o FILE.h5 holds the hours of a year: give --weather FILE");
   }
@@ -207,6 +200,18 @@ class DaylightCommand final : public Command {
 
   std::vector<double> overcast(const SkyPatches& sky) const {
     return sky_patch_luminances(SkyModel::cie(16), sky, Daylight().illuminance, albedo_);
+  }
+
+  // Without groups after a stop.
+  WindowLight window_light(const Scene& scene, const DaylightTransport& t, const DaylightCoefficients& open,
+                           const Context& context, std::uint64_t& rays) const {
+    if (!year_.has_groups()) return {year_.groups(), {}, {}, 0.0};
+    const auto groups = year_.groups();
+    const auto panes = panes_of_groups(scene, t.patches, groups);
+    auto light = find_window_light({{t.patches, *t.samples, t.options, t.openings}, open, open.origins},
+                                   *t.tracer, groups, panes, coefficients_, context);
+    for (const auto& without : light.without) rays += without.rays + t.samples->rays;
+    return light;
   }
 
   PointList points(const PatchSet& patches, const Vec3d& up) const { return places_.points(patches, up); }
@@ -277,7 +282,7 @@ class DaylightCommand final : public Command {
     page.median_diffuse = report.median_diffuse;
     page.knows_openings = report.knows_openings;
     page.year = report.year;
-    page.metrics = metrics_;
+    page.metrics = drawn.metrics;
     page.sky_patches = report.sky_patches;
     page.albedo = albedo_;
     page.north = north_;
@@ -302,7 +307,7 @@ class DaylightCommand final : public Command {
   LookSettings look_;
   RunSettings run_;
   CoefficientOptions coefficients_;
-  MetricOptions metrics_;
+  YearSettings year_;
   DaylightDrawings drawings_;
   std::vector<std::string> notes_;  // of reading the scene
   std::string weather_file_;

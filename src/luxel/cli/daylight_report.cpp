@@ -78,17 +78,34 @@ std::string text_of(const ClimateProvision& p) {
       part_of(p.hours_on_minimum));
 }
 
+// Of several groups of windows.
+std::string blinds_text(const YearReport& year) {
+  const auto& groups = year.metrics.blinds;
+  if (groups.size() < 2) return {};
+  std::string text = "blinds";
+  for (const auto& group : groups)
+    text += fmt::format("{} {} closed {:.0f} h, {:.0f} % of the light", &group == &groups.front() ? ":" : ";",
+                        group.name, group.closed_hours, 100.0 * group.part_of_light);
+  return text + fmt::format("; light through two of them {:.2f} %\n", 100.0 * year.light_taken_twice);
+}
+
 std::string text_of(const YearReport& year) {
   const auto& m = year.metrics;
   auto text = fmt::format(
-      "a year at {} occupied hours: daylight autonomy (300 lx) {:.0f} % in the mean over the points, useful "
-      "daylight (100 to 3,000 lx) {:.0f} %\n",
-      m.occupied_hours, 100.0 * mean_of(m.autonomy.value), 100.0 * mean_of(m.useful.value));
+      "a year at {} occupied hours: daylight autonomy (300 lx) {} in the mean over the points, useful "
+      "daylight (100 to 3,000 lx) {}\n",
+      m.occupied_hours, per_cent(m.autonomy.mean, 1), per_cent(m.useful.mean, 1));
   text += fmt::format(
       "sDA300,50% {} with blinds operated ({} hours closed), {} without; {:.0f} % of the points "
       "are too near to tell\n",
       part_of(m.autonomy_with_blinds), m.hours_with_blinds, part_of(m.autonomy_of_space),
       100.0 * m.too_near_to_tell);
+  text += blinds_text(year);
+  if (m.lighting_energy.value + m.lighting_saved.value > 0.0)
+    text += fmt::format(
+        "dimmed lamps take {:.0f} kWh ({:.0f} to {:.0f}); dimming saves {:.0f} kWh ({:.0f} to {:.0f})\n",
+        m.lighting_energy.value, m.lighting_energy.low, m.lighting_energy.high, m.lighting_saved.value,
+        m.lighting_saved.low, m.lighting_saved.high);
   text += fmt::format("ASE1000,250h {:.0f} % of the points\n", 100.0 * m.sun_exposure.value);
   text += fmt::format(
       "LEED v4.1 option 1: {} of 3 points by sDA; ASE {}\n", leed_points(m.autonomy_with_blinds.value),
@@ -143,15 +160,17 @@ Json json_of(const YearReport& year) {
   const auto& m = year.metrics;
   Json json = {{"occupied_hours", m.occupied_hours},
                {"daylight_hours", year.daylight_hours},
-               {"mean_daylight_autonomy", mean_of(m.autonomy.value)},
-               {"mean_continuous_daylight_autonomy", mean_of(m.continuous_autonomy.value)},
-               {"mean_udi_below_100", mean_of(m.below_100.value)},
-               {"mean_udi_100_3000", mean_of(m.useful.value)},
-               {"mean_udi_300_3000", mean_of(m.autonomous.value)},
-               {"mean_udi_above_3000", mean_of(m.above_3000.value)},
+               {"mean_daylight_autonomy", figure_json(m.autonomy.mean)},
+               {"mean_continuous_daylight_autonomy", figure_json(m.continuous_autonomy.mean)},
+               {"mean_udi_below_100", figure_json(m.below_100.mean)},
+               {"mean_udi_100_3000", figure_json(m.useful.mean)},
+               {"mean_udi_300_3000", figure_json(m.autonomous.mean)},
+               {"mean_udi_above_3000", figure_json(m.above_3000.mean)},
                {"sda_300_50", figure_json(m.autonomy_of_space)},
                {"sda_300_50_with_blinds", figure_json(m.autonomy_with_blinds)},
                {"hours_with_blinds", m.hours_with_blinds},
+               {"blinds", Json::array()},
+               {"light_through_two_groups", year.light_taken_twice},
                {"points_too_near_to_tell", m.too_near_to_tell},
                {"ase_1000_250", m.sun_exposure.value},
                {"leed_v4_1_points", leed_points(m.autonomy_with_blinds.value)},
@@ -160,6 +179,15 @@ Json json_of(const YearReport& year) {
                {"en_17037_climate", Json::array()},
                {"not_assessed", {"glare", "view out"}}};
   for (const auto& p : year.provision) json["en_17037_climate"].push_back(json_of(p));
+  for (const auto& group : m.blinds)
+    json["blinds"].push_back({{"name", group.name},
+                              {"transmittance", group.transmittance},
+                              {"closed_hours", group.closed_hours},
+                              {"part_of_light", group.part_of_light}});
+  if (m.lighting_energy.value + m.lighting_saved.value > 0.0) {
+    json["lighting_energy_kwh"] = figure_json(m.lighting_energy);
+    json["lighting_saved_kwh"] = figure_json(m.lighting_saved);
+  }
   return json;
 }
 

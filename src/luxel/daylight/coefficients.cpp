@@ -105,7 +105,10 @@ DaylightCoefficients find_coefficients(const DaylightRun& run, const Tracer& tra
   const auto& patches = run.patches;
   const auto quiet = context.quiet();
   Sampling sampling(patches, tracer, run.options, quiet);
-  sampling.restore(run.state);
+  if (run.traces_again)
+    sampling.restore_rays(run.state);
+  else
+    sampling.restore(run.state);
   const auto& sides = sampling.hits().sides();
   const PointRays rays(patches, run.openings, tracer, sides, run.state.replicates, options);
 

@@ -49,6 +49,8 @@ struct DaylightRun {
   const SampledOptions& options;
   // The portals of the scene; they guide the rays of points, and part outside from inside.
   const std::vector<Portal>& openings;
+  // The patches are those of the run but for their panes: its rays are traced again through these.
+  bool traces_again = false;
 };
 
 struct CoefficientOptions {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 
 #include "luxel/core/student.h"
 #include "luxel/daylight/daylight_factor.h"
@@ -18,8 +20,9 @@ constexpr double autonomy_lux = 300.0, useful_from = 100.0, useful_to = 3000.0;
 constexpr double sun_lux = 1000.0, sun_limit = 250.0, half = 0.5;
 
 // Records that count as occupied.
-bool is_occupied(const WeatherHour& record, const MetricOptions& options) {
-  const auto middle = record.end - 0.5 * record.duration;
+bool is_occupied(const Weather& weather, std::size_t record, const MetricOptions& options) {
+  if (!options.schedule.occupied.empty()) return options.schedule.occupied[record] != 0;
+  const auto middle = weather.hours[record].end - 0.5 * weather.hours[record].duration;
   return middle >= options.from && middle < options.to;
 }
 
@@ -31,6 +34,7 @@ struct Counts {
   double space = 0.0, space_with_blinds = 0.0;  // fractions of the points
   std::array<double, 3> points_target{}, points_minimum{}, hours_target{}, hours_minimum{};
   double mean_300 = 0.0, min_90 = 0.0;  // h
+  double lighting = 0.0;                // kWh
 };
 
 class Counter {
@@ -39,19 +43,44 @@ class Counter {
       : year_(year), options_(options) {
     const auto& hours = year.hours();
     for (std::size_t h = 0; h < weather.hours.size(); ++h)
-      if (is_occupied(weather.hours[h], options)) {
+      if (is_occupied(weather, h, options)) {
         ++occupied_;
         whole_ += weather.hours[h].duration;
       }
-    for (const auto& hour : hours) is_occupied_.push_back(is_occupied(weather.hours[hour.record], options));
-    find_blinds();
+    dark_ = whole_;
+    for (const auto& hour : hours) {
+      is_occupied_.push_back(is_occupied(weather, hour.record, options));
+      if (is_occupied_.back()) dark_ -= hour.duration;
+    }
+    dark_ = std::max(0.0, dark_);
+    blinds_.emplace(year, is_occupied_, options.blinds, options.schedule);
     find_bright_half(weather);
   }
 
   std::size_t occupied() const { return occupied_; }
   double occupied_hours() const { return whole_; }
   std::size_t hours_with_blinds() const {
-    return static_cast<std::size_t>(std::count(has_blinds_.begin(), has_blinds_.end(), true));
+    std::size_t count = 0;
+    for (std::size_t h = 0; h < is_occupied_.size(); ++h) {
+      bool any = false;
+      for (std::size_t g = 0; g < year_.groups().size(); ++g) any = any || blinds_->closed(g)[h] > 0.0f;
+      if (any && is_occupied_[h]) ++count;
+    }
+    return count;
+  }
+  std::vector<BlindsFigures> blinds() const {
+    std::vector<BlindsFigures> groups;
+    const auto whole = year_.has_groups() ? sum_over_year(year_.illuminance(year_.replicates())) : 0.0;
+    for (std::size_t g = 0; g < year_.groups().size(); ++g) {
+      BlindsFigures figures{year_.groups()[g].name, year_.groups()[g].transmittance, 0.0, 1.0};
+      for (std::size_t h = 0; h < is_occupied_.size(); ++h)
+        if (is_occupied_[h])
+          figures.closed_hours += static_cast<double>(blinds_->closed(g)[h]) * year_.hours()[h].duration;
+      if (year_.has_groups())
+        figures.part_of_light = sum_over_year(year_.through(g, year_.replicates())) / std::max(whole, 1e-30);
+      groups.push_back(figures);
+    }
+    return groups;
   }
   std::size_t bright_hours() const { return bright_.size(); }
 
@@ -66,36 +95,48 @@ class Counter {
   }
 
   Counts count(std::uint32_t left_out) const {
-    const auto diffuse = year_.diffuse(left_out);
+    const auto light = year_.illuminance(left_out);
+    auto with_blinds = light;
+    blinds_->apply(with_blinds, left_out);
     const auto points = year_.points();
     Counts counts;
     for (auto& values : counts.of_point) values.assign(points, 0.0f);
-    std::vector<float> with_blinds(points, 0.0f);
-    std::vector<float> here(points);
+    std::vector<float> autonomy_with_blinds(points, 0.0f);
     for (std::size_t h = 0; h < year_.hours().size(); ++h) {
       const auto duration = static_cast<float>(year_.hours()[h].duration);
-      for (std::size_t m = 0; m < points; ++m) {
-        here[m] = diffuse[h * points + m] + year_.direct_sun()[h * points + m];
-        counts.of_point[exposure][m] += duration * here[m];
-      }
+      const auto here = std::span(light).subspan(h * points, points);
+      for (std::size_t m = 0; m < points; ++m) counts.of_point[exposure][m] += duration * here[m];
       if (!is_occupied_[h]) continue;
-      add_occupied(here, duration, has_blinds_[h] ? options_.blind_transmittance : 1.0, counts, with_blinds);
+      add_occupied(here, duration, counts);
+      const auto screened = std::span(with_blinds).subspan(h * points, points);
+      for (std::size_t m = 0; m < points; ++m)
+        if (static_cast<double>(screened[m]) >= autonomy_lux) autonomy_with_blinds[m] += duration;
+      counts.lighting += lighting_energy(screened, static_cast<double>(duration));
     }
-    finish(counts, with_blinds);
-    count_provision(diffuse, counts);
+    counts.lighting += undimmed_power() * dark_;
+    finish(counts, autonomy_with_blinds);
+    count_provision(light, counts);
     return counts;
   }
 
+  double undimmed_energy() const { return undimmed_power() * whole_; }  // kWh
+
  private:
-  void find_blinds() {
-    const auto points = year_.points();
-    for (std::size_t h = 0; h < year_.hours().size(); ++h) {
-      std::size_t bright = 0;
-      for (std::size_t m = 0; m < points; ++m)
-        if (static_cast<double>(year_.direct_sun()[h * points + m]) > options_.blinds_limit) ++bright;
-      has_blinds_.push_back(is_occupied_[h] &&
-                            static_cast<double>(bright) > options_.blinds_part * static_cast<double>(points));
-    }
+  double undimmed_power() const { return 1e-3 * options_.lighting.power; }  // kW
+
+  // kWh.
+  double lighting_energy(std::span<const float> lux, double duration) const {
+    const auto mean = std::accumulate(lux.begin(), lux.end(), 0.0) / static_cast<double>(lux.size());
+    return undimmed_power() * duration * std::clamp(1.0 - mean / options_.lighting.level, 0.0, 1.0);
+  }
+
+  // lx h, over all points.
+  double sum_over_year(const std::vector<float>& light) const {
+    double sum = 0.0;
+    for (std::size_t h = 0; h < year_.hours().size(); ++h)
+      for (std::size_t m = 0; m < year_.points(); ++m)
+        sum += year_.hours()[h].duration * static_cast<double>(light[h * year_.points() + m]);
+    return sum;
   }
 
   void find_bright_half(const Weather& weather) {
@@ -109,8 +150,7 @@ class Counter {
     bright_ = std::move(order);
   }
 
-  void add_occupied(const std::vector<float>& here, float duration, double blinds, Counts& counts,
-                    std::vector<float>& with_blinds) const {
+  static void add_occupied(std::span<const float> here, float duration, Counts& counts) {
     double sum = 0.0, least = std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < here.size(); ++m) {
       const auto lux = static_cast<double>(here[m]);
@@ -119,7 +159,6 @@ class Counter {
       of[cda][m] += duration * static_cast<float>(std::min(1.0, lux / autonomy_lux));
       of[lux < useful_from ? low : lux <= useful_to ? useful : high][m] += duration;
       if (lux >= autonomy_lux && lux <= useful_to) of[autonomous][m] += duration;
-      if (blinds * lux >= autonomy_lux) with_blinds[m] += duration;
       sum += lux;
       least = std::min(least, lux);
     }
@@ -129,10 +168,7 @@ class Counter {
 
   void finish(Counts& counts, std::vector<float>& with_blinds) const {
     const auto whole = static_cast<float>(std::max(whole_, 1e-9));
-    float lit = 0.0f;
-    for (std::size_t h = 0; h < year_.hours().size(); ++h)
-      if (is_occupied_[h]) lit += static_cast<float>(year_.hours()[h].duration);
-    for (auto& v : counts.of_point[low]) v += std::max(0.0f, whole - lit);  // hours without light
+    for (auto& v : counts.of_point[low]) v += static_cast<float>(dark_);
     for (std::size_t k = 0; k < exposure; ++k)
       for (auto& v : counts.of_point[k]) v /= whole;
     for (auto& v : with_blinds) v /= whole;
@@ -140,7 +176,7 @@ class Counter {
     counts.space_with_blinds = fraction_reached(with_blinds, half);
   }
 
-  void count_provision(const std::vector<float>& diffuse, Counts& counts) const {
+  void count_provision(const std::vector<float>& light, Counts& counts) const {
     const auto points = year_.points();
     const auto n = static_cast<double>(std::max<std::size_t>(1, bright_.size()));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -149,7 +185,7 @@ class Counter {
       for (const auto h : bright_) {
         std::size_t t = 0, l = 0;
         for (std::size_t m = 0; m < points; ++m) {
-          const auto lux = static_cast<double>(diffuse[h * points + m] + year_.direct_sun()[h * points + m]);
+          const auto lux = static_cast<double>(light[h * points + m]);
           if (lux >= daylight_targets[k].target) on_target[m] += 1.0f, ++t;
           if (lux >= daylight_targets[k].minimum) on_minimum[m] += 1.0f, ++l;
         }
@@ -166,9 +202,10 @@ class Counter {
   const DaylightYear& year_;
   MetricOptions options_;
   std::size_t occupied_ = 0;
-  double whole_ = 0.0;                          // h
-  std::vector<bool> is_occupied_, has_blinds_;  // [hour of the year]
-  std::vector<std::size_t> bright_;             // hours of the year
+  double whole_ = 0.0, dark_ = 0.0;  // h: occupied, those without light
+  std::vector<bool> is_occupied_;    // [hour of the year]
+  std::vector<std::size_t> bright_;  // hours of the year
+  std::optional<Blinds> blinds_;
 };
 
 double mean_over(const std::vector<float>& values) {
@@ -233,6 +270,10 @@ YearReport metrics_of(const DaylightYear& year, const Weather& weather, const Me
   const auto exposed = fraction_reached(m.sun_hours.value, sun_limit);
   m.sun_exposure = {exposed, exposed, exposed};
   m.hours_with_blinds = counter.hours_with_blinds();
+  m.blinds = counter.blinds();
+  m.lighting_energy = figure(all, left_out, [](const Counts& c) { return c.lighting; });
+  const auto undimmed = counter.undimmed_energy();
+  m.lighting_saved = figure(all, left_out, [=](const Counts& c) { return undimmed - c.lighting; });
   const auto t = 1.96 * student_widening(static_cast<double>(year.replicates()) - 1.0);
   std::size_t near = 0;
   for (std::size_t p = 0; p < m.autonomy.value.size(); ++p)
@@ -242,6 +283,7 @@ YearReport metrics_of(const DaylightYear& year, const Weather& weather, const Me
   m.too_near_to_tell =
       static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(1, year.points()));
 
+  report.light_taken_twice = year.light_taken_twice();
   report.daylight_hours = counter.bright_hours();
   for (std::size_t k = 0; k < 3; ++k) {
     ClimateProvision p;

@@ -5,22 +5,37 @@
 #include <string>
 #include <vector>
 
-#include "luxel/daylight/year.h"
+#include "luxel/daylight/blinds.h"
 #include "luxel/lighting/grid_figures.h"
 
 namespace luxel {
 
+// Electric light that is dimmed by photosensors, so that daylight and lamps together hold a level in the mean
+// over the points. Its power follows its light; switched off where daylight alone holds the level.
+struct DimmedLighting {
+  double power = 0.0;    // W, of all lamps undimmed; 0: none
+  double level = 500.0;  // lx
+};
+
 struct MetricOptions {
   double from = 8.0, to = 18.0;  // occupied hours, of local standard time, every day: middles in [from, to)
-  double blind_transmittance = 0.05;  // of closed blinds, for all light through windows
-  double blinds_limit = 1000.0;  // lx straight from the sun that closes them, on blinds_part of the points
-  double blinds_part = 0.02;
+  YearSchedule schedule;         // replaces them where it states them; and the rule of the blinds
+  BlindsRule blinds;
+  DimmedLighting lighting;
 };
 
 // A metric of a point: its value, and the error of the mean over replicates by the jackknife, not widened.
 struct PointMetric {
   std::vector<float> value, standard_error;  // [point]
   Figure mean, median;                       // over the points
+};
+
+// A group of windows.
+struct BlindsFigures {
+  std::string name;
+  double transmittance = 0.0;  // of closed blinds
+  double closed_hours = 0.0;   // h of the occupied ones; half closed counts as half
+  double part_of_light = 0.0;  // of all light over the year, in the mean over the points, blinds open
 };
 
 struct YearMetrics {
@@ -35,8 +50,11 @@ struct YearMetrics {
   // Fractions of the points: sDA300,50% without blinds and with blinds that are operated every hour;
   // ASE1000,250 with 250 hours or more. Where illuminance is near a limit, points are too near to tell.
   Figure autonomy_of_space, autonomy_with_blinds, sun_exposure;
-  double too_near_to_tell = 0.0;  // points whose interval of daylight autonomy holds 50 %
-  std::size_t hours_with_blinds = 0;
+  double too_near_to_tell = 0.0;      // points whose interval of daylight autonomy holds 50 %
+  std::size_t hours_with_blinds = 0;  // occupied records in which the blinds of any group are closed
+  std::vector<BlindsFigures> blinds;  // [group]
+  // kWh, of occupied hours, with operated blinds: of lamps that are dimmed, and what dimming saves.
+  Figure lighting_energy, lighting_saved;
 };
 
 // A row of EN 17037 on the climate of the weather file: the half of its hours with most diffuse light. Read
@@ -57,6 +75,7 @@ struct YearReport {
   std::size_t daylight_hours = 0;  // of the half
   // BREEAM-style figures: hours with 300 lx in the mean over points, and with 90 lx at the darkest one.
   Figure hours_mean_300, hours_min_90;
+  double light_taken_twice = 0.0;  // see WindowLight
 };
 
 // The metrics of a year at its points, each with an interval from the replicates. Cost: replicates + 1 times

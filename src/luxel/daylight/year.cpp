@@ -8,7 +8,6 @@
 #include "luxel/core/address.h"
 #include "luxel/core/trig.h"
 #include "luxel/core/warp.h"
-#include "luxel/sky/sky_integrals.h"
 #include "luxel/trace/panes.h"
 #include "luxel/trace/point_sight.h"
 
@@ -45,30 +44,22 @@ Columns columns_of(const DaylightCoefficients& c, std::uint32_t left_out) {
 
 }  // namespace
 
-DaylightYear::DaylightYear(const DaylightCoefficients& coefficients, const Weather& weather,
-                           std::span<const ProbePoint> points, const SunSurroundings& around, double albedo,
+DaylightYear::DaylightYear(const YearCoefficients& coefficients, const YearSkies& skies,
+                           std::span<const ProbePoint> points, const SunSurroundings& around,
                            const Context& context)
-    : coefficients_(coefficients), context_(context.quiet()) {
-  const auto& patches = coefficients.sky;
-  const auto width = patches.size();
-  for (std::size_t h = 0; h < weather.hours.size(); ++h) {
-    const auto& record = weather.hours[h];
-    DaylightHour hour{h, record.end - 0.5 * record.duration, record.duration, sun_of(weather, h), 0.0, 0.0};
-    const auto perez = perez_sky(weather, h, hour.sun);
-    hour.sky_illuminance = perez.diffuse_illuminance;
-    if (hour.sun.direction.z > 0.0) hour.sun_illuminance = perez.direct_normal_illuminance;
-    if (!(hour.sky_illuminance > 0.0)) continue;
-    const SkyLevel level{hour.sky_illuminance, hour.sun_illuminance * std::max(0.0, hour.sun.direction.z),
-                         albedo};
-    for (const auto l : sky_patch_luminances(perez.model, patches, level))
-      sky_.push_back(static_cast<float>(l));
-    sun_.resize(sky_.size(), 0.0f);
-    if (hour.sun_illuminance > 0.0)
-      for (const auto& [patch, weight] : patches.around(patches.in_scene_axes(hour.sun.direction)))
-        if (weight > 0.0)
-          sun_[hours_.size() * width + patch] +=
-              static_cast<float>(weight * hour.sun_illuminance / patches.solid_angle(patch));
-    hours_.push_back(hour);
+    : coefficients_(coefficients.open),
+      windows_(coefficients.windows),
+      context_(context.quiet()),
+      skies_(skies),
+      sun_(skies.luminance.size(), 0.0f) {
+  const auto& patches = skies.patches;
+  for (std::size_t h = 0; h < hours().size(); ++h) {
+    const auto& hour = hours()[h];
+    if (!(hour.sun_illuminance > 0.0)) continue;
+    for (const auto& [patch, weight] : patches.around(patches.in_scene_axes(hour.sun.direction)))
+      if (weight > 0.0)
+        sun_[h * patches.size() + patch] +=
+            static_cast<float>(weight * hour.sun_illuminance / patches.solid_angle(patch));
   }
   trace_sun(points, around, context);
 }
@@ -76,21 +67,24 @@ DaylightYear::DaylightYear(const DaylightCoefficients& coefficients, const Weath
 void DaylightYear::trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around,
                              const Context& context) {
   const Panes panes(around.patches);
-  direct_sun_.assign(hours_.size() * points.size(), 0.0f);
+  std::vector<Panes> without;
+  for (const auto& dark : windows_.dark) without.emplace_back(dark);
+  direct_sun_.assign(hours().size() * points.size(), 0.0f);
+  sun_through_.assign(without.size(), direct_sun_);
   PointLight disc;
   disc.kind = PointLightKind::directional;
   disc.angular_radius = static_cast<float>(0.5 * sun_diameter * std::numbers::pi / 180.0);
-  for (std::size_t first = 0; first < hours_.size(); first += hours_per_report) {
-    const auto done = static_cast<double>(first) / static_cast<double>(hours_.size());
+  for (std::size_t first = 0; first < hours().size(); first += hours_per_report) {
+    const auto done = static_cast<double>(first) / static_cast<double>(hours().size());
     if (context.report({"sun", done, first * points.size()}) == Next::stop) {
       is_stopped_ = true;
       return;
     }
-    const auto count = std::min(hours_per_report, hours_.size() - first);
+    const auto count = std::min(hours_per_report, hours().size() - first);
     context.for_chunks(count, hours_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       auto sun = disc;
       for (auto h = first + begin; h < first + end; ++h) {
-        const auto& hour = hours_[h];
+        const auto& hour = hours()[h];
         if (!(hour.sun_illuminance > 0.0)) continue;
         sun.direction = Vec3(-coefficients_.sky.in_scene_axes(hour.sun.direction));
         for (std::size_t m = 0; m < points.size(); ++m) {
@@ -101,24 +95,30 @@ void DaylightYear::trace_sun(std::span<const ProbePoint> points, const SunSurrou
                                       {static_cast<double>(u[0]), static_cast<double>(u[1])});
           const Ray ray{points[m].position, Vec3(sight.direction)};
           if (!(sight.irradiance > 0.0) || around.tracer.occluded(ray, sight.distance)) continue;
-          const auto through = panes.luminous(panes.along(ray, sight.distance));
-          direct_sun_[h * points.size() + m] =
-              static_cast<float>(through * sight.irradiance * hour.sun_illuminance);
+          const auto arriving = [&](const Panes& glass) {
+            return static_cast<float>(glass.luminous(glass.along(ray, sight.distance)) * sight.irradiance *
+                                      hour.sun_illuminance);
+          };
+          const auto at = h * points.size() + m;
+          direct_sun_[at] = arriving(panes);
+          for (std::size_t g = 0; g < without.size(); ++g)
+            sun_through_[g][at] = direct_sun_[at] - arriving(without[g]);
         }
       }
     });
   }
 }
 
-std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
-  const auto columns = columns_of(coefficients_, left_out);
+std::vector<float> DaylightYear::diffuse_by(const DaylightCoefficients& coefficients,
+                                            std::uint32_t left_out) const {
+  const auto columns = columns_of(coefficients, left_out);
   const auto width = coefficients_.sky.size(), count = points();
-  std::vector<float> light(hours_.size() * count, 0.0f);
-  context_.for_chunks(hours_.size(), hours_per_chunk, [&](std::size_t begin, std::size_t end, int) {
+  std::vector<float> light(hours().size() * count, 0.0f);
+  context_.for_chunks(hours().size(), hours_per_chunk, [&](std::size_t begin, std::size_t end, int) {
     for (auto h = begin; h < end; ++h) {
       auto* to = &light[h * count];
       for (std::size_t p = 0; p < width; ++p) {
-        const auto sky = sky_[h * width + p], sun = sun_[h * width + p];
+        const auto sky = skies_.luminance[h * width + p], sun = sun_[h * width + p];
         const auto* all = &columns.all[p * count];
         for (std::size_t m = 0; m < count; ++m) to[m] += sky * all[m];
         if (sun == 0.0f) continue;
@@ -127,6 +127,19 @@ std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
       }
     }
   });
+  return light;
+}
+
+std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
+  return diffuse_by(coefficients_, left_out);
+}
+
+std::vector<float> DaylightYear::through(std::size_t group, std::uint32_t left_out) const {
+  auto light = illuminance(left_out);
+  if (!has_groups()) return light;
+  const auto rest = diffuse_by(windows_.without[group], left_out);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    light[i] -= rest[i] + direct_sun_[i] - sun_through_[group][i];
   return light;
 }
 

@@ -7,25 +7,23 @@
 
 #include "luxel/core/context.h"
 #include "luxel/daylight/coefficients.h"
-#include "luxel/sky/weather.h"
+#include "luxel/daylight/window_groups.h"
+#include "luxel/daylight/year_skies.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
-
-// Sky and sun of one record of a weather file, by Perez's model.
-struct DaylightHour {
-  std::size_t record = 0;  // of Weather::hours
-  double time = 0.0;       // h of local standard time at the middle of the record
-  double duration = 1.0;   // h
-  SunPosition sun;
-  double sky_illuminance = 0.0;  // of the ground by the sky, lx
-  double sun_illuminance = 0.0;  // of a plane that faces the sun, lx; 0 where it is below the horizon
-};
 
 // What the sun's rays meet.
 struct SunSurroundings {
   const PatchSet& patches;  // for their panes of glass
   const Tracer& tracer;
+};
+
+// The coefficients of all windows, and those without the windows of each group. A group without coefficients,
+// the only one then, is all windows and openings.
+struct YearCoefficients {
+  const DaylightCoefficients& open;
+  const WindowLight& windows;
 };
 
 // The light of a year at points, hour by hour (Tregenza and Waters 1983, Reinhart and Walkenhorst 2001). The
@@ -34,15 +32,14 @@ struct SunSurroundings {
 // it comes by the coefficients of the four patches around it, which is as coarse as these are.
 class DaylightYear {
  public:
-  // Keeps references to the coefficients. Traces one ray per point and hour with sun, and polls the monitor;
-  // after its stop is_stopped(). albedo: of the ground.
-  DaylightYear(const DaylightCoefficients& coefficients, const Weather& weather,
-               std::span<const ProbePoint> points, const SunSurroundings& around, double albedo,
-               const Context& context);
+  // Keeps references to the coefficients and the skies, whose patches are the same. Traces one ray per point
+  // and hour with sun, and polls the monitor; after its stop is_stopped().
+  DaylightYear(const YearCoefficients& coefficients, const YearSkies& skies,
+               std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
 
   bool is_stopped() const { return is_stopped_; }
-  // Hours with light, in the order of the file.
-  const std::vector<DaylightHour>& hours() const { return hours_; }
+  // Hours with light.
+  const std::vector<DaylightHour>& hours() const { return skies_.hours; }
   std::size_t points() const { return coefficients_.points; }
   // lx, straight from the sun: [hour * points + point].
   const std::vector<float>& direct_sun() const { return direct_sun_; }
@@ -53,15 +50,28 @@ class DaylightYear {
   std::vector<float> diffuse(std::uint32_t left_out) const;
   std::uint32_t replicates() const { return coefficients_.replicates; }
 
+  const std::vector<WindowGroup>& groups() const { return windows_.groups; }
+  bool has_groups() const { return !windows_.without.empty(); }  // else the only one is all light
+  double light_taken_twice() const { return windows_.twice; }    // see WindowLight
+  // lx, by sky and sun through the windows of a group: [hour * points + point].
+  std::vector<float> through(std::size_t group, std::uint32_t left_out) const;
+  // lx, straight from the sun through them, likewise.
+  const std::vector<float>& direct_sun_through(std::size_t group) const {
+    return sun_through_.empty() ? direct_sun_ : sun_through_[group];
+  }
+
  private:
   void trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
+  std::vector<float> diffuse_by(const DaylightCoefficients& coefficients, std::uint32_t left_out) const;
 
   const DaylightCoefficients& coefficients_;
+  const WindowLight& windows_;
   Context context_;  // reports nothing
-  std::vector<DaylightHour> hours_;
-  // cd/m²: [hour * sky patches + sky patch], of the sky, and what the sun adds for reflected light.
-  std::vector<float> sky_, sun_;
+  const YearSkies& skies_;
+  // cd/m²: [hour * sky patches + sky patch], what the sun adds to the sky for reflected light.
+  std::vector<float> sun_;
   std::vector<float> direct_sun_;
+  std::vector<std::vector<float>> sun_through_;  // [group]; empty: all of it
   bool is_stopped_ = false;
 };
 

@@ -166,6 +166,16 @@ class GlassObject {
   double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;  // m, along the axis
 };
 
+bool absorbs(const Material& m) { return !m.opaque && m.transmittance != Vec3(1.0f); }
+
+// Of the materials that absorb light.
+std::vector<GlassTriangle> absorbing_glass(const Scene& scene) {
+  if (std::none_of(scene.materials.begin(), scene.materials.end(), absorbs)) return {};
+  auto found = find_glass(scene);
+  std::erase_if(found, [&](const GlassTriangle& g) { return !absorbs(material_of(scene, g.triangle)); });
+  return found;
+}
+
 }  // namespace
 
 std::vector<GlassTriangle> find_glass(const Scene& scene) {
@@ -183,11 +193,8 @@ std::vector<GlassTriangle> find_glass(const Scene& scene) {
 }
 
 std::vector<Pane> make_panes(const Scene& scene) {
-  const auto absorbs = [](const Material& m) { return !m.opaque && m.transmittance != Vec3(1.0f); };
-  if (std::none_of(scene.materials.begin(), scene.materials.end(), absorbs)) return {};
   std::vector<Pane> panes;
-  for (const auto& glass : find_glass(scene)) {
-    if (!absorbs(material_of(scene, glass.triangle))) continue;
+  for (const auto& glass : absorbing_glass(scene)) {
     const auto& c = scene.triangles[glass.triangle];
     panes.push_back({{scene.positions[c[0]], scene.positions[c[1]], scene.positions[c[2]]},
                      Vec3(glass.axis),
@@ -195,6 +202,12 @@ std::vector<Pane> make_panes(const Scene& scene) {
                      glass.body == GlassBody::sheet ? 1.0f : 0.5f});
   }
   return panes;
+}
+
+std::vector<std::uint32_t> pane_triangles(const Scene& scene) {
+  std::vector<std::uint32_t> triangles;
+  for (const auto& glass : absorbing_glass(scene)) triangles.push_back(glass.triangle);
+  return triangles;
 }
 
 }  // namespace luxel

@@ -35,5 +35,7 @@ std::vector<GlassTriangle> find_glass(const Scene& scene);
 // The panes that absorb light: the glass of materials whose transmittance is below 1. A ray crosses two faces
 // of a body, so each counts half.
 std::vector<Pane> make_panes(const Scene& scene);
+// The scene's triangle of each of them.
+std::vector<std::uint32_t> pane_triangles(const Scene& scene);
 
 }  // namespace luxel

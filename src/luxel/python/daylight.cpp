@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Daylight factors, and the illuminances of a year.
+#include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,7 +15,9 @@
 #include "luxel/daylight/daylight_factor.h"
 #include "luxel/daylight/daylight_scene.h"
 #include "luxel/daylight/metrics.h"
+#include "luxel/daylight/window_groups.h"
 #include "luxel/daylight/year.h"
+#include "luxel/daylight/year_skies.h"
 #include "luxel/import/set_daylight.h"
 #include "luxel/python/arrays.h"
 #include "luxel/python/handles.h"
@@ -34,6 +38,15 @@ struct DaylightQuestion {
   int subdivision = 2;  // of the sky's patches
   CoefficientOptions coefficients = {};
   MetricOptions metrics = {};
+  double transmittance = WindowGroup{}.transmittance;       // of closed blinds
+  std::vector<std::pair<std::string, double>> blinds = {};  // of groups of windows, by name
+
+  std::vector<WindowGroup> groups() const {
+    if (blinds.empty()) return {{"all windows", transmittance}};
+    std::vector<WindowGroup> result;
+    for (const auto& [name, tau] : blinds) result.push_back({name, tau});
+    return result;
+  }
 };
 
 struct DaylightAnswer {
@@ -41,7 +54,9 @@ struct DaylightAnswer {
   std::optional<DaylightTransport> transport;
   DaylightCoefficients coefficients;
   DaylightFactors factors;
-  std::optional<DaylightYear> year;  // refers to the coefficients and the transport
+  YearSkies skies;
+  WindowLight windows;
+  std::optional<DaylightYear> year;  // refers to all of these
   std::optional<YearReport> report;
 };
 using Handle = std::shared_ptr<DaylightAnswer>;
@@ -60,6 +75,17 @@ void warn_of(const std::vector<std::string>& sentences, PythonReporter& reporter
   for (const auto& sentence : sentences) warn(reporter.log(), sentence);
 }
 
+// Without groups after a stop.
+WindowLight window_light(const Scene& scene, const DaylightAnswer& a, const DaylightQuestion& question,
+                         const Context& context) {
+  if (question.blinds.empty()) return {question.groups(), {}, {}, 0.0};
+  const auto& t = *a.transport;
+  const auto groups = question.groups();
+  return find_window_light(
+      {{t.patches, *t.samples, t.options, t.openings}, a.coefficients, a.coefficients.origins}, *t.tracer,
+      groups, panes_of_groups(scene, t.patches, groups), question.coefficients, context);
+}
+
 Handle compute(const SceneHandle& input, const Floats& positions, const Floats& normals,
                const DaylightQuestion& question, const CallOptions& call) {
   auto reporter = call.reporter();
@@ -75,11 +101,12 @@ Handle compute(const SceneHandle& input, const Floats& positions, const Floats& 
     auto scene = input.scene;
     const auto up = Vec3d(up_of_scene(scene));
     const SkyPatches sky(question.subdivision, up, north_of(up, question.north));
-    set_only_sky(sky,
-                 a.weather
-                     ? mean_sky_of_year(*a.weather, sky, question.albedo)
-                     : sky_patch_luminances(SkyModel::cie(16), sky, Daylight().illuminance, question.albedo),
-                 scene);
+    if (a.weather) a.skies = skies_of_year(*a.weather, sky, question.albedo, context);
+    const auto overcast = [&] {
+      return sky_patch_luminances(SkyModel::cie(16), sky, Daylight().illuminance, question.albedo);
+    };
+    set_only_sky(sky, a.weather ? mean_sky(a.skies) : overcast(), scene);
+    if (!question.blinds.empty()) make_panes_of_groups(question.groups(), scene);
     DaylightSolveOptions how{{}, question.error, question.coefficients.seed};
     if (question.max_edge > 0.0) how.patches.max_edge = static_cast<float>(question.max_edge);
     a.transport = solve_daylight(scene, scene.source, how, {}, {context, reporter, record});
@@ -91,8 +118,10 @@ Handle compute(const SceneHandle& input, const Floats& positions, const Floats& 
     if (a.coefficients.points == 0) return false;
     a.factors = daylight_factors(a.coefficients, 16, question.albedo);
     if (!a.weather) return true;
-    a.year.emplace(a.coefficients, *a.weather, a.coefficients.origins, SunSurroundings{t.patches, *t.tracer},
-                   question.albedo, reporter.reporting(context));
+    a.windows = window_light(scene, a, question, reporter.reporting(context));
+    if (a.windows.groups.empty()) return false;
+    a.year.emplace(YearCoefficients{a.coefficients, a.windows}, a.skies, a.coefficients.origins,
+                   SunSurroundings{t.patches, *t.tracer}, reporter.reporting(context));
     if (a.year->is_stopped()) return false;
     a.report = metrics_of(*a.year, *a.weather, question.metrics);
     return !reporter.is_interrupted();
@@ -153,6 +182,9 @@ py::dict metrics_as_dict(const Handle& handle) {
   result["sDA_with_blinds"] = as_tuple(m.autonomy_with_blinds);
   result["ASE"] = as_tuple(m.sun_exposure);
   result["occupied_hours"] = m.occupied_hours;
+  py::dict blinds;
+  for (const auto& group : m.blinds) blinds[py::str(group.name)] = group.closed_hours;
+  result["closed_hours"] = blinds;
   return result;
 }
 
@@ -195,8 +227,9 @@ void define_daylight(py::module_& module) {
              q.metrics.to = to;
            })
       .def_property(
-          "blind_transmittance", [](const DaylightQuestion& q) { return q.metrics.blind_transmittance; },
-          [](DaylightQuestion& q, double value) { q.metrics.blind_transmittance = value; });
+          "blind_transmittance", [](const DaylightQuestion& q) { return q.transmittance; },
+          [](DaylightQuestion& q, double value) { q.transmittance = value; })
+      .def_readwrite("blinds", &DaylightQuestion::blinds);
   py::class_<DaylightAnswer, Handle>(module, "Daylight")
       .def_property_readonly("minutes", minutes_of)
       .def_property_readonly("sun", sun_of_hours)

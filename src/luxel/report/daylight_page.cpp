@@ -190,12 +190,41 @@ std::string figures(const DaylightPage& page) {
     add("Points too near to 50 % autonomy to tell", fmt::format("{:.0f} %", 100.0 * m.too_near_to_tell));
     add("ASE1000,250h", per_cent_text(m.sun_exposure, 0));
     add("Hours with closed blinds", fmt::format("{} h", m.hours_with_blinds));
+    if (page.metrics.lighting.power > 0.0) {
+      const auto energy = [](const Figure& f) {
+        return fmt::format("{:.0f} kWh per year ({:.0f} to {:.0f})", f.value, f.low, f.high);
+      };
+      add("Energy of dimmed lamps", energy(m.lighting_energy));
+      add("Saved by dimming", energy(m.lighting_saved));
+    }
     add("Annual light exposure, mean",
         fmt::format("{} klx h ({} to {})", scale_number(std::round(1e-3 * m.exposure.mean.value)),
                     scale_number(std::round(1e-3 * m.exposure.mean.low)),
                     scale_number(std::round(1e-3 * m.exposure.mean.high))));
   }
   return "<div class=\"whole\">" + page_heading("Figures") + table.html() + "</div>\n";
+}
+
+std::string blinds_text(const DaylightPage& page) {
+  const auto& o = page.metrics;
+  const auto& groups = page.year->metrics.blinds;
+  std::string text = "Blinds: ";
+  for (const auto& group : groups)
+    text += fmt::format("{}{} ({:g} % of light let through when closed, closed {:.0f} h)",
+                        &group == &groups.front() ? "" : ", ", group.name, 100.0 * group.transmittance,
+                        group.closed_hours);
+  text += o.schedule.closed.empty()
+              ? fmt::format(
+                    ". A group closes in occupied hours in which more than {:g} % of the points have more "
+                    "than {:g} lx straight from the sun through it.",
+                    100.0 * o.blinds.part, o.blinds.limit)
+              : ". They follow the schedule.";
+  if (page.year->light_taken_twice != 0.0)
+    text += fmt::format(
+        " Light that crosses windows of two groups is taken away twice where both are closed: {:.2g} % "
+        "of all light.",
+        100.0 * page.year->light_taken_twice);
+  return text + " Only sDA with operated blinds and the energy of dimmed lamps have blinds.";
 }
 
 std::string assumptions(const DaylightPage& page) {
@@ -216,14 +245,12 @@ std::string assumptions(const DaylightPage& page) {
         "reflected sunlight is as coarse as the patches.",
         page.sky_patches));
     item(fmt::format(
-        "Occupied hours: {:g} to {:g} h of local standard time on all days, {} h. For EN 17037 on "
-        "the climate: the {} hours with the most diffuse light.",
-        o.from, o.to, page.year->metrics.occupied_hours, page.year->daylight_hours));
-    item(fmt::format(
-        "Blinds: all windows are one group. They close in occupied hours in which more than {:g} % of the "
-        "points have more than {:g} lx straight from the sun, and then let {:g} % of all light through. Only "
-        "sDA with operated blinds has blinds.",
-        100.0 * o.blinds_part, o.blinds_limit, 100.0 * o.blind_transmittance));
+        "Occupied hours: {}, {} h. For EN 17037 on the climate: the {} hours with the most diffuse light.",
+        o.schedule.occupied.empty()
+            ? fmt::format("{:g} to {:g} h of local standard time on all days", o.from, o.to)
+            : "those of the schedule",
+        page.year->metrics.occupied_hours, page.year->daylight_hours));
+    item(blinds_text(page));
   }
   for (const auto& note : page.notes) item(note.ends_with('.') ? note : note + ".");
   item("All surfaces reflect diffusely. The room has the furniture that the scene has, and no other.");

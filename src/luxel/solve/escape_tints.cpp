@@ -29,6 +29,7 @@ EscapeTints::EscapeTints(const PatchSet& patches, const Panes& panes)
     for (const auto t : material.transmittance)
       tint.push_back(pane_transmittance(static_cast<double>(t), typical_cosine));
     const auto mean = std::inner_product(tint.begin(), tint.end(), weights_.begin(), 0.0);
+    if (!(mean > 0.0)) continue;  // closed
     for (auto& t : tint) t /= mean;
     if (*std::max_element(tint.begin(), tint.end()) > 1.0 + 1e-6) tints_.push_back(std::move(tint));
   }

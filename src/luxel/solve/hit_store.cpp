@@ -7,6 +7,7 @@
 #include <cassert>
 #include <chrono>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -204,6 +205,14 @@ void HitStore::restore(std::vector<HitRound> rounds) {
     rounds_.push_back(partition_.is_shared() ? own_part(round) : std::move(round));
   }
   if (is_streamed_) stream();
+}
+
+void HitStore::trace_again(const Context& context) {
+  const auto earlier = std::exchange(rounds_, {});
+  std::fill(rays_per_receiver_.begin(), rays_per_receiver_.end(), 0u);
+  std::fill(doublings_.begin(), doublings_.end(), 0u);
+  is_streamed_ = false;
+  for (const auto& round : earlier) double_rays(round.receivers, round.per_replicate, context.quiet());
 }
 
 void HitStore::stream() {

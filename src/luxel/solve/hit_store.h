@@ -67,6 +67,10 @@ class HitStore {
   // this together.
   ProcessTimes balance(std::span<const double> more_rays, double other_seconds);
 
+  // Traces the rays of all rounds again, through the panes of glass as they are now, and stores the hits. Alone,
+  // not with other processes.
+  void trace_again(const Context& context);
+
   // Forgets the hits, and those of later rounds: they are streamed from now on.
   void stream();
   bool is_streamed() const { return is_streamed_; }

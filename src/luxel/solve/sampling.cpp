@@ -135,6 +135,13 @@ void Sampling::restore(const SampleState& state) {
   units_ = neighbour_begins(hits_->sides(), unit_positions);
 }
 
+void Sampling::restore_rays(const SampleState& state) {
+  auto rays = state;
+  for (auto& round : rays.rounds) round.hits.reset();
+  restore(rays);
+  hits_->trace_again(context_);
+}
+
 SampleState Sampling::state() const {
   SampleState state;
   state.replicates = options_.replicates;

@@ -24,15 +24,16 @@ struct OpenGround {
   PatchSet patches;
   Context context;
   Tracer tracer;
-  DaylightCoefficients coefficients;
+  DaylightCoefficients coefficients = of_sky();
   std::vector<ProbePoint> points = {{Vec3(0, 0, 1), Vec3(0, 0, 1)}, {Vec3(1, 0.3f, -0.02f), Vec3(0, 0, 1)}};
+  YearSkies skies = skies_of_year(weather, coefficients.sky, 0.2);
+  WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
   DaylightYear year;
 
   OpenGround()
       : patches(make_patches(ground(), {})),
         tracer(patches, context),
-        coefficients(of_sky()),
-        year(coefficients, weather, points, {patches, tracer}, 0.2, context) {}
+        year({coefficients, windows}, skies, points, {patches, tracer}, context) {}
 
   static Scene ground() {
     truth::SceneBuilder builder;
@@ -111,7 +112,8 @@ TEST(HeatMap, hours_that_the_weather_lacks_have_no_colour) {
   OpenGround open;
   auto part = open.weather;
   part.hours.resize(24 * 31);  // January
-  const DaylightYear year(open.coefficients, part, open.points, {open.patches, open.tracer}, 0.2,
+  const auto skies = skies_of_year(part, open.coefficients.sky, 0.2);
+  const DaylightYear year({open.coefficients, open.windows}, skies, open.points, {open.patches, open.tracer},
                           open.context);
   const HeatMap map{.title = "", .figures = {}, .illuminance = hourly_illuminance(year, 0)};
   const auto svg = heat_map_svg(map, year, part);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "luxel/runs/option_set.h"
+#include "luxel/daylight/metrics.h"
+#include "luxel/daylight/window_groups.h"
+
+namespace luxel {
+
+// Who uses a room over a year, and what its blinds and lamps do.
+class YearSettings {
+ public:
+  void declare(OptionSet& options);
+  // Throws UsageError where options need the weather of a year.
+  void check(bool has_weather) const;
+  // With the transmittance of those that name none. Without --blinds one: all windows.
+  std::vector<WindowGroup> groups() const;
+  bool has_groups() const { return !groups_.empty(); }
+  // Reads the schedule, where one is given. Throws InputError.
+  MetricOptions metrics(const Weather& weather) const;
+
+ private:
+  void parse_occupied(const std::string& text);
+  void parse_blinds(const std::string& text);
+
+  MetricOptions metrics_;
+  std::vector<WindowGroup> groups_;  // transmittance below 0: not stated
+  double transmittance_ = WindowGroup().transmittance;
+  std::string schedule_;
+};
+
+}  // namespace luxel
