@@ -40,6 +40,7 @@ constexpr Section sections[] = {
     {"mesh", "error_against_patches", error_against_patches},
     {"relight", "relighting", changed_lamps_and_colours},
     {"view", "frames_while_solving", frames_while_solving},
+    {"daylight", "hours_over_limits", hours_against_limits},
     {"ranks", "ranks_against_threads", processes_against_threads},
 };
 

@@ -32,6 +32,7 @@ Json time_to_first_light(const Settings& settings);  // until a first picture is
 Json reconstruction(const Settings& settings);       // the drawn field against the light at points
 Json load_to_files(const Settings& settings);        // all steps but the light
 Json changed_lamps_and_colours(const Settings& settings);  // relighting
+Json hours_against_limits(const Settings& settings);       // a year's products with coefficients
 Json processes_against_threads(const Settings& settings);  // mpirun
 Json frames_while_solving(const Settings& settings);       // the window's frames, 95th and 99th percentile
 Json error_against_patches(const Settings& settings);      // patches of one size, and where light needs them

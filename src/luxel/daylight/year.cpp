@@ -8,6 +8,7 @@
 #include "luxel/core/address.h"
 #include "luxel/core/trig.h"
 #include "luxel/core/warp.h"
+#include "luxel/daylight/hour_products.h"
 #include "luxel/trace/panes.h"
 #include "luxel/trace/point_sight.h"
 
@@ -17,15 +18,15 @@ namespace {
 constexpr std::size_t hours_per_chunk = 16;
 constexpr std::size_t hours_per_report = 512;
 
-// Coefficients in the mean over the replicates but one, [sky patch * points + point].
+// Coefficients in the mean over the replicates but one.
 struct Columns {
-  std::vector<float> all, reflected;
+  PackedColumns all, reflected;
 };
 
 Columns columns_of(const DaylightCoefficients& c, std::uint32_t left_out) {
   const auto width = c.sky.size();
   const auto fraction = 1.0f / static_cast<float>(c.replicates - (left_out < c.replicates ? 1 : 0));
-  Columns columns{std::vector<float>(width * c.points, 0.0f), std::vector<float>(width * c.points, 0.0f)};
+  Columns columns{{width, c.points}, {width, c.points}};
   for (std::size_t i = 0; i < daylight_paths; ++i) {
     const auto path = static_cast<DaylightPath>(i);
     for (std::size_t m = 0; m < c.points; ++m)
@@ -34,8 +35,8 @@ Columns columns_of(const DaylightCoefficients& c, std::uint32_t left_out) {
         const auto row = c.row(path, m, r);
         for (std::size_t p = 0; p < width; ++p) {
           const auto part = fraction * row[p];
-          columns.all[p * c.points + m] += part;
-          if (path != DaylightPath::sky) columns.reflected[p * c.points + m] += part;
+          columns.all.at(p, m) += part;
+          if (path != DaylightPath::sky) columns.reflected.at(p, m) += part;
         }
       }
   }
@@ -51,15 +52,15 @@ DaylightYear::DaylightYear(const YearCoefficients& coefficients, const YearSkies
       windows_(coefficients.windows),
       context_(context.quiet()),
       skies_(skies),
-      sun_(skies.luminance.size(), 0.0f) {
+      sun_(skies.hours.size()) {
   const auto& patches = skies.patches;
   for (std::size_t h = 0; h < hours().size(); ++h) {
     const auto& hour = hours()[h];
     if (!(hour.sun_illuminance > 0.0)) continue;
     for (const auto& [patch, weight] : patches.around(patches.in_scene_axes(hour.sun.direction)))
       if (weight > 0.0)
-        sun_[h * patches.size() + patch] +=
-            static_cast<float>(weight * hour.sun_illuminance / patches.solid_angle(patch));
+        sun_[h].push_back(
+            {patch, static_cast<float>(weight * hour.sun_illuminance / patches.solid_angle(patch))});
   }
   trace_sun(points, around, context);
 }
@@ -112,20 +113,13 @@ void DaylightYear::trace_sun(std::span<const ProbePoint> points, const SunSurrou
 std::vector<float> DaylightYear::diffuse_by(const DaylightCoefficients& coefficients,
                                             std::uint32_t left_out) const {
   const auto columns = columns_of(coefficients, left_out);
-  const auto width = coefficients_.sky.size(), count = points();
-  std::vector<float> light(hours().size() * count, 0.0f);
+  const auto count = points();
+  auto light = columns.all.times(skies_.luminance, context_);
   context_.for_chunks(hours().size(), hours_per_chunk, [&](std::size_t begin, std::size_t end, int) {
-    for (auto h = begin; h < end; ++h) {
-      auto* to = &light[h * count];
-      for (std::size_t p = 0; p < width; ++p) {
-        const auto sky = skies_.luminance[h * width + p], sun = sun_[h * width + p];
-        const auto* all = &columns.all[p * count];
-        for (std::size_t m = 0; m < count; ++m) to[m] += sky * all[m];
-        if (sun == 0.0f) continue;
-        const auto* reflected = &columns.reflected[p * count];
-        for (std::size_t m = 0; m < count; ++m) to[m] += sun * reflected[m];
-      }
-    }
+    for (auto h = begin; h < end; ++h)
+      for (const auto& [patch, luminance] : sun_[h])
+        for (std::size_t m = 0; m < count; ++m)
+          light[h * count + m] += luminance * columns.reflected.at(patch, m);
   });
   return light;
 }

@@ -44,7 +44,7 @@ class DaylightYear {
   // lx, straight from the sun: [hour * points + point].
   const std::vector<float>& direct_sun() const { return direct_sun_; }
   // lx, by sky and sun, [hour * points + point]: the mean over the replicates but `left_out`; over all with
-  // left_out = replicates(). Cost: 0.3 ns per hour, point and patch of the sky.
+  // left_out = replicates(). Cost: that of PackedColumns::times().
   std::vector<float> illuminance(std::uint32_t left_out) const;
   // The same without what comes straight from the sun.
   std::vector<float> diffuse(std::uint32_t left_out) const;
@@ -68,8 +68,11 @@ class DaylightYear {
   const WindowLight& windows_;
   Context context_;  // reports nothing
   const YearSkies& skies_;
-  // cd/m²: [hour * sky patches + sky patch], what the sun adds to the sky for reflected light.
-  std::vector<float> sun_;
+  struct SunPatch {
+    std::size_t patch = 0;
+    float luminance = 0.0f;  // cd/m²
+  };
+  std::vector<std::vector<SunPatch>> sun_;  // [hour], what the sun adds to the sky for reflected light
   std::vector<float> direct_sun_;
   std::vector<std::vector<float>> sun_through_;  // [group]; empty: all of it
   bool is_stopped_ = false;
