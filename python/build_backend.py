@@ -57,6 +57,14 @@ def _metadata():
             "Requires-Python: >=3.11\nRequires-Dist: numpy>=1.24\n")
 
 
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Writes the metadata, which needs no build, and returns the name of its folder."""
+    info = pathlib.Path(metadata_directory) / f"luxel-{version()}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(_metadata(), encoding="utf-8")
+    return info.name
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """Writes the wheel and returns its name."""
     folder = _built()

@@ -5,6 +5,7 @@ import functools
 import inspect
 import logging
 import os
+import textwrap
 
 from . import _core
 from ._errors import InputError, python_hints, python_name, with_hints, worded
@@ -116,7 +117,8 @@ def _entry(name, option):
     unit = f" [{option['unit']}]" if option["unit"] else ""
     many = " Several as a list." if option["many"] else ""
     default = option["default"] or "none"
-    return f"    {name}{unit}: {worded(option['help'])}; default {default}.{many}"
+    text = f"{name}{unit}: {worded(option['help'])}; default {default}.{many}"
+    return textwrap.fill(text, 110, initial_indent="    ", subsequent_indent="        ")
 
 
 def documented(table, before=(), after=RUN):
