@@ -6,7 +6,6 @@
 #include "luxel/cli/finish.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/view_factor_report.h"
-#include "luxel/runs/view_factor_settings.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
@@ -14,6 +13,7 @@
 #include "luxel/form_factors/view_factors_file.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/runs/settings.h"
+#include "luxel/runs/view_factor_settings.h"
 #include "luxel/session/words.h"
 #include "luxel/version.h"
 
