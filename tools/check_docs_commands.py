@@ -4,7 +4,8 @@
 
 In the ```sh blocks of README.md and docs/*.md, each command that begins with `luxel`, `build/release/bin/` or `printf` is
 run, in the order of the page, in an empty folder that has the scenes and the built PROGRAMS where the reader has them. A
-command that begins with `./dev` must name a verb of ./dev. Everything else, and a block fenced ```sh no-run, is left
+command that begins with `./dev` must name a verb of ./dev. A ```python block whose first line is `# NAME.py` is the file
+NAME.py from the start of its page, and `python3 NAME.py` runs it. Everything else, and a block fenced ```sh no-run, is left
 alone.
 """
 import glob
@@ -16,6 +17,7 @@ import sys
 import tempfile
 
 TIMEOUT = 600  # s a command
+PYTHON_FILE = re.compile(r"^```python\n# (\w+\.py)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def commands_of(text):
@@ -66,16 +68,21 @@ def run(command, folder, programs):
 def check_page(page, root, programs, verbs):
     """(line number, sentence) of each command that fails."""
     with open(page, encoding="utf-8") as file:
-        commands = list(commands_of(file.read()))
+        text = file.read()
     with tempfile.TemporaryDirectory() as folder:
         make_place(folder, root, programs)
-        for number, command in commands:
+        scripts = dict(PYTHON_FILE.findall(text))
+        for name, script in scripts.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(script)
+        for number, command in commands_of(text):
             word = command.split()[0]
             if word == "./dev":
                 verb = (command.split() + ["help"])[1]
                 if verb not in verbs:
                     yield number, f"`{command}`: ./dev has no verb {verb}"
-            elif word in ("luxel", "printf") or word.startswith("build/release/bin/"):
+            elif (word in ("luxel", "printf") or word.startswith("build/release/bin/")
+                  or word == "python3" and command.split()[-1] in scripts):
                 print(f"  {command}", flush=True)
                 failure = run(command, folder, programs)
                 if failure:

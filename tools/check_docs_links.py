@@ -3,7 +3,8 @@
 """Checks that documents refer to things that exist: check_docs_links.py [ROOT].
 
 In each Markdown file, a link must lead to a file, and its anchor to a heading of that file; a source file named in
-backticks, as `solve/sampled.cpp`, must exist, below the root or one of FOLDERS.
+backticks, as `solve/sampled.cpp`, must exist, below the root or one of FOLDERS. Each page of docs/ must be in the nav of
+mkdocs.yml once, and each page of the nav must exist.
 Prints each violation as file:line: sentence. Exit status: 1 if there is one.
 """
 import os
@@ -15,6 +16,8 @@ from check_layers import files_of  # noqa: E402
 
 FOLDERS = ("", "src/luxel/", "include/luxel/", "include/", "src/", "tests/", "web/")
 LINK = re.compile(r"\]\(([^()\s]+)\)")
+NAV = "mkdocs.yml"
+NAV_PAGE = re.compile(r"^ *- [^:#]*: (\S+\.md)$", re.MULTILINE)
 SOURCE = re.compile(r"`([a-z_]+(?:/[a-z_]+)*\.(?:h|cpp|py|mjs|cmake))`")
 
 
@@ -54,6 +57,21 @@ def violations_of(name, documents, files):
             yield text.count("\n", 0, match.start()) + 1, f"`{source}`: there is no such file"
 
 
+def nav_violations(nav, files):
+    """(line number, sentence) of each disagreement of mkdocs.yml, its text, with the pages."""
+    lines = {}
+    for match in NAV_PAGE.finditer(nav):
+        line = nav.count("\n", 0, match.start()) + 1
+        if match[1] in lines:
+            yield line, f"{match[1]} is in the nav already, on line {lines[match[1]]}"
+        if f"docs/{match[1]}" not in files and match[1] not in files:
+            yield line, f"there is no page docs/{match[1]}"
+        lines.setdefault(match[1], line)
+    for file in sorted(files):
+        if re.fullmatch(r"docs/[^/]+\.md", file) and file[len("docs/"):] not in lines:
+            yield 1, f"{file} is not in the nav"
+
+
 def violations(root):
     files = set(files_of(root))
     documents = {}
@@ -61,6 +79,10 @@ def violations(root):
         if name.endswith(".md"):
             with open(os.path.join(root, name), encoding="utf-8") as file:
                 documents[name] = file.read()
+    if NAV in files:
+        with open(os.path.join(root, NAV), encoding="utf-8") as file:
+            for line, sentence in nav_violations(file.read(), files):
+                yield NAV, line, sentence
     for name in documents:
         for line, sentence in violations_of(name, documents, files):
             yield name, line, sentence

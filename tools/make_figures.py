@@ -12,7 +12,7 @@ import os
 import sys
 import time
 
-from figures import baking, blender, gallery, lightmap, measured, pictures, sharing, viewer
+from figures import baking, blender, gallery, lightmap, measured, pictures, sharing, tutorials, viewer
 from figures.runs import Luxel, keep_json
 from figures.scenes import ROOT
 
@@ -33,6 +33,7 @@ SECTIONS = {
     "baking": (baking.forms, baking.NAMES),
     "sharing": (sharing.page, sharing.NAMES),
     "gallery": (gallery.gallery, gallery.NAMES),
+    "artist": (tutorials.artist, tutorials.NAMES),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),
     "bench": (measured.bench, ["time-against-polygons.svg", "time-against-lamps.svg"]),

@@ -126,25 +126,5 @@ TEST(Completion, in_bash_offers_commands_options_words_and_files) {
   EXPECT_EQ(offered(folder, "luxel completion z"), "zsh");
 }
 
-TEST(Completion, lists_every_option_of_the_help_for_each_shell) {
-  const auto folder = fresh_folder("completion_all");
-  const auto bash = cli::run(folder, "$LUXEL completion bash").out;
-  const auto zsh = cli::run(folder, "$LUXEL completion zsh").out;
-  const auto fish = cli::run(folder, "$LUXEL completion fish").out;
-  for (const auto& option : options_in(cli::run(folder, "$LUXEL bake --help-all").out)) {
-    EXPECT_TRUE(bash.find(option + " ") != std::string::npos || bash.find(option + "'") != std::string::npos)
-        << option;
-    EXPECT_NE(zsh.find("'*" + option + "["), std::string::npos) << option;
-    EXPECT_NE(fish.find("-l " + option.substr(2) + " "), std::string::npos) << option;
-  }
-  EXPECT_EQ(cli::run(folder, "$LUXEL completion tcsh").code, 2);
-  if (cli::run(folder, "command -v zsh").code == 0) {
-    EXPECT_EQ(cli::run(folder, "$LUXEL completion zsh > _luxel && zsh -n _luxel").code, 0);
-  }
-  if (cli::run(folder, "command -v fish").code == 0) {
-    EXPECT_EQ(cli::run(folder, "$LUXEL completion fish > l.fish && fish -n l.fish").code, 0);
-  }
-}
-
 }  // namespace
 }  // namespace luxel::cli

@@ -48,6 +48,15 @@ TEST_F(ViewFiles, a_gltf_scene_dropped_on_the_window_is_lit_and_shown) {
   }
 }
 
+TEST_F(ViewFiles, without_a_scene_the_window_is_empty_until_one_is_dropped) {
+  write("s.txt", "wait 3 frames\ndrop cornell-box.obj\nwait light\nexpect light\nexpect no-error\n");
+  const auto done = cli::run(folder_, "$LUXEL view --off-screen --max-edge 0.1 --error 20% --script s.txt");
+  EXPECT_EQ(done.code, 0) << done.err;
+  const auto refused = cli::run(folder_, "$LUXEL view --snapshot view.png");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("need a scene"), std::string::npos) << refused.err;
+}
+
 TEST_F(ViewFiles, a_broken_gltf_file_is_a_dialog_and_what_was_there_stays) {
   const auto whole = small_room().glb();
   write("cut.glb", whole.substr(0, whole.size() - 20));

@@ -39,6 +39,12 @@ class CheckDocsCommands(unittest.TestCase):
         self.check("```sh\n./dev build\n```\n", 0)
         self.check("```sh\n./dev dance\n```\n", 1, "no verb dance")
 
+    def test_a_python_file_of_the_page_runs(self):
+        page = "```python\n# sum.py\nimport sys\nsys.exit({})\n```\n```sh\npython3 sum.py\n```\n"
+        self.check(page.format(0), 0)
+        self.check(page.format(3), 1, "`python3 sum.py` gave 3")
+        self.check("```sh\npython3 -m http.server\n```\n", 0)
+
     def test_other_blocks_and_other_commands_are_left_alone(self):
         self.check("```sh no-run\nluxel need nothing\n```\n```cpp\nluxel need nothing\n```\n```sh\nfalse\n```\n", 0)
         self.check("No block at all: luxel need nothing\n", 0)

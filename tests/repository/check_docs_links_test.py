@@ -26,6 +26,13 @@ class CheckDocsLinks(unittest.TestCase):
     def test_named_sources_exist(self):
         self.assertEqual(self.lines("`core/trig.h` and `trig.h`\n`core/sine.h`\n`sine.cpp`\n"), [2, 3])
 
+    def test_each_page_is_in_the_nav_once(self):
+        def lines(nav):
+            return [line for line, _ in check_docs_links.nav_violations(nav, FILES | {"CHANGELOG.md"})]
+
+        self.assertEqual(lines("nav:\n  - A: a.md\n  - More:\n      - B: b.md\n      - Changes: CHANGELOG.md\n"), [])
+        self.assertEqual(lines("nav:\n  - A: a.md\n  - C: c.md\n  - Again: a.md\n"), [3, 4, 1])
+
     def test_code_is_no_link(self):
         self.assertEqual(self.lines("```cpp\na[i](c.md)\n```\n[c](c.md)\n"), [4])
 

@@ -98,8 +98,9 @@ bool is_among(const std::string& word, std::initializer_list<const char*> words)
 
 // Checks that need all options of the line.
 void check_given(const OptionSet& chosen, const Given& given) {
-  const bool is_alone = std::any_of(given.options.begin(), given.options.end(),
-                                    [](const auto& option) { return option.first->alone; });
+  const bool is_alone =
+      !chosen.needs_positionals() || std::any_of(given.options.begin(), given.options.end(),
+                                                 [](const auto& option) { return option.first->alone; });
   for (const auto& positional : chosen.positionals())
     if (!is_alone && (positional.values ? positional.values->empty() : positional.value->empty()))
       throw UsageError(fmt::format("{} is missing: expected 'luxel {} {}'; 'luxel {} --help' has examples",

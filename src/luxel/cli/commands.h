@@ -57,6 +57,7 @@ std::unique_ptr<Command> make_weather(CommandLine& line);
 std::unique_ptr<Command> make_viewfactors(CommandLine& line);
 std::unique_ptr<Command> make_check(CommandLine& line);
 std::unique_ptr<Command> make_completion(CommandLine& line);
+std::unique_ptr<Command> make_manual(CommandLine& line);
 std::unique_ptr<Command> make_view(CommandLine& line);
 
 }  // namespace luxel

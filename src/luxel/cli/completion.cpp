@@ -195,9 +195,11 @@ std::string zsh_values(const Completed& option) {
 
 std::string zsh_case(const OptionSet& set) {
   auto text = fmt::format("    {})\n      _arguments", set.name());
-  for (const auto& option : options_of(set))
-    text += fmt::format(" \\\n        '*--{}[{}]{}'", option.name, zsh_text(brief(option.help)),
-                        zsh_values(option));
+  for (const auto& option : options_of(set)) {
+    const auto rest = fmt::format("[{}]{}", zsh_text(brief(option.help)), zsh_values(option));
+    text += fmt::format(" \\\n        '*--{}{}'", option.name, rest);
+    if (option.letter) text += fmt::format(" \\\n        '*-{}{}'", option.letter, rest);
+  }
   for (const auto& p : set.positionals()) {
     const auto unit = p.endings.empty() ? p.help : std::string("FILE");
     text += fmt::format(" \\\n        '{}{}'", p.values ? "*" : "",

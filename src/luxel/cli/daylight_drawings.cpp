@@ -31,15 +31,17 @@ std::vector<MetricPlan> plans_of(const DaylightReport& report) {
 }  // namespace
 
 void DaylightDrawings::declare(OptionSet& set) {
-  Declaration file{"heat-map", "FILE",
-                   "SVG drawing of the illuminance of each hour of the year: hour over day",
-                   [this](const std::string& text) {
-                     if (!text.empty()) expect_ending("--heat-map", text, ".svg");
-                     heat_map_ = text;
-                   },
-                   [this] { return heat_map_; }};
-  file.endings = ".svg";
-  set.add(std::move(file));
+  const auto add_file = [&set](const std::string& name, std::string& file, const std::string& help) {
+    Declaration declaration{name, "FILE", help,
+                            [name, &file](const std::string& text) {
+                              if (!text.empty()) expect_ending("--" + name, text, ".svg");
+                              file = text;
+                            },
+                            [&file] { return file; }};
+    declaration.endings = ".svg";
+    set.add(std::move(declaration));
+  };
+  add_file("heat-map", heat_map_, "SVG drawing of the illuminance of each hour of the year: hour over day");
   set.add({"heat-map-point", "N|mean",
            "--heat-map: a point, counted from 1 in the order of the table, or the mean over all points",
            [this](const std::string& text) {
@@ -51,24 +53,42 @@ void DaylightDrawings::declare(OptionSet& set) {
              point_ = text == "mean" ? 0 : static_cast<std::size_t>(*number);
            },
            [this] { return point_ == 0 ? std::string("mean") : fmt::format("{}", point_); }});
+  add_file("day-plans", day_plans_, "SVG drawings of the illuminance in each hour of a day, over the plan");
+  set.add({"day", "MM-DD", "--day-plans: the day",
+           [this](const std::string& text) {
+             const auto dash = text.find('-');
+             const auto month = dash == std::string::npos ? std::nullopt : parse_number(text.substr(0, dash));
+             const auto day = dash == std::string::npos ? std::nullopt : parse_number(text.substr(dash + 1));
+             const auto is_count = [](const std::optional<float>& n, float most) {
+               return n && *n >= 1.0f && *n <= most && std::floor(*n) == *n;
+             };
+             if (!is_count(month, 12.0f) || !is_count(day, 31.0f))
+               throw UsageError(fmt::format("--day: expected month and day such as 06-21, not '{}'", text));
+             day_ = {static_cast<unsigned>(*month), static_cast<unsigned>(*day)};
+           },
+           [this] { return fmt::format("{:02}-{:02}", day_.month, day_.day); }});
 }
 
 void DaylightDrawings::check(const ProbeSettings& places, const std::vector<std::string>& outputs,
                              bool has_weather) const {
-  if (!heat_map_.empty() && !has_weather)
-    throw UsageError("--heat-map draws the hours of a year: give --weather FILE");
+  for (const auto& [option, file] : files())
+    if (!has_weather)
+      throw UsageError(fmt::format("{} draws the hours of a year: give --weather FILE", option));
   if (point_ > 0 && heat_map_.empty() &&
       std::none_of(outputs.begin(), outputs.end(), [](const auto& o) { return is_page(o); }))
     throw UsageError("--heat-map-point belongs to --heat-map FILE.svg and to -o FILE.html");
-  for (const auto& output : outputs) {
-    if (ending_of(output) != ".svg") continue;
+  const auto check_grid = [&places](const std::string& option, const std::string& file) {
     if (!places.file.empty() || places.line)
-      throw UsageError(fmt::format(
-          "-o {}: a plan needs a grid of points: give --plane or --grid, not --points or --line", output));
-    if (places.grid && is_skewed(*places.grid))
       throw UsageError(
-          fmt::format("-o {}: a plan needs a rectangular --grid, whose edges are at right angles", output));
-  }
+          fmt::format("{} {}: a plan needs a grid of points: give --plane or --grid, not --points or --line",
+                      option, file));
+    if (places.grid && is_skewed(*places.grid))
+      throw UsageError(fmt::format(
+          "{} {}: a plan needs a rectangular --grid, whose edges are at right angles", option, file));
+  };
+  for (const auto& output : outputs)
+    if (ending_of(output) == ".svg") check_grid("-o", output);
+  if (!day_plans_.empty()) check_grid("--day-plans", day_plans_);
 }
 
 void DaylightDrawings::check_point(std::size_t points) const {
@@ -78,7 +98,10 @@ void DaylightDrawings::check_point(std::size_t points) const {
 }
 
 std::vector<NamedOutput> DaylightDrawings::files() const {
-  return heat_map_.empty() ? std::vector<NamedOutput>() : std::vector<NamedOutput>{{"--heat-map", heat_map_}};
+  std::vector<NamedOutput> files;
+  if (!heat_map_.empty()) files.push_back({"--heat-map", heat_map_});
+  if (!day_plans_.empty()) files.push_back({"--day-plans", day_plans_});
+  return files;
 }
 
 std::optional<MetricGround> DaylightDrawings::ground_of(const ProbeSettings& places, const Vec3d& up,
@@ -117,9 +140,18 @@ std::string DaylightDrawings::heat_map(const DrawnDaylight& drawn) const {
   return heat_map_svg(map, *drawn.year, *drawn.weather);
 }
 
+std::string DaylightDrawings::day_plans(const DrawnDaylight& drawn) const {
+  const auto plans = plans_of_day(*drawn.year, *drawn.weather, day_);
+  if (plans.empty())
+    throw InputError(fmt::format("--day {:02}-{:02}: the weather file has no hour with light on this day",
+                                 day_.month, day_.day));
+  return metric_plans_svg(*drawn.ground, plans);
+}
+
 void DaylightDrawings::write(const std::string& output, const DrawnDaylight& drawn) const {
-  write_file(output,
-             output == heat_map_ ? heat_map(drawn) : metric_plans_svg(*drawn.ground, plans_of(drawn.report)));
+  write_file(output, output == heat_map_    ? heat_map(drawn)
+                     : output == day_plans_ ? day_plans(drawn)
+                                            : metric_plans_svg(*drawn.ground, plans_of(drawn.report)));
 }
 
 void DaylightDrawings::add(const DrawnDaylight& drawn, DaylightPage& page) const {

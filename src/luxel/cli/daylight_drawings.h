@@ -7,6 +7,7 @@
 
 #include "luxel/cli/daylight_report.h"
 #include "luxel/cli/probe_settings.h"
+#include "luxel/daylight/daylight_plans.h"
 #include "luxel/daylight/metric_plan.h"
 #include "luxel/daylight/year.h"
 #include "luxel/report/daylight_page.h"
@@ -31,7 +32,8 @@ struct DrawnPlace {
   Vec3d north{0.0, 1.0, 0.0};  // unit, in the scene
 };
 
-// The drawings of `daylight`: plans over the grid of points, and the heat map of the year.
+// The drawings of `daylight`: plans over the grid of points, of the hours of a day too, and the heat map of
+// the year.
 class DaylightDrawings {
  public:
   void declare(OptionSet& set);
@@ -39,7 +41,6 @@ class DaylightDrawings {
   void check(const ProbeSettings& places, const std::vector<std::string>& outputs, bool has_weather) const;
   // Throws InputError where --heat-map-point is none of the points.
   void check_point(std::size_t points) const;
-  const std::string& heat_map_file() const { return heat_map_; }
   // With the options that declare them.
   std::vector<NamedOutput> files() const;
 
@@ -53,8 +54,10 @@ class DaylightDrawings {
 
  private:
   std::string heat_map(const DrawnDaylight& drawn) const;
+  std::string day_plans(const DrawnDaylight& drawn) const;
 
-  std::string heat_map_;
+  std::string heat_map_, day_plans_;
+  CalendarDay day_;
   std::size_t point_ = 0;  // from 1; 0: the mean
 };
 

@@ -32,4 +32,8 @@ std::string day_of_file(const std::filesystem::path& path) {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(seconds));
 }
 
+std::string today() {
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(source_date().value_or(std::time(nullptr))));
+}
+
 }  // namespace luxel

@@ -10,4 +10,7 @@ namespace luxel {
 // (reproducible-builds.org, seconds since 1970) where the environment has it.
 std::string day_of_file(const std::filesystem::path& path);
 
+// Today, in UTC, as YYYY-MM-DD; the day of SOURCE_DATE_EPOCH where that is set (reproducible builds).
+std::string today();
+
 }  // namespace luxel

@@ -47,8 +47,10 @@ std::string title(const std::string& text, const HelpStyle& style) {
 
 std::string usage(const OptionSet& set) {
   auto text = fmt::format("luxel {}", set.name());
-  for (const auto& positional : set.positionals())
-    text += fmt::format(" {}{}", positional.name, positional.values ? "..." : "");
+  for (const auto& positional : set.positionals()) {
+    const auto name = positional.name + (positional.values ? "..." : "");
+    text += set.needs_positionals() ? " " + name : fmt::format(" [{}]", name);
+  }
   return text + " [options]";
 }
 
@@ -64,11 +66,7 @@ std::string first_options(const OptionSet& set, const HelpStyle& style) {
 
 std::string all_options(const OptionSet& set, const HelpStyle& style) {
   std::string text;
-  std::vector<std::string> headings;
-  for (const auto& e : set.entries())
-    if (std::find(headings.begin(), headings.end(), e.heading) == headings.end())
-      headings.push_back(e.heading);
-  for (const auto& heading : headings) {
+  for (const auto& heading : set.headings()) {
     text += title(heading.empty() ? "Options" : heading, style);
     for (const auto& e : set.entries())
       if (e.heading == heading) text += option_item(e, style);
@@ -109,8 +107,8 @@ std::string help_of(const OptionSet& set, bool is_whole, const HelpStyle& style)
 
 std::string help_of(std::span<const std::unique_ptr<OptionSet>> commands, const HelpStyle& style) {
   const auto& paint = style.paint;
-  auto text = fmt::format("Luxel: global illumination of diffuse scenes by the radiosity method.\n\n{} {}\n",
-                          paint(Style::label, "Usage:"), "luxel COMMAND [options]");
+  auto text = fmt::format("Luxel: {}.\n\n{} {}\n", program_summary, paint(Style::label, "Usage:"),
+                          "luxel COMMAND [options]");
   text += title("Commands", style);
   for (const auto& set : commands) text += item("  " + set->name(), set->summary(), command_column, style);
   text += title("First steps", style);
@@ -119,8 +117,9 @@ std::string help_of(std::span<const std::unique_ptr<OptionSet>> commands, const 
   step("  luxel bake room.obj -o room.png --quality draft", "a quick picture");
   step("  luxel help bake", "explain a command; 'luxel bake --help-all' has all of it");
   text += title("Exit codes", style);
-  text += "  0 fine   1 failed   2 misused   3 stopped before the requested accuracy\n";
-  return text;
+  for (const auto& exit : exit_codes)
+    text += fmt::format("{}{} {}", &exit == exit_codes ? "  " : "   ", exit.code, exit.meaning);
+  return text + "\n";
 }
 
 }  // namespace luxel

@@ -24,6 +24,17 @@ inline constexpr CommonOption common_options[] = {
     {"help-all", "", "list all options"},
 };
 
+struct ExitCode {
+  int code;
+  const char* meaning;
+};
+inline constexpr ExitCode exit_codes[] = {
+    {0, "fine"}, {1, "failed"}, {2, "misused"}, {3, "stopped before the requested accuracy"}};
+
+// The sentence under the name of the program, in help and manual.
+inline constexpr const char* program_summary =
+    "global illumination of diffuse scenes by the radiosity method";
+
 // How help is laid out: for a terminal or a file.
 struct HelpStyle {
   TextPaint paint;

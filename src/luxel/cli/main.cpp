@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
       luxel::make_viewfactors(line),
       luxel::make_check(line),
       luxel::make_completion(line),
+      luxel::make_manual(line),
 #ifdef LUXEL_HAS_VIEWER
       luxel::make_view(line),
 #endif

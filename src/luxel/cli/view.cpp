@@ -17,6 +17,7 @@ class View final : public Command {
   explicit View(OptionSet& options) : Command(options) {
     auto& s = settings_;
     s.scene.declare(options, "the mesh (OBJ with MTL, glTF), or a .vtkhdf solution");
+    options.make_positionals_optional();
     s.scene.declare_contacts(options);
     s.refine.declare(options);
     s.scene.declare_sky(options);
@@ -41,10 +42,13 @@ class View final : public Command {
     options.show_first(
         {"quality", "error", "time", "max-edge", "sky", "eye", "target", "save", "compare", "snapshot"});
     options.set_examples({{"luxel view room.obj", "Shows the light while it is solved."},
-                          {"luxel view room.vtkhdf", "Shows a solution."}});
+                          {"luxel view room.vtkhdf", "Shows a solution."},
+                          {"luxel view", "Opens an empty window; drop a scene on it."}});
   }
 
   int run() override {
+    if (settings_.scene.file.empty() && !(snapshot_.empty() && compare_.empty() && save_.empty()))
+      throw UsageError("--snapshot, --compare and --save need a scene: expected 'luxel view SCENE'");
     settings_.scene.check();
     settings_.light.check();
     settings_.picture.check();

@@ -93,4 +93,36 @@ std::vector<MetricPlan> plans_of(const YearMetrics& year) {
   return {autonomy, useful, sun};
 }
 
+std::vector<MetricPlan> plans_of_day(const DaylightYear& year, const Weather& weather,
+                                     const CalendarDay& day) {
+  const auto light = year.illuminance(year.replicates());
+  const auto points = year.points();
+  std::vector<MetricPlan> plans;
+  for (std::size_t h = 0; h < year.hours().size(); ++h) {
+    const auto& hour = year.hours()[h];
+    const auto& record = weather.hours[hour.record];
+    if (record.month != day.month || record.day != day.day) continue;
+    MetricPlan plan;
+    double sum = 0.0;
+    for (std::size_t m = 0; m < points; ++m) {
+      plan.values.push_back(static_cast<double>(light[h * points + m]));
+      sum += plan.values.back();
+    }
+    const auto minutes = std::lround(60.0 * hour.time);
+    plan.title = fmt::format("{:02}-{:02} {:02}:{:02}, illuminance", record.month, record.day, minutes / 60,
+                             minutes % 60);
+    plan.figures = {fmt::format("mean {} lx; outside {} lx by the sky",
+                                scale_number(std::round(sum / static_cast<double>(points))),
+                                scale_number(std::round(hour.sky_illuminance))),
+                    fmt::format("sun {:.0f}° high, azimuth {:.0f}°", hour.sun.elevation, hour.sun.azimuth)};
+    plan.scale = {.low = 10.0,
+                  .high = 100'000.0,
+                  .is_logarithmic = true,
+                  .marks = {10.0, 100.0, 300.0, 1000.0, 3000.0, 10'000.0, 100'000.0},
+                  .unit = "lx"};
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
 }  // namespace luxel

@@ -21,4 +21,14 @@ MetricPlan plan_of(const DaylightFactors& factors);
 // direct sun with the line of 250 h.
 std::vector<MetricPlan> plans_of(const YearMetrics& year);
 
+// A day of a year.
+struct CalendarDay {
+  unsigned month = 3, day = 21;
+};
+
+// The illuminance in each hour with light of a day, blinds open; without lines, since sunlight ends in
+// jumps. Empty where the year has no such hours. Cost: that of DaylightYear::illuminance().
+std::vector<MetricPlan> plans_of_day(const DaylightYear& year, const Weather& weather,
+                                     const CalendarDay& day);
+
 }  // namespace luxel

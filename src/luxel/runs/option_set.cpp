@@ -101,6 +101,13 @@ void OptionSet::apply_implied() {
   }
 }
 
+std::vector<std::string> OptionSet::headings() const {
+  std::vector<std::string> result;
+  for (const auto& e : entries_)
+    if (std::find(result.begin(), result.end(), e.heading) == result.end()) result.push_back(e.heading);
+  return result;
+}
+
 std::vector<std::pair<std::string, std::string>> OptionSet::values() const {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& e : entries_)

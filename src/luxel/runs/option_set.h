@@ -75,6 +75,8 @@ class OptionSet {
   void set_positional(const char* name, std::string& value, const char* help, const char* endings = "");
   // One or more words.
   void set_positionals(const char* name, std::vector<std::string>& values, const char* help);
+  // The command runs without its positionals too.
+  void make_positionals_optional() { needs_positionals_ = false; }
 
   // The options that --help lists, in this order; all others are left to --help-all. They must be declared.
   void show_first(std::vector<std::string> names);
@@ -102,6 +104,9 @@ class OptionSet {
   };
   const std::vector<Entry>& entries() const { return entries_; }
   const std::vector<Positional>& positionals() const { return positionals_; }
+  bool needs_positionals() const { return needs_positionals_; }
+  // The headings of the options, in the order of declaration; empty: that of options without one.
+  std::vector<std::string> headings() const;
   const std::vector<std::string>& first() const { return first_; }
   const std::vector<Example>& examples() const { return examples_; }
 
@@ -148,6 +153,7 @@ class OptionSet {
   std::string choice_, word_;
   std::vector<Entry> entries_;
   std::vector<Positional> positionals_;
+  bool needs_positionals_ = true;
   std::vector<std::string> first_;
   std::vector<Example> examples_;
 };

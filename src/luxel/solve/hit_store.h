@@ -67,8 +67,8 @@ class HitStore {
   // this together.
   ProcessTimes balance(std::span<const double> more_rays, double other_seconds);
 
-  // Traces the rays of all rounds again, through the panes of glass as they are now, and stores the hits. Alone,
-  // not with other processes.
+  // Traces the rays of all rounds again, through the panes of glass as they are now, and stores the hits.
+  // Alone, not with other processes.
   void trace_again(const Context& context);
 
   // Forgets the hits, and those of later rounds: they are streamed from now on.
