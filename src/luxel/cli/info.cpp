@@ -6,9 +6,9 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/run_report.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
+#include "luxel/runs/settings.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
