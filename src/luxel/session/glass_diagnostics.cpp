@@ -159,7 +159,7 @@ void find_doubled_panes(const ScannedMesh& mesh, const std::vector<GlassTriangle
   tell_materials(*mesh.scene, triangles, places, diagnostic);
   diagnostic.count = triangles.size();
   diagnostic.fact =
-      fmt::format("{} of glass within 1 mm of another sheet", counted_lie(triangles.size(), "triangle"));
+      fmt::format("{} within 1 mm of another sheet", counted_lie(triangles.size(), "glass triangle"));
   diagnostic.consequence = "lets each sheet absorb its part, so that such a pane absorbs twice";
   diagnostic.remedy = "remove one of the two sheets in the file, or give each the root of the transmittance";
   diagnostic.hints = {{Setting::glass, "NAME=0.9"}};
@@ -199,7 +199,7 @@ void find_covered_diffusers(const ScannedMesh& mesh, const Context& context, std
   tell_materials(*mesh.scene, triangles, places, diagnostic);
   diagnostic.count = triangles.size();
   diagnostic.fact =
-      fmt::format("{} of diffusers within 1 mm of a surface", counted_lie(triangles.size(), "triangle"));
+      fmt::format("{} within 1 mm of a surface", counted_lie(triangles.size(), "diffuser triangle"));
   diagnostic.consequence = "lets the light that they transmit end at that surface";
   diagnostic.remedy = "open the wall behind the diffuser in the file, or move the two apart";
   diagnostics.push_back(std::move(diagnostic));

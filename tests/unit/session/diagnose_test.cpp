@@ -278,7 +278,7 @@ TEST_F(Diagnose, finds_diffusers_that_lie_on_a_wall) {
   const auto& covered = found(report, DiagnosticKind::covered_diffuser);
   EXPECT_EQ(covered.severity, Severity::warning);
   EXPECT_EQ(covered.count, 2u);
-  EXPECT_EQ(covered.fact, "2 triangles of diffusers lie within 1 mm of a surface");
+  EXPECT_EQ(covered.fact, "2 diffuser triangles lie within 1 mm of a surface");
   EXPECT_EQ(kinds(of(with_sheets({2.0, 1.0}), options)).find("diffuser"), std::string::npos);
   EXPECT_EQ(kinds(report).find("opaque-glass"), std::string::npos);
 }
