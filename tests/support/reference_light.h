@@ -32,16 +32,17 @@ inline double total(const std::vector<double>& bands) {
 
 // Compares the sampled method with the path-traced reference: means of materials, band by band, within six
 // standard errors, and the parts of the energy balance, which it returns.
-inline EnergyBalance expect_same_light(const PatchSet& patches, double tolerance = 0.0) {
+inline EnergyBalance expect_same_light(const PatchSet& patches, double tolerance = 0.0,
+                                       double reference_error = 0.01) {
   const Context context(2);
   const Tracer tracer(patches, context);
   EnergyBalance energy;
   SurfaceMeans means;
   solved(patches, energy, means);
   Solution reference;
-  const auto traced =
-      trace_light(patches, tracer, reference,
-                  {.limits = {.error = 0.01}, .bounces_from = BouncesFrom::patches, .seed = 5}, context);
+  const auto traced = trace_light(
+      patches, tracer, reference,
+      {.limits = {.error = reference_error}, .bounces_from = BouncesFrom::patches, .seed = 5}, context);
   std::size_t compared = 0;
   for (const auto& mean : means.surfaces)
     for (std::size_t b = 0; b < 3; ++b) {
@@ -64,7 +65,7 @@ inline EnergyBalance expect_same_light(const PatchSet& patches, double tolerance
   const auto whole = total(energy.emitted) + total(energy.from_sky);
   const auto near = [&](const std::vector<double>& a, const std::vector<double>& b, const char* what) {
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(a[i], b[i], (0.02 + tolerance) * whole / 3.0) << what << i;
+      EXPECT_NEAR(a[i], b[i], (2.0 * reference_error + tolerance) * whole / 3.0) << what << i;
   };
   near(energy.from_sky, traced.from_sky, "from sky");
   near(energy.absorbed, traced.absorbed, "absorbed");
