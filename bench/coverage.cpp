@@ -188,14 +188,17 @@ class Pool {
   double true_error() const {
     SeenLight seen{{}, {}, sky_radiance(patches_)};
     const bool black = reflects_nothing(patches_, views_);
-    std::vector<double> squared_error(bands_);
+    const auto estimate_of = [this](SideId side) {
+      SideEstimate estimate;
+      for (auto i = side.index() * bands_; i < (side.index() + 1) * bands_; ++i) {
+        estimate.irradiance.push_back(truth_.irradiance[i]);
+        estimate.squared_error.push_back(differences_[i] / static_cast<double>(seeds_) - variance(i));
+      }
+      return estimate;
+    };
     for (const auto side : views_.sides) {
-      for (std::size_t b = 0; b < bands_; ++b)
-        squared_error[b] = differences_[side.index() * bands_ + b] / static_cast<double>(seeds_) -
-                           variance(side.index() * bands_ + b);
       const auto of_side =
-          light_of_side(patches_, side, std::span(truth_.irradiance).subspan(side.index() * bands_, bands_),
-                        squared_error, black);
+          light_of_side(patches_, side, estimate_of(side), estimate_of(side.opposite()), black);
       seen.radiance.push_back(of_side.radiance);
       seen.squared_error.push_back(of_side.squared_error);
     }

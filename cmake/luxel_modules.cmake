@@ -42,12 +42,12 @@ function(luxel_compile_together target)
   if(NOT LUXEL_UNITY)
     return()
   endif()
-  find_program(LUXEL_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
-  if(NOT LUXEL_PYTHON)
+  find_program(LUXEL_PYTHON3 python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  if(NOT LUXEL_PYTHON3)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
-  execute_process(COMMAND ${LUXEL_PYTHON} -B ${PROJECT_SOURCE_DIR}/tools/compile_units.py 8 ${sources}
+  execute_process(COMMAND ${LUXEL_PYTHON3} -B ${PROJECT_SOURCE_DIR}/tools/compile_units.py 8 ${sources}
                   WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE units OUTPUT_STRIP_TRAILING_WHITESPACE
                   COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "\n" ";" units ${units})

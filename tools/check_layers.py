@@ -19,9 +19,12 @@ def read_libraries():
 
 
 LIBRARIES = read_libraries()
-# The program is no luxel_module(...): it links these in src/luxel/cli/CMakeLists.txt. JSON has two homes: the library's
-# core/json.h, and the program.
-HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli"}
+# The program and the Python module are no luxel_module(...): each links these in its own CMakeLists.txt and may include
+# all modules. JSON has two homes: the library's core/json.h, and the program.
+TOPMOST = ("cli", "python")
+HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli", "pybind11": "python"}
+# What signs results with the program's version.
+USES_VERSION = TOPMOST + ("runs",)
 EVERYWHERE = r"fmt/"
 # Intrinsics: Embree requires two bits of the SSE control register to be set in each thread.
 SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "poll.h", "unistd.h", "termios.h",
@@ -130,10 +133,12 @@ class Includes:
         if not any(os.path.isfile(os.path.join(self.root, folder, include)) for folder in ("include", "src")):
             return f'"{include}" does not exist'
         if include.count("/") == 1:  # luxel/luxel.h and luxel/version.h belong to no module
-            return None if module == "cli" else f'"{include}" is for users of the library: include the headers of modules'
+            return None if module in USES_VERSION else f'"{include}" is for users of the library: include the headers of modules'
         other = include.split("/")[1]
-        if other == module or module == "cli":
+        if other == module or module in TOPMOST and other not in TOPMOST:
             return None
+        if other in TOPMOST:
+            return f"{other} is a program: nothing includes it"
         if module not in self.modules:
             return f"src/luxel/{module} is no luxel_module(...) of CMakeLists.txt"
         if other in self.modules[module].depends:
@@ -152,7 +157,7 @@ def check_unused(modules, used):
 
 def check_readmes(root, modules):
     """Each module's folder explains itself."""
-    for name in [module.name for module in modules] + ["cli"]:
+    for name in [module.name for module in modules] + list(TOPMOST):
         if not os.path.isdir(os.path.join(root, "src/luxel", name)):
             continue
         if not os.path.isfile(os.path.join(root, "src/luxel", name, "README.md")):

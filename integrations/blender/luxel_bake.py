@@ -3,7 +3,9 @@
 
 The scene is written as a GLB, `luxel bake` finds its light, and the light comes back to the corners of the meshes.
 Cycles' units are kept: one Blender unit counts as a metre, and light is in W/m², so what is baked is what Cycles'
-diffuse bake finds. Written for Blender 3.4; docs/blender.md says how to use it and what it does not do.
+diffuse bake finds. Written for Blender 3.4 and tested there; what later versions call otherwise is handled where it is
+read (Principled BSDF and the linear colour space of 4.0, exposure and temperature of lamps of 4.5), from their
+documentation. docs/blender.md says how to use it and what it does not do.
 """
 import json
 import math
@@ -30,7 +32,7 @@ bl_info = {
     "location": "Properties > Render > Luxel",
     "description": "Bakes diffuse light into vertex colours or lightmaps with Luxel",
     "category": "Render",
-}
+}  # of an extension, from Blender 4.2, blender_manifest.toml is read instead; tools/pack_addon.py checks that they agree
 
 LAYER = "Luxel"  # the name of what is baked: colour attribute, UV map, image
 EFFICACY = 179.0  # lm/W, Luxel's own: cd/m² and cd of the file over W
@@ -40,6 +42,9 @@ LAMP_GAP = 5e-4  # m, that an area lamp hangs before the surface it lies in
 LAMP_REFLECTANCE = 0.8  # of what there is of area lamps
 LAMP_CELLS = 10  # along an edge of an area lamp; light goes through it in Cycles, so it is squares with gaps
 LAMP_SQUARE = 0.25  # of a cell's edge, is a square's: a sixteenth of the lamp is in the way
+# Custom properties of an empty with a photometric file, beside 'luminaire' itself, as docs/luminaires.md has them.
+LUMINAIRE_PROPERTIES = ("luminaire_dimming", "luminaire_maintenance", "luminaire_group", "luminaire_turn",
+                        "luminaire_lamp_set")
 
 
 class BakeError(Exception):
@@ -121,11 +126,11 @@ class MaterialReader:
 
     def read_bsdf_principled(self, node):
         metallic = self.number(node.inputs["Metallic"])
-        passes = self.number(node.inputs["Transmission"]) * (1.0 - metallic)
+        passes = self.number(named(node.inputs, "Transmission", "Transmission Weight")) * (1.0 - metallic)
         surface = Surface()
         surface.colour, surface.colour_picture, surface.colours = self.colour(node.inputs["Base Color"])
         # Principled's own reflectance at normal incidence; light from all around would meet twice as much.
-        shine = 0.08 * self.number(node.inputs["Specular"]) if self.gloss_is_diffuse else 0.0
+        shine = self.reflectance_of_gloss(node) if self.gloss_is_diffuse else 0.0
         if surface.colour_picture is None and surface.colours is None:
             metal = surface.colour * metallic if self.gloss_is_diffuse else 0.0
             surface.colour = (surface.colour * (1.0 - metallic) + shine * (1.0 - metallic) + metal) * (1.0 - passes)
@@ -133,7 +138,7 @@ class MaterialReader:
             surface.colour = surface.colour * (1.0 if self.gloss_is_diffuse else 1.0 - metallic) * (1.0 - passes)
         if metallic > 0.0:
             self.note("metal is taken as " + ("diffuse" if self.gloss_is_diffuse else "dark"))
-        surface.emission, surface.emission_picture, _ = self.colour(node.inputs["Emission"])
+        surface.emission, surface.emission_picture, _ = self.colour(named(node.inputs, "Emission", "Emission Color"))
         surface.emission = surface.emission * self.number(node.inputs["Emission Strength"])
         surface.passes = passes
         alpha = source_of(node.inputs["Alpha"])
@@ -142,6 +147,14 @@ class MaterialReader:
         else:
             surface.passes = 1.0 - (1.0 - passes) * self.number(node.inputs["Alpha"])
         return surface
+
+    def reflectance_of_gloss(self, node):
+        """At normal incidence. From 4.0 on Specular scales that of the index of refraction, with 0.5 for all of it; before,
+        it had a factor of its own."""
+        if "Specular" in node.inputs:
+            return 0.08 * self.number(node.inputs["Specular"])
+        index = self.number(node.inputs["IOR"])
+        return 2.0 * self.number(node.inputs["Specular IOR Level"]) * ((index - 1.0) / (index + 1.0)) ** 2
 
     def read_bsdf_diffuse(self, node):
         surface = Surface()
@@ -212,6 +225,11 @@ class MaterialReader:
                     self.note(f"a texture placed by '{source.bl_label}' is placed by the UV map")
                 source = None
         return Picture(node.image, uv_map, placing, node.extension)
+
+
+def named(items, *names):
+    """The socket of the first of these names: versions of Blender differ."""
+    return next(items[name] for name in names if name in items)
 
 
 def source_of(socket):
@@ -375,6 +393,7 @@ class Exporter:
         self.surfaces = {}
         self.images = {}
         self.meshes = {}
+        self.photometry = {}  # names beside the scene of photometric files, by path and content
         self.sky = np.zeros(3)
         # Cycles takes a Blender unit for a metre, whatever the scene's unit scale; our gaps are true metres.
         self.unit = 1.0 / max(context.scene.unit_settings.scale_length, 1e-9)
@@ -392,9 +411,12 @@ class Exporter:
             matrix = instance.matrix_world.copy()
             if source.type == "LIGHT":
                 self.add_lamp(source, matrix)
+            elif source.type == "EMPTY" and isinstance(source.original.get("luminaire"), str):
+                self.add_luminaire_of_empty(source, matrix)
             elif source.type in {"MESH", "CURVE", "SURFACE", "FONT", "META"} and instance.show_self:
                 self.add_object(source, matrix, is_own=not instance.is_instance)
         self.add_world(self.context.scene.world)
+        self.write_photometry(os.path.dirname(path))
         self.glb.write(path)
 
     # Meshes.
@@ -556,10 +578,12 @@ class Exporter:
         if self.ies_node(lamp) is not None:
             self.add_luminaire(source, matrix)
             return
-        colour = np.array(lamp.color) * lamp.energy * self.lamp_nodes(lamp)
+        colour = colour_of_lamp(lamp) * lamp.energy * 2.0 ** getattr(lamp, "exposure", 0.0) * self.lamp_nodes(lamp)
         of_cycles = getattr(lamp, "cycles", None)  # which may be switched off
         if colour.max() <= 0.0 or (lamp.type == "AREA" and of_cycles is not None and of_cycles.is_portal):
             return
+        if not getattr(lamp, "normalize", True):  # from 4.5 on
+            self.notes.append(f"lamp '{source.name}': its power is taken as that of the whole lamp, as with Normalize")
         if lamp.type == "SUN":
             self.add_punctual(source, matrix, "directional", colour)  # W/m² on what faces it
         elif lamp.type == "AREA":
@@ -593,7 +617,7 @@ class Exporter:
         node = self.ies_node(lamp)
         self.reader.name = lamp.name
         dimming = self.reader.number(node.inputs["Strength"])
-        colour = np.array(lamp.color) * self.reader.colour(self.emission_of(lamp).inputs["Color"])[0]
+        colour = colour_of_lamp(lamp) * self.reader.colour(self.emission_of(lamp).inputs["Color"])[0]
         luminance = float(colour @ LUMINANCE)
         if lamp.energy <= 0.0 or dimming <= 0.0 or luminance <= 0.0:
             return
@@ -604,6 +628,30 @@ class Exporter:
         placed = self.glb.node(source.name, unscaled(matrix))
         self.glb.extension(placed, "EXT_lights_ies", {"light": len(lights) - 1, "multiplier": dimming,
                                                       "color": (colour / luminance).tolist()})
+
+    def add_luminaire_of_empty(self, source, matrix):
+        """An empty with the custom property 'luminaire', the path of an IES or EULUMDAT file, and where needed
+        luminaire_dimming, luminaire_turn and so on: docs/luminaires.md. It aims at the empty's -Z, with horizontal angle 0
+        along its X. The file is put beside the scene; in extras a luminaire aims at -Y, to which the node is turned."""
+        source = source.original  # whose properties are those of now
+        path = bpy.path.abspath(source["luminaire"], library=source.library)
+        try:
+            with open(path, "rb") as file:
+                content = file.read()
+        except OSError as error:
+            raise BakeError(f"{path}: the photometric file of the empty '{source.name}' cannot be read: "
+                            f"{error.strerror}") from error
+        name = f"luminaire-{len(self.photometry)}{os.path.splitext(path)[1].lower()}"
+        name = self.photometry.setdefault((path, content), name)
+        group = os.path.splitext(os.path.basename(path))[0]
+        extras = {key: source[key] for key in LUMINAIRE_PROPERTIES if key in source}
+        with_up = unscaled(matrix) @ Matrix.Rotation(math.radians(90.0), 4, "X")
+        self.glb.node(source.name, with_up, extras={"luminaire_group": group, **extras, "luminaire": name})
+
+    def write_photometry(self, folder):
+        for (_, content), name in self.photometry.items():
+            with open(os.path.join(folder, name), "wb") as file:
+                file.write(content)
 
     def lamp_nodes(self, lamp):
         """What an Emission node multiplies a lamp with."""
@@ -702,6 +750,12 @@ class Exporter:
         else:
             self.sky = self.reader.colour(node.inputs["Color"])[0]
         self.sky = self.sky * self.reader.number(node.inputs["Strength"])
+
+
+def colour_of_lamp(lamp):
+    """From 4.5 on a temperature may tint it."""
+    colour = np.array(lamp.color)
+    return colour * np.array(lamp.temperature_color) if getattr(lamp, "use_temperature", False) else colour
 
 
 def photometry_of(node):
@@ -997,7 +1051,7 @@ class Bake:
             image = None
         if image is None:
             image = bpy.data.images.new(LAYER, *size, alpha=False, float_buffer=True)
-        image.colorspace_settings.name = "Linear"
+        make_linear(image)
         image.pixels.foreach_set(pages[0].reshape(-1))
         image.update()
         image.pack()
@@ -1015,7 +1069,7 @@ class Bake:
             bpy.data.images.remove(bpy.data.images[LAYER])
         image = bpy.data.images.load(os.path.join(self.folder, f"{LAYER}.1001.exr"))
         image.source, image.name = "TILED", LAYER
-        image.colorspace_settings.name = "Linear"
+        make_linear(image)
         image.filepath = os.path.join(self.folder, f"{LAYER}.<UDIM>.exr")
         for page in range(len(pages)):
             if image.tiles.get(1001 + page) is None:
@@ -1064,6 +1118,11 @@ class Corners:
         self.uv[..., 0] += tile % 10
         self.uv[..., 1] = tile // 10 + 1.0 - self.uv[..., 1]
         self.loop = lit.array(attributes["_LOOP"])[of][..., 0]
+
+
+def make_linear(image):
+    """The colour space of linear sRGB, which was called 'Linear' before 4.0."""
+    image.colorspace_settings.name = "Linear" if bpy.app.version < (4, 0, 0) else "Linear Rec.709"
 
 
 def radiance_in(path):
@@ -1360,6 +1419,40 @@ class LUXEL_OT_bake(bpy.types.Operator):
         context.workspace.status_text_set(None)
 
 
+class LUXEL_OT_add_luminaire(bpy.types.Operator):
+    """Add an empty that emits as an IES or EULUMDAT file, at the 3D cursor, aimed straight down"""
+
+    bl_idname = "luxel.add_luminaire"
+    bl_label = "Add luminaire..."
+    bl_options = {"REGISTER", "UNDO"}
+
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH")
+    filter_glob: bpy.props.StringProperty(default="*.ies;*.ldt", options={"HIDDEN"})
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "OBJECT"
+
+    def execute(self, context):
+        if not os.path.isfile(bpy.path.abspath(self.filepath)):
+            self.report({"ERROR"}, f"'{self.filepath}' is no file: choose an IES or EULUMDAT file")
+            return {"CANCELLED"}
+        item = bpy.data.objects.new(os.path.splitext(os.path.basename(self.filepath))[0], None)
+        item.empty_display_type = "SINGLE_ARROW"  # along +Z, away from its light
+        item.location = context.scene.cursor.location
+        item["luminaire"], item["luminaire_dimming"] = self.filepath, 1.0
+        context.collection.objects.link(item)
+        for other in context.selected_objects:
+            other.select_set(False)
+        item.select_set(True)
+        context.view_layer.objects.active = item
+        return {"FINISHED"}
+
+    def invoke(self, context, _event):
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+
 class LUXEL_PT_bake(bpy.types.Panel):
     bl_label = "Luxel"
     bl_idname = "LUXEL_PT_bake"
@@ -1383,6 +1476,7 @@ class LUXEL_PT_bake(bpy.types.Panel):
             layout.prop(settings, name)
         layout.operator_context = "INVOKE_DEFAULT"
         layout.operator("luxel.bake", icon="LIGHT")
+        layout.operator("luxel.add_luminaire", icon="OUTLINER_OB_LIGHT")
 
 
 def program_of(context):
@@ -1390,7 +1484,7 @@ def program_of(context):
     return addon.preferences.program if addon is not None and addon.preferences is not None else "luxel"
 
 
-CLASSES = (LuxelPreferences, LuxelSettings, LUXEL_OT_bake, LUXEL_PT_bake)
+CLASSES = (LuxelPreferences, LuxelSettings, LUXEL_OT_bake, LUXEL_OT_add_luminaire, LUXEL_PT_bake)
 
 
 def register():

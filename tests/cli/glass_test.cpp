@@ -74,6 +74,22 @@ TEST(GlassOption, refuses_what_is_no_transmittance) {
   EXPECT_NE(none.err.find("no material lets light pass"), std::string::npos) << none.err;
 }
 
+// A window in a wall sees half of the sky, and a thin one sends the same part of its light on, whatever the
+// direction.
+TEST(GlassOption, diffusers_light_a_room_and_are_named_by_info) {
+  const auto folder = glazed_folder("glass_diffuse");
+  const auto half = illuminance(folder, "--glass glass=diffuse:0.5");
+  EXPECT_NEAR(illuminance(folder, "--glass glass=diffuse:0.25"), 0.5 * half, 0.15 * half);
+  EXPECT_GT(half, 0.0);
+  const auto dense =
+      cli::run(folder,
+               "$LUXEL bake room.obj --sky 1 --glass glass=diffuse:0.5 --method lines --max-edge 0.7 -o "
+               "b.vtkhdf --quiet");
+  EXPECT_EQ(dense.code, 0) << dense.err;
+  const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("--glass glass=diffuse:0.25"), std::string::npos) << info.out;
+}
+
 TEST(GlassOption, check_knows_windows) {
   const auto folder = glazed_folder("glass_check");
   const auto kinds = [&](const std::string& options) {

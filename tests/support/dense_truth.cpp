@@ -147,7 +147,9 @@ TrueLight true_light(const PatchSet& patches, const std::vector<double>& form_fa
         if (back && !material.two_sided) continue;
         double H = 0.0;
         for (std::size_t t = 0; t < sides; ++t) H += form_factors[s * sides + t] * radiosity[t];
-        const auto B = (back ? 0.0 : material.emittance[band]) + material.reflectance[band] * H;
+        auto B = (back ? 0.0 : material.emittance[band]) + material.reflectance[band] * H;
+        if (material.is_diffuser())
+          B += material.diffuse_transmittance[band] * light.irradiance.of(!back)[p * bands + band];
         change = std::max(change, std::abs(B - radiosity[s]));
         largest = std::max(largest, B);
         radiosity[s] = B;

@@ -30,8 +30,8 @@ struct TrueLight {
 std::vector<double> form_factors(const PatchSet& patches, const std::vector<ConvexPolygon>& screens,
                                  const Context& context);
 
-// The exact solution of H = F B, B = E + rho H over these patches (constant radiosity on each, backs of
-// one-sided materials black), by Gauss-Seidel to 1e-13.
+// The exact solution of H = F B, B = E + rho H + tau H of the other side over these patches (constant
+// radiosity on each, backs of one-sided materials black), by Gauss-Seidel to 1e-13.
 TrueLight true_light(const PatchSet& patches, const std::vector<double>& form_factors);
 
 }  // namespace luxel::truth

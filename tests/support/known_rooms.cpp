@@ -93,10 +93,22 @@ KnownRoom coloured_room() {
   return with_truth("coloured_room", b.scene(), 0.26f);
 }
 
-KnownRoom hung_plate() {
+namespace {
+
+Scene hung_plate_scene() {
   auto b = tiled_cube({{1, 1, Vec3(10.0f)}}, Vec3(0.5f), Vec3(0.5f));
   b.material("plate", 0.4f, 0.0f).quad(plate[0], plate[1], plate[2], plate[3]);
-  return with_truth("hung_plate", b.scene(), 0.26f, hung_plate_screens());
+  return b.scene();
+}
+
+}  // namespace
+
+KnownRoom hung_plate() { return with_truth("hung_plate", hung_plate_scene(), 0.26f, hung_plate_screens()); }
+
+KnownRoom opal_plate() {
+  auto scene = hung_plate_scene();
+  scene.materials.back().diffuse_transmittance = Vec3(0.4f);
+  return with_truth("opal_plate", scene, 0.26f, hung_plate_screens());
 }
 
 KnownRoom l_shaped() { return with_truth("l_shaped", l_room(), 0.36f, l_room_screens()); }

@@ -29,6 +29,8 @@ KnownRoom coloured_room();
 // A cube with a small lamp and a plate hung below it: a deep shadow with a soft edge, a plate lit on both
 // sides. 400 patches.
 KnownRoom hung_plate();
+// The same with a plate of opal plastic, which transmits two fifths of the light. Not one of known_rooms().
+KnownRoom opal_plate();
 // The L-shaped room, lit round the corner: the far end gets a hundredth of the light. 448 patches.
 KnownRoom l_shaped();
 

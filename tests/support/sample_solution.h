@@ -104,7 +104,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 inline bool same_material(const BandMaterial& a, const BandMaterial& b) {
   return a.name == b.name && a.two_sided == b.two_sided && a.light_group == b.light_group &&
          same_bits(a.reflectance, b.reflectance) && same_bits(a.emittance, b.emittance) &&
-         same_bits(a.transmittance, b.transmittance);
+         same_bits(a.transmittance, b.transmittance) &&
+         same_bits(a.diffuse_transmittance, b.diffuse_transmittance);
 }
 
 // The first member that differs, or nothing.

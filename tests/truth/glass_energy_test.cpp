@@ -17,91 +17,34 @@
 #include "luxel/solve/solve_light.h"
 
 #include "support/glass_panes.h"
+#include "support/reference_light.h"
 
 namespace luxel {
 namespace {
 
+using test::expect_same_light;
+using test::solved;
+using test::total;
 using truth::glazed_room;
 using truth::Glazing;
 using truth::parted_room;
 using truth::with_portals;
 
-constexpr double sigmas = 6.0;
 const Vec3 tint(0.5f, 0.7f, 0.9f);
-
-Solution solved(const PatchSet& patches, EnergyBalance& energy, SurfaceMeans& means) {
-  const Context context(2);
-  const Tracer tracer(patches, context);
-  Solution light;
-  auto report =
-      solve_sampled(patches, tracer, light,
-                    {.error = 0.01, .error_measure = ErrorMeasure::power, .smoothing = false}, context);
-  energy = report.energy;
-  means = report.means;
-  return light;
-}
-
-double total(const std::vector<double>& bands) {
-  double sum = 0.0;
-  for (const auto b : bands) sum += b;
-  return sum;
-}
-
-// Means of materials by both, band by band, and the parts of the energy balance.
-void expect_same_light(const PatchSet& patches, double tolerance = 0.0) {
-  const Context context(2);
-  const Tracer tracer(patches, context);
-  EnergyBalance energy;
-  SurfaceMeans means;
-  solved(patches, energy, means);
-  Solution reference;
-  const auto traced =
-      trace_light(patches, tracer, reference,
-                  {.limits = {.error = 0.01}, .bounces_from = BouncesFrom::patches, .seed = 5}, context);
-  std::size_t compared = 0;
-  for (const auto& mean : means.surfaces)
-    for (std::size_t b = 0; b < 3; ++b) {
-      double area = 0.0, truth = 0.0, variance = 0.0;
-      for (std::size_t p = 0; p < patches.size(); ++p) {
-        if (static_cast<std::size_t>(patches.material[p]) != mean.material) continue;
-        const double a = patches.area[p];
-        const auto i = 3 * p + b;
-        area += a;
-        truth += a * static_cast<double>(reference.irradiance.of(mean.is_back)[i]);
-        variance += std::pow(a * static_cast<double>(reference.standard_error.of(mean.is_back)[i]), 2.0);
-      }
-      EXPECT_NEAR(mean.irradiance[b], truth / area,
-                  sigmas * std::hypot(mean.standard_error[b], std::sqrt(variance) / area) +
-                      (2e-3 + tolerance) * truth / area)
-          << mean.name << (mean.is_back ? " back" : "") << ", band " << b;
-      ++compared;
-    }
-  EXPECT_GE(compared, 6u);
-  const auto whole = total(energy.emitted) + total(energy.from_sky);
-  const auto near = [&](const std::vector<double>& a, const std::vector<double>& b, const char* what) {
-    for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(a[i], b[i], (0.02 + tolerance) * whole / 3.0) << what << i;
-  };
-  near(energy.from_sky, traced.from_sky, "from sky");
-  near(energy.absorbed, traced.absorbed, "absorbed");
-  near(energy.escaped, traced.escaped, "escaped");
-  near(energy.in_panes, traced.in_panes, "in panes");
-  const auto gone =
-      total(energy.absorbed) + total(energy.escaped) + total(energy.lost_at_backs) + total(energy.in_panes);
-  EXPECT_NEAR(gone, whole, 0.02 * whole);
-  EXPECT_GT(total(energy.in_panes), 0.0);
-}
 
 TEST(GlassEnergy, a_glazed_room_has_the_light_of_the_reference) {
   for (const bool portals : {false, true})
     for (const auto& transmittance : {Vec3(0.7f), tint}) {
       SCOPED_TRACE(portals);
-      expect_same_light(with_portals(glazed_room(Glazing::sheet, transmittance, 0.6f), portals));
+      const auto energy =
+          expect_same_light(with_portals(glazed_room(Glazing::sheet, transmittance, 0.6f), portals));
+      EXPECT_GT(total(energy.in_panes), 0.0);
     }
 }
 
 TEST(GlassEnergy, a_room_parted_by_glass_has_the_light_of_the_reference) {
-  expect_same_light(make_patches(parted_room(Vec3(0.6f)), {.max_edge = 0.4f}));
+  const auto energy = expect_same_light(make_patches(parted_room(Vec3(0.6f)), {.max_edge = 0.4f}));
+  EXPECT_GT(total(energy.in_panes), 0.0);
 }
 
 // Rays to surfaces carry all bands alike: what is seen through tinted glass has its brightness, not its tint.

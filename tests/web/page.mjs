@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // node page.mjs FILE.glb OUT.png [--with three|babylon] [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size 800x600]
 //   [--like PICTURE.png]
-// Shows the file on a web page (three.js or Babylon.js in Debian's Chromium, headless) and photographs it. Eye and target
-// are in glTF's axes, Y up. Fails if the page has an error, or the picture is black or of one colour, or differs from
+// Shows the file on the page of examples/web (three.js or Babylon.js, in Debian's Chromium, headless) and photographs it. Eye
+// and target are in glTF's axes, Y up. Fails if the page has an error, or the picture is black or of one colour, or differs from
 // PICTURE by 1 % of the display's range or more, in the mean over the pixels that surfaces cover.
 import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -15,16 +15,35 @@ import { difference, launch } from './browser.mjs';
 const here = dirname(fileURLToPath(import.meta.url));
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.glb': 'model/gltf-binary' };
 
-// Serves the page, the model and the library to this machine alone; nothing else can be asked for.
-const pages = { three: 'viewer.html', babylon: 'babylon.html' };
+const examples = join(here, '..', '..', 'examples', 'web');
 
+// Each surface has its light with it: shadeless, from a lightmap, or black and shining. Run in the page.
+const findings = {
+  three: async () => {
+    const { scene, triangles } = await window.shown;
+    const isAlone = ({ isMeshBasicMaterial, lightMap, emissiveMap, emissive, color, opacity }) =>
+      isMeshBasicMaterial || lightMap || opacity === 0 || ((emissiveMap || emissive.getHex() > 0) && color.getHex() === 0);
+    let alone = true;
+    scene.traverse((part) => (alone &&= !part.isMesh || Boolean(isAlone(part.material))));
+    return { alone, triangles };
+  },
+  babylon: async () => {
+    const { scene } = await window.shown;
+    const isAlone = ({ unlit, emissiveTexture, emissiveColor, albedoColor }) =>
+      unlit || emissiveTexture || (emissiveColor?.toLuminance() > 0 && albedoColor.toLuminance() === 0);
+    const triangles = scene.meshes.reduce((sum, mesh) => sum + (mesh.getTotalIndices?.() ?? 0) / 3, 0);
+    return { alone: scene.materials.every((material) => Boolean(isAlone(material))), triangles };
+  },
+};
+
+// Serves the page, the model and the libraries to this machine alone; nothing else can be asked for.
 function serve(glb, page) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
     const file =
-      path === '/' ? join(here, page)
+      path === '/' ? join(examples, page)
       : path === '/model.glb' ? glb
-      : /^\/(three|babylonjs|babylonjs-loaders)\//.test(path) ? join(here, 'node_modules', path)
+      : /^\/node_modules\/(three|babylonjs|babylonjs-loaders)\//.test(path) ? join(here, path)
       : null;
     const bytes = file && (await readFile(file).catch(() => null));
     response.writeHead(bytes ? 200 : 404, { 'content-type': types[extname(file ?? '')] ?? 'text/plain' });
@@ -52,7 +71,7 @@ function statistics(page) {
   });
 }
 
-async function photograph(url, out, size, like) {
+async function photograph(url, out, library, size, like) {
   const browser = await launch();
   try {
     const page = await browser.newPage({ viewport: { width: size[0], height: size[1] } });
@@ -60,8 +79,8 @@ async function photograph(url, out, size, like) {
     page.on('pageerror', (error) => complaints.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
     await page.goto(url);
-    await page.waitForFunction('window.result', null, { timeout: 60_000 });
-    const result = await page.evaluate('window.result');
+    await page.waitForFunction('window.shown', null, { timeout: 60_000 });
+    const result = await page.evaluate(findings[library]).catch((error) => ({ error: error.message }));
     const shot = await page.screenshot({ path: out });
     const off = like ? await difference(page, shot, await readFile(like), true) : 0;
     return { ...result, ...(await statistics(page)), off, complaints };
@@ -89,14 +108,14 @@ const { values, positionals } = parseArgs({
   },
 });
 const [glb, out] = positionals;
-if (positionals.length !== 2 || !pages[values.with] || !(await stat(glb).catch(() => null))) {
+if (positionals.length !== 2 || !findings[values.with] || !(await stat(glb).catch(() => null))) {
   console.error('usage: node page.mjs FILE.glb OUT.png [--with three|babylon] [--eye X,Y,Z] [--target X,Y,Z] [--fov DEGREES] [--size WxH] [--like PNG]');
   exit(2);
 }
 const { with: library, size, like, ...view } = values;
-const server = await serve(glb, pages[library]);
+const server = await serve(glb, `${library}.html`);
 const address = `http://127.0.0.1:${server.address().port}/?${new URLSearchParams(view)}`;
-const seen = await photograph(address, out, size.split('x').map(Number), like);
+const seen = await photograph(address, out, library, size.split('x').map(Number), like);
 server.close();
 const wrong = verdict(seen);
 console.log(

@@ -208,15 +208,22 @@ def view_words():
 
 
 def show_in_babylon(place, node, photographs):
-    """Babylon.js shows the file for it, and the one for any program, as Luxel's default picture does."""
+    """Babylon.js shows the file for it, and the one for any program, as Luxel's default picture does; and lightmaps and
+    emissive textures, whose light has no tone curve, as one without it."""
+    look = ("--tone", "clamp", "--exposure", "1")
     place.run("render", "box.vtkhdf", *VIEW, "-o", "default.png")
+    place.run("render", "box.vtkhdf", *look, *VIEW, "-o", "clamp.png")
+    files = {program: (("--for", program, *CAMERA), "default.png") for program in ("babylon", "any")}
+    for form in FORMS[1:]:
+        words = ("--scene", place.scene, "--as", form, "--final-gather", "none", "--texels-per-metre", "200", *look)
+        files[form] = (words, "clamp.png")
     status = 0
-    for program in ("babylon", "any"):
-        place.run("export", "box.vtkhdf", "--for", program, *CAMERA, "-o", f"{program}.glb")
-        words = [node, os.path.join(HERE, "page.mjs"), place.at(f"{program}.glb"),
-                 os.path.join(photographs, f"{program}-babylon.png"), "--with", "babylon",
-                 *(f"--{name}={value}" for name, value in zip(("eye", "target", "fov"), view_words())),
-                 "--size", "640x480", "--like", place.at("default.png")]
+    for name, (words, like) in files.items():
+        place.run("export", "box.vtkhdf", *words, "-o", f"{name}.glb")
+        words = [node, os.path.join(HERE, "page.mjs"), place.at(f"{name}.glb"),
+                 os.path.join(photographs, f"{name}-babylon.png"), "--with", "babylon",
+                 *(f"--{option}={value}" for option, value in zip(("eye", "target", "fov"), view_words())),
+                 "--size", "640x480", "--like", place.at(like)]
         status |= subprocess.run(words, check=False).returncode
     return status
 

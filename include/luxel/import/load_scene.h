@@ -24,10 +24,12 @@ struct LuminaireGrid {
   double maintenance = 1.0;           ///< maintenance factor, (0, 1]
 };
 
-/// Makes materials panes of glass of this transmittance.
+/// Makes materials panes of glass, or diffusers, of this transmittance.
 struct GlassOption {
   std::string materials = {};       ///< names (* and ? allowed); empty: all that are not opaque in the file
   Vec3 transmittance = Vec3(1.0f);  ///< visible transmittance at normal incidence, [0, 1], not 0 in all bands
+  bool is_diffuse =
+      false;  ///< Material::diffuse_transmittance, [0, LoadOptions::max_reflectance], in its place
 };
 
 /// The sky and the sun around a scene. Angles are in degrees; azimuths are counted from north to the east.

@@ -23,7 +23,7 @@ namespace luxel {
 
 class BandColours;
 
-/// Upper limit of the reflectance of a patch, whatever its texture and material are changed to.
+/// Upper limit of the albedo of a patch, whatever its texture and material are changed to.
 inline constexpr float max_reflectance = 0.999f;
 
 /// A material in the transport: one number per band.
@@ -36,8 +36,12 @@ struct BandMaterial {
   MaterialTextures textures = {};
   /// [band], [0, 1]: of a pane of glass at normal incidence; empty: opaque, or light passes freely.
   std::vector<float> transmittance = {};
+  /// [band], [0, 1): of what a diffuser lets through, see Material; empty: none. Such a material is
+  /// two-sided.
+  std::vector<float> diffuse_transmittance = {};
 
   bool is_lamp() const;
+  bool is_diffuser() const { return !diffuse_transmittance.empty(); }
 };
 
 /// A lamp without a surface in the transport.
@@ -130,6 +134,7 @@ struct PatchSet {
   std::size_t group_count() const { return light_groups.empty() ? 1 : light_groups.size(); }
   bool has_sky() const;
   bool has_even_sky() const { return sky_patches.is_one(); }
+  bool has_diffusers() const;
   /// Irradiance of what sees nothing but this patch of the sky, W/m²: pi times its radiance, as if it were a
   /// surface.
   double sky_radiosity(std::size_t sky_patch, std::size_t band) const {
@@ -148,11 +153,21 @@ struct PatchSet {
   }
   /// Of a patch, in the mean over its area: [0, 1).
   float reflectance(std::size_t patch, std::size_t band) const {
-    assert(band < material_of(patch).reflectance.size());
-    const auto of_material = material_of(patch).reflectance[band];
-    return reflectance_ratio.empty()
-               ? of_material
-               : std::min(max_reflectance, of_material * reflectance_ratio[patch * bands.size() + band]);
+    const auto& m = material_of(patch);
+    assert(band < m.reflectance.size());
+    const auto of_material = m.reflectance[band];
+    if (reflectance_ratio.empty() && !m.is_diffuser()) return of_material;
+    const auto ratio = reflectance_ratio.empty() ? 1.0f : reflectance_ratio[patch * bands.size() + band];
+    return std::min(max_reflectance - diffuse_transmittance(patch, band), of_material * ratio);
+  }
+  /// Fraction of the light on a side that leaves the other side of the patch: [0, 1).
+  float diffuse_transmittance(std::size_t patch, std::size_t band) const {
+    const auto& m = material_of(patch);
+    return m.is_diffuser() ? m.diffuse_transmittance[band] : 0.0f;
+  }
+  /// Fraction of the light on a side that leaves the patch again, on either side; the rest is absorbed.
+  float albedo(std::size_t patch, std::size_t band) const {
+    return reflectance(patch, band) + diffuse_transmittance(patch, band);
   }
   /// Likewise, W/m² in the band, of its front.
   float emittance(std::size_t patch, std::size_t band) const {

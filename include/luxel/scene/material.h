@@ -24,6 +24,11 @@ struct Material {
   /// Of what is not opaque: visible transmittance of the pane at normal incidence, [0, 1]; 1: all light
   /// passes. A closed body of glass has it once, not at each of its two faces; see scene/glass.h.
   Vec3 transmittance = Vec3(1.0f);
+  /// Diffuse transmittance of a thin sheet such as opal glass, fabric, paper or a blind: the fraction of the
+  /// light on either side that leaves the other one, evenly in all directions; 0: none. Reciprocity makes it
+  /// the same both ways. With the reflectance at most LoadOptions::max_reflectance. The material is opaque
+  /// and two-sided: rays end on it.
+  Vec3 diffuse_transmittance = Vec3(0.0f);
 
   /// Replace the colours above, which remain the means over the textures, for use of the material as a whole:
   /// the mean is above 0 in each band in which the texture is above 0 anywhere.
@@ -36,6 +41,7 @@ struct Material {
   Spectrum reflectance_spectrum = {};  ///< [0, 1)
   Spectrum emittance_spectrum = {};    ///< W/(m² nm), front side
 
+  bool is_diffuser() const { return diffuse_transmittance != Vec3(0.0f); }
   bool is_lamp() const {
     if (!emittance_spectrum.empty()) return emittance_spectrum.any_above_zero();
     return emittance.r > 0.0f || emittance.g > 0.0f || emittance.b > 0.0f;

@@ -64,18 +64,41 @@ struct TextureRatio {
 /// What a material reflects there in a band, in the mean over the patch: [0, 1).
 inline float reflectance_at(const BandMaterial& material, const TextureRatio& ratio, std::size_t band) {
   const auto of_material = material.reflectance[band];
-  return ratio.reflectance ? std::min(max_reflectance, of_material * ratio.reflectance[band]) : of_material;
+  if (!ratio.reflectance && !material.is_diffuser()) return of_material;
+  const auto transmitted = material.is_diffuser() ? material.diffuse_transmittance[band] : 0.0f;
+  return std::min(max_reflectance - transmitted,
+                  ratio.reflectance ? of_material * ratio.reflectance[band] : of_material);
+}
+/// What it reflects and transmits diffusely there: [0, 1).
+inline float albedo_at(const BandMaterial& material, const TextureRatio& ratio, std::size_t band) {
+  const auto reflected = reflectance_at(material, ratio, band);
+  return material.is_diffuser() ? reflected + material.diffuse_transmittance[band] : reflected;
 }
 TextureRatio texture_ratio_of_patch(const PatchSet& patches, std::size_t patch);
 /// At (1-u-v) a + u b + v c of the patch.
 TextureRatio texture_ratio_at(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
                               float v);
 
+/// Irradiance where a surface is seen, [band], W/m²: on the side that is seen, and on the other one, whose
+/// light a diffuser transmits.
+struct SeenIrradiance {
+  const float* here = nullptr;
+  const float* behind = nullptr;
+};
+/// At a smooth vertex.
+SeenIrradiance irradiance_at(const SmoothLight& light, std::size_t vertex, bool back, std::size_t bands);
+
 /// The colour, W/(m² sr) by linear sRGB, of what leaves a side of a patch where its irradiance is the given
-/// one: (E + rho H) / pi, band by band, and then what these look like. So a wavelength that a surface does
-/// not reflect has no say in its colour, however bright it arrives. A back does not emit, and the back of a
-/// one-sided material is black. irradiance: [band].
-Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
+/// one: (E + rho H + tau H of the other side) / pi, band by band, and then what these look like. So a
+/// wavelength that a surface does not reflect has no say in its colour, however bright it arrives. A back
+/// does not emit, and the back of a one-sided material is black.
+Vec3d radiance_of(const BandMaterial& material, bool back, const SeenIrradiance& irradiance,
                   const BandColours& colours, const TextureRatio& ratio = {});
+
+/// The irradiance that would make a surface that reflects its whole albedo, rho + tau, look like this: the
+/// mean of both sides weighted by what of each leaves this side; H itself of what is no diffuser. What is
+/// shown as reflectance times irradiance, such as lightmaps and pages, takes it, with rho + tau.
+float effective_irradiance(const BandMaterial& material, const SeenIrradiance& irradiance,
+                           const TextureRatio& ratio, std::size_t band);
 
 }  // namespace luxel

@@ -64,7 +64,7 @@ class ClassicalRun {
     };
     report_.unshot_fraction = 1.0;
     const auto end = jacobi(transport,
-                            {light.area, light.emittance, light.from_sky, light.reflectance, light.before,
+                            {light.area, light.emittance, light.from_sky, light.scattering, light.before,
                              light.irradiance, light.radiosity},
                             options, context_, show)
                          .end;
@@ -72,14 +72,14 @@ class ClassicalRun {
     return end == JacobiEnd::step_limit ? StopReason::step_limit : StopReason::converged;
   }
 
-  // R = rho (D + F E + F R), and then B = E + R.
+  // R = S (D + F E + F R) with the scattering S, and then B = E + R.
   StopReason iterate_by_parts(const RowOperator& transport, RowLight& light, double tolerance) {
     std::vector<float> direct(light.irradiance.size());
     transport.apply(light.emittance, direct, 0, transport.size(), context_);
     for (std::size_t i = 0; i < direct.size(); ++i) direct[i] += light.from_sky[i];
     std::vector<float> reflected(direct.size(), 0.0f);
-    gauss_seidel(transport, {direct, light.reflectance, reflected, light.irradiance},
-                 {.tolerance = tolerance}, context_.quiet());
+    gauss_seidel(transport, {direct, light.scattering, reflected, light.irradiance}, {.tolerance = tolerance},
+                 context_.quiet());
     for (std::size_t i = 0; i < reflected.size(); ++i) light.before[i] = light.emittance[i] + reflected[i];
     close(transport, light);
     return StopReason::converged;
@@ -89,9 +89,9 @@ class ClassicalRun {
     report_.unshot_fraction = 1.0;
     auto leaves_first = light.emittance;  // E + rho D
     for (std::size_t i = 0; i < leaves_first.size(); ++i)
-      leaves_first[i] += light.reflectance[i] * light.from_sky[i];
+      leaves_first[i] += light.scattering.view().sent_on(light.from_sky, i, patches_.band_count());
     auto radiosity = leaves_first;
-    if (!solve_directly(transport.factors(), leaves_first, light.reflectance, radiosity, context_))
+    if (!solve_directly(transport.factors(), leaves_first, light.scattering, radiosity, context_))
       return StopReason::stopped_by_user;
     report_.unshot_fraction = 0.0;
     light.before = std::move(radiosity);
@@ -115,10 +115,11 @@ class ClassicalRun {
   // H and B from the radiosity found.
   void close(const RowOperator& transport, RowLight& light) {
     transport.apply(light.before, light.irradiance, 0, transport.size(), context_);
-    for (std::size_t i = 0; i < light.radiosity.size(); ++i) {
-      light.irradiance[i] += light.from_sky[i];
-      light.radiosity[i] = light.emittance[i] + light.reflectance[i] * light.irradiance[i];
-    }
+    const auto scattering = light.scattering.view();
+    for (std::size_t i = 0; i < light.radiosity.size(); ++i) light.irradiance[i] += light.from_sky[i];
+    for (std::size_t i = 0; i < light.radiosity.size(); ++i)
+      light.radiosity[i] =
+          light.emittance[i] + scattering.sent_on(light.irradiance, i, patches_.band_count());
     show_light(transport, light);
   }
 
@@ -152,8 +153,7 @@ std::vector<float> integration_errors(const DenseOperator& transport, const RowL
   const auto gathered = transport.irradiance_error(light.before);
   const std::vector<float> direct(gathered.begin(), gathered.end());
   std::vector<float> reflected(direct.size(), 0.0f), error(direct.size(), 0.0f);
-  gauss_seidel(transport, {direct, light.reflectance, reflected, error}, {.tolerance = 0.01},
-               context.quiet());
+  gauss_seidel(transport, {direct, light.scattering, reflected, error}, {.tolerance = 0.01}, context.quiet());
   // The part of a row that is left for the sky is as accurate as the row's sum.
   const auto& patches = transport.patches();
   for (std::size_t i = 0; i < error.size(); ++i) {

@@ -98,7 +98,8 @@ class Elimination {
 }  // namespace
 
 bool solve_directly(std::span<const float> factors, std::span<const float> emittance,
-                    std::span<const float> reflectance, std::span<float> radiosity, const Context& context) {
+                    const Scattering& scattering, std::span<float> radiosity, const Context& context) {
+  const auto reflectance = scattering.reflectance, transmittance = scattering.transmittance;
   const auto n = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(factors.size()))));
   std::copy(emittance.begin(), emittance.end(), radiosity.begin());
   if (n == 0) return true;
@@ -109,10 +110,14 @@ bool solve_directly(std::span<const float> factors, std::span<const float> emitt
     if (is_solved[band]) continue;
     std::vector<double> matrix(n * n);
     context.for_chunks(n, rows_per_chunk, [&](std::size_t begin, std::size_t end, int) {
-      for (auto i = begin; i < end; ++i)
+      for (auto i = begin; i < end; ++i) {
         for (std::size_t j = 0; j < n; ++j)
           matrix[i * n + j] =
               (i == j ? 1.0 : 0.0) - double{reflectance[i * bands + band]} * double{factors[i * n + j]};
+        for (std::size_t j = 0; scattering.transmits() && j < n; ++j)
+          matrix[i * n + j] -=
+              double{transmittance[i * bands + band]} * double{factors[scattering.far[i] * n + j]};
+      }
     });
     Elimination elimination(n, std::move(matrix), context);
     const auto tell_whole = [&](double fraction) {
@@ -123,7 +128,9 @@ bool solve_directly(std::span<const float> factors, std::span<const float> emitt
     for (auto other = band; other < bands; ++other) {
       bool is_alike = true;
       for (std::size_t i = 0; i < n && is_alike; ++i)
-        is_alike = reflectance[i * bands + other] == reflectance[i * bands + band];
+        is_alike =
+            reflectance[i * bands + other] == reflectance[i * bands + band] &&
+            (transmittance.empty() || transmittance[i * bands + other] == transmittance[i * bands + band]);
       if (!is_alike) continue;
       std::vector<double> right(n);
       for (std::size_t i = 0; i < n; ++i) right[i] = double{emittance[i * bands + other]};

@@ -34,7 +34,7 @@ double steps_of(const PatchSet& patches, const JacobiOptions& options) {
   double reflected = 0.0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     auto rho = 0.0f;
-    for (std::size_t b = 0; b < patches.band_count(); ++b) rho = std::max(rho, patches.reflectance(p, b));
+    for (std::size_t b = 0; b < patches.band_count(); ++b) rho = std::max(rho, patches.albedo(p, b));
     area += double{patches.area[p]};
     reflected += double{patches.area[p]} * double{rho};
   }

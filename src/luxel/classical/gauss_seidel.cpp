@@ -24,6 +24,14 @@ std::vector<std::size_t> part_begins(std::span<const std::uint32_t> row_begins, 
   return begins;
 }
 
+// Whether both sides of each diffuser are in one part, so that a part can send its light on when it is done.
+bool joins_diffusers(const Scattering& scattering, std::span<const std::size_t> begins) {
+  const auto part_of = [&](std::size_t row) { return std::upper_bound(begins.begin(), begins.end(), row); };
+  for (std::size_t row = 0; row < scattering.far.size(); ++row)
+    if (scattering.far[row] != row && part_of(row) != part_of(scattering.far[row])) return false;
+  return true;
+}
+
 struct Change {
   double difference = 0.0;
   double whole = 0.0;
@@ -59,18 +67,25 @@ double distance_after(double change, double before) {
 
 // Rows [begin, end): adds the direct light, reflects, and returns the change. summed: number of bands whose
 // sums are tested, or 0.
-Change reflect(const GaussSeidelRows& rows, std::size_t begin, std::size_t end, std::size_t summed,
-               const Context& context) {
-  const auto direct = rows.direct, reflectance = rows.reflectance;
+Change reflect(const GaussSeidelRows& rows, std::size_t bands, std::size_t begin, std::size_t end,
+               std::size_t summed, const Context& context) {
+  const auto direct = rows.direct;
+  const auto& scattering = rows.scattering;
   const auto radiosity = rows.radiosity, irradiance = rows.irradiance;
+  const bool transmits = scattering.transmits();
+  if (transmits)  // before any row takes the light of another
+    context.for_chunks(end - begin, grain, [&](std::size_t b, std::size_t e, int) {
+      for (auto i = begin + b; i < begin + e; ++i) irradiance[i] += direct[i];
+    });
 
   const Change zeros{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
   std::vector<Change> chunks((end - begin + grain - 1) / grain, zeros);
   context.for_chunks(end - begin, grain, [&](std::size_t b, std::size_t e, int) {
     auto& change = chunks[b / grain];
     for (auto i = begin + b; i < begin + e; ++i) {
-      irradiance[i] += direct[i];
-      const auto reflected = reflectance[i] * irradiance[i];
+      if (!transmits) irradiance[i] += direct[i];
+      auto reflected = scattering.reflectance[i] * irradiance[i];
+      if (transmits) reflected = scattering.sent_on(irradiance, i, bands);
       const auto difference = static_cast<double>(reflected) - static_cast<double>(radiosity[i]);
       change.difference += std::abs(difference);
       change.whole += std::abs(static_cast<double>(reflected));
@@ -217,9 +232,11 @@ GaussSeidelReport gauss_seidel(const TransportOperator& transport, const GaussSe
   const auto bands = transport.bands();
   const auto radiosity = rows.radiosity;
   assert(rows.direct.size() == transport.size() * bands);
-  assert(rows.reflectance.size() == rows.direct.size() && rows.irradiance.size() == rows.direct.size());
+  assert(rows.scattering.reflectance.size() == rows.direct.size() &&
+         rows.irradiance.size() == rows.direct.size());
   assert(radiosity.size() >= rows.direct.size());
-  const auto begins = part_begins(transport.row_begins(), options.parts);
+  auto begins = part_begins(transport.row_begins(), options.parts);
+  if (!joins_diffusers(rows.scattering, begins)) begins = part_begins(transport.row_begins(), 1);
   const auto summed = options.sum_tolerance > 0.0 ? bands : 0;
   Acceleration acceleration(options.memory, transport.size() * bands, context);
   GaussSeidelReport report;
@@ -230,7 +247,7 @@ GaussSeidelReport gauss_seidel(const TransportOperator& transport, const GaussSe
     Change sweep{0.0, 0.0, std::vector<double>(summed, 0.0), std::vector<double>(summed, 0.0)};
     for (std::size_t part = 0; part + 1 < begins.size(); ++part) {
       transport.apply(radiosity, rows.irradiance, begins[part], begins[part + 1], context);
-      sweep += reflect(rows, begins[part] * bands, begins[part + 1] * bands, summed, context);
+      sweep += reflect(rows, bands, begins[part] * bands, begins[part + 1] * bands, summed, context);
       report.is_stopped = context.report({"light"}) == Next::stop;
       if (report.is_stopped) return report;
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "luxel/classical/operator.h"
+#include "luxel/classical/scattering.h"
 #include "luxel/core/context.h"
 
 namespace luxel {
@@ -30,18 +31,19 @@ struct GaussSeidelReport {
 
 // What the iteration is of, and where its light goes. Rows: [row][band].
 struct GaussSeidelRows {
-  std::span<const float> direct;       // D
-  std::span<const float> reflectance;  // rho
+  std::span<const float> direct;  // D
+  Scattering scattering;          // rho and tau
   // The start and the result, [element][band], at least the rows; elements behind them (sinks) stay.
   std::span<float> radiosity;
   std::span<float> irradiance;  // out: D + F B
 };
 
-// Solves B = rho (D + F B) by block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one part
-// are computed in parallel from the newest radiosities of the others. Between sweeps the radiosity is
-// replaced by the combination of the last ones whose changes cancel best (Anderson 1965; Walker and Ni 2011).
-// Parts are fixed and sums are ordered, so the bits do not depend on the number of threads. Converges for any
-// F whose rows sum to at most 1 and rho < 1.
+// Solves B = S (D + F B), with S what scatters the light that arrives (rho, and tau from the other side), by
+// block Gauss-Seidel (Cohen and Wallace 1993, section 5.3): the rows of one part are computed in parallel
+// from the newest radiosities of the others. Between sweeps the radiosity is replaced by the combination of
+// the last ones whose changes cancel best (Anderson 1965; Walker and Ni 2011). Where the sides of diffusers
+// are in different parts there is one part. Parts are fixed and sums are ordered, so the bits do not depend
+// on the number of threads. Converges for any F whose rows sum to at most 1 and rho + tau < 1.
 //
 // Cost: one apply() per sweep; memory: 2 * memory + 2 copies of the rows. The monitor is polled after each
 // part.

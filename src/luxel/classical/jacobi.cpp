@@ -48,12 +48,13 @@ bool gather(const TransportOperator& transport, std::span<const float> radiosity
 JacobiReport jacobi(const TransportOperator& transport, const JacobiRows& rows, const JacobiOptions& options,
                     const Context& context, const EachStep& each_step) {
   const auto area = rows.area;
-  const auto emittance = rows.emittance, outside = rows.outside, reflectance = rows.reflectance;
+  const auto emittance = rows.emittance, outside = rows.outside;
+  const auto& scattering = rows.scattering;
   const auto before = rows.before, irradiance = rows.irradiance, radiosity = rows.radiosity;
   assert(area.size() == transport.size());
   assert(emittance.size() == area.size() * transport.bands());
   assert(outside.empty() || outside.size() == emittance.size());
-  assert(reflectance.size() == emittance.size() && before.size() == emittance.size());
+  assert(scattering.reflectance.size() == emittance.size() && before.size() == emittance.size());
   assert(irradiance.size() == emittance.size() && radiosity.size() == emittance.size());
   std::copy(emittance.begin(), emittance.end(), radiosity.begin());
   std::fill(before.begin(), before.end(), 0.0f);
@@ -83,9 +84,14 @@ JacobiReport jacobi(const TransportOperator& transport, const JacobiRows& rows, 
     context.for_chunks(radiosity.size(), grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) {
         irradiance[i] = outside.empty() ? next[i] : outside[i] + next[i];
-        radiosity[i] = emittance[i] + reflectance[i] * irradiance[i];
+        radiosity[i] = emittance[i] + scattering.reflectance[i] * irradiance[i];
       }
     });
+    if (scattering.transmits())
+      context.for_chunks(radiosity.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+        for (auto i = begin; i < end; ++i)
+          radiosity[i] = emittance[i] + scattering.sent_on(irradiance, i, transport.bands());
+      });
     unshot = power(radiosity, before, area, context) / emitted;
     report.unshot_fraction.push_back(unshot);
     if (each_step)

@@ -7,6 +7,7 @@
 
 #include "luxel/classical/method_options.h"
 #include "luxel/classical/operator.h"
+#include "luxel/classical/scattering.h"
 #include "luxel/core/context.h"
 
 namespace luxel {
@@ -23,9 +24,9 @@ struct JacobiStep {
 struct JacobiRows {
   std::span<const float> area;  // [row], m²
   // The others: [row][band].
-  std::span<const float> emittance;    // E
-  std::span<const float> outside;      // D; empty: none
-  std::span<const float> reflectance;  // rho
+  std::span<const float> emittance;  // E
+  std::span<const float> outside;    // D; empty: none
+  Scattering scattering;             // rho and tau
   // Filled with the last whole step, or with 0, 0 and E where there is none.
   std::span<float> before;  // the radiosity that this step sent on
   std::span<float> irradiance;

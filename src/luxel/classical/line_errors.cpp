@@ -62,7 +62,7 @@ std::vector<float> line_errors(const LinesOperator& transport, const RowLight& l
       drawn[i] = static_cast<float>(sign * std::sqrt(own[i]));
     }
     std::fill(reflected.begin(), reflected.end(), 0.0f);
-    gauss_seidel(transport, {drawn, light.reflectance, reflected, whole}, {.tolerance = probe_tolerance},
+    gauss_seidel(transport, {drawn, light.scattering, reflected, whole}, {.tolerance = probe_tolerance},
                  context.quiet());
     for (std::size_t i = 0; i < own.size(); ++i) {
       const auto more = double{whole[i]} - double{drawn[i]};

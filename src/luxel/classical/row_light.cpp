@@ -8,14 +8,14 @@
 
 namespace luxel {
 
-RowLight::RowLight(const RowOperator& transport) {
+RowLight::RowLight(const RowOperator& transport)
+    : scattering(scattering_of(transport.patches(), transport.sides(), Context(1))) {
   const auto& patches = transport.patches();
   for (std::size_t receiver = 0; receiver < transport.size(); ++receiver) {
     const auto side = transport.sides().side[receiver];
     const auto escaped = std::max(0.0, transport.losses().escaped[receiver]);
     area.push_back(patches.area[side.patch()]);
     for (std::size_t b = 0; b < patches.band_count(); ++b) {
-      reflectance.push_back(patches.reflectance(side.patch(), b));
       emittance.push_back(!side.is_back() ? patches.emittance(side.patch(), b) : 0.0f);
       from_sky.push_back(static_cast<float>(escaped * patches.sky_radiosity(0, b)));
     }
@@ -57,7 +57,10 @@ EnergyAccount energy_of(const RowOperator& transport, const RowLight& light) {
     const auto b = i % bands;
     const double area = light.area[receiver];
     const auto sent = area * double{light.before[i]};
-    balance.absorbed[b] += area * (1.0 - double{light.reflectance[i]}) * double{light.irradiance[i]};
+    const auto albedo =
+        double{light.scattering.reflectance[i]} +
+        (light.scattering.transmittance.empty() ? 0.0 : double{light.scattering.transmittance[i]});
+    balance.absorbed[b] += area * (1.0 - albedo) * double{light.irradiance[i]};
     balance.escaped[b] += sent * losses.escaped[receiver];
     // The irradiance includes the sky's light from the first step on.
     const auto on_its_way = double{light.from_sky[i]} - std::min(light.from_sky[i], light.irradiance[i]);

@@ -5,19 +5,20 @@
 
 #include "luxel/classical/energy.h"
 #include "luxel/classical/row_operator.h"
+#include "luxel/classical/scattering.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {
 
 // The light of the receivers of a row operator while it is solved. [receiver][band], W/m².
 struct RowLight {
-  std::vector<float> area;         // [receiver], m²
-  std::vector<float> reflectance;  // of the receiver's material
-  std::vector<float> emittance;    // E: fronts only
-  std::vector<float> before;       // the radiosity that the irradiance comes from
-  std::vector<float> from_sky;     // D: irradiance straight from the sky
-  std::vector<float> irradiance;   // H = D + F before; 0 where nothing was sent on yet
-  std::vector<float> radiosity;    // B = E + rho H
+  std::vector<float> area;        // [receiver], m²
+  ScatteringTable scattering;     // of the receivers' patches
+  std::vector<float> emittance;   // E: fronts only
+  std::vector<float> before;      // the radiosity that the irradiance comes from
+  std::vector<float> from_sky;    // D: irradiance straight from the sky
+  std::vector<float> irradiance;  // H = D + F before; 0 where nothing was sent on yet
+  std::vector<float> radiosity;   // B = E + rho H + tau H of the other side
 
   // Nothing is lit yet: B is E.
   explicit RowLight(const RowOperator& transport);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -101,14 +102,35 @@ class Iteration {
       const auto here = before * (1.0 - p.done * (1.0 - reflected));
       return context_.report({p.stage, std::clamp(1.0 - here, 0.0, 1.0), report_.rays + p.rays});
     };
-    const auto arrival = shooter_.shoot(
+    auto arrival = shooter_.shoot(
         unshot_,
         {.rays = rays, .seed = options_.seed, .step = static_cast<std::uint32_t>(report_.steps.size())},
         tell_whole);
     report_.rays += arrival.rays;
+    add_far_sides(arrival);
     if (arrival.fraction > 0.0) receive(arrival, unshot_power_ / static_cast<double>(arrival.rays));
     report_.steps.push_back({arrival.rays, report_.unshot_fraction});
     return arrival.fraction;
+  }
+
+  // Enters the sides of diffusers to which nothing came but through the patch.
+  void add_far_sides(Arrival& arrival) const {
+    if (!patches_.has_diffusers()) return;
+    const auto met = std::exchange(arrival.side, {});
+    const auto arrived = std::exchange(arrival.arrived, {});
+    const auto add = [&](SideId side, std::size_t e) {
+      arrival.side.push_back(side);
+      for (std::size_t b = 0; b < bands_; ++b)
+        arrival.arrived.push_back(e < met.size() ? arrived[e * bands_ + b] : 0);
+    };
+    for (std::size_t e = 0; e < met.size(); ++e) {
+      const bool diffuses = patches_.material_of(met[e].patch()).is_diffuser();
+      if (diffuses && met[e].is_back() && (e == 0 || met[e - 1] != met[e].opposite()))
+        add(met[e].opposite(), met.size());
+      add(met[e], e);
+      if (diffuses && !met[e].is_back() && (e + 1 == met.size() || met[e + 1] != met[e].opposite()))
+        add(met[e].opposite(), met.size());
+    }
   }
 
   // Adds the arrived power, in quanta of that many watts (all bands together); the reflected part becomes the
@@ -132,11 +154,14 @@ class Iteration {
         for (std::size_t b = 0; b < bands_; ++b) {
           const auto power = watts(arrival.arrived[e * bands_ + b]);
           const double rho = patches_.reflectance(side.patch(), b);
-          const auto reflected = rho * power;
+          const double tau = patches_.diffuse_transmittance(side.patch(), b);
+          auto reflected = rho * power;
+          if (tau > 0.0)  // the entries of both sides follow each other
+            reflected += tau * watts(arrival.arrived[(side.is_back() ? e - 1 : e + 1) * bands_ + b]);
           arrived_[side.index() * bands_ + b] += power;
           unshot_.watts[e * bands_ + b] = reflected;
           unshot[chunk] += reflected;
-          absorbed[chunk * bands_ + b] += (1.0 - rho) * power;
+          absorbed[chunk * bands_ + b] += (1.0 - rho - tau) * power;
           irradiance[chunk] += power / static_cast<double>(patches_.area[side.patch()]);
         }
       }
@@ -212,8 +237,13 @@ void Iteration::fill(Solution& solution) {
         back_power += back;
         solution.irradiance.front[i] = static_cast<float>(front / area);
         solution.irradiance.back[i] = static_cast<float>(back / area);
-        solution.radiosity.front[i] = static_cast<float>(patches_.emittance(p, b) + rho * (front / area));
-        solution.radiosity.back[i] = static_cast<float>(rho * (back / area));
+        auto front_sent = rho * (front / area), back_sent = rho * (back / area);
+        if (const double tau = patches_.diffuse_transmittance(p, b); tau > 0.0) {
+          front_sent += tau * (back / area);
+          back_sent += tau * (front / area);
+        }
+        solution.radiosity.front[i] = static_cast<float>(patches_.emittance(p, b) + front_sent);
+        solution.radiosity.back[i] = static_cast<float>(back_sent);
       }
       squares[begin / grain] += (front_power * front_power + back_power * back_power) / area;
     }
@@ -249,7 +279,7 @@ std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch) {
   for (std::size_t p = 0; p < patches.size(); ++p) {
     area += patches.area[p];
     double rho = 0.0;
-    for (std::size_t b = 0; b < patches.band_count(); ++b) rho += double{patches.reflectance(p, b)};
+    for (std::size_t b = 0; b < patches.band_count(); ++b) rho += double{patches.albedo(p, b)};
     reflected += patches.area[p] * (rho / static_cast<double>(patches.band_count()));
   }
   const auto once = std::max(0.05, 1.0 - reflected / area);

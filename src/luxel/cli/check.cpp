@@ -5,13 +5,13 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
-#include "luxel/cli/lit_scene.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/export_coloured.h"
 #include "luxel/render/automatic_camera.h"
+#include "luxel/runs/lit_scene.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/settings.h"
 #include "luxel/session/diagnostic_mesh.h"
 
 namespace luxel {

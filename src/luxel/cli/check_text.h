@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
-#include "luxel/cli/run_record.h"
+#include "luxel/runs/option_set.h"
+#include "luxel/runs/run_record.h"
 #include "luxel/session/diagnose.h"
 
 namespace luxel {

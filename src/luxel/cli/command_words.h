@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

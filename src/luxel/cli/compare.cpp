@@ -8,14 +8,14 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/quantity.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
 #include "luxel/image/image_file.h"
 #include "luxel/patch/side.h"
 #include "luxel/render/difference_picture.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/quantity.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {

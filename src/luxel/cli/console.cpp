@@ -12,11 +12,11 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/flags.h"
-#include "luxel/cli/quantity.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/wrapped_text.h"
 #include "luxel/core/time_left.h"
+#include "luxel/runs/quantity.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {
@@ -89,7 +89,7 @@ void Console::detail(const std::string& label, const std::string& text) {
   if (verbose_) say(label, text);
 }
 
-LogSink Console::log(Notes notes) {
+LogSink Console::log_as(Notes notes) {
   return [this, notes](const Message& message) {
     if (message.severity == Severity::note) {
       const auto text = with_flags(message.text, message.hints);
@@ -104,7 +104,7 @@ LogSink Console::log(Notes notes) {
   };
 }
 
-Monitor Console::monitor(bool heeds_interrupt) {
+Monitor Console::monitor_that(bool heeds_interrupt) {
   return [this, heeds_interrupt](const Progress& progress) {
     if (as_json_)
       tell_program(progress);
@@ -114,13 +114,11 @@ Monitor Console::monitor(bool heeds_interrupt) {
   };
 }
 
-Context Console::reporting(const Context& context, bool heeds_interrupt) {
-  return context.with_log(log()).with_monitor(monitor(heeds_interrupt));
+std::string Console::worded(const std::string& sentence, const std::vector<Hint>& hints) const {
+  return with_flags(sentence, hints);
 }
 
-Context Console::detailing(const Context& context) {
-  return context.with_log(log(Notes::detailed)).with_monitor(monitor());
-}
+bool Console::is_interrupted() const { return interrupted(); }
 
 void Console::announce(const std::string& stage) {
   if (quiet_ || as_json_ || !terminal_) return;

@@ -7,6 +7,7 @@
 #include "luxel/cli/terminal.h"
 #include "luxel/core/context.h"
 #include "luxel/core/progress.h"
+#include "luxel/runs/reporter.h"
 
 namespace luxel {
 
@@ -16,33 +17,29 @@ struct RunSettings;
 // and a progress bar on a terminal or a line now and then elsewhere; with --progress json one line of JSON
 // per message for other programs. With --quiet only errors. Results go to the standard output and never
 // through here.
-class Console {
+class Console final : public Reporter {
  public:
   Console();
   explicit Console(const RunSettings& run);
-  ~Console();
-  Console(const Console&) = delete;
-  Console& operator=(const Console&) = delete;
+  ~Console() override;
 
   // A line with a label in a column of its own: "scene     room.obj: 32 triangles". Further lines of the text
   // are indented to that column.
-  void say(const std::string& label, const std::string& text);
+  void say(const std::string& label, const std::string& text) override;
   // The same with --verbose only.
-  void detail(const std::string& label, const std::string& text);
-  // Warnings and errors; notes are lines, or details.
-  enum class Notes { shown, detailed };
-  LogSink log(Notes notes = Notes::shown);
-  // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
-  // there is), give heeds_interrupt = false.
-  Monitor monitor(bool heeds_interrupt = true);
-  // The same threads and processes, with this console's log and monitor.
-  Context reporting(const Context& context, bool heeds_interrupt = true);
-  // The same, where notes are details.
-  Context detailing(const Context& context);
+  void detail(const std::string& label, const std::string& text) override;
   // On a terminal: shows a stage of unknown progress, until the next message or bar.
-  void announce(const std::string& stage);
+  void announce(const std::string& stage) override;
   // Takes the bar off the screen.
-  void clear_bar();
+  void clear_bar() override;
+  // The sentence, with the options that may help.
+  std::string worded(const std::string& sentence, const std::vector<Hint>& hints) const override;
+  bool is_interrupted() const override;
+  // Warnings and errors; notes are lines, or details.
+  LogSink log_as(Notes notes) override;
+  // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
+  // there is), heeds_interrupt is false.
+  Monitor monitor_that(bool heeds_interrupt) override;
   // Returns whether messages go to a terminal, where people read them.
   bool is_read() const { return terminal_ && !quiet_ && !as_json_; }
 

@@ -12,11 +12,7 @@
 #include "luxel/cli/daylight_drawings.h"
 #include "luxel/cli/daylight_report.h"
 #include "luxel/cli/file_date.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/picture_camera.h"
 #include "luxel/cli/probe_settings.h"
-#include "luxel/cli/run_record.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/table_output.h"
 #include "luxel/cli/year_settings.h"
 #include "luxel/core/error.h"
@@ -24,12 +20,15 @@
 #include "luxel/daylight/daylight_scene.h"
 #include "luxel/daylight/year_file.h"
 #include "luxel/import/set_daylight.h"
-#include "luxel/lamps/choose_portals.h"
 #include "luxel/report/daylight_page.h"
 #include "luxel/report/room_data.h"
+#include "luxel/runs/daylight_transport.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/picture_camera.h"
+#include "luxel/runs/run_record.h"
+#include "luxel/runs/settings.h"
 #include "luxel/scene/up_axis.h"
 #include "luxel/sky/sky_integrals.h"
-#include "luxel/solve/bake.h"
 #include "luxel/version.h"
 
 namespace luxel {
@@ -40,16 +39,6 @@ constexpr double en_17037_height = 0.85, en_17037_border = 0.5;  // m
 
 bool is_year_file(const std::string& output) { return output.ends_with(".h5"); }
 bool is_drawing(const std::string& output) { return output.ends_with(".svg"); }
-
-// A finished run and its input.
-struct Transport {
-  PatchSet patches;  // without portals, so that every ray to the sky counts where it met it
-  std::vector<Portal> openings;
-  std::optional<Tracer> tracer;  // of the patches
-  std::shared_ptr<const SampleState> samples;
-  SampledOptions options;
-  double error = 0.0;
-};
 
 // `daylight`: daylight factors, and a year of daylight, from one solve.
 class DaylightCommand final : public Command {
@@ -107,7 +96,10 @@ class DaylightCommand final : public Command {
       skies = record.stage("skies", [&](auto&) { return skies_of_year(*weather, sky, albedo_, context); });
     set_only_sky(sky, weather ? mean_sky(skies) : overcast(sky), scene);
     if (year_.has_groups()) make_panes_of_groups(year_.groups(), scene);
-    const auto transport = solve(scene, context, console, record);
+    const auto transport = solve_daylight(
+        scene, scene_.file, {scene_.patches, error_, coefficients_.seed},
+        [&](const PatchSet& patches) { drawings_.check_point(points(patches, up).position.size()); },
+        {context, console, record});
     if (!transport) return stopped_before_light(console);
 
     const auto& tracer = *transport->tracer;
@@ -210,40 +202,8 @@ class DaylightCommand final : public Command {
     return sky_patch_luminances(SkyModel::cie(16), sky, Daylight().illuminance, albedo_);
   }
 
-  std::optional<Transport> solve(const Scene& scene, const Context& context, Console& console,
-                                 RunRecord& record) const {
-    Transport t;
-    t.patches = record.stage("patches", [&](auto&) {
-      auto how = scene_.patches;
-      if (how.max_edge == automatic_edge) how.target_count = RefineOptions::coarse_patches;
-      return make_patches_for_light(scene, how, console.detailing(context));
-    });
-    if (interrupted()) return std::nullopt;
-    set_portals(scene, t.patches, context);
-    t.openings = std::exchange(t.patches.portals, {});
-    console.say("scene", fmt::format("{}: {} patches, {} windows and other openings", scene_.file,
-                                     t.patches.size(), t.openings.size()));
-    drawings_.check_point(points(t.patches, up_of(scene)).position.size());
-    t.options.error = error_;
-    t.options.seed = coefficients_.seed;
-    Solution solution;
-    t.tracer.emplace(t.patches, context);
-    const SolveHooks hooks{
-        .from = {},
-        .keep = [&](std::shared_ptr<const SampleState> state) { t.samples = std::move(state); },
-        .on_light = {}};
-    record.stage("light", [&](auto& stage) {
-      stage.rays =
-          solve_sampled(t.patches, *t.tracer, solution, t.options, hooks, console.reporting(context)).rays;
-    });
-    if (interrupted() || !t.samples) return std::nullopt;
-    t.error = solution.seen_error;
-    console.say("light", fmt::format("error {:.2g} % of the mean sky's light", 100.0 * t.error));
-    return t;
-  }
-
   // Without groups after a stop.
-  WindowLight window_light(const Scene& scene, const Transport& t, const DaylightCoefficients& open,
+  WindowLight window_light(const Scene& scene, const DaylightTransport& t, const DaylightCoefficients& open,
                            const Context& context, std::uint64_t& rays) const {
     if (!year_.has_groups()) return {year_.groups(), {}, {}, 0.0};
     const auto groups = year_.groups();

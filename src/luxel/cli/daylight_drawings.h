@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "luxel/cli/daylight_report.h"
-#include "luxel/cli/option_set.h"
-#include "luxel/cli/outputs.h"
 #include "luxel/cli/probe_settings.h"
 #include "luxel/daylight/daylight_plans.h"
 #include "luxel/daylight/metric_plan.h"
 #include "luxel/daylight/year.h"
 #include "luxel/report/daylight_page.h"
+#include "luxel/runs/option_set.h"
+#include "luxel/runs/outputs.h"
 
 namespace luxel {
 

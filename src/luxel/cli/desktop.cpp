@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "luxel/cli/outputs.h"
 #include "luxel/core/ending_of.h"
+#include "luxel/runs/outputs.h"
 
 namespace luxel {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <fmt/chrono.h>
 
-#include "luxel/cli/option_set.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 namespace {

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
 #include "luxel/cli/run_report.h"
-#include "luxel/cli/settings.h"
+#include "luxel/cli/workplace.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 

@@ -5,10 +5,10 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/quality.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/solved_scene.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/quality.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {

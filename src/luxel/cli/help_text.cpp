@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/quality.h"
 #include "luxel/cli/wrapped_text.h"
+#include "luxel/runs/quality.h"
 
 namespace luxel {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/cli/terminal.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

@@ -6,9 +6,9 @@
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/run_report.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
+#include "luxel/runs/settings.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
@@ -62,6 +62,8 @@ class Info final : public Command {
       if (!m.opaque) text += "  lets light pass";
       if (const auto& t = m.transmittance; t != Vec3(1.0f))
         text += fmt::format("  transmittance {:.3g} {:.3g} {:.3g}", t.r, t.g, t.b);
+      if (const auto& t = m.diffuse_transmittance; m.is_diffuser())
+        text += fmt::format("  diffuse transmittance {:.3g} {:.3g} {:.3g}", t.r, t.g, t.b);
       text += "\n";
     }
     return text;
@@ -91,7 +93,8 @@ class Info final : public Command {
                            {"emittance_W_per_m2", triple(m.emittance)},
                            {"two_sided", m.two_sided},
                            {"opaque", m.opaque},
-                           {"transmittance", triple(m.transmittance)}});
+                           {"transmittance", triple(m.transmittance)},
+                           {"diffuse_transmittance", triple(m.diffuse_transmittance)}});
     }
     const Json json = {{"command", "info"},
                        {"triangles", scene.triangles.size()},

@@ -7,13 +7,8 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/commands.h"
-#include "luxel/cli/compression_setting.h"
 #include "luxel/cli/console.h"
 #include "luxel/cli/finish.h"
-#include "luxel/cli/lightmap_settings.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/quality.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/solved_scene.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/output_file.h"
@@ -21,6 +16,11 @@
 #include "luxel/image/image_file.h"
 #include "luxel/render/lightmap_picture.h"
 #include "luxel/render/radiance_pages.h"
+#include "luxel/runs/compression_setting.h"
+#include "luxel/runs/lightmap_settings.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/quality.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {

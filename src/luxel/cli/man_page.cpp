@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/help_text.h"
-#include "luxel/cli/quality.h"
+#include "luxel/runs/quality.h"
 
 namespace luxel {
 namespace {

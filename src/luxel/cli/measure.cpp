@@ -8,8 +8,6 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/run_record.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/solved_scene.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/suggestion.h"
@@ -17,6 +15,8 @@
 #include "luxel/core/output_file.h"
 #include "luxel/patch/focus.h"
 #include "luxel/render/surface_measure.h"
+#include "luxel/runs/run_record.h"
+#include "luxel/runs/settings.h"
 #include "luxel/solution/solution_file.h"
 
 namespace luxel {

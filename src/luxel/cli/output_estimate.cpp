@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "luxel/classical/stochastic_jacobi.h"
-#include "luxel/cli/quantity.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
 #include "luxel/image/image_file.h"
+#include "luxel/runs/quantity.h"
 
 namespace luxel {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "luxel/cli/outputs.h"
+#include "luxel/cli/workplace.h"
+#include "luxel/runs/outputs.h"
 
 namespace luxel {
 

@@ -6,11 +6,11 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
 #include "luxel/cli/photometry_text.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
 #include "luxel/photometry/polar_svg.h"
+#include "luxel/runs/outputs.h"
 
 namespace luxel {
 namespace {

@@ -8,17 +8,18 @@
 #include "luxel/cli/area_output.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/picture_camera.h"
 #include "luxel/cli/probe_output.h"
 #include "luxel/cli/probe_settings.h"
-#include "luxel/cli/run_record.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/solved_scene.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/table_output.h"
+#include "luxel/cli/workplace.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/picture_camera.h"
+#include "luxel/runs/run_record.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {

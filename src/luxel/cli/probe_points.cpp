@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/core/error.h"
 #include "luxel/import/csv_table.h"
 #include "luxel/import/numbers.h"
 #include "luxel/import/text.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 namespace {

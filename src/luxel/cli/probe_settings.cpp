@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/quantity.h"
 #include "luxel/core/bounds.h"
+#include "luxel/runs/quantity.h"
 
 namespace luxel {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "luxel/cli/area_settings.h"
-#include "luxel/cli/option_set.h"
 #include "luxel/cli/probe_points.h"
 #include "luxel/cli/requirement_settings.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/probe_light.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/render/path_traced.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

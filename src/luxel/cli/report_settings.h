@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/cli/requirement_settings.h"
 #include "luxel/lighting/glare.h"
 #include "luxel/render/probe_light.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

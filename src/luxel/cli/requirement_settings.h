@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/lighting/requirements.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

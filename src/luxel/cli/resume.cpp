@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "luxel/cli/bake_settings.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/light_run.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/quantity.h"
+#include "luxel/runs/bake_settings.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/quantity.h"
+#include "luxel/runs/resumed_options.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
@@ -46,22 +47,14 @@ class Resume final : public Command {
     BakeSettings settings;
     OptionSet all("bake", "");
     settings.declare(all);
-    all.restore(provenance.options);
-    all.restore(options().given());
+    restore_options(options().given(), options().given_as_command(RunSettings::heading), all, provenance);
     settings.keep.checkpoint = file_;
     settings.check();
-
-    // Unchanged options stay exactly as they were.
-    const auto used = all.used_values(RunSettings::heading);
-    if (used != provenance.options) {
-      provenance.options = used;
-      provenance.command_line += fmt::format("; {}", options().given_as_command(RunSettings::heading));
-    }
     console.say("resumes", fmt::format("{}: {} patches, after {} rays", file_,
                                        with_commas(kept.baked.patches.size()), rough_count(provenance.rays)));
     if (!options().is_given("ray-budget")) settings.light.sampled.ray_budget = 0;  // it resumes to go on
-    return LightRun(settings, file_, options(), context, console, record)
-        .run(kept.baked, nullptr, {}, kept.samples, nullptr);
+    BakeStart start{std::move(kept.baked), {}, std::move(kept.samples), {}};
+    return LightRun(settings, file_, options(), {context, console, record}).run(start, nullptr);
   }
 
  private:

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "luxel/cli/commands.h"
-#include "luxel/cli/outputs.h"
 #include "luxel/cli/room_model.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
+#include "luxel/runs/outputs.h"
 
 namespace luxel {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/option_set.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 namespace {

@@ -8,7 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "luxel/cli/quantity.h"
+#include "luxel/runs/quantity.h"
+#include "luxel/runs/refine_text.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
@@ -90,29 +91,6 @@ Json surfaces_as_json(const SurfaceMeans& means) {
                         {"irradiance_W_per_m2", s.irradiance},
                         {"standard_error_W_per_m2", s.standard_error}});
   return surfaces;
-}
-
-struct RefineStopText {
-  std::string_view name, description;
-};
-
-// Worded like name() and description() of a StopReason.
-RefineStopText text_of(RefineStop stop) {
-  switch (stop) {
-    case RefineStop::mesh_error_reached:
-      return {"mesh_error_reached", "mesh error reached"};
-    case RefineStop::patch_limit:
-      return {"patch_limit", "patch limit"};
-    case RefineStop::level_limit:
-      return {"level_limit", "level limit"};
-    case RefineStop::cost_limit:
-      return {"cost_limit", "cost limit"};
-    case RefineStop::drowned_in_noise:
-      return {"noise_limit", "noise limit"};
-    case RefineStop::stopped_by_user:
-      return {name(StopReason::stopped_by_user), description(StopReason::stopped_by_user)};
-  }
-  return {};
 }
 
 Json to_json(const RefineReport& report, double target) {
@@ -305,18 +283,6 @@ std::string describe(const Baked& baked) {
       fmt::format("scene {:016x}, luxel {}\n", s.provenance.scene_fingerprint, s.provenance.program_version);
   if (!s.provenance.command_line.empty()) text += s.provenance.command_line + "\n";
   return text;
-}
-
-std::string describe(const RefineReport& report, bool is_late) {
-  std::uint64_t rays = 0;
-  std::vector<std::size_t> patches;
-  for (const auto& level : report.levels) {
-    rays += level.rays;
-    patches.push_back(level.patches);
-  }
-  const auto why = is_late ? description(StopReason::time_limit) : text_of(report.stop).description;
-  return fmt::format("refined where the light needs it: {} patches; {} rays; {}: mesh error {}",
-                     fmt::join(patches, " > "), rays, why, error_text(report.mesh_error));
 }
 
 std::string describe(const SolveReport& report) {

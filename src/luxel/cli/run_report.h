@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "luxel/classical/solve_report.h"
-#include "luxel/cli/light_pages.h"
-#include "luxel/cli/option_set.h"
-#include "luxel/cli/run_record.h"
-#include "luxel/cli/settings.h"
+#include "luxel/runs/light_pages.h"
+#include "luxel/runs/option_set.h"
+#include "luxel/runs/run_record.h"
+#include "luxel/runs/settings.h"
 #include "luxel/scene/camera.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/refine_to_light.h"
@@ -48,8 +48,6 @@ struct RunReport {
 
 // The solution and its patches as lines for a person.
 std::string describe(const Baked& baked);
-// How patches were put where the light needs them. is_late: the time limit ended it.
-std::string describe(const RefineReport& report, bool is_late);
 // Reports the work done, the balance of power, the reason for the end and the accuracy of the light, as lines
 // of text.
 std::string describe(const SolveReport& report);

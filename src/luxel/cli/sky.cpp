@@ -5,13 +5,13 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/outside_settings.h"
 #include "luxel/cli/sky_picture.h"
 #include "luxel/cli/sky_text.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/image/image_file.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/outside_settings.h"
 
 namespace luxel {
 namespace {

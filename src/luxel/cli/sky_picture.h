@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "luxel/cli/outside_settings.h"
 #include "luxel/image/image.h"
+#include "luxel/runs/outside_settings.h"
 
 namespace luxel {
 

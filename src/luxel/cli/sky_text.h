@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "luxel/cli/outside_settings.h"
+#include "luxel/runs/outside_settings.h"
 
 namespace luxel {
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/bake_settings.h"
-#include "luxel/cli/lit_scene.h"
 #include "luxel/core/error.h"
+#include "luxel/runs/bake_settings.h"
+#include "luxel/runs/lit_scene.h"
 
 namespace luxel {
 

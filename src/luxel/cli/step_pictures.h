@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/outputs.h"
+#include "luxel/cli/workplace.h"
 #include "luxel/patch/side.h"
+#include "luxel/runs/outputs.h"
 
 namespace luxel {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "luxel/cli/console.h"
-#include "luxel/cli/settings.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 

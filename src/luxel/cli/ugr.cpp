@@ -5,14 +5,14 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/picture_camera.h"
-#include "luxel/cli/run_record.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/table_output.h"
 #include "luxel/cli/ugr_output.h"
 #include "luxel/cli/ugr_settings.h"
 #include "luxel/core/error.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/picture_camera.h"
+#include "luxel/runs/run_record.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {

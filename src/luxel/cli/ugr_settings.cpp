@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/quantity.h"
 #include "luxel/core/error.h"
+#include "luxel/runs/quantity.h"
 
 namespace luxel {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/cli/probe_points.h"
 #include "luxel/lighting/glare.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

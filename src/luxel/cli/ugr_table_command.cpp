@@ -6,12 +6,12 @@
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
-#include "luxel/cli/outputs.h"
-#include "luxel/cli/settings.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/output_file.h"
 #include "luxel/lighting/ugr_table.h"
+#include "luxel/runs/outputs.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {

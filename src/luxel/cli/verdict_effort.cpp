@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/cli/quantity.h"
+#include "luxel/runs/quantity.h"
 
 namespace luxel {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "luxel/cli/bake_settings.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
+#include "luxel/runs/bake_settings.h"
 #include "luxel/version.h"
 #include "luxel/viewer/recent_files.h"
 #include "luxel/viewer/run_window.h"

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
-#include "luxel/cli/run_record.h"
 #include "luxel/form_factors/check_view_factors.h"
 #include "luxel/form_factors/enforce.h"
 #include "luxel/form_factors/exact_view_factors.h"
 #include "luxel/form_factors/sample_view_factors.h"
 #include "luxel/form_factors/view_factors.h"
+#include "luxel/runs/option_set.h"
+#include "luxel/runs/run_record.h"
 
 namespace luxel {
 

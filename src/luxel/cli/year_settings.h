@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "luxel/cli/option_set.h"
 #include "luxel/daylight/metrics.h"
 #include "luxel/daylight/window_groups.h"
+#include "luxel/runs/option_set.h"
 
 namespace luxel {
 

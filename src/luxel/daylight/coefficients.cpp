@@ -19,8 +19,8 @@ constexpr std::size_t block_columns = 48;  // patches of the sky at a time: thei
 constexpr double tolerance = 1e-5;         // of the iteration
 constexpr std::size_t points_per_chunk = 4;
 
-// Luminous reflectance of each receiver: under light of the sky's own colour.
-std::vector<float> luminous_reflectance(const PatchSet& patches, const GatherSides& sides) {
+// How each receiver scatters light of the sky's own colour, by luminance.
+ScatteringTable luminous_scattering(const PatchSet& patches, const GatherSides& sides) {
   const auto colours = patches.colours();
   const auto sky = patches.mean_sky();
   std::vector<double> weight(patches.band_count());
@@ -30,14 +30,24 @@ std::vector<float> luminous_reflectance(const PatchSet& patches, const GatherSid
     weight[b] = colours.lumens(alone);
   }
   const auto whole = std::accumulate(weight.begin(), weight.end(), 0.0);
-  std::vector<float> reflectance;
-  for (const auto side : sides.side) {
-    double sum = 0.0;
-    for (std::size_t b = 0; b < weight.size(); ++b)
-      sum += weight[b] / whole * static_cast<double>(patches.reflectance(side.patch(), b));
-    reflectance.push_back(static_cast<float>(sum));
-  }
-  return reflectance;
+  const auto luminous = [&](const std::vector<float>& by_band) {
+    std::vector<float> means;
+    for (std::size_t first = 0; first < by_band.size(); first += weight.size()) {
+      double sum = 0.0;
+      for (std::size_t b = 0; b < weight.size(); ++b)
+        sum += weight[b] / whole * static_cast<double>(by_band[first + b]);
+      means.push_back(static_cast<float>(sum));
+    }
+    return means;
+  };
+  const auto of_bands = scattering_of(patches, sides, Context(1));
+  return {luminous(of_bands.reflectance), luminous(of_bands.transmittance), of_bands.far};
+}
+
+std::vector<float> repeated(std::span<const float> values, std::size_t times) {
+  std::vector<float> result(values.size() * times);
+  for (std::size_t i = 0; i < values.size(); ++i) std::fill_n(&result[i * times], times, values[i]);
+  return result;
 }
 
 // The light of all receivers from a block of patches of the sky, replicate by replicate: irradiance over the
@@ -48,10 +58,10 @@ class BlockSolver {
       : patches_(patches),
         sampling_(sampling),
         transport_(sampling.transport()),
-        reflectance_(luminous_reflectance(patches, sampling.hits().sides())),
+        scattering_(luminous_scattering(patches, sampling.hits().sides())),
         context_(context) {}
 
-  std::span<const float> reflectance() const { return reflectance_; }
+  Scattering scattering() const { return scattering_; }  // [receiver]
 
   std::vector<std::vector<float>> solve(std::size_t first, std::size_t columns) const {
     const auto& hits = sampling_.hits();
@@ -68,12 +78,11 @@ class BlockSolver {
       // Rays through tinted panes are as many as their luminous part is, whatever their tint.
       for (std::size_t t = 0; t < hits.tints(); ++t) shine(hits.tinted(first + c, t));
     }
-    std::vector<float> reflectances(receivers * columns);
-    for (std::size_t s = 0; s < receivers; ++s)
-      std::fill_n(&reflectances[s * columns], columns, reflectance_[s]);
+    const ScatteringTable in_columns{repeated(scattering_.reflectance, columns),
+                                     repeated(scattering_.transmittance, columns), scattering_.far};
     const std::vector<std::vector<float>> direct(hits.replicates(),
                                                  std::vector<float>(receivers * columns, 0.0f));
-    auto light = solve_replicates(*transport_, direct, reflectances, radiosity, tolerance, context_);
+    auto light = solve_replicates(*transport_, direct, in_columns, radiosity, tolerance, context_);
     if (light.is_stopped) return {};
     for (auto& replicate : light.gathered)
       context_.for_chunks(receivers, 4096, [&](std::size_t begin, std::size_t end, int) {
@@ -93,7 +102,7 @@ class BlockSolver {
   const PatchSet& patches_;
   const Sampling& sampling_;
   std::unique_ptr<const SampledOperator> transport_;
-  std::vector<float> reflectance_;
+  ScatteringTable scattering_;
   const Context& context_;
 };
 
@@ -136,6 +145,7 @@ DaylightCoefficients find_coefficients(const DaylightRun& run, const Tracer& tra
   }
 
   const BlockSolver solver(patches, sampling, quiet);
+  const auto scattering = solver.scattering();
   for (std::size_t first = 0; first < width; first += block_columns) {
     const auto columns = std::min(block_columns, width - first);
     const auto done = static_cast<double>(first) / static_cast<double>(width);
@@ -147,9 +157,13 @@ DaylightCoefficients find_coefficients(const DaylightRun& run, const Tracer& tra
           for (const auto& hit : hits[m].of_replicate(r)) {
             const auto path = hit.is_external ? DaylightPath::external : DaylightPath::internal;
             auto* to = &found.of[static_cast<std::size_t>(path)][(m * found.replicates + r) * width + first];
-            const auto* from = &light[r][hit.receiver * columns];
-            const auto weight = hit.weight * solver.reflectance()[hit.receiver];
-            for (std::size_t c = 0; c < columns; ++c) to[c] += weight * from[c];
+            const auto add = [&](std::size_t receiver, float weight) {
+              const auto* from = &light[r][receiver * columns];
+              for (std::size_t c = 0; c < columns; ++c) to[c] += weight * from[c];
+            };
+            add(hit.receiver, hit.weight * scattering.reflectance[hit.receiver]);
+            if (scattering.transmits())
+              add(scattering.far[hit.receiver], hit.weight * scattering.transmittance[hit.receiver]);
           }
     });
   }

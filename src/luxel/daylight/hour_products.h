@@ -27,8 +27,8 @@ class PackedColumns {
   std::size_t points() const { return points_; }
 
   // Sums over the patches of sky, [hour * sky patches + sky patch], times coefficient: [hour * points +
-  // point]. In the order of the patches, so the same bits on any number of threads. Cost: 0.06 ns per hour,
-  // point and patch on one core at 3 GHz.
+  // point]. In the order of the patches, so the same bits on any number of threads. Cost: 0.2 ns per hour,
+  // point and patch on one thread.
   std::vector<float> times(std::span<const float> sky, const Context& context) const;
 
  private:

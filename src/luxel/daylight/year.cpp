@@ -143,4 +143,17 @@ std::vector<float> DaylightYear::illuminance(std::uint32_t left_out) const {
   return light;
 }
 
+std::vector<float> illuminance_errors(const DaylightYear& year, const std::vector<float>& all) {
+  const auto n = static_cast<double>(year.replicates());
+  std::vector<double> sum(all.size(), 0.0);
+  for (std::uint32_t r = 0; r < year.replicates(); ++r) {
+    const auto without = year.illuminance(r);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += std::pow(static_cast<double>(without[i]) - static_cast<double>(all[i]), 2.0);
+  }
+  std::vector<float> errors;
+  for (const auto s : sum) errors.push_back(static_cast<float>(std::sqrt((n - 1.0) / n * s)));
+  return errors;
+}
+
 }  // namespace luxel

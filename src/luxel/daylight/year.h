@@ -78,4 +78,8 @@ class DaylightYear {
   bool is_stopped_ = false;
 };
 
+// Standard errors of the illuminance of all replicates, `all`, by the jackknife: lx, [hour * points + point].
+// Cost: replicates times that of DaylightYear::illuminance().
+std::vector<float> illuminance_errors(const DaylightYear& year, const std::vector<float>& all);
+
 }  // namespace luxel

@@ -12,20 +12,6 @@
 namespace luxel {
 namespace {
 
-// Standard errors by the jackknife: [hour * points + point].
-std::vector<float> errors_of(const DaylightYear& year, const std::vector<float>& all) {
-  const auto n = static_cast<double>(year.replicates());
-  std::vector<double> sum(all.size(), 0.0);
-  for (std::uint32_t r = 0; r < year.replicates(); ++r) {
-    const auto without = year.illuminance(r);
-    for (std::size_t i = 0; i < sum.size(); ++i)
-      sum[i] += std::pow(static_cast<double>(without[i]) - static_cast<double>(all[i]), 2.0);
-  }
-  std::vector<float> errors;
-  for (const auto s : sum) errors.push_back(static_cast<float>(std::sqrt((n - 1.0) / n * s)));
-  return errors;
-}
-
 void add_hours(Hdf5Writer& file, const DaylightYear& year, const Weather& weather) {
   std::vector<std::uint32_t> month, day;
   std::vector<double> time, duration, elevation, azimuth;
@@ -76,7 +62,7 @@ void add_metric(Hdf5Writer& file, const std::string& name, const PointMetric& me
 void write_year(const std::filesystem::path& path, const DaylightYear& year, const Weather& weather,
                 const YearFilePoints& points, const YearReport& report) {
   const auto all = year.illuminance(year.replicates());
-  const auto errors = errors_of(year, all);
+  const auto errors = illuminance_errors(year, all);
   const auto hours = year.hours().size(), count = year.points();
   Hdf5Writer file;
   file.add_word("/", "content", "daylight of a year at points");

@@ -33,7 +33,8 @@ DisplayedCorners::DisplayedCorners(const PatchSet& patches, const Solution& solu
   const auto look_of = [&](std::uint32_t smooth, const BandMaterial& material, bool back) {
     Look look;
     const auto here = std::span(light.irradiance.of(back)).subspan(smooth * bands, bands);
-    look.colour = curve(in_gamut(radiance_of(material, back, here.data(), colours)));
+    look.colour =
+        curve(in_gamut(radiance_of(material, back, irradiance_at(light, smooth, back, bands), colours)));
     float relative = 0.0f;  // allowed error over the colour, of the channel that allows most
     for (int k = 0; k < 3; ++k) {
       const auto allowed = max_error / srgb_slope(look.colour[k]);

@@ -49,7 +49,10 @@ Json materials_of(const PatchSet& patches, const BandColours& colours, const Pag
                   bool has_groups) {
   std::size_t number = 0;
   return list_of(patches.materials, [&](const BandMaterial& m) -> Json {
-    const auto reflectance = patches.wavebands.empty() ? colours.rgb(m.reflectance) : Vec3d(1.0);
+    auto albedo = m.reflectance;
+    for (std::size_t b = 0; m.is_diffuser() && b < albedo.size(); ++b)
+      albedo[b] += m.diffuse_transmittance[b];
+    const auto reflectance = patches.wavebands.empty() ? colours.rgb(albedo) : Vec3d(1.0);
     return {{"name", valid_utf8(m.name)},
             {"reflectance", three(reflectance)},
             {"emittance", three(colours.rgb(m.emittance))},

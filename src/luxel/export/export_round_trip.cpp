@@ -209,6 +209,7 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
     return Vec3(sum);
   };
   const auto& values = surface.back ? back : front;
+  const auto& behind = surface.back ? front : back;
   std::vector<Rgba16> shown;
   std::vector<Vec3> irradiance;
   for (std::size_t v = 0; v < surface.light.size(); ++v) {
@@ -218,8 +219,9 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
       continue;
     }
     const auto* here = &values[surface.light[v] * colours.bands()];
+    const SeenIrradiance light{here, &behind[surface.light[v] * colours.bands()]};
     const TextureRatio fraction{.fine_reflectance = tint_of(v)};
-    const auto seen = curve_(in_gamut(radiance_of(plain, surface.back, here, colours, fraction)));
+    const auto seen = curve_(in_gamut(radiance_of(plain, surface.back, light, colours, fraction)));
     shown.push_back(quantise(profile.colours_are_srgb ? srgb_codes(seen) : seen));
     irradiance.push_back(Vec3(colours.rgb(std::span(here, colours.bands()))));
   }

@@ -106,8 +106,9 @@ LitVertex LitMesh::vertex(const LitPart& part, std::size_t i) const {
   v.normal = part.back ? -light_.normal[s] : light_.normal[s];
   const auto here = of_element(irradiance, s, colours_.bands());
   v.irradiance = Vec3(colours_.rgb(here));
-  v.colour = curve_(in_gamut(
-      radiance_of(patches_.materials[part.material], part.back, here.data(), colours_, part.ratios.at(i))));
+  v.colour = curve_(in_gamut(radiance_of(patches_.materials[part.material], part.back,
+                                         irradiance_at(light_, s, part.back, colours_.bands()), colours_,
+                                         part.ratios.at(i))));
   return v;
 }
 

@@ -40,7 +40,7 @@ void append(std::vector<float>& out, const PatchSet& patches, const BandColours&
   double watts = 0.0;
   for (std::size_t b = 0; b < irradiance.size(); ++b) {
     watts += static_cast<double>(irradiance[b]);
-    reflected[b] *= reflectance_at(patches.materials[material], ratio, b);
+    reflected[b] *= albedo_at(patches.materials[material], ratio, b);
   }
   const auto rgb = colours.rgb(reflected);
   for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(rgb[c]));
@@ -101,7 +101,14 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
     for (const bool back : {false, true})
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const auto& v = mesh.vertices[i];
-        append(values, patches, colours, v.material, ratios.at(i), shared.at(g, back, v.point));
+        const auto ratio = ratios.at(i);
+        auto light = shared.at(g, back, v.point);
+        if (const auto& material = patches.materials[v.material]; material.is_diffuser()) {
+          const auto behind = shared.at(g, !back, v.point);
+          for (std::size_t b = 0; b < light.size(); ++b)
+            light[b] = effective_irradiance(material, {light.data(), behind.data()}, ratio, b);
+        }
+        append(values, patches, colours, v.material, ratio, light);
       }
   float largest = 0.0f;
   for (const auto v : values) largest = std::max(largest, std::abs(v));
@@ -137,8 +144,8 @@ PageColours make_page_colours(const PatchSet& patches, const PageMesh& mesh) {
     for (const auto v : mesh.triangles[t]) {
       areas[v] += area;
       for (int c = 0; c < 3; ++c) {
-        const auto own = is_spectral ? 1.0f : reflectance_at(material, ratio, static_cast<std::size_t>(c));
-        const auto whole = is_spectral ? 1.0f : material.reflectance[static_cast<std::size_t>(c)];
+        const auto own = is_spectral ? 1.0f : albedo_at(material, ratio, static_cast<std::size_t>(c));
+        const auto whole = is_spectral ? 1.0f : albedo_at(material, {}, static_cast<std::size_t>(c));
         reflectance[v][c] +=
             area * static_cast<double>(own / (whole > 0.0f ? whole : 1.0f) / reflected_mean[c]);
         emittance[v][c] += area * (of_material[c] > 0.0 ? of_patch[c] / of_material[c] : 1.0) /

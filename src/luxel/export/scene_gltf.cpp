@@ -42,9 +42,10 @@ class SceneWriter {
     file_.put(path + "/name", valid_utf8(material.name));
     file_.put(path + "/doubleSided", material.two_sided);
     const bool is_pane = !material.opaque && material.transmittance != Vec3(1.0f);
-    const auto base = is_pane                ? material.transmittance
-                      : textures.reflectance ? textures.reflectance_factor
-                                             : material.reflectance;
+    auto base = is_pane                ? material.transmittance
+                : textures.reflectance ? textures.reflectance_factor
+                                       : material.reflectance;
+    if (material.is_diffuser()) base /= 1.0f - add_diffuse_transmission(material, path);
     // A surface that lets all light pass is invisible.
     file_.put(path + "/pbrMetallicRoughness",
               {{"baseColorFactor", {base.r, base.g, base.b, material.opaque || is_pane ? 1 : 0}},
@@ -66,6 +67,18 @@ class SceneWriter {
     file_.put(path + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
     file_.use_extension("KHR_materials_specular");
     add_emission(material, path);
+  }
+
+  // Returns the fraction of the diffuse light that leaves the other side. The base colour becomes the albedo.
+  float add_diffuse_transmission(const Material& material, const std::string& path) {
+    const auto largest = [](const Vec3& v) { return std::max({v.r, v.g, v.b}); };
+    const auto& tau = material.diffuse_transmittance;
+    const auto factor = largest(tau) / (largest(tau) + largest(material.reflectance));
+    file_.put(path + "/extensions/KHR_materials_diffuse_transmission",
+              {{"diffuseTransmissionFactor", factor},
+               {"diffuseTransmissionColorFactor", numbers(glm::min(tau / factor, Vec3(1.0f)))}});
+    file_.use_extension("KHR_materials_diffuse_transmission");
+    return std::min(factor, 0.999f);
   }
 
   void add_emission(const Material& material, const std::string& path) {

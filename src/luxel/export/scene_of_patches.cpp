@@ -22,6 +22,8 @@ Scene scene_of(const PatchSet& patches) {
     material.two_sided = of_patches.two_sided;
     material.reflectance = in_gamut(colours.rgb(of_patches.reflectance) / white);
     material.emittance = in_gamut(colours.rgb(of_patches.emittance));
+    if (of_patches.is_diffuser())
+      material.diffuse_transmittance = in_gamut(colours.rgb(of_patches.diffuse_transmittance) / white);
     material.textures = of_patches.textures;
     scene.materials.push_back(std::move(material));
   }

@@ -75,6 +75,9 @@ struct GltfMaterials::Surface {
   double cutoff = 0.0;     // alpha below it is a hole
   bool is_blended = false;
   double passes = 0.0;  // fraction of the light that is transmitted
+  // Fraction of the diffuse light that leaves the other side, and the colour of that light.
+  float scatters = 0.0f;
+  Vec3 scattered = Vec3(1.0f);
   bool is_unlit = false, two_sided = false;
   Vec3 emittance = Vec3(0.0f);  // W/m²
   TextureInput base_picture, metal_picture, emission_picture;
@@ -141,7 +144,27 @@ GltfMaterials::Surface GltfMaterials::read(const JsonValue& json, const JsonValu
   if (mode == "BLEND") surface.cutoff = half_solid;
   surface.passes = json["extensions"]["KHR_materials_transmission"]["transmissionFactor"].number(0.0);
   surface.two_sided = json["doubleSided"].truth(false);
+  read_diffuse_transmission(json["extensions"]["KHR_materials_diffuse_transmission"], surface);
   return surface;
+}
+
+// The means of its textures are taken.
+void GltfMaterials::read_diffuse_transmission(const JsonValue& json, Surface& surface) {
+  if (!json || surface.is_unlit) return;
+  const auto factor = json["diffuseTransmissionFactor"].number(0.0);
+  if (!(factor >= 0.0 && factor <= 1.0))
+    json["diffuseTransmissionFactor"].refuse(fmt::format("expected a factor of 0 to 1, found {}", factor));
+  const auto colour = json["diffuseTransmissionColorFactor"];
+  surface.scatters = static_cast<float>(factor);
+  surface.scattered = glm::min(colour_of(colour, colour.numbers({1.0, 1.0, 1.0})), Vec3(1.0f));
+  const auto raster_of = [&](const char* name) -> const Raster* {
+    const auto info = json[name];
+    const auto texture = info ? textures_.picture(info).texture : std::nullopt;
+    return texture ? &textures_.raster(*texture) : nullptr;
+  };
+  if (const auto* raster = raster_of("diffuseTransmissionTexture")) surface.scatters *= mean_alpha(*raster);
+  if (const auto* raster = raster_of("diffuseTransmissionColorTexture"))
+    surface.scattered *= mean_colour(*raster);
 }
 
 // A mirror or metal of KHR_materials_pbrSpecularGlossiness has a dark diffuse colour and a bright specular
@@ -185,6 +208,10 @@ Material GltfMaterials::make(const Surface& surface) {
   let_through(surface, material);
   reflect(surface, material);
   cap(material);
+  if (material.is_diffuser() && !is_glass_of(options_.glass, surface.name)) {
+    diffusers_.push_back(surface.name);
+    if (limit_albedo(material, options_.max_reflectance)) too_bright_diffusers_.push_back(surface.name);
+  }
   return material;
 }
 
@@ -231,7 +258,12 @@ Vec3 GltfMaterials::transmittance_of(const Surface& surface) {
 
 void GltfMaterials::reflect(const Surface& surface, Material& material) {
   auto base = surface.base_picture;
-  const auto colour = surface.base * diffuse_fraction(surface, base, material);
+  auto colour = surface.base * diffuse_fraction(surface, base, material);
+  if (material.opaque && surface.scatters > 0.0f) {  // metals transmit nothing
+    material.diffuse_transmittance = surface.scatters * (1.0f - surface.metal) * surface.scattered;
+    if (material.is_diffuser()) material.two_sided = true;
+    colour *= 1.0f - surface.scatters * (1.0f - surface.metal);
+  }
   material.reflectance = colour;
   if (base.is_given) {
     material.reflectance *=
@@ -308,6 +340,11 @@ void GltfMaterials::say_warnings(const Context& context) const {
         fmt::format("{}: panes of glass, with the transmittance of KHR_materials_transmission times the "
                     "base colour: {}",
                     file_.source(), name_list(panes_)));
+  if (!diffusers_.empty())
+    context.note(
+        fmt::format("{}: diffusers, with the transmittance of KHR_materials_diffuse_transmission: {}",
+                    file_.source(), name_list(diffusers_)));
+  warn_of_limited_albedo(file_.source(), too_bright_diffusers_, options_.max_reflectance, context);
   say("surfaces are solid or not there: alpha (BLEND) is taken as a hole where it is below 0.5, for",
       blended_, "");
   if (!metals_.empty())

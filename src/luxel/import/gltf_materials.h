@@ -47,6 +47,7 @@ class GltfMaterials {
   float diffuse_fraction(const Surface& surface, TextureInput& base, Material& material);
   static void light_mirror(const JsonValue& specular, Surface& surface);
   void emit(const Surface& surface, Material& material) const;
+  void read_diffuse_transmission(const JsonValue& json, Surface& surface);
   void let_through(const Surface& surface, Material& material);
   Vec3 transmittance_of(const Surface& surface);
   void cap(Material& material);
@@ -62,7 +63,8 @@ class GltfMaterials {
   std::optional<MaterialId> default_;  // of primitives without material
 
   // Names of materials, for the warnings.
-  std::vector<std::string> too_bright_, transparent_, panes_, blended_, unlit_, metals_, without_coordinates_;
+  std::vector<std::string> too_bright_, transparent_, panes_, blended_, unlit_, metals_, without_coordinates_,
+      diffusers_, too_bright_diffusers_;
 };
 
 }  // namespace luxel

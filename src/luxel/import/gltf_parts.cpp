@@ -60,6 +60,7 @@ const std::vector<std::string_view>& known_extensions() {
                                                       "KHR_materials_sheen",
                                                       "KHR_materials_specular",
                                                       "KHR_materials_transmission",
+                                                      "KHR_materials_diffuse_transmission",
                                                       "KHR_materials_variants",
                                                       "KHR_materials_volume",
                                                       "KHR_xmp_json_ld",

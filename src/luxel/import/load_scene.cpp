@@ -8,22 +8,13 @@
 
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
-#include "luxel/import/apply_glass.h"
-#include "luxel/import/apply_spectra.h"
+#include "luxel/import/finish_scene.h"
 #include "luxel/import/is_gltf.h"
 #include "luxel/import/load_converted.h"
 #include "luxel/import/load_gltf.h"
 #include "luxel/import/load_obj.h"
 #include "luxel/import/load_ply.h"
 #include "luxel/import/load_stl.h"
-#include "luxel/import/luminaires.h"
-#include "luxel/import/name_list.h"
-#include "luxel/import/set_daylight.h"
-#include "luxel/scene/name_pattern.h"
-#include "luxel/scene/orient_windings.h"
-#include "luxel/scene/scale_doubt.h"
-#include "luxel/scene/up_axis.h"
-#include "luxel/scene/weld_vertices.h"
 
 namespace luxel {
 namespace {
@@ -57,7 +48,7 @@ void check_options(const LoadOptions& options) {
   for (const auto& glass : options.glass)
     if (const auto& t = glass.transmittance; t != glm::clamp(t, 0.0f, 1.0f) || t == Vec3(0.0f))
       throw InputError(
-          fmt::format("expected a transmittance of glass in [0, 1] and above 0 in a band, found {}, "
+          fmt::format("expected a transmittance in [0, 1] and above 0 in a band, found {}, "
                       "{}, {}",
                       t.r, t.g, t.b));
   for (int band = 0; band < 3; ++band)
@@ -84,69 +75,6 @@ const Reader& reader_of(const std::filesystem::path& path) {
                                endings, ending.empty() ? "no ending" : "'" + ending + "'"));
 }
 
-// For each material, whether any pattern matches it. A pattern without a match is most likely a typing error,
-// so it is refused.
-std::vector<bool> select(const std::vector<std::string>& patterns, const Scene& scene, const char* option) {
-  std::vector<bool> selected(scene.materials.size(), false);
-  for (const auto& pattern : patterns) {
-    bool any = false;
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-      if (!matches(pattern, scene.materials[i].name)) continue;
-      selected[i] = any = true;
-    }
-    if (any) continue;
-    std::vector<std::string> names;
-    for (const auto& material : scene.materials) names.push_back(material.name);
-    throw InputError(scene.source, fmt::format("{}: no material matches '{}'; there are {}", option, pattern,
-                                               name_list(names)));
-  }
-  return selected;
-}
-
-void apply_one_sided(const std::vector<std::string>& patterns, Scene& scene) {
-  const auto selected = select(patterns, scene, "one_sided");
-  for (std::size_t i = 0; i < selected.size(); ++i)
-    if (selected[i]) scene.materials[i].two_sided = false;
-}
-
-void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {
-  const auto selected = select(patterns, scene, "flip");
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-    if (selected[static_cast<std::size_t>(scene.triangle_material[i])]) turn_triangle(scene, i);
-}
-
-void repair(const LoadOptions& options, Scene& scene, const Context& context) {
-  if (options.weld != 0.0f) context.note(weld_vertices(scene, options.weld).as_text(options.weld));
-  if (options.orient) context.note(orient_windings(scene).as_text());
-}
-
-void doubt_units(const LoadOptions& options, const Scene& scene, const Context& context) {
-  if (const auto doubt = doubt_scale(scene)) {
-    const auto scale = fmt::format("{:g}", options.scale * doubt->metres);
-    const auto condition =
-        options.scale == 1.0 ? fmt::format("if the file counts in {}, ", doubt->unit) : std::string();
-    context.warn(
-        fmt::format("{}: the scene is {:.3g} m long, too {} for a room; {}a scale of {} makes it {:.3g} "
-                    "m long",
-                    scene.source, doubt->extent, doubt->is_large ? "large" : "small", condition, scale,
-                    doubt->extent * doubt->metres),
-        {{Setting::scale, scale}});
-  } else if (const auto sentence = doubt_lumens(scene); !sentence.empty()) {
-    context.warn(fmt::format("{}: {}", scene.source, sentence));
-  }
-}
-
-void load_luminaires(const std::filesystem::path& path, const LoadOptions& options, Scene& scene,
-                     const Context& context) {
-  PhotometryStore store(context);
-  const auto up = up_of_scene(scene, options.up);
-  replace_by_luminaires(path, up, store, scene);
-  for (const auto& list : options.luminaires)
-    for (const auto& placement : read_luminaires(list, up, store)) add_luminaires(placement, up, scene);
-  for (const auto& grid : options.luminaire_grids)
-    add_luminaires(place_over(grid, scene, up, store), up, scene);
-}
-
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, const Context& context) {
@@ -154,15 +82,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options, 
   check_is_file(path);
   auto scene = reader_of(path).load(path, options, context);
   if (scene.triangles.empty()) return scene;  // stopped
-  doubt_units(options, scene, context);
-  repair(options, scene, context);
-  apply_one_sided(options.one_sided, scene);
-  apply_glass(options.glass, scene, context);
-  apply_flip(options.flip, scene);
-  scene.sky = options.sky;
-  if (options.daylight) set_daylight(*options.daylight, options.up, scene);
-  load_luminaires(path, options, scene, context);
-  if (!options.spectra.empty()) apply_spectra(options, scene, context);
+  finish_scene(path, options, scene, context);
   return scene;
 }
 

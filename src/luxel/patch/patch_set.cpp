@@ -43,6 +43,10 @@ BandColours PatchSet::colours() const {
   return BandColours(wavebands);
 }
 
+bool PatchSet::has_diffusers() const {
+  return std::any_of(materials.begin(), materials.end(), [](const auto& m) { return m.is_diffuser(); });
+}
+
 bool PatchSet::has_sky() const { return any_above_zero(sky); }
 
 std::vector<double> PatchSet::open_irradiance() const {

@@ -30,7 +30,8 @@ void set_plain_bands(PatchSet& patches, const Scene& scene) {
   patches.bands = {"red", "green", "blue"};
   for (const auto& m : scene.materials)
     patches.materials.push_back({m.name, m.two_sided, three(m.reflectance), three(m.emittance), 0,
-                                 textures_of(m), absorbs(m) ? three(m.transmittance) : std::vector<float>()});
+                                 textures_of(m), absorbs(m) ? three(m.transmittance) : std::vector<float>(),
+                                 m.is_diffuser() ? three(m.diffuse_transmittance) : std::vector<float>()});
   for (const auto& light : scene.point_lights)
     patches.point_lights.push_back({light, three(light.intensity)});
   if (scene.sky != Vec3(0.0f)) patches.sky = three(scene.sky);
@@ -50,10 +51,10 @@ class SpectraAtBands {
     return at_bands([&](std::size_t b) { return value(m.reflectance_spectrum, b, Beyond::holds); });
   }
   std::vector<float> transmittance(const Material& m) {
-    if (!absorbs(m)) return {};
-    const auto& rgb = m.transmittance;
-    if (rgb == Vec3(rgb.r)) return std::vector<float>(bands_.size(), rgb.r);
-    return of_colours().reflectance(glm::min(rgb, Vec3(max_reflectance)));
+    return absorbs(m) ? fraction(m.transmittance) : std::vector<float>();
+  }
+  std::vector<float> diffuse_transmittance(const Material& m) {
+    return m.is_diffuser() ? fraction(m.diffuse_transmittance) : std::vector<float>();
   }
   std::vector<float> light(const Vec3& rgb, const Spectrum& measured) {
     if (!measured.empty())
@@ -62,6 +63,10 @@ class SpectraAtBands {
   }
 
  private:
+  std::vector<float> fraction(const Vec3& rgb) {
+    if (rgb == Vec3(rgb.r)) return std::vector<float>(bands_.size(), rgb.r);
+    return of_colours().reflectance(glm::min(rgb, Vec3(max_reflectance)));
+  }
   double value(const Spectrum& spectrum, std::size_t band, Beyond beyond) const {
     return scene_.averages_spectra ? mean_around(bands_, band, spectrum, beyond)
                                    : spectrum.at(bands_[band].wavelength, beyond);
@@ -97,7 +102,7 @@ void set_bands(PatchSet& patches, const Scene& scene) {
   for (const auto& m : scene.materials)
     patches.materials.push_back({m.name, m.two_sided, spectra.reflectance(m),
                                  spectra.light(m.emittance, m.emittance_spectrum), 0, textures_of(m),
-                                 spectra.transmittance(m)});
+                                 spectra.transmittance(m), spectra.diffuse_transmittance(m)});
   for (const auto& light : scene.point_lights)
     patches.point_lights.push_back({light, spectra.light(light.intensity, {})});
   std::vector<float> sky;

@@ -47,26 +47,34 @@ void check(const PatchSet& patches, const Solution& solution, const SmoothLight&
 class SolvedLight {
  public:
   SolvedLight(const PatchSet& patches, const Solution& solution, const SmoothLight& light)
-      : solution_(solution), light_(light), colours_(patches.colours()) {}
+      : patches_(patches), solution_(solution), light_(light), colours_(patches.colours()) {}
+
+  bool is_diffuser(SideId side) const { return patches_.material_of(side.patch()).is_diffuser(); }
 
   Vec3d at(const TexelPlace& place) const {
     const auto bands = colours_.bands();
-    Vec3d sum(0.0);
-    for (std::size_t b = 0; b < bands; ++b)
-      sum += smooth_irradiance(light_, place.side, place.weights, b, bands) * colours_.of(b);
-    return sum;
+    return colour_of(place.side, [&](SideId side, std::size_t b) {
+      return smooth_irradiance(light_, side, place.weights, b, bands);
+    });
   }
 
-  Vec3d mean(SideId side) const { return colours_.rgb(row(solution_.irradiance.of(side), side)); }
+  Vec3d mean(SideId side) const {
+    return colour_of(side, [&](SideId from, std::size_t b) {
+      return static_cast<double>(row(solution_.irradiance.of(from), from)[b]);
+    });
+  }
 
   Vec3d standard_error(SideId side) const {
-    const auto& errors = solution_.standard_error.of(side);
-    if (errors.empty()) return Vec3d(0.0);
-    const auto* of_band = row(errors, side);
+    if (solution_.standard_error.of(side).empty()) return Vec3d(0.0);
     Vec3d variance(0.0);
     for (std::size_t b = 0; b < colours_.bands(); ++b) {
-      const auto part = static_cast<double>(of_band[b]) * colours_.of(b);
-      variance += part * part;
+      const auto far = far_fraction(side, b);
+      for (const auto from : {side, side.opposite()}) {
+        const auto fraction = from == side ? 1.0 - far : far;
+        const auto part =
+            fraction * static_cast<double>(row(solution_.standard_error.of(from), from)[b]) * colours_.of(b);
+        variance += part * part;
+      }
     }
     return glm::sqrt(variance);
   }
@@ -88,6 +96,28 @@ class SolvedLight {
     return values.data() + side.patch() * colours_.bands();
   }
 
+  // Fraction of the effective irradiance that is of the other side, see effective_irradiance().
+  double far_fraction(SideId side, std::size_t band) const {
+    const auto albedo = patches_.albedo(side.patch(), band);
+    return is_diffuser(side) && albedo > 0.0f
+               ? static_cast<double>(patches_.diffuse_transmittance(side.patch(), band) / albedo)
+               : 0.0;
+  }
+
+  // irradiance(side, band).
+  template <typename Irradiance>
+  Vec3d colour_of(SideId side, const Irradiance& irradiance) const {
+    Vec3d sum(0.0);
+    for (std::size_t b = 0; b < colours_.bands(); ++b) {
+      auto light = irradiance(side, b);
+      if (const auto far = far_fraction(side, b); far > 0.0)
+        light = (1.0 - far) * light + far * irradiance(side.opposite(), b);
+      sum += light * colours_.of(b);
+    }
+    return sum;
+  }
+
+  const PatchSet& patches_;
   const Solution& solution_;
   const SmoothLight& light_;
   BandColours colours_;
@@ -158,6 +188,7 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
       ++report.texels;
       page.irradiance.pixels[i] = in_gamut(light.at(place));
       page.standard_error.pixels[i] = Vec3(light.standard_error(place.side));
+      if (light.is_diffuser(place.side)) continue;
       if (all || (limits.error > 0.0 && wants(place.side))) wanting.push_back({p, i});
     }
   }

@@ -14,6 +14,8 @@
 namespace luxel {
 namespace {
 
+constexpr std::uint64_t scatter_numbers = std::uint64_t{1} << 40;  // behind those of all vertices of a path
+
 double dot(const Vec3& a, const Vec3& b) { return glm::dot(Vec3d(a), Vec3d(b)); }
 
 }  // namespace
@@ -143,6 +145,27 @@ LightPaths::Trail LightPaths::light_vector(const SurfacePoint& x, const VertexNu
                   });
 }
 
+// Multiplies the path's weight by what the surface reflects or, of a diffuser, by what it transmits.
+// Diffusers do one of the two, chosen in proportion to the light. Returns the side that the path goes on
+// from.
+SideId LightPaths::scatter(const Hit& hit, float u, std::span<double> weight) const {
+  const auto rho = [&](std::size_t b) { return static_cast<double>(patches_.reflectance(hit.patch, b)); };
+  const auto tau = [&](std::size_t b) {
+    return static_cast<double>(patches_.diffuse_transmittance(hit.patch, b));
+  };
+  double transmitted = 0.0, whole = 0.0;
+  if (patches_.material_of(hit.patch).is_diffuser())
+    for (std::size_t b = 0; b < weight.size(); ++b) {
+      transmitted += weight[b] * tau(b);
+      whole += weight[b] * (rho(b) + tau(b));
+    }
+  const auto chance = whole > 0.0 ? transmitted / whole : 0.0;
+  const bool passes = static_cast<double>(u) < chance;
+  for (std::size_t b = 0; b < weight.size(); ++b)
+    weight[b] *= passes ? tau(b) / chance : chance > 0.0 ? rho(b) / (1.0 - chance) : rho(b);
+  return passes ? hit.side().opposite() : hit.side();
+}
+
 LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumbers& first, std::uint64_t key,
                                          BouncesFrom from, std::span<double> weight,
                                          std::span<double> sum) const {
@@ -154,15 +177,14 @@ LightPaths::Trail LightPaths::irradiance(const SurfacePoint& x, const VertexNumb
     const auto u = uniform4(key, 2 * vertex);
     const auto v = uniform4(key, 2 * vertex + 1);
 
+    const auto side = scatter(hit, uniform4(key, scatter_numbers + vertex)[0], weight);
     // Russian roulette keeps the path's throughput in its brightest band at 1.
-    for (std::size_t b = 0; b < weight.size(); ++b)
-      weight[b] *= static_cast<double>(patches_.reflectance(hit.patch, b));
     const auto survival = std::min(1.0, *std::max_element(weight.begin(), weight.end()));
     if (!(static_cast<double>(u[0]) < survival)) break;
     for (auto& w : weight) w /= survival;
 
     const auto at = from == BouncesFrom::points ? Vec2(hit.u, hit.v) : uniform_triangle(v[2], v[3]);
-    const auto trail = direct(surface_point(patches_, hit.patch, hit.back, at),
+    const auto trail = direct(surface_point(patches_, side.patch(), side.is_back(), at),
                               {{v[0], v[1]}, {u[1], u[2], u[3]}}, weight, sum);
     whole.rays += trail.rays;
     hit = trail.first;

@@ -71,6 +71,8 @@ class LightPaths {
   template <typename Add>
   Trail arriving(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread, const Add& add) const;
 
+  SideId scatter(const Hit& hit, float u, std::span<double> weight) const;
+
   template <typename Add>
   void add_punctual(const SurfacePoint& x, const VertexNumbers& numbers, Trail& trail, const Add& add) const;
 

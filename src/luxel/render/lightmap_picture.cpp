@@ -36,7 +36,8 @@ Vec3d radiance_at(const Shot& shot, const Ray& ray, const Hit& hit) {
     irradiance = look_up(shot.lightmap.pages[atlas.page_of(side)].irradiance, at);
   }
   const auto fraction = texture_ratio_at(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
-  return radiance_of(shot.patches.material_of(hit.patch), hit.back, &irradiance.x, shot.colours, fraction);
+  return radiance_of(shot.patches.material_of(hit.patch), hit.back, {&irradiance.x, &irradiance.x},
+                     shot.colours, fraction);
 }
 
 }  // namespace

@@ -120,6 +120,8 @@ void fill_light(const PatchSet& patches, const SideMeans& sides, Solution& solut
       const auto h = static_cast<float>(H);
       s.irradiance.of(back)[i] = h;
       s.radiosity.of(back)[i] = emittance + patches.reflectance(side.patch(), b) * h;
+      if (const auto tau = patches.diffuse_transmittance(side.patch(), b); tau > 0.0f)
+        s.radiosity.of(back)[i] += tau * static_cast<float>(sides.means().mean(side.opposite().index(), b));
       s.standard_error.of(back)[i] = static_cast<float>(error);
     }
   }
@@ -138,13 +140,15 @@ void fill_power(const PatchSet& patches, const SideMeans& sides, PathReport& rep
       const auto rho = static_cast<double>(patches.reflectance(side.patch(), b));
       const auto emitted =
           side.is_back() ? 0.0 : sides.area(side) * static_cast<double>(patches.emittance(side.patch(), b));
-      const auto leaves = emitted + sides.area(side) * rho * H;
+      const auto tau = static_cast<double>(patches.diffuse_transmittance(side.patch(), b));
+      const auto far = tau > 0.0 ? sides.means().mean(side.opposite().index(), b) : 0.0;
+      const auto leaves = emitted + sides.area(side) * (rho * H + tau * far);
       report.emitted[b] += emitted;
       const auto fraction = [&](Fate fate) {
         return sides.means().mean(side.index(), bands * (1 + fate) + b);
       };
       report.from_sky[b] += sides.area(side) * fraction(from_sky);
-      report.absorbed[b] += sides.area(side) * (1.0 - rho) * H;
+      report.absorbed[b] += sides.area(side) * (1.0 - rho - tau) * H;
       report.escaped[b] += leaves * fraction(escaped);
       report.lost_at_backs[b] += leaves * fraction(lost);
       report.in_panes[b] += leaves * fraction(in_panes);

@@ -36,10 +36,9 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
     return VertexNumbers{{points.at(i, 0), points.at(i, 1)},
                          {points.at(i, 4), points.at(i, 2), points.at(i, 3)}};
   };
-  // Reflected light where a ray ended, W/m²: radiance times pi.
+  // Light sent on where a ray ended, W/m²: radiance times pi.
   const auto reflected = [&](const Hit& hit, std::size_t b) {
-    return static_cast<double>(patches_.reflectance(hit.patch, b)) *
-           smooth_irradiance(light_, hit.side(), {hit.u, hit.v}, b, bands);
+    return smooth_sent_on(patches_, light_, hit.side(), {hit.u, hit.v}, b);
   };
   const auto sample = [&](std::uint32_t r, std::uint32_t i) {
     const OwenSobol points(nth_key(key, r));

@@ -37,8 +37,8 @@ std::vector<Image> radiance_pages(const PatchSet& patches, const Lightmap& light
         const auto fraction = texture_ratio_at(patches, fine, patch, place.weights.x, place.weights.y);
         auto& pixel = page.irradiance.pixels[i];
         const auto light = pixel;
-        pixel = in_gamut(
-            radiance_of(patches.material_of(patch), place.side.is_back(), &light.x, colours, fraction));
+        pixel = in_gamut(radiance_of(patches.material_of(patch), place.side.is_back(), {&light.x, &light.x},
+                                     colours, fraction));
       }
     });
   }

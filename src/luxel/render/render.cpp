@@ -61,13 +61,19 @@ struct Shot {
   Vec3d zenith;
 };
 
-// here: scratch, [band].
-Vec3d radiance_at(const Shot& shot, const Ray& ray, const Hit& hit, std::vector<float>& here) {
+// light: scratch, [band] of the side that is seen, [band] of the other one.
+Vec3d radiance_at(const Shot& shot, const Ray& ray, const Hit& hit, std::vector<float>& light) {
   if (!hit) return shot.sky.at(Vec3d(ray.direction));
-  for (std::size_t band = 0; band < here.size(); ++band)
-    here[band] = smooth_irradiance<float>(shot.light, hit.side(), {hit.u, hit.v}, band, here.size());
+  const auto bands = light.size() / 2;
+  const auto add = [&](SideId side, float* to) {
+    for (std::size_t band = 0; band < bands; ++band)
+      to[band] = smooth_irradiance<float>(shot.light, side, {hit.u, hit.v}, band, bands);
+  };
+  const auto& material = shot.patches.material_of(hit.patch);
+  add(hit.side(), light.data());
+  if (material.is_diffuser()) add(hit.side().opposite(), light.data() + bands);
   const auto fraction = texture_ratio_at(shot.patches, shot.fine, hit.patch, hit.u, hit.v);
-  return radiance_of(shot.patches.material_of(hit.patch), hit.back, here.data(), shot.colours, fraction);
+  return radiance_of(material, hit.back, {light.data(), light.data() + bands}, shot.colours, fraction);
 }
 
 // The parts of pixels that edges pass through, the pixels that see the sky, and the scratch of one thread.
@@ -75,7 +81,7 @@ struct PixelParts {
   EdgePixels edges;
   SkyPixels sky;
   std::vector<Vec3> samples;  // of the current pixel
-  std::vector<float> bands;
+  std::vector<float> light;   // of radiance_at()
 };
 
 std::size_t parts_per_pixel(const RenderOptions& options) {
@@ -126,7 +132,7 @@ Vec3 pixel_radiance(const Shot& shot, int x, int y, PixelParts& parts) {
     const auto hit = shot.tracer.nearest(ray);
     const auto lamp = shot.luminaires.empty() ? std::nullopt : shot.luminaires.first(ray, hit.distance);
     const auto radiance = shot.panes.along(ray, lamp ? lamp->distance : hit.distance) *
-                          (lamp ? lamp->radiance : radiance_at(shot, ray, hit, parts.bands));
+                          (lamp ? lamp->radiance : radiance_at(shot, ray, hit, parts.light));
     const auto displayed = hit || lamp || !shot.sky.is_even()
                                ? radiance
                                : sky_look(radiance, glm::dot(Vec3d(ray.direction), shot.zenith));
@@ -175,7 +181,7 @@ Picture render_picture(const PatchSet& patches, const SmoothLight& light, const 
     std::vector<PixelParts> chunks((count + pixels_per_chunk - 1) / pixels_per_chunk);
     context.for_chunks(count, pixels_per_chunk, [&](std::size_t begin, std::size_t end, int) {
       auto& parts = chunks[begin / pixels_per_chunk];
-      parts.bands.resize(colours.bands());
+      parts.light.resize(2 * colours.bands());
       for (auto i = first + begin; i < first + end; ++i)
         picture.radiance.pixels[i] =
             pixel_radiance(shot, static_cast<int>(i % width), static_cast<int>(i / width), parts);

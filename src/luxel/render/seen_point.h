@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "luxel/core/address.h"
 #include "luxel/render/light_paths.h"
 #include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
@@ -43,8 +44,8 @@ class SeenPoints {
   };
 
   // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
-  // surface; H: [band], 0 at first. Adds the colour of what leaves towards the eye, or the sky's, to the
-  // sums.
+  // surface, and on the other side of a diffuser; H: [band], 0 at first. Adds the colour of what leaves
+  // towards the eye, or the sky's, to the sums.
   template <typename Irradiance>
   void look(std::size_t pixel, const Batch& batch, std::uint32_t i, Sums& sums,
             const Irradiance& irradiance) const {
@@ -61,11 +62,17 @@ class SeenPoints {
     if (!hit) sums.radiance += through * sky_.at(Vec3d(ray.direction));
     if (!hit || !is_reflecting(patches_, hit.patch, hit.back)) return;
     auto& scratch = sums.scratch;
-    scratch.assign(bands(), 0.0);
+    scratch.assign(2 * bands(), 0.0);
     irradiance(surface_point(patches_, hit.patch, hit.back, {hit.u, hit.v}), numbers.vertex, path_key,
-               std::span<double>(scratch));
+               std::span<double>(scratch).first(bands()));
+    if (patches_.material_of(hit.patch).is_diffuser())
+      irradiance(surface_point(patches_, hit.patch, !hit.back, {hit.u, hit.v}), numbers.vertex,
+                 nth_key(path_key, 1), std::span<double>(scratch).last(bands()));
     for (std::size_t b = 0; b < bands(); ++b) {
-      const auto back_to_eye = static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] * per_pi;
+      const auto back_to_eye =
+          (static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] +
+           static_cast<double>(patches_.diffuse_transmittance(hit.patch, b)) * scratch[bands() + b]) *
+          per_pi;
       const auto own = hit.back ? 0.0 : static_cast<double>(patches_.emittance(hit.patch, b)) * per_pi;
       sums.radiance += (own + back_to_eye) * through * colours_.of(b);
       sums.reflected += back_to_eye * through * colours_.of(b);

@@ -108,10 +108,14 @@ SolutionLight::SolutionLight(const PatchSet& patches, const Solution& solution, 
   reflected_lux_.assign(samples->gathered.size(), std::vector<float>(side_count(patches.size()), 0.0f));
   for_each_replicate(
       patches, *samples, context, [&](std::size_t r, SideId side, std::span<const double> irradiance) {
-        double sum = 0.0;
-        for (std::size_t b = 0; b < lux_.size(); ++b)
-          sum += lux_[b] * static_cast<double>(patches.reflectance(side.patch(), b)) * irradiance[b];
-        reflected_lux_[r][side.index()] = static_cast<float>(sum);
+        double reflected = 0.0, transmitted = 0.0;
+        for (std::size_t b = 0; b < lux_.size(); ++b) {
+          reflected += lux_[b] * static_cast<double>(patches.reflectance(side.patch(), b)) * irradiance[b];
+          transmitted +=
+              lux_[b] * static_cast<double>(patches.diffuse_transmittance(side.patch(), b)) * irradiance[b];
+        }
+        reflected_lux_[r][side.index()] += static_cast<float>(reflected);
+        if (transmitted > 0.0) reflected_lux_[r][side.opposite().index()] += static_cast<float>(transmitted);
       });
 }
 
@@ -121,8 +125,7 @@ double SolutionLight::illuminance(std::span<const double> irradiance) const {
 
 double SolutionLight::reflected(const Hit& hit, std::size_t band) const {
   if (!is_reflecting(patches_, hit.patch, hit.back)) return 0.0;
-  return static_cast<double>(patches_.reflectance(hit.patch, band)) *
-         smooth_irradiance(smooth_, hit.side(), {hit.u, hit.v}, band, lux_.size());
+  return smooth_sent_on(patches_, smooth_, hit.side(), {hit.u, hit.v}, band);
 }
 
 std::size_t SolutionLight::error_sums() const {
@@ -136,9 +139,12 @@ void SolutionLight::add_error(const Hit& hit, double weight, std::span<double> s
     sums[r] += weight * static_cast<double>(reflected_lux_[r][hit.side().index()]);
   if (errors_ != SolutionErrors::patches) return;
   const auto* of_side = &solution_.standard_error.of(hit.side())[hit.patch * lux_.size()];
+  const auto* of_far = &solution_.standard_error.of(hit.side().opposite())[hit.patch * lux_.size()];
   for (std::size_t b = 0; b < lux_.size(); ++b)
-    sums[0] += weight * lux_[b] * static_cast<double>(patches_.reflectance(hit.patch, b)) *
-               static_cast<double>(of_side[b]);
+    sums[0] +=
+        weight * lux_[b] *
+        (static_cast<double>(patches_.reflectance(hit.patch, b)) * static_cast<double>(of_side[b]) +
+         static_cast<double>(patches_.diffuse_transmittance(hit.patch, b)) * static_cast<double>(of_far[b]));
 }
 
 double SolutionLight::error(std::span<const double> sums, double whole) const {

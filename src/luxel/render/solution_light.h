@@ -51,8 +51,8 @@ class SolutionLight {
   double lux(std::size_t band) const { return lux_[band]; }
   double illuminance(std::span<const double> irradiance) const;
 
-  // Light that the surface reflects where a ray met it, W/m²: radiance times pi, from the smooth light. 0 at
-  // the backs of one-sided materials. Without emission.
+  // Light that the surface sends on, reflected or through a diffuser, where a ray met it, W/m²: radiance
+  // times pi, from the smooth light. 0 at the backs of one-sided materials. Without emission.
   double reflected(const Hit& hit, std::size_t band) const;
 
   SolutionErrors errors() const { return errors_; }

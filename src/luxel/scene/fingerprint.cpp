@@ -142,6 +142,7 @@ void add_lights(WordHash& hash, const Scene& scene) {
   }
 }
 
+bool is_diffuser(const Material& material) { return material.is_diffuser(); }
 bool absorbs(const Material& material) { return !material.opaque && material.transmittance != Vec3(1.0f); }
 
 void add_transmittances(WordHash& hash, const Scene& scene) {
@@ -175,6 +176,8 @@ std::uint64_t fingerprint(const Scene& scene) {
   if (!scene.corner_colours.empty()) add_colours(hash, scene);
   if (!scene.point_lights.empty()) add_lights(hash, scene);
   if (std::any_of(scene.materials.begin(), scene.materials.end(), absorbs)) add_transmittances(hash, scene);
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), is_diffuser))
+    for (const auto& material : scene.materials) hash.add(material.diffuse_transmittance);
   return hash.value();
 }
 

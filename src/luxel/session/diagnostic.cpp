@@ -35,8 +35,9 @@ constexpr Kind kinds[] = {
     {"opaque-glass", {{0.15f, 0.25f, 0.45f}, "slate blue"}},
     {"doubled-panes", {{0.0f, 0.55f, 0.6f}, "turquoise"}},
     {"clear-panes", {{0.55f, 0.8f, 0.85f}, "pale blue"}},
+    {"covered-diffuser", {{0.75f, 0.6f, 0.9f}, "lavender"}},
 };
-static_assert(std::size(kinds) == static_cast<std::size_t>(DiagnosticKind::clear_panes) + 1);
+static_assert(std::size(kinds) == static_cast<std::size_t>(DiagnosticKind::covered_diffuser) + 1);
 
 }  // namespace
 

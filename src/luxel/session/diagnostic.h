@@ -38,6 +38,7 @@ enum class DiagnosticKind {
   opaque_glass,
   doubled_panes,
   clear_panes,
+  covered_diffuser,
 };
 
 // Where something was found. Names are those of the file.

@@ -75,7 +75,8 @@ void find_opaque_glass(const ScannedMesh& mesh, std::size_t places, std::vector<
   std::vector<std::uint32_t> triangles;
   for (const auto& t : mesh.clean.kept) {
     const auto& material = material_of(scene, t.triangle);
-    if (!material.is_lamp() && is_glass_name(material.name)) triangles.push_back(t.triangle);
+    if (!material.is_lamp() && !material.is_diffuser() && is_glass_name(material.name))
+      triangles.push_back(t.triangle);
   }
   if (triangles.empty()) return;
   Diagnostic diagnostic{DiagnosticKind::opaque_glass,
@@ -158,10 +159,49 @@ void find_doubled_panes(const ScannedMesh& mesh, const std::vector<GlassTriangle
   tell_materials(*mesh.scene, triangles, places, diagnostic);
   diagnostic.count = triangles.size();
   diagnostic.fact =
-      fmt::format("{} of glass within 1 mm of another sheet", counted_lie(triangles.size(), "triangle"));
+      fmt::format("{} within 1 mm of another sheet", counted_lie(triangles.size(), "glass triangle"));
   diagnostic.consequence = "lets each sheet absorb its part, so that such a pane absorbs twice";
   diagnostic.remedy = "remove one of the two sheets in the file, or give each the root of the transmittance";
   diagnostic.hints = {{Setting::glass, "NAME=0.9"}};
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+// Triangles of diffusers with a surface of another kind within a millimetre before or behind their centre.
+std::vector<std::uint32_t> covered_diffusers(const ScannedMesh& mesh, const Context& context) {
+  const auto& scene = *mesh.scene;
+  PatchSet others;  // bare geometry
+  std::vector<std::uint32_t> diffusers, covered;
+  for (const auto& t : mesh.clean.kept) {
+    const auto& material = material_of(scene, t.triangle);
+    if (material.is_diffuser()) diffusers.push_back(t.triangle);
+    if (!material.opaque || material.is_diffuser()) continue;
+    const auto first = static_cast<std::uint32_t>(others.vertices.size());
+    for (const auto v : scene.triangles[t.triangle]) others.vertices.push_back(scene.positions[v]);
+    others.corners.push_back({first, first + 1, first + 2});
+  }
+  if (diffusers.empty() || others.corners.empty()) return {};
+  const Tracer tracer(others, context);
+  for (const auto t : diffusers) {
+    const auto& c = scene.triangles[t];
+    const auto &p = scene.positions[c[0]], &q = scene.positions[c[1]], &r = scene.positions[c[2]];
+    const auto axis = glm::normalize(glm::cross(q - p, r - p));
+    const auto hit = tracer.nearest({(p + q + r) / 3.0f - doubled * axis, axis});
+    if (hit && hit.distance < 2.0f * doubled) covered.push_back(t);
+  }
+  return covered;
+}
+
+void find_covered_diffusers(const ScannedMesh& mesh, const Context& context, std::size_t places,
+                            std::vector<Diagnostic>& diagnostics) {
+  const auto triangles = covered_diffusers(mesh, context);
+  if (triangles.empty()) return;
+  Diagnostic diagnostic{DiagnosticKind::covered_diffuser, Severity::warning};
+  tell_materials(*mesh.scene, triangles, places, diagnostic);
+  diagnostic.count = triangles.size();
+  diagnostic.fact =
+      fmt::format("{} within 1 mm of a surface", counted_lie(triangles.size(), "diffuser triangle"));
+  diagnostic.consequence = "lets the light that they transmit end at that surface";
+  diagnostic.remedy = "open the wall behind the diffuser in the file, or move the two apart";
   diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -170,6 +210,7 @@ void find_doubled_panes(const ScannedMesh& mesh, const std::vector<GlassTriangle
 void find_bad_glass(const ScannedMesh& mesh, const Context& context, std::size_t places,
                     std::vector<Diagnostic>& diagnostics) {
   find_opaque_glass(mesh, places, diagnostics);
+  find_covered_diffusers(mesh, context, places, diagnostics);
   const auto glass = find_glass(*mesh.scene);
   if (glass.empty()) return;
   find_clear_panes(mesh, glass, places, diagnostics);

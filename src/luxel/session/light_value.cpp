@@ -55,7 +55,12 @@ LightValue radiosity_of(const SessionLight& light, std::size_t patch, bool back)
   std::vector<double> reflected;
   if (!error.empty()) {
     reflected = of_patch(error, patch, bands);
-    for (std::size_t b = 0; b < bands; ++b) reflected[b] *= light.mesh.patches->reflectance(patch, b);
+    const auto& patches = *light.mesh.patches;
+    for (std::size_t b = 0; b < bands; ++b) {
+      reflected[b] *= patches.reflectance(patch, b);
+      if (const double tau = patches.diffuse_transmittance(patch, b); tau > 0.0)
+        reflected[b] = std::hypot(reflected[b], tau * s.standard_error.of(!back)[patch * bands + b]);
+    }
   }
   return value_of(light.mesh.patches->colours(), of_patch(s.radiosity.of(back), patch, bands), reflected);
 }

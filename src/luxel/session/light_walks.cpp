@@ -32,9 +32,9 @@ struct Path {
   Ray last;
 };
 
-// Reflected fraction of white light, or of all wavebands equally.
-double reflected_fraction(const PatchSet& patches, const BandMaterial& material) {
-  const auto& of = material.reflectance;
+// Mean of a reflectance or transmittance for white light, or of all wavebands equally.
+double fraction(const PatchSet& patches, const std::vector<float>& of) {
+  if (of.empty()) return 0.0;
   if (patches.wavebands.empty()) return static_cast<double>(luminance({of[0], of[1], of[2]}));
   return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
 }
@@ -68,12 +68,14 @@ Path from_lamp(const PatchSet& patches, const Tracer& tracer, const LampByPower&
       path.back_material = static_cast<std::uint32_t>(patches.material[hit.patch]);
       break;
     }
-    weight *= reflected_fraction(patches, material);
+    const auto transmitted = fraction(patches, material.diffuse_transmittance);
+    const auto albedo = fraction(patches, material.reflectance) + transmitted;
+    weight *= albedo;
     if (weight < too_faint || b == max_bounces) break;
     side = hit.patch;
-    back = hit.back;
     weights = {hit.u, hit.v};
     const auto u = uniform4({seed, step_of(RandomPurpose::walks, 1 + static_cast<std::uint32_t>(b)), 0, i});
+    back = hit.back != (static_cast<double>(u[0]) * albedo < transmitted);
     ray = ray_from_side(patches, SideId(side, back), weights, u[2], u[3]);
   }
   return path;

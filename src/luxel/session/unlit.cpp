@@ -68,13 +68,20 @@ class Looker {
       const auto side = hit.side();
       trail.side[trail.length++] = side;
       if (is_lit_[side.index()] != 0 && is_small_[hit.patch] != 0) return End::near_light;
-      from_back = hit.back;
+      from_back =
+          hit.back != passes_diffuser(hit.patch, {options_.seed, step_of(RandomPurpose::unlit_walks, number),
+                                                  patch, 1 + stops + stop});
       weights = {hit.u, hit.v};
     }
     return End::in_the_dark;
   }
 
  private:
+  // By chance, half of the times that a walk meets a diffuser.
+  bool passes_diffuser(std::size_t patch, const RandomAddress& at) const {
+    return patches_.material_of(patch).is_diffuser() && uniform4(at)[0] < 0.5f;
+  }
+
   bool sees_lamp(const Vec3& at, std::size_t from, bool from_back, const std::array<float, 4>& u,
                  std::uint32_t& rays) const {
     const auto lamp = lamps_.at(static_cast<double>(u[2]));

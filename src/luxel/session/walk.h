@@ -10,6 +10,7 @@ namespace luxel {
 inline bool reflects(const PatchSet& patches, const Hit& hit) {
   const auto& material = patches.material_of(hit.patch);
   if (hit.back && !material.two_sided) return false;
+  if (material.is_diffuser()) return true;
   for (const auto r : material.reflectance)
     if (r > 0.0f) return true;
   return false;

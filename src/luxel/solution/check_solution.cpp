@@ -53,6 +53,14 @@ std::string fault_in_material(const BandMaterial& material, std::size_t bands) {
   if (!material.transmittance.empty() && material.transmittance.size() != bands)
     return fmt::format("the glass '{}' does not have one transmittance for each of the {} bands",
                        material.name, bands);
+  if (material.is_diffuser() && (material.diffuse_transmittance.size() != bands || !material.two_sided))
+    return fmt::format(
+        "the diffuser '{}' does not have two sides and one transmittance for each of the {} bands",
+        material.name, bands);
+  for (const auto t : material.diffuse_transmittance)
+    if (!(t >= 0.0f && t <= max_reflectance))
+      return fmt::format("material '{}' has the diffuse transmittance {}, expected 0 to below 1",
+                         material.name, t);
   for (const auto e : material.emittance)
     if (!(e >= 0.0f && std::isfinite(e)))
       return fmt::format("material '{}' has the emittance {} W/m²", material.name, e);

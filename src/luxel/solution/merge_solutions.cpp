@@ -25,7 +25,8 @@ bool same_materials(const PatchSet& a, const PatchSet& b) {
   return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
                     [](const BandMaterial& m, const BandMaterial& n) {
                       return m.two_sided == n.two_sided && m.reflectance == n.reflectance &&
-                             m.emittance == n.emittance && m.transmittance == n.transmittance;
+                             m.emittance == n.emittance && m.transmittance == n.transmittance &&
+                             m.diffuse_transmittance == n.diffuse_transmittance;
                     });
 }
 

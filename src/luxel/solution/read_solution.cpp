@@ -99,6 +99,9 @@ std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t ban
   const auto two_sided = file.array<std::uint8_t>("Luxel/materials/two_sided", n);
   const auto reflectance = file.array<float>("Luxel/materials/reflectance", n, bands);
   const auto emittance = file.array<float>("Luxel/materials/emittance", n, bands);
+  std::vector<float> diffuse_transmittance(n * bands, 0.0f);
+  if (file.has("Luxel/materials/diffuse_transmittance"))
+    diffuse_transmittance = file.array<float>("Luxel/materials/diffuse_transmittance", n, bands);
   std::vector<BandMaterial> materials;
   for (std::size_t i = 0; i < n; ++i) {
     const auto begin = static_cast<std::ptrdiff_t>(i * bands);
@@ -106,6 +109,9 @@ std::vector<BandMaterial> read_materials(const Hdf5Reader& file, std::size_t ban
     materials.push_back({names[i], two_sided[i] != 0,
                          std::vector(reflectance.begin() + begin, reflectance.begin() + end),
                          std::vector(emittance.begin() + begin, emittance.begin() + end), 0});
+    const std::vector through(diffuse_transmittance.begin() + begin, diffuse_transmittance.begin() + end);
+    if (std::any_of(through.begin(), through.end(), [](float t) { return t != 0.0f; }))
+      materials.back().diffuse_transmittance = through;
   }
   return materials;
 }

@@ -95,6 +95,13 @@ void add_materials(Hdf5Writer& file, const PatchSet& patches) {
   file.add_array("Luxel/materials/two_sided", flat(two_sided));
   file.add_array("Luxel/materials/reflectance", by_band(reflectance), "1");
   file.add_array("Luxel/materials/emittance", by_band(emittance), "W/m^2");
+  if (patches.has_diffusers()) {
+    std::vector<float> transmittance;
+    for (const auto& m : patches.materials)
+      for (std::size_t b = 0; b < patches.band_count(); ++b)
+        transmittance.push_back(m.is_diffuser() ? m.diffuse_transmittance[b] : 0.0f);
+    file.add_array("Luxel/materials/diffuse_transmittance", by_band(transmittance), "1");
+  }
   if (patches.light_groups.empty()) return;
   file.add_strings("Luxel/light_groups", patches.light_groups);
   file.add_array("Luxel/materials/light_group", flat(light_group));

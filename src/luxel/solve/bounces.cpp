@@ -28,8 +28,9 @@ struct Bounces::State {
   std::vector<float> direct;      // D, [receiver * bands + band], W/m²
   std::vector<float> irradiance;  // H
   std::vector<float>
-      reflected;  // rho H of the bounce before, and the sky, [row or sink of CrossedHalves][band]
-  std::vector<float> area, reflectance;
+      reflected;  // what was sent on in the bounce before, and the sky, [row or sink of CrossedHalves][band]
+  std::vector<float> area;
+  ScatteringTable scattering;
   int bounces = 0;
   double unshot = 0.0;  // W
 
@@ -46,7 +47,7 @@ struct Bounces::State {
                      context);
     const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, context);
     area.assign(receivers.area().begin(), receivers.area().end());
-    reflectance.assign(receivers.reflectance().begin(), receivers.reflectance().end());
+    scattering = scattering_of(patches, sampling.hits().sides(), context);
     begin();
   }
 
@@ -66,15 +67,22 @@ struct Bounces::State {
     context.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i) irradiance[i] = direct[i] + 0.5f * (rows[i] + rows[count + i]);
     });
+    const auto sends = scattering.view();
     unshot = ordered_sum(context, count, [&](std::size_t i) {
       const auto before =
           0.5 * (static_cast<double>(reflected[i]) + static_cast<double>(reflected[count + i]));
       return static_cast<double>(area[i / bands]) *
-             (static_cast<double>(reflectance[i] * irradiance[i]) - before);
+             (static_cast<double>(sends.sent_on(irradiance, i, bands)) - before);
     });
     context.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
       for (auto i = begin; i < end; ++i)
-        for (const auto row : {i, count + i}) reflected[row] = reflectance[i] * (direct[i] + rows[row]);
+        for (const auto row : {i, count + i}) rows[row] += direct[i];
+    });
+    context.for_chunks(count, grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i)
+        for (const std::size_t half : {0, 1})
+          reflected[half * count + i] =
+              sends.sent_on(std::span<const float>(rows).subspan(half * count, count), i, bands);
     });
     ++bounces;
   }
@@ -92,7 +100,7 @@ struct Bounces::State {
       const auto side = sides.side[i / bands];
       const auto at = side.patch() * bands + i % bands;
       s.irradiance.of(side)[at] = irradiance[i];
-      s.radiosity.of(side)[at] += reflectance[i] * irradiance[i];
+      s.radiosity.of(side)[at] += scattering.view().sent_on(irradiance, i, bands);
     }
     const auto emitted = emitted_power(patches);
     const auto power = std::accumulate(emitted.begin(), emitted.end(), 0.0);

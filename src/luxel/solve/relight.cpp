@@ -34,7 +34,7 @@ std::vector<std::vector<float>> of_group(std::span<const std::vector<float>> lig
 
 // Returns nothing where the monitor stops the work.
 std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const SampledOperator& transport,
-                                             const SampleState& state, std::span<const float> reflectance,
+                                             const SampleState& state, const Scattering& scattering,
                                              const Context& context) {
   const auto bands = patches.band_count();
   const auto groups = patches.group_count();
@@ -49,7 +49,7 @@ std::vector<std::vector<float>> solve_groups(const PatchSet& patches, const Samp
       return context.report({"light groups", static_cast<double>(g) / static_cast<double>(groups)});
     };
     const auto light =
-        solve_replicates(transport, direct, reflectance, radiosity, tolerance, context.with_monitor(told));
+        solve_replicates(transport, direct, scattering, radiosity, tolerance, context.with_monitor(told));
     if (light.is_stopped) return {};
     for (std::size_t r = 0; r < gathered.size(); ++r)
       context.for_chunks(receivers, grain, [&](std::size_t begin, std::size_t end, int) {
@@ -70,7 +70,7 @@ std::shared_ptr<const SampleState> with_group_light(const PatchSet& patches, con
   const SampledLight receivers(patches, sampling.tree(), sampling.hits().sides(), false, context);
   const auto transport = sampling.transport();
   auto more = std::make_shared<SampleState>(*state);
-  more->gathered = solve_groups(patches, *transport, *state, receivers.reflectance(), context);
+  more->gathered = solve_groups(patches, *transport, *state, receivers.scattering(), context);
   if (more->gathered.empty()) return nullptr;
   return more;
 }
@@ -106,7 +106,7 @@ struct Relighter::State {
     if (seen && !seen->has_views()) seen.reset();
     if (samples->gathered.empty()) {
       auto more = std::make_shared<SampleState>(*samples);
-      more->gathered = solve_groups(patches, *transport, *samples, receivers->reflectance(), context);
+      more->gathered = solve_groups(patches, *transport, *samples, receivers->scattering(), context);
       samples = std::move(more);
     }
     const auto width = sampling.hits().sides().size() * weight.size();
@@ -150,7 +150,7 @@ Solution Relighter::light() const {
   if (!s.reflects_as_in_run) {
     auto radiosity = dark_but_for_sky(s.sampling.hits(), s.patches);
     gathered =
-        solve_replicates(*s.transport, direct, s.receivers->reflectance(), radiosity, tolerance, s.context)
+        solve_replicates(*s.transport, direct, s.receivers->scattering(), radiosity, tolerance, s.context)
             .gathered;
   } else {
     gathered = sum_of_groups(s.samples->gathered, groups, bands, s.weight, s.context);

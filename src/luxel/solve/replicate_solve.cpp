@@ -27,32 +27,46 @@ std::vector<float> twice(std::span<const float> values) {
 struct InfluenceInput {
   std::span<const std::vector<float>> direct;  // of the half's replicates
   std::span<const float> mean_direct;          // of all replicates
-  std::span<const float> reflectance;
+  Scattering scattering;
   std::span<const float> mean;  // of all h_r
 };
 
 // The light of each receiver in one number in place of bands, so that what is sent on costs one column per
 // replicate. Exact where all light has one colour.
 struct Grey {
-  std::vector<float> reflectance;  // [receiver], of the light that falls on it
-  std::vector<float> colour;       // gathered light over its mean over bands, [receiver * bands + band]
+  // [receiver], of the light that falls on it and, the transmittance, on the other side
+  std::vector<float> reflectance, transmittance;
+  std::vector<float> colour;  // gathered light over its mean over bands, [receiver * bands + band]
 };
 
 Grey grey_of(const InfluenceInput& input, std::size_t bands, const Context& context) {
-  const auto count = input.reflectance.size();
-  Grey grey{std::vector<float>(count / bands), std::vector<float>(count, 1.0f)};
+  const auto& scattering = input.scattering;
+  const auto count = scattering.reflectance.size();
+  Grey grey{std::vector<float>(count / bands), std::vector<float>(scattering.far.size()),
+            std::vector<float>(count, 1.0f)};
   for_all(grey.reflectance.size(), context, [&](std::size_t s) {
     float light = 0.0f, reflected = 0.0f, gathered = 0.0f, plain = 0.0f;
     for (auto i = s * bands; i < (s + 1) * bands; ++i) {
       const auto in = std::max(0.0f, input.mean_direct[i] + input.mean[i]);
       light += in;
-      reflected += input.reflectance[i] * in;
+      reflected += scattering.reflectance[i] * in;
       gathered += std::max(0.0f, input.mean[i]);
-      plain += input.reflectance[i] / static_cast<float>(bands);
+      plain += scattering.reflectance[i] / static_cast<float>(bands);
     }
     grey.reflectance[s] = light > 0.0f ? reflected / light : plain;
     for (auto i = s * bands; gathered > 0.0f && i < (s + 1) * bands; ++i)
       grey.colour[i] = static_cast<float>(bands) * std::max(0.0f, input.mean[i]) / gathered;
+  });
+  for_all(grey.transmittance.size(), context, [&](std::size_t s) {
+    float light = 0.0f, transmitted = 0.0f, plain = 0.0f;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const auto i = s * bands + b, j = scattering.far[s] * bands + b;
+      const auto in = std::max(0.0f, input.mean_direct[j] + input.mean[j]);
+      light += in;
+      transmitted += scattering.transmittance[i] * in;
+      plain += scattering.transmittance[i] / static_cast<float>(bands);
+    }
+    grey.transmittance[s] = light > 0.0f ? transmitted / light : plain;
   });
   return grey;
 }
@@ -62,10 +76,11 @@ Grey grey_of(const InfluenceInput& input, std::size_t bands, const Context& cont
 bool add_influences(const SampledOperator& transport, std::size_t half, const InfluenceInput& input,
                     std::span<std::vector<float>> gathered, const Context& context) {
   const auto receivers = transport.sides().size();
-  const auto bands = input.reflectance.size() / std::max<std::size_t>(1, receivers);
+  const auto bands = input.mean.size() / std::max<std::size_t>(1, receivers);
   const auto columns = gathered.size();
   const auto grey = grey_of(input, bands, context);
   std::vector<float> source(receivers * columns), reflectances(source.size()), influence(source.size());
+  std::vector<float> transmittances(grey.transmittance.size() * columns);
   std::vector<float> radiosity(transport.elements() * columns, 0.0f);
   const auto own = [&](std::size_t k, std::size_t i) {
     return gathered[k][i] - input.mean[i] + input.direct[k][i] - input.mean_direct[i];
@@ -77,11 +92,14 @@ bool add_influences(const SampledOperator& transport, std::size_t half, const In
       for (auto i = s * bands; i < (s + 1) * bands; ++i) sum += own(k, i);
       source[at] = sum / static_cast<float>(bands);
       reflectances[at] = grey.reflectance[s];
-      radiosity[at] = reflectances[at] * source[at];
+      if (!transmittances.empty()) transmittances[at] = grey.transmittance[s];
     }
   });
+  const Scattering scattering(reflectances, transmittances, input.scattering.far);
+  for_all(source.size(), context,
+          [&](std::size_t at) { radiosity[at] = scattering.sent_on(source, at, columns); });
   const auto report =
-      gauss_seidel(HalfOperator(transport, 1 - half, columns), {source, reflectances, radiosity, influence},
+      gauss_seidel(HalfOperator(transport, 1 - half, columns), {source, scattering, radiosity, influence},
                    {.tolerance = influence_tolerance,
                     .parts = 1,
                     .memory = influence_memory,
@@ -130,16 +148,17 @@ std::vector<float> dark_but_for_sky(const HitStore& hits, const PatchSet& patche
 }
 
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
-                                std::span<const float> reflectance, std::span<float> radiosity,
-                                double tolerance, const Context& context) {
+                                const Scattering& scattering, std::span<float> radiosity, double tolerance,
+                                const Context& context) {
   assert(tolerance > 0.0 && direct.size() == transport.hits().replicates());
-  const auto count = reflectance.size();
+  const auto count = scattering.reflectance.size();
   const auto bands = radiosity.size() / (transport.sides().size() + transport.elements());
   const auto mean_direct = mean_of(direct, context);
   const CrossedHalves crossed(transport, bands);
   std::vector<float> irradiance(2 * count);
+  const auto both = repeated_twice(scattering);
   ReplicateLight light;
-  light.iteration = gauss_seidel(crossed, {twice(mean_direct), twice(reflectance), radiosity, irradiance},
+  light.iteration = gauss_seidel(crossed, {twice(mean_direct), both, radiosity, irradiance},
                                  {.tolerance = tolerance, .parts = 2}, context);
   light.is_stopped = light.iteration.is_stopped;
   if (light.is_stopped) return light;
@@ -154,7 +173,7 @@ ReplicateLight solve_replicates(const SampledOperator& transport, std::span<cons
     const auto first = transport.half_begin(half);
     const auto count_of_half = transport.half_begin(half + 1) - first;
     light.is_stopped = !add_influences(transport, half,
-                                       {direct.subspan(first, count_of_half), mean_direct, reflectance, mean},
+                                       {direct.subspan(first, count_of_half), mean_direct, scattering, mean},
                                        std::span(light.gathered).subspan(first, count_of_half), context);
   }
   if (light.is_stopped) return light;

@@ -24,20 +24,21 @@ struct ReplicateLight {
   GaussSeidelReport iteration;
 };
 
-// Solves B = rho (D + F B) for both halves of the replicates, each sending on what the other gathered, to
-// `tolerance`; the light is the mean of the two. Each replicate stands around it by its influence u on that
-// mean: what differs in its own rays and direct light, sent on for as long as that changes its errors,
+// Solves B = S (D + F B), S the scattering rho or, with diffusers, rho and tau, for both halves of the
+// replicates, each sending on what the other gathered, to `tolerance`; the light is the mean of the two. Each
+// replicate stands around it by its influence u on that mean: what differs in its own rays and direct light,
+// sent on for as long as that changes its errors,
 //
-//     u_r = (h_r - mean of h) + (D_r - mean of D) + F rho u_r,     F of the other half.
+//     u_r = (h_r - mean of h) + (D_r - mean of D) + F S u_r,     F of the other half.
 //
 // So the mean over replicates is the solution with all rays, and their spread its error.
 //
-// direct: [replicate][receiver * bands + band], W/m²; reflectance: [receiver * bands + band]; radiosity:
+// direct: [replicate][receiver * bands + band], W/m²; scattering: [receiver * bands + band]; radiosity:
 // reflected, W/m², [row or sink of CrossedHalves][band], the start and the result; that of the sinks stays,
 // so the sky is one. The same bits on any number of threads. Cost: two look-ups per ray for each sweep; the
 // influences cost as much as some sweeps more.
 ReplicateLight solve_replicates(const SampledOperator& transport, std::span<const std::vector<float>> direct,
-                                std::span<const float> reflectance, std::span<float> radiosity,
-                                double tolerance, const Context& context = {});
+                                const Scattering& scattering, std::span<float> radiosity, double tolerance,
+                                const Context& context = {});
 
 }  // namespace luxel

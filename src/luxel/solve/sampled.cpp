@@ -128,13 +128,13 @@ class Run {
   // The start of the iteration: the radiosities of the shot light.
   void begin_iteration() {
     radiosity_ = dark_but_for_sky(sampling_->hits(), patches_);
-    for (std::size_t s = 0; s < receivers(); ++s) {
-      const auto patch = side(s).patch();
-      const auto& H = solution_.irradiance.of(side(s));
-      for (std::size_t b = 0; b < bands_; ++b)
-        radiosity_[s * bands_ + b] = radiosity_[(receivers() + s) * bands_ + b] =
-            patches_.reflectance(patch, b) * H[patch * bands_ + b];
-    }
+    const auto irradiance = [&](std::size_t i) {
+      const auto from = side(i / bands_);
+      return solution_.irradiance.of(from)[from.patch() * bands_ + i % bands_];
+    };
+    const auto count = receivers() * bands_;
+    for (std::size_t i = 0; i < count; ++i)
+      radiosity_[i] = radiosity_[count + i] = light_->scattering().sent_on(irradiance, i, bands_);
   }
 
   void restore(const SampleState& state) {
@@ -185,9 +185,9 @@ class Run {
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, context_);
     transport_.reset();
     transport_ = sampling_->transport();
-    auto solved = solve_replicates(
-        *transport_, direct, light_->reflectance(), radiosity_, tolerance_for(options_.error),
-        context_.with_monitor([this](const Progress&) { return progress_.report(rays()); }));
+    auto solved =
+        solve_replicates(*transport_, direct, light_->scattering(), radiosity_, tolerance_for(options_.error),
+                         context_.with_monitor([this](const Progress&) { return progress_.report(rays()); }));
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, context_);

@@ -22,17 +22,11 @@ using namespace tuning::answer;
 
 SampledLight::SampledLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides,
                            bool smooths, const Context& context)
-    : patches_(patches), sides_(sides), units_(neighbour_begins(sides, hue_positions)) {
-  const auto bands = patches.band_count();
-  area_.resize(sides.size());
-  reflectance_.resize(sides.size() * bands);
-  context.for_chunks(sides.size(), grain, [&](std::size_t begin, std::size_t end, int) {
-    for (auto s = begin; s < end; ++s) {
-      const auto patch = sides.side[s].patch();
-      area_[s] = patches.area[patch];
-      for (std::size_t b = 0; b < bands; ++b) reflectance_[s * bands + b] = patches.reflectance(patch, b);
-    }
-  });
+    : patches_(patches),
+      sides_(sides),
+      units_(neighbour_begins(sides, hue_positions)),
+      scattering_(scattering_of(patches, sides, context)) {
+  for (const auto side : sides.side) area_.push_back(patches.area[side.patch()]);
   if (smooths && sides.size() >= min_smoothed_receivers) smoothing_.emplace(patches, tree, sides);
 }
 
@@ -49,7 +43,7 @@ SampledLight::Answer SampledLight::answer(std::span<std::vector<float>> direct,
     return {std::move(own), {}};
   }
   const auto mine = spread_partition(SharedWork(context), area_.size());
-  std::vector<float> bias(reflectance_.size(), 0.0f);
+  std::vector<float> bias(area_.size() * bands, 0.0f);
   smoothing_->smooth(direct, gathered, bias, context, mine);
   if (observe) observe(true);
   constexpr std::size_t families = 2;  // of replicates: each half has its own mean
@@ -76,6 +70,8 @@ void SampledLight::write(const Answer& answer, Solution& solution, const Context
     for (auto p = begin; p < end; ++p)
       for (std::size_t b = 0; b < bands; ++b) s.radiosity.front[p * bands + b] = patches_.emittance(p, b);
   });
+  const auto scattering = this->scattering();
+  const auto irradiance = [&](std::size_t i) { return std::max(0.0f, answer.mean[i]); };
   context.for_chunks(area_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto receiver = begin; receiver < end; ++receiver) {
       const auto side = sides_.side[receiver];
@@ -83,9 +79,8 @@ void SampledLight::write(const Answer& answer, Solution& solution, const Context
       for (std::size_t b = 0; b < bands; ++b) {
         const auto i = receiver * bands + b;
         const auto at = side.patch() * bands + b;
-        const auto H = std::max(0.0f, answer.mean[i]);
-        s.irradiance.of(back)[at] = H;
-        s.radiosity.of(back)[at] += reflectance_[i] * H;
+        s.irradiance.of(back)[at] = irradiance(i);
+        s.radiosity.of(back)[at] += scattering.sent_on(irradiance, i, bands);
         s.standard_error.of(back)[at] = answer.standard_error[i];
         if (shared) s.smoothing_bias.of(back)[at] = std::sqrt(std::max(0.0f, answer.bias[i]));
       }
@@ -136,6 +131,8 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
   const auto& sides = hits.sides();
   const auto bands = patches.band_count();
   const auto materials = patches.materials.size();
+  const auto table = scattering_of(patches, sides, context);
+  const auto scattering = table.view();
   // Power carried by a ray of the receiver in one replicate, W, [receiver][band].
   std::vector<double> carried(sides.size() * bands);
   std::vector<double> area_per_ray(sides.size());  // m²
@@ -152,12 +149,19 @@ EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transpor
         const double area = patches.area[patch];
         area_per_ray[s] = area / hits.rays_per_receiver()[s];
         for (std::size_t b = 0; b < bands; ++b) {
-          const double rho = patches.reflectance(patch, b);
-          const double H = irradiance[s * bands + b];
+          const auto i = s * bands + b;
+          const double rho = scattering.reflectance[i];
+          const double H = irradiance[i];
           const double own =
               !sides.side[s].is_back() ? static_cast<double>(patches.emittance(patch, b)) : 0.0;
-          carried[s * bands + b] = area_per_ray[s] * (own + rho * H);
-          sum[b] += area * (1.0 - rho) * H;
+          auto sent = own + rho * H;
+          auto albedo = rho;
+          if (scattering.transmits()) {
+            sent += double{scattering.transmitted([&](std::size_t at) { return irradiance[at]; }, i, bands)};
+            albedo += double{scattering.transmittance[i]};
+          }
+          carried[i] = area_per_ray[s] * sent;
+          sum[b] += area * (1.0 - albedo) * H;
         }
       }
       for (std::uint32_t r = 0; r < hits.replicates(); ++r) {

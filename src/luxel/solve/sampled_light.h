@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "luxel/classical/energy.h"
+#include "luxel/classical/scattering.h"
 #include "luxel/classical/solve_report.h"
 #include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
@@ -28,8 +29,8 @@ class SampledLight {
   SampledLight(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides, bool smooths,
                const Context& context);
 
-  std::span<const float> area() const { return area_; }                // [receiver], m²
-  std::span<const float> reflectance() const { return reflectance_; }  // [receiver * bands + band]
+  std::span<const float> area() const { return area_; }  // [receiver], m²
+  Scattering scattering() const { return scattering_; }  // [receiver * bands + band]
 
   // Called with the replicates as they are: first as they were given, then, if they are smoothed, smoothed.
   using Observer = std::function<void(bool is_smoothed)>;
@@ -55,7 +56,8 @@ class SampledLight {
   const PatchSet& patches_;
   const GatherSides& sides_;
   std::vector<std::uint32_t> units_;  // see preserve_hue()
-  std::vector<float> area_, reflectance_;
+  std::vector<float> area_;
+  ScatteringTable scattering_;
   std::optional<Smoothing> smoothing_;
 };
 

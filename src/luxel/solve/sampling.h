@@ -36,8 +36,8 @@ class Sampling {
   // In place of start(): goes on where another was. Throws MismatchError where the state is not of these
   // patches and options.
   void restore(const SampleState& state);
-  // The same, but the rays are traced again, for patches that differ in their panes of glass; their hits in the
-  // state are not used.
+  // The same, but the rays are traced again, for patches that differ in their panes of glass; their hits in
+  // the state are not used.
   void restore_rays(const SampleState& state);
   // The input of restore(), and the rays traced; the caller fills in the rest.
   SampleState state() const;

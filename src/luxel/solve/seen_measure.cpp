@@ -67,18 +67,20 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
   SeenLight light{std::vector<float>(views.sides.size()), std::vector<float>(views.sides.size()),
                   sky_radiance(patches_)};
   const bool black = reflects_nothing(patches_, views_.stating);
-  const std::vector<float> no_light(bands, 0.0f);
-  std::vector<double> squared_error(bands);
-  for (std::size_t i = 0; i < views.sides.size(); ++i) {
-    const auto receiver = sides_.receiver_of_side[views.sides[i].index()];
-    std::span<const float> irradiance = no_light;
-    std::fill(squared_error.begin(), squared_error.end(), 0.0);
-    if (receiver != none) {
-      irradiance = std::span(answer.mean).subspan(receiver * bands, bands);
-      for (std::size_t b = 0; b < bands; ++b)
-        squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
+  SideEstimate here, far;
+  const auto set = [&](SideId side, SideEstimate& estimate) {
+    const auto receiver = sides_.receiver_of_side[side.index()];
+    estimate.irradiance.assign(bands, 0.0f);
+    estimate.squared_error.assign(bands, 0.0);
+    for (std::size_t b = 0; receiver != none && b < bands; ++b) {
+      estimate.irradiance[b] = answer.mean[receiver * bands + b];
+      estimate.squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
     }
-    const auto side = light_of_side(patches_, views.sides[i], irradiance, squared_error, black);
+  };
+  for (std::size_t i = 0; i < views.sides.size(); ++i) {
+    set(views.sides[i], here);
+    if (is_diffuser(views.sides[i])) set(views.sides[i].opposite(), far);
+    const auto side = light_of_side(patches_, views.sides[i], here, far, black);
     light.radiance[i] = side.radiance;
     light.squared_error[i] = side.squared_error;
   }
@@ -106,9 +108,16 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
   const bool black = reflects_nothing(patches_, views_.stating);
   // Ordered by receiver, because each process holds the replicates of a range of receivers.
   std::vector<std::uint8_t> is_seen(receivers, 0);
-  for (const auto side : views_.stating.sides)
+  const auto see = [&](SideId side) {
     if (sides_.receiver_of_side[side.index()] != none) is_seen[sides_.receiver_of_side[side.index()]] = 1;
+  };
+  for (const auto side : views_.stating.sides) {
+    see(side);
+    if (is_diffuser(side)) see(side.opposite());
+  }
   std::vector<float> without(receivers * n, 0.0f);
+  // The same of the light that a receiver's side sends to the other side of a diffuser.
+  std::vector<float> without_through(patches_.has_diffusers() ? without.size() : 0, 0.0f);
   const auto mine = spread_partition(SharedWork(context), receivers);
   const LeaveOneOut leave_one_out(direct, gathered);
   context.for_chunks(mine.end() - mine.begin(), mine.grain(), [&](std::size_t from, std::size_t to, int) {
@@ -118,15 +127,24 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
         leave_one_out.add(s * bands + b, static_cast<double>(answer.squared_error[s * bands + b]),
                           squared(rho / std::numbers::pi) / static_cast<double>(bands),
                           std::span(without).subspan(s * n, n));
+        if (!is_diffuser(sides_.side[s])) continue;
+        const auto tau = static_cast<double>(patches_.diffuse_transmittance(sides_.side[s].patch(), b));
+        leave_one_out.add(s * bands + b, static_cast<double>(answer.squared_error[s * bands + b]),
+                          squared(tau / std::numbers::pi) / static_cast<double>(bands),
+                          std::span(without_through).subspan(s * n, n));
       }
   });
   mine.all_gather(std::span(without), n);
+  if (!without_through.empty()) mine.all_gather(std::span(without_through), n);
   std::vector<double> errors(n);
   context.for_chunks(n, 1, [&](std::size_t r, std::size_t, int) {
     std::vector<float> squared_error(light.squared_error.size(), 0.0f);
     for (std::size_t i = 0; i < squared_error.size(); ++i) {
       const auto receiver = sides_.receiver_of_side[views_.stating.sides[i].index()];
       if (receiver != none) squared_error[i] = without[receiver * n + r];
+      if (!is_diffuser(views_.stating.sides[i])) continue;
+      const auto far = sides_.receiver_of_side[views_.stating.sides[i].opposite().index()];
+      if (far != none) squared_error[i] += without_through[far * n + r];
     }
     errors[r] = seen.percentile_95(squared_error);
   });
@@ -162,15 +180,23 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
     }
     for (auto s = units_[u]; s < units_[u + 1]; ++s) {
       double rho2 = 0.0;
-      double variance = 0.0;
+      double tau2 = 0.0;
       for (std::size_t b = 0; b < bands; ++b) {
         rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(sides_.side[s].patch(), b)));
-        variance += squared(static_cast<double>(answer.standard_error[s * bands + b]));
+        tau2 += squared(static_cast<double>(patches_.diffuse_transmittance(sides_.side[s].patch(), b)));
       }
-      importance_[s] = scale * rho2 / static_cast<double>(bands) * sum / unit_area * area(s);
-      seen += importance_[s] * variance;
-      whole += area(s) * variance;
+      importance_[s] += scale * rho2 / static_cast<double>(bands) * sum / unit_area * area(s);
+      const auto far = sides_.receiver_of_side[sides_.side[s].opposite().index()];
+      if (tau2 > 0.0 && far != none)
+        importance_[far] += scale * tau2 / static_cast<double>(bands) * sum / unit_area * area(s);
     }
+  }
+  for (std::size_t s = 0; s < importance_.size(); ++s) {
+    double variance = 0.0;
+    for (std::size_t b = 0; b < bands; ++b)
+      variance += squared(static_cast<double>(answer.standard_error[s * bands + b]));
+    seen += importance_[s] * variance;
+    whole += area(s) * variance;
   }
   const auto by_area = whole > 0.0 ? area_fraction * seen / whole : 0.0;
   for (std::size_t s = 0; s < importance_.size(); ++s)
@@ -210,17 +236,19 @@ double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Soluti
   const bool black = reflects_nothing(patches, views);
   const auto bands = patches.band_count();
   SeenLight light{{}, {}, sky_radiance(patches)};
-  std::vector<double> squared_error(bands);
-  for (const auto side : views.sides) {
-    const bool back = side.is_back();
-    const auto at = side.patch() * bands;
-    const auto& H = solution.irradiance.of(back);
-    const auto& error = solution.standard_error.of(back);
-    for (std::size_t b = 0; b < bands; ++b) {
-      const auto narrow = static_cast<double>(error[at + b]) / widening;
-      squared_error[b] = narrow * narrow;
+  SideEstimate here, far;
+  const auto set = [&](SideId side, SideEstimate& estimate) {
+    estimate = {};
+    for (auto i = side.patch() * bands; i < (side.patch() + 1) * bands; ++i) {
+      estimate.irradiance.push_back(solution.irradiance.of(side)[i]);
+      const auto narrow = static_cast<double>(solution.standard_error.of(side)[i]) / widening;
+      estimate.squared_error.push_back(narrow * narrow);
     }
-    const auto seen = light_of_side(patches, side, std::span(H).subspan(at, bands), squared_error, black);
+  };
+  for (const auto side : views.sides) {
+    set(side, here);
+    set(side.opposite(), far);
+    const auto seen = light_of_side(patches, side, here, far, black);
     light.radiance.push_back(seen.radiance);
     light.squared_error.push_back(seen.squared_error);
   }

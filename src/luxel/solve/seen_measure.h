@@ -53,6 +53,7 @@ class SeenMeasure {
   std::span<const double> importance() const { return importance_; }  // [receiver]
 
  private:
+  bool is_diffuser(SideId side) const { return patches_.material_of(side.patch()).is_diffuser(); }
   SeenLight light_of(const Views& views, const Spread& answer) const;
   void estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
                             Replicates direct, Replicates gathered, const Context& context);

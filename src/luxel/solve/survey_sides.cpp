@@ -64,6 +64,13 @@ void light_neighbours(std::span<const std::uint32_t> begins, std::vector<std::ui
   }
 }
 
+void light_through_diffusers(const PatchSet& patches, const GatherSides& sides,
+                             std::vector<std::uint8_t>& lit) {
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (lit[s] && patches.material_of(sides.side[s].patch()).is_diffuser())
+      lit[sides.receiver_of_side[sides.side[s].opposite().index()]] = 1;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> lit_receivers(const PatchSet& patches, const HitStore& hits,
@@ -92,7 +99,9 @@ std::vector<std::uint8_t> lit_receivers(const PatchSet& patches, const HitStore&
   // Light propagates from receiver to receiver. Each pass reads the result of the one before, so the result
   // does not depend on threads.
   for (bool changed = true; changed;) {
+    light_through_diffusers(patches, sides, lit);
     light_neighbours(groups, lit);
+    light_through_diffusers(patches, sides, lit);
     auto next = lit;
     context.for_chunks(hits.blocks(), 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto block = begin; block < end; ++block)

@@ -23,4 +23,16 @@ Number smooth_irradiance(const SmoothLight& light, SideId side, const Vec2& weig
   return sum;
 }
 
+// The light that a side sends on at a point, W/m², without its emission: what it reflects and, of a diffuser,
+// what comes through from the other side.
+inline double smooth_sent_on(const PatchSet& patches, const SmoothLight& light, SideId side,
+                             const Vec2& weights, std::size_t band) {
+  const auto bands = patches.band_count();
+  const auto reflected = static_cast<double>(patches.reflectance(side.patch(), band)) *
+                         smooth_irradiance(light, side, weights, band, bands);
+  if (!patches.material_of(side.patch()).is_diffuser()) return reflected;
+  return reflected + static_cast<double>(patches.diffuse_transmittance(side.patch(), band)) *
+                         smooth_irradiance(light, side.opposite(), weights, band, bands);
+}
+
 }  // namespace luxel

@@ -117,16 +117,33 @@ TextureRatio texture_ratio_at(const PatchSet& patches, const FineColours& fine, 
   return ratio;
 }
 
-Vec3d radiance_of(const BandMaterial& material, bool back, const float* irradiance,
+SeenIrradiance irradiance_at(const SmoothLight& light, std::size_t vertex, bool back, std::size_t bands) {
+  return {light.irradiance.of(back).data() + vertex * bands,
+          light.irradiance.of(!back).data() + vertex * bands};
+}
+
+Vec3d radiance_of(const BandMaterial& material, bool back, const SeenIrradiance& irradiance,
                   const BandColours& colours, const TextureRatio& ratio) {
-  Vec3d emitted(0.0), reflected(0.0);
+  Vec3d emitted(0.0), reflected(0.0), transmitted(0.0);
   if (back && !material.two_sided) return reflected;
   for (std::size_t b = 0; b < material.reflectance.size(); ++b) {
-    reflected += static_cast<double>(reflectance_at(material, ratio, b) * irradiance[b] / pi) * colours.of(b);
+    reflected +=
+        static_cast<double>(reflectance_at(material, ratio, b) * irradiance.here[b] / pi) * colours.of(b);
+    if (material.is_diffuser())
+      transmitted +=
+          static_cast<double>(material.diffuse_transmittance[b] * irradiance.behind[b] / pi) * colours.of(b);
     const auto emittance = material.emittance[b] * (ratio.emittance ? ratio.emittance[b] : 1.0f);
     if (!back) emitted += static_cast<double>(emittance / pi) * colours.of(b);
   }
-  return emitted * Vec3d(ratio.fine_emittance) + reflected * Vec3d(ratio.fine_reflectance);
+  return emitted * Vec3d(ratio.fine_emittance) + reflected * Vec3d(ratio.fine_reflectance) + transmitted;
+}
+
+float effective_irradiance(const BandMaterial& material, const SeenIrradiance& irradiance,
+                           const TextureRatio& ratio, std::size_t band) {
+  if (!material.is_diffuser()) return irradiance.here[band];
+  const auto rho = reflectance_at(material, ratio, band), tau = material.diffuse_transmittance[band];
+  return rho + tau > 0.0f ? (rho * irradiance.here[band] + tau * irradiance.behind[band]) / (rho + tau)
+                          : 0.0f;
 }
 
 }  // namespace luxel

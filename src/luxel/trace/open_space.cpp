@@ -53,11 +53,17 @@ class Paths {
       if (has_points() && sees_point(ray.origin)) return true;
       side = side_met(patches_, tracer_.nearest(ray));
       if (is_light(patches_, side)) return true;
+      if (Panorama::is_side(side) && passes_diffuser(side, key, i)) side = side.opposite();
     }
     return false;
   }
 
  private:
+  // By chance, half of the times that a path meets a diffuser.
+  bool passes_diffuser(SideId side, std::uint64_t key, std::uint32_t ray) const {
+    return patches_.material_of(side.patch()).is_diffuser() && uniform4(key, path_rays + ray)[0] < 0.5f;
+  }
+
   const PatchSet& patches_;
   const Tracer& tracer_;
   std::vector<Vec3> points_, towards_;

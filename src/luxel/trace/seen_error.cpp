@@ -36,21 +36,26 @@ double sensitivity(double radiance, double adaptation) {
 bool reflects_nothing(const PatchSet& patches, const Views& views) {
   return std::none_of(views.sides.begin(), views.sides.end(), [&](SideId side) {
     for (std::size_t b = 0; b < patches.band_count(); ++b)
-      if (patches.reflectance(side.patch(), b) > 0.0f) return true;
+      if (patches.albedo(side.patch(), b) > 0.0f) return true;
     return false;
   });
 }
 
-SeenSide light_of_side(const PatchSet& patches, SideId side, std::span<const float> irradiance,
-                       std::span<const double> squared_error, bool black) {
+SeenSide light_of_side(const PatchSet& patches, SideId side, const SideEstimate& here,
+                       const SideEstimate& far, bool black) {
   const auto bands = patches.band_count();
   double squared_light = 0.0;
   double squared_error_sum = 0.0;
   for (std::size_t b = 0; b < bands; ++b) {
     const auto rho = black ? 1.0 : static_cast<double>(patches.reflectance(side.patch(), b));
     const auto emitted = !side.is_back() ? static_cast<double>(patches.emittance(side.patch(), b)) : 0.0;
-    squared_light += squared(emitted + rho * std::max(0.0, static_cast<double>(irradiance[b])));
-    squared_error_sum += squared(rho) * squared_error[b];
+    auto sent = rho * std::max(0.0, static_cast<double>(here.irradiance[b]));
+    squared_error_sum += squared(rho) * here.squared_error[b];
+    if (const auto tau = static_cast<double>(patches.diffuse_transmittance(side.patch(), b)); tau > 0.0) {
+      sent += tau * std::max(0.0, static_cast<double>(far.irradiance[b]));
+      squared_error_sum += squared(tau) * far.squared_error[b];
+    }
+    squared_light += squared(emitted + sent);
   }
   const auto scale = 1.0 / (squared(std::numbers::pi) * static_cast<double>(bands));
   return {static_cast<float>(std::sqrt(scale * squared_light)),

@@ -29,9 +29,15 @@ struct SeenSide {
 // were 1, so that the light of black rooms has an error too.
 bool reflects_nothing(const PatchSet& patches, const Views& views);
 
-// irradiance, squared_error: [band], of one side, W/m² and its square. black: see reflects_nothing().
-SeenSide light_of_side(const PatchSet& patches, SideId side, std::span<const float> irradiance,
-                       std::span<const double> squared_error, bool black);
+// The light that arrives at one side, [band], W/m², and its squared error.
+struct SideEstimate {
+  std::vector<float> irradiance;
+  std::vector<double> squared_error;
+};
+// far: of the other side, whose light a diffuser transmits, with an independent error. black: see
+// reflects_nothing().
+SeenSide light_of_side(const PatchSet& patches, SideId side, const SideEstimate& here,
+                       const SideEstimate& far, bool black);
 
 // The root mean square over bands of the radiance of the sky.
 float sky_radiance(const PatchSet& patches);

@@ -98,8 +98,8 @@ TwoSides value_of(const DrawVertex& vertex, const TextureRatio& ratio, VertexVal
   const float* back = light.irradiance.back.data() + vertex.smooth * bands;
   if (what == VertexValue::radiance) {
     const auto& material = patches.materials[vertex.material];
-    return {in_gamut(radiance_of(material, false, front, colours, ratio)),
-            in_gamut(radiance_of(material, true, back, colours, ratio))};
+    return {in_gamut(radiance_of(material, false, {front, back}, colours, ratio)),
+            in_gamut(radiance_of(material, true, {back, front}, colours, ratio))};
   }
   const auto number = [&](const float* irradiance) {
     return Vec3(what == VertexValue::lux ? static_cast<float>(colours.lumens(irradiance))

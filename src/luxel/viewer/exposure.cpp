@@ -50,9 +50,11 @@ Seen seen_light(const SessionLight& light, const Pose& pose, const Space& space,
         seen.sky.fraction.push_back(1.0f);
         continue;
       }
-      const auto& irradiance = light.solution.irradiance.of(hit.side());
+      const auto of = [&](SideId side) {
+        return light.solution.irradiance.of(side).data() + hit.patch * bands;
+      };
       pixel = in_gamut(radiance_of(patches.material_of(hit.patch), hit.back,
-                                   irradiance.data() + hit.patch * bands, colours,
+                                   {of(hit.side()), of(hit.side().opposite())}, colours,
                                    texture_ratio_of_patch(patches, hit.patch)));
     }
   return seen;

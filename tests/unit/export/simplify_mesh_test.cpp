@@ -78,8 +78,8 @@ float shadow(const Vec3& at) {
 
 float code_at(const Lit& lit, std::uint32_t smooth) {
   const auto& colours = lit.patches.colours();
-  const auto* here = &lit.light.irradiance.front[3 * smooth];
-  return curve(in_gamut(radiance_of(lit.patches.materials[0], false, here, colours))).g;
+  const auto irradiance = irradiance_at(lit.light, smooth, false, 3);
+  return curve(in_gamut(radiance_of(lit.patches.materials[0], false, irradiance, colours))).g;
 }
 
 TEST(SimplifyMesh, linear_light_on_a_wall_needs_the_triangles_of_the_file_alone) {

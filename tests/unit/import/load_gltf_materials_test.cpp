@@ -230,6 +230,34 @@ TEST_F(LoadGltfMaterials, what_transmits_is_a_pane_of_the_factor_times_the_base_
   EXPECT_EQ(solid.materials[0].transmittance, Vec3(1.0f));
 }
 
+TEST_F(LoadGltfMaterials, diffuse_transmission_makes_diffusers_of_the_rest_of_the_base_colour) {
+  const auto material = [&](const std::string& extension, const std::string& more = "") {
+    return load(
+               R"({"name":"shade","pbrMetallicRoughness":{"baseColorFactor":[0.8,0.6,0.4,1],"metallicFactor":0)" +
+               more + R"(},"extensions":{"KHR_materials_diffuse_transmission":{)" + extension + "}}}")
+        .materials[0];
+  };
+  const auto shade =
+      material(R"("diffuseTransmissionFactor":0.25,"diffuseTransmissionColorFactor":[0.8,1,0.4])");
+  expect_near(shade.reflectance, Vec3(0.6f, 0.45f, 0.3f));
+  expect_near(shade.diffuse_transmittance, Vec3(0.2f, 0.25f, 0.1f));
+  EXPECT_TRUE(shade.opaque);
+  EXPECT_TRUE(shade.two_sided);
+  EXPECT_NE(files_.all_warnings().find("diffusers, with the transmittance"), std::string::npos);
+  EXPECT_FALSE(material("").is_diffuser());
+  EXPECT_FALSE(material(R"("diffuseTransmissionFactor":0)").is_diffuser());
+
+  const auto bright = material(R"("diffuseTransmissionFactor":0.9)");  // 0.08 + 0.9 in red
+  expect_near(bright.reflectance + bright.diffuse_transmittance, Vec3(0.98f, 0.96f, 0.94f));
+  const auto too_bright =
+      load(R"({"name":"lost","pbrMetallicRoughness":{"metallicFactor":0},"extensions":)"
+           R"({"KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5}}})");
+  expect_near(too_bright.materials[0].reflectance, Vec3(0.48f));
+  expect_near(too_bright.materials[0].diffuse_transmittance, Vec3(0.5f));
+  EXPECT_NE(files_.all_warnings().find("reflects and transmits more than 0.98"), std::string::npos);
+  EXPECT_THROW(material(R"("diffuseTransmissionFactor":1.5)"), InputError);
+}
+
 TEST_F(LoadGltfMaterials, older_files_state_a_diffuse_colour) {
   const auto scene =
       load(R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.1,0.2,0.3,1]}}})",

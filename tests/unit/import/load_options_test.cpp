@@ -137,6 +137,25 @@ TEST(LoadScene, glass_makes_panes_and_the_last_option_counts) {
   EXPECT_EQ(all.materials[1].transmittance, Vec3(0.7f));
 }
 
+TEST(LoadScene, glass_makes_diffusers_with_two_sides_that_give_no_light_away) {
+  SceneFiles files;
+  const auto scene = files.load_text(
+      two_triangles,
+      {.one_sided = {"*right"}, .glass = {{"*right", Vec3(0.8f)}, {"*right", Vec3(0.2f, 0.6f, 0.9f), true}}});
+  const auto& blind = scene.materials[1];
+  EXPECT_TRUE(blind.opaque);
+  EXPECT_TRUE(blind.two_sided);
+  EXPECT_EQ(blind.diffuse_transmittance, Vec3(0.2f, 0.6f, 0.9f));
+  EXPECT_EQ(blind.transmittance, Vec3(1.0f));
+  EXPECT_EQ(blind.reflectance, Vec3(0.5f, 0.98f - 0.6f, 0.98f - 0.9f));  // 0.5 in the file
+  EXPECT_NE(files.all_warnings().find("reflectance of 'wall right' was lowered"), std::string::npos);
+  EXPECT_FALSE(scene.materials[0].is_diffuser());
+  const auto pane =
+      files.load_text(two_triangles, {.glass = {{"*right", Vec3(0.4f), true}, {"*right", Vec3(0.8f)}}});
+  EXPECT_FALSE(pane.materials[1].is_diffuser());
+  EXPECT_FALSE(pane.materials[1].opaque);
+}
+
 TEST(LoadScene, glass_that_cannot_be_is_refused) {
   SceneFiles files;
   EXPECT_EQ(files.refusal_of_text(two_triangles, {.glass = {{"window", Vec3(0.8f)}}}),

@@ -270,5 +270,18 @@ TEST_F(Diagnose, finds_sheets_within_a_millimetre) {
   EXPECT_EQ(kinds(of(with_sheets({2.0, 2.002}), options)).find("doubled"), std::string::npos);
 }
 
+TEST_F(Diagnose, finds_diffusers_that_lie_on_a_wall) {
+  mtl_ = std::string(glass);
+  const LoadOptions options{.glass = {{"glass", Vec3(0.3f), true}}, .sky = Vec3(1.0f)};
+  const auto report =
+      of(with_sheets({1.0, 0.0005}), options);  // in the midst of the room, and before the rear wall
+  const auto& covered = found(report, DiagnosticKind::covered_diffuser);
+  EXPECT_EQ(covered.severity, Severity::warning);
+  EXPECT_EQ(covered.count, 2u);
+  EXPECT_EQ(covered.fact, "2 diffuser triangles lie within 1 mm of a surface");
+  EXPECT_EQ(kinds(of(with_sheets({2.0, 1.0}), options)).find("diffuser"), std::string::npos);
+  EXPECT_EQ(kinds(report).find("opaque-glass"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace luxel

@@ -82,6 +82,14 @@ TEST(SolutionFile, panes_of_glass_are_read_to_the_bit) {
   expect_same(read_solution(write("panes.vtkhdf", sample)), sample);
 }
 
+TEST(SolutionFile, diffusers_are_read_to_the_bit) {
+  auto sample = sample::baked(4, 3);
+  sample.patches.materials.push_back({"blind", true, {0.1f, 0.2f, 0.3f}, {0.0f, 0.0f, 0.0f}});
+  sample.patches.materials.back().diffuse_transmittance = {0.5f, 0.0f, 0.25f};
+  expect_same(read_solution(write("diffusers.vtkhdf", sample)), sample);
+  EXPECT_TRUE(sample.patches.has_diffusers());
+}
+
 TEST(SolutionFile, cameras_focus_and_seen_error_are_read_to_the_bit) {
   auto sample = sample::baked(6, 3);
   auto& patches = sample.patches;

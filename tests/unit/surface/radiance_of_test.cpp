@@ -17,14 +17,14 @@ const std::array<float, 3> irradiance = {2.0f, 4.0f, 8.0f};
 const BandColours plain({});
 
 TEST(RadianceOf, a_front_emits_and_reflects) {
-  const auto out = radiance_of(lamp, false, irradiance.data(), plain);
+  const auto out = radiance_of(lamp, false, {irradiance.data(), irradiance.data()}, plain);
   EXPECT_FLOAT_EQ(static_cast<float>(out.r), 2.0f * std::numbers::inv_pi_v<float>);
   EXPECT_FLOAT_EQ(static_cast<float>(out.g), 3.0f * std::numbers::inv_pi_v<float>);
   EXPECT_FLOAT_EQ(static_cast<float>(out.b), 3.0f * std::numbers::inv_pi_v<float>);
 }
 
 TEST(RadianceOf, a_back_reflects_but_does_not_emit) {
-  const auto out = radiance_of(lamp, true, irradiance.data(), plain);
+  const auto out = radiance_of(lamp, true, {irradiance.data(), irradiance.data()}, plain);
   EXPECT_FLOAT_EQ(static_cast<float>(out.r), 1.0f * std::numbers::inv_pi_v<float>);
   EXPECT_FLOAT_EQ(static_cast<float>(out.g), 1.0f * std::numbers::inv_pi_v<float>);
   EXPECT_EQ(out.b, 0.0);
@@ -33,7 +33,7 @@ TEST(RadianceOf, a_back_reflects_but_does_not_emit) {
 TEST(RadianceOf, the_back_of_a_one_sided_material_is_black) {
   auto one_sided = lamp;
   one_sided.two_sided = false;
-  EXPECT_EQ(radiance_of(one_sided, true, irradiance.data(), plain), Vec3d(0.0));
+  EXPECT_EQ(radiance_of(one_sided, true, {irradiance.data(), irradiance.data()}, plain), Vec3d(0.0));
 }
 
 TEST(Colours, red_green_blue_in_this_order_are_colours) {

@@ -83,14 +83,13 @@ TEST(SeenError, importance_times_squared_errors_adds_up_to_its_square) {
 
 TEST(SeenError, light_of_a_side_is_radiance_with_its_own_emission) {
   const auto patches = make_patches(truth::cube({truth::Wall{0.5f, 2.0f}}), {.max_edge = no_max_edge});
-  const std::vector<float> irradiance = {4.0f, 4.0f, 4.0f};
-  const std::vector<double> squared_error = {0.04, 0.04, 0.04};
-  const auto front = light_of_side(patches, SideId(0, false), irradiance, squared_error, false);
+  const SideEstimate here{{4.0f, 4.0f, 4.0f}, {0.04, 0.04, 0.04}}, far{{9.0f, 9.0f, 9.0f}, {1.0, 1.0, 1.0}};
+  const auto front = light_of_side(patches, SideId(0, false), here, far, false);
   EXPECT_NEAR(front.radiance, 4.0 / std::numbers::pi, 1e-6) << "2 emitted and half of 4";
   EXPECT_NEAR(std::sqrt(front.squared_error), 0.1 / std::numbers::pi, 1e-6);
-  const auto back = light_of_side(patches, SideId(0, true), irradiance, squared_error, false);
+  const auto back = light_of_side(patches, SideId(0, true), here, far, false);
   EXPECT_NEAR(back.radiance, 2.0 / std::numbers::pi, 1e-6);
-  const auto as_irradiance = light_of_side(patches, SideId(0, true), irradiance, squared_error, true);
+  const auto as_irradiance = light_of_side(patches, SideId(0, true), here, far, true);
   EXPECT_NEAR(as_irradiance.radiance, 4.0 / std::numbers::pi, 1e-6);
 }
 

@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A year of daylight by Luxel and by Radiance's two-phase method: radiance_two_phase.py [--small] [--folder DIR]
+
+Both compute the illuminance of each hour of a year at the points of a plane in the classroom of luxel-scenes, several times
+with more and more rays, and print the CPU seconds of the whole process and the error against a converged run of the same
+program: the RMS of the relative difference over all points and hours with 50 lx or more. Each program is held to itself, since
+they differ in what they model (Radiance spreads the sun over patches of the sky, Luxel traces rays to its place), so the error
+is that of the rays alone. Error squared times CPU seconds is a constant of each program; the last line has the ratio.
+
+Radiance is not in Debian: rfluxmtx, oconv, gendaymtx, dctimestep and rmtxop are looked for on the PATH. Without them the
+rows of Luxel are printed alone. Needs NumPy and h5py.
+"""
+import argparse
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PROGRAMS = ["rfluxmtx", "oconv", "gendaymtx", "dctimestep", "rmtxop"]
+EFFICACY = 179.0  # lm/W of Radiance
+LUMINANCE = [0.265, 0.670, 0.065]  # of Radiance's red, green and blue
+ENOUGH = 50.0  # lx
+SKY = """#@rfluxmtx u=+Y h=u
+void glow ground_glow
+0
+0
+4 1 1 1 0
+ground_glow source ground
+0
+0
+4 0 0 -1 180
+#@rfluxmtx u=+Y h=r2
+void glow sky_glow
+0
+0
+4 1 1 1 0
+sky_glow source sky
+0
+0
+4 0 0 1 180
+"""
+
+
+def run(command, folder, **more):
+    """Runs a program; returns its CPU seconds."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    try:
+        subprocess.run([str(word) for word in command], cwd=folder, check=True, stderr=subprocess.PIPE, **more)
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"radiance_two_phase.py: {' '.join(map(str, command))}: {error.stderr.decode(errors='replace').strip()}")
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def by_luxel(program, folder, rays, error):
+    """CPU seconds, and lx, [hour, point], of the hours with light."""
+    cpu = run([program, "daylight", "classroom.obj", "--weather", "town.wea", "--plane", "0.8", "--spacing", "0.6",
+               "--sky-patches", "577", "--rays", rays, "--error", f"{error}%", "--quiet", "-o", "year.h5"], folder)
+    with h5py.File(folder / "year.h5") as file:
+        return cpu, file["illuminance"][:], file["points/position"][:], file["points/normal"][:]
+
+
+def z_up(vectors):
+    """Y up and -Z north, as in the scene, to Z up and Y north."""
+    v = np.atleast_2d(vectors)
+    return np.stack([v[:, 0], -v[:, 2], v[:, 1]], axis=1)
+
+
+def colours_of(path):
+    colours, name = {}, None
+    for line in path.read_text(encoding="utf-8").splitlines():
+        words = line.split()
+        if words[:1] == ["newmtl"]:
+            name = words[1]
+        elif words[:1] == ["Kd"] and name:
+            colours[name] = [float(w) for w in words[1:4]]
+    return colours
+
+
+def write_radiance_scene(obj, mtl, to):
+    """The polygons of an OBJ file as Radiance reads them. Glass lets all light pass, as in the scene."""
+    colours = colours_of(mtl)
+    corners, material, lines = [], "default", []
+    for name, (r, g, b) in colours.items():
+        lines.append(f"void plastic {name}\n0\n0\n5 {r} {g} {b} 0 0\n")
+    for line in obj.read_text(encoding="utf-8").splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            corners.append(z_up([float(w) for w in words[1:4]])[0])
+        elif words[:1] == ["usemtl"]:
+            material = words[1]
+        elif words[:1] == ["f"] and "glass" not in material:
+            face = [corners[int(w.split("/")[0]) - 1] for w in words[1:]]
+            numbers = " ".join(f"{x:.7g}" for corner in face for x in corner)
+            lines.append(f"{material} polygon f{len(lines)}\n0\n0\n{3 * len(face)} {numbers}\n")
+    to.write_text("".join(lines), encoding="utf-8")
+
+
+def prepare_radiance(folder, position, normal):
+    write_radiance_scene(folder / "classroom.obj", folder / "classroom.mtl", folder / "scene.rad")
+    (folder / "sky.rad").write_text(SKY, encoding="utf-8")
+    np.savetxt(folder / "points.txt", np.hstack([z_up(position), z_up(normal)]), fmt="%.6g")
+    with open(folder / "skies.mtx", "wb") as out:
+        return run(["gendaymtx", "-m", "2", "-u", "town.wea"], folder, stdout=out)
+
+
+def by_radiance(folder, points, divisions):
+    """CPU seconds, and lx, [hour, point], of the hours with the sun up."""
+    with open(folder / "points.txt", "rb") as sensors, open(folder / "coefficients.mtx", "wb") as out:
+        cpu = run(["rfluxmtx", "-I+", "-n", os.cpu_count(), "-y", points, "-ab", "8", "-ad", divisions, "-lw",
+                   f"{1.0 / divisions:.3g}", "-", "sky.rad", "scene.rad"], folder, stdin=sensors, stdout=out)
+    with open(folder / "light.mtx", "wb") as out:
+        cpu += run(["dctimestep", "coefficients.mtx", "skies.mtx"], folder, stdout=out)
+    with open(folder / "light.txt", "wb") as out:
+        weights = [f"{EFFICACY * w}" for w in LUMINANCE]
+        cpu += run(["rmtxop", "-fa", "-t", "-c", *weights, "light.mtx"], folder, stdout=out)
+    text = (folder / "light.txt").read_text(encoding="utf-8").split("\n\n", 1)[-1]
+    return cpu, np.array(text.split(), dtype=float).reshape(-1, points)
+
+
+def error_against(light, converged):
+    counts = converged >= ENOUGH
+    return float(np.sqrt(np.mean(((light - converged)[counts] / converged[counts]) ** 2)))
+
+
+def table(name, runs):
+    """Prints one program's rows, the last of which is the converged run; returns the median of error² times seconds."""
+    *others, (_, _, converged) = runs
+    products = []
+    for setting, cpu, light in others:
+        error = error_against(light, converged)
+        products.append(error * error * cpu)
+        print(f"{name:<10} {setting:>12} {cpu:>9.1f} {100 * error:>9.2f}")
+    return float(np.median(products))
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--program", default=ROOT / "build/release/bin/luxel", help="luxel, with luxel-scenes beside it")
+    arguments.add_argument("--folder", type=pathlib.Path, help="keep all files here")
+    arguments.add_argument("--small", action="store_true", help="few rays, to see that it works: the numbers mean nothing")
+    options = arguments.parse_args()
+    program = pathlib.Path(options.program).resolve()
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = options.folder or pathlib.Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        scenes = program.parent / "luxel-scenes"
+        run([scenes, "classroom", "classroom.obj"], folder)
+        run([scenes, "temperate-year", "town.wea"], folder)
+        print(f"{'program':<10} {'setting':>12} {'CPU s':>9} {'error %':>9}")
+        settings = [(64, 50), (256, 40)] if options.small else [(1024, 10), (4096, 5), (16384, 2.5), (65536, 1)]
+        runs = []
+        for rays, error in settings:
+            cpu, light, position, normal = by_luxel(program, folder, rays, error)
+            runs.append((f"{rays} rays", cpu, light))
+        luxel = table("Luxel", runs)
+        missing = [name for name in PROGRAMS if not shutil.which(name)]
+        if missing:
+            print(f"Radiance     not found on the PATH: {', '.join(missing)}")
+            return
+        print(f"gendaymtx: {prepare_radiance(folder, position, normal):.1f} CPU s, which both leave out below")
+        runs = []
+        for divisions in [64, 256] if options.small else [1024, 4096, 16384, 131072]:
+            cpu, light = by_radiance(folder, len(position), divisions)
+            runs.append((f"-ad {divisions}", cpu, light))
+        radiance = table("Radiance", runs)
+        print(f"error² times CPU seconds: Radiance over Luxel {radiance / luxel:.2g}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "luxel/export/target_application.h"
+#include "luxel/render/make_lightmap.h"
+#include "luxel/runs/option_set.h"
+
+namespace luxel {
+
+// The options of `lightmap`.
+struct LightmapSettings {
+  static constexpr double automatic_white = 0.0;
+  LightmapOptions lightmap;
+  std::string layout = "file";     // where surfaces lie on pages: as the scene's file says, or new
+  double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
+  std::string error_map, directional, preview, unwrapped;  // files; empty: none
+  MeshCompression compression = MeshCompression::plain;    // of the unwrapped mesh, for further work
+  void declare(OptionSet& set);
+  // For outputs whose scene file may define a layout of surfaces on pages.
+  void declare_layout(OptionSet& set);
+  // How pages are laid out and texels gathered, for commands that put them into meshes.
+  void declare_pages(OptionSet& set);
+  void declare_texels(OptionSet& set);
+};
+
+// A sentence or two for a person.
+std::string describe(const Lightmap& lightmap, const LightmapReport& report);
+
+}  // namespace luxel

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "luxel/core/context.h"
+#include "luxel/runs/settings.h"
+#include "luxel/solution/solution_file.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// Returns the up direction, from the settings or else from the surfaces.
+Vec3 up_of(const LookSettings& look, const PatchSet& patches);
+
+// Sets --up of a command that reads a solution to what it was when the solution was made, unless it is given.
+void restore_up(const Provenance& provenance, LookSettings& look);
+
+// A view that shows the scene well, for PatchSet::view: it depends on the scene, its light and the up
+// direction alone, not on the size of patches. Cost: a mesh of its own, and a million rays.
+Camera view_of(const Scene& scene, const LookSettings& look, const Context& context);
+
+// The camera that the settings name, counted from the patches' origin; what they leave open is the view of
+// the patches, or is found.
+Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
+                 const Tracer& tracer, const Context& context);
+
+}  // namespace luxel
