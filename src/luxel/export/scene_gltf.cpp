@@ -45,7 +45,8 @@ class SceneWriter {
     auto base = is_pane                ? material.transmittance
                 : textures.reflectance ? textures.reflectance_factor
                                        : material.reflectance;
-    if (material.is_diffuser()) base /= 1.0f - add_diffuse_transmission(material, path);
+    if (material.is_diffuser())
+      base /= 1.0f - add_diffuse_transmission(material.diffuse_transmittance, base, path);
     // A surface that lets all light pass is invisible.
     file_.put(path + "/pbrMetallicRoughness",
               {{"baseColorFactor", {base.r, base.g, base.b, material.opaque || is_pane ? 1 : 0}},
@@ -70,10 +71,9 @@ class SceneWriter {
   }
 
   // Returns the fraction of the diffuse light that leaves the other side. The base colour becomes the albedo.
-  float add_diffuse_transmission(const Material& material, const std::string& path) {
+  float add_diffuse_transmission(const Vec3& tau, const Vec3& reflectance, const std::string& path) {
     const auto largest = [](const Vec3& v) { return std::max({v.r, v.g, v.b}); };
-    const auto& tau = material.diffuse_transmittance;
-    const auto factor = largest(tau) / (largest(tau) + largest(material.reflectance));
+    const auto factor = largest(tau) / (largest(tau) + largest(reflectance));
     file_.put(path + "/extensions/KHR_materials_diffuse_transmission",
               {{"diffuseTransmissionFactor", factor},
                {"diffuseTransmissionColorFactor", numbers(glm::min(tau / factor, Vec3(1.0f)))}});

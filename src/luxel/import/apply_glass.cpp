@@ -34,10 +34,11 @@ void make_diffuser(Material& material, const Vec3& transmittance) {
   material.diffuse_transmittance = transmittance;
 }
 
-// Returns whether there is such a material.
-bool apply(const GlassOption& option, Scene& scene) {
+// Returns whether there is such a material. asked: [material], set where there is.
+bool apply(const GlassOption& option, Scene& scene, std::vector<bool>& asked) {
   bool any = false;
-  for (auto& material : scene.materials) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    auto& material = scene.materials[m];
     const bool applies =
         option.materials.empty() ? !material.opaque : matches(option.materials, material.name);
     if (!applies) continue;
@@ -45,7 +46,7 @@ bool apply(const GlassOption& option, Scene& scene) {
       make_diffuser(material, option.transmittance);
     else
       make_pane(material, option.transmittance, scene);
-    any = true;
+    any = asked[m] = true;
   }
   return any;
 }
@@ -82,8 +83,9 @@ void warn_of_limited_albedo(const std::string& source, const std::vector<std::st
 void apply_glass(const LoadOptions& load, Scene& scene, const Context& context) {
   const auto& options = load.glass;
   if (options.empty()) return;
+  std::vector<bool> asked(scene.materials.size(), false);
   for (const auto& option : options) {
-    if (apply(option, scene)) continue;
+    if (apply(option, scene, asked)) continue;
     if (option.materials.empty())
       throw InputError(
           scene.source,
@@ -94,13 +96,10 @@ void apply_glass(const LoadOptions& load, Scene& scene, const Context& context) 
                                                option.materials, name_list(names_of(scene))));
   }
   std::vector<std::string> panes, diffusers, too_bright;
-  for (auto& material : scene.materials) {
-    if (!is_glass_of(options, material.name)) continue;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    auto& material = scene.materials[m];
     if (limit_albedo(material, load.max_reflectance)) too_bright.push_back(material.name);
-    if (material.is_diffuser())
-      diffusers.push_back(material.name);
-    else if (!material.opaque)
-      panes.push_back(material.name);
+    if (asked[m]) (material.is_diffuser() ? diffusers : panes).push_back(material.name);
   }
   const auto note = [&](const char* what, const std::vector<std::string>& names) {
     if (!names.empty())

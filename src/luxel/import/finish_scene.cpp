@@ -40,7 +40,7 @@ std::vector<bool> select(const std::vector<std::string>& patterns, const Scene& 
 void apply_one_sided(const std::vector<std::string>& patterns, Scene& scene) {
   const auto selected = select(patterns, scene, "one_sided");
   for (std::size_t i = 0; i < selected.size(); ++i)
-    if (selected[i]) scene.materials[i].two_sided = false;
+    if (selected[i] && !scene.materials[i].is_diffuser()) scene.materials[i].two_sided = false;
 }
 
 void apply_flip(const std::vector<std::string>& patterns, Scene& scene) {

@@ -29,9 +29,11 @@ void set_plain_bands(PatchSet& patches, const Scene& scene) {
   const auto three = [](const Vec3& rgb) { return std::vector<float>{rgb.r, rgb.g, rgb.b}; };
   patches.bands = {"red", "green", "blue"};
   for (const auto& m : scene.materials)
-    patches.materials.push_back({m.name, m.two_sided, three(m.reflectance), three(m.emittance), 0,
-                                 textures_of(m), absorbs(m) ? three(m.transmittance) : std::vector<float>(),
-                                 m.is_diffuser() ? three(m.diffuse_transmittance) : std::vector<float>()});
+    patches.materials.push_back(
+        {m.name, m.two_sided || m.is_diffuser(), three(m.reflectance), three(m.emittance), 0, textures_of(m),
+         absorbs(m) ? three(m.transmittance) : std::vector<float>(),
+         m.is_diffuser() ? three(glm::min(m.diffuse_transmittance, Vec3(max_reflectance)))
+                         : std::vector<float>()});
   for (const auto& light : scene.point_lights)
     patches.point_lights.push_back({light, three(light.intensity)});
   if (scene.sky != Vec3(0.0f)) patches.sky = three(scene.sky);
@@ -54,7 +56,8 @@ class SpectraAtBands {
     return absorbs(m) ? fraction(m.transmittance) : std::vector<float>();
   }
   std::vector<float> diffuse_transmittance(const Material& m) {
-    return m.is_diffuser() ? fraction(m.diffuse_transmittance) : std::vector<float>();
+    return m.is_diffuser() ? fraction(glm::min(m.diffuse_transmittance, Vec3(max_reflectance)))
+                           : std::vector<float>();
   }
   std::vector<float> light(const Vec3& rgb, const Spectrum& measured) {
     if (!measured.empty())
@@ -100,7 +103,7 @@ void set_bands(PatchSet& patches, const Scene& scene) {
   patches.wavebands = spectra.bands();
   for (const auto& band : patches.wavebands) patches.bands.push_back(fmt::format("{} nm", band.wavelength));
   for (const auto& m : scene.materials)
-    patches.materials.push_back({m.name, m.two_sided, spectra.reflectance(m),
+    patches.materials.push_back({m.name, m.two_sided || m.is_diffuser(), spectra.reflectance(m),
                                  spectra.light(m.emittance, m.emittance_spectrum), 0, textures_of(m),
                                  spectra.transmittance(m), spectra.diffuse_transmittance(m)});
   for (const auto& light : scene.point_lights)

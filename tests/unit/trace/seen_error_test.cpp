@@ -93,6 +93,17 @@ TEST(SeenError, light_of_a_side_is_radiance_with_its_own_emission) {
   EXPECT_NEAR(as_irradiance.radiance, 4.0 / std::numbers::pi, 1e-6);
 }
 
+TEST(SeenError, light_of_a_diffuser_is_of_both_sides_with_independent_errors) {
+  auto scene = truth::cube({truth::Wall{0.5f, 0.0f}});
+  scene.materials[0].diffuse_transmittance = Vec3(0.25f);
+  const auto patches = make_patches(scene, {.max_edge = no_max_edge});
+  const SideEstimate here{{4.0f, 4.0f, 4.0f}, {0.04, 0.04, 0.04}},
+      far{{8.0f, 8.0f, 8.0f}, {0.64, 0.64, 0.64}};
+  const auto seen = light_of_side(patches, SideId(0, true), here, far, false);
+  EXPECT_NEAR(seen.radiance, 4.0 / std::numbers::pi, 1e-6) << "half of 4 and a quarter of 8";
+  EXPECT_NEAR(std::sqrt(seen.squared_error), std::hypot(0.1, 0.2) / std::numbers::pi, 1e-6);
+}
+
 TEST(LookGrid, directions_are_spread_evenly_over_the_sphere) {
   const LookGrid grid(22);
   auto sum = Vec3(0.0f);
