@@ -19,7 +19,7 @@ def _points(positions, what="positions"):
 
 
 def directions(normals, count):
-    """Unit normals of so many points, from one or all of them."""
+    """Unit normals of `count` points, from one normal for all or one per point."""
     found = np.broadcast_to(_points(normals, "normals"), (count, 3)) if np.ndim(normals) == 1 else _points(normals, "normals")
     length = np.linalg.norm(found, axis=1)
     if found.shape != (count, 3) or not (length > 0).all():

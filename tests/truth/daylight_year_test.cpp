@@ -20,6 +20,7 @@
 #include "luxel/sky/sky_integrals.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/stored_run.h"
 #include "support/window_rooms.h"
 
 namespace luxel {
@@ -45,11 +46,7 @@ struct Solved {
     options.error = 0.02;
     options.ray_budget = 4'000'000;
     options.error_measure = ErrorMeasure::power;
-    Solution solution;
-    const SolveHooks hooks{.from = {},
-                           .keep = [&](std::shared_ptr<const SampleState> s) { state = std::move(s); },
-                           .on_light = {}};
-    solve_sampled(patches, tracer, solution, options, hooks, context);
+    state = truth::stored_run(patches, tracer, options, context).state;
   }
 
   DaylightCoefficients coefficients(std::uint32_t rays = 32768) const {
@@ -155,7 +152,7 @@ TEST(DaylightYear, has_the_light_of_solves_of_its_hours) {
   const auto skies = skies_of_year(weather, sky, albedo);
   const Solved solved(sky, mean_sky(skies));
   const auto coefficients = solved.coefficients();
-  const WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
+  const auto windows = all_windows(0.05);
   const DaylightYear year({coefficients, windows}, skies, points, {solved.patches, solved.tracer},
                           solved.context);
   ASSERT_EQ(year.hours().size(), 3u);
@@ -189,7 +186,7 @@ TEST(DaylightYear, counts_what_its_definitions_say) {
   const auto skies = skies_of_year(weather, sky, albedo);
   const Solved solved(sky, mean_sky(skies));
   const auto coefficients = solved.coefficients(4096);
-  const WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
+  const auto windows = all_windows(0.05);
   const DaylightYear year({coefficients, windows}, skies, points, {solved.patches, solved.tracer},
                           solved.context);
   const auto light = year.illuminance(year.replicates());

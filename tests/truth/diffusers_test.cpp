@@ -26,6 +26,7 @@
 #include "support/known_rooms.h"
 #include "support/probe_rig.h"
 #include "support/reference_light.h"
+#include "support/stored_run.h"
 
 namespace luxel {
 namespace {
@@ -268,19 +269,6 @@ TEST(Diffusers, a_sky_of_many_patches_lights_a_sealed_room_through_its_window) {
   expect_balance(expect_same_light(patches), 2e-3);
 }
 
-struct Stored {
-  Solution solution;
-  std::shared_ptr<const SampleState> state;
-};
-
-Stored solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
-             const Context& context) {
-  Stored stored;
-  const SolveHooks keeping{nullptr, [&](auto state) { stored.state = std::move(state); }};
-  solve_sampled(patches, tracer, stored.solution, options, keeping, context);
-  return stored;
-}
-
 TEST(Diffusers, error_bars_hold_the_truth_as_often_as_they_say) {
   const auto room = truth::opal_plate();
   const Context context;
@@ -311,7 +299,7 @@ TEST(Diffusers, stored_transport_relights_them) {
   std::vector<Solution> runs;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const SampledOptions options{.error = 0.02, .error_measure = ErrorMeasure::power, .seed = seed};
-    const auto stored = solve(before.patches, tracer, options, context);
+    const auto stored = truth::stored_run(before.patches, tracer, options, context);
     Relighter relighter(before.patches, tracer, stored.state, options, context);
     relighter.set_lamps(weight);
     relighter.set_reflectance(reflectance);

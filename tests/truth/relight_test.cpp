@@ -18,6 +18,7 @@
 #include "support/error_bars.h"
 #include "support/known_rooms.h"
 #include "support/sample_solution.h"
+#include "support/stored_run.h"
 #include "support/truth_scenes.h"
 
 namespace luxel {
@@ -32,19 +33,6 @@ void group_by_material(PatchSet& patches) {
       material.light_group = static_cast<std::uint32_t>(patches.light_groups.size());
       patches.light_groups.push_back(material.name);
     }
-}
-
-struct StoredTransport {
-  Solution solution;
-  std::shared_ptr<const SampleState> state;
-};
-
-StoredTransport solve(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
-                      const Context& context) {
-  StoredTransport kept;
-  const SolveHooks keeping{nullptr, [&](auto state) { kept.state = std::move(state); }};
-  solve_sampled(patches, tracer, kept.solution, options, keeping, context);
-  return kept;
 }
 
 // The largest difference over the largest number.
@@ -63,7 +51,8 @@ TEST(Relight, with_nothing_changed_is_the_light_of_the_run) {
   group_by_material(patches);
   const Context context;
   const Tracer tracer(patches, context);
-  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
+  const auto kept =
+      truth::stored_run(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   const Relighter relighter(patches, tracer, kept.state,
                             {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   const auto again = relighter.light();
@@ -81,7 +70,8 @@ TEST(Relight, is_linear_in_the_lamps) {
   ASSERT_EQ(patches.light_groups.size(), 2u);
   const Context context;
   const Tracer tracer(patches, context);
-  const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
+  const auto kept =
+      truth::stored_run(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   Relighter relighter(patches, tracer, kept.state, {.error = 0.02, .error_measure = ErrorMeasure::power},
                       context);
   const auto lit = [&](std::vector<float> weight) {
@@ -121,7 +111,7 @@ TEST(Relight, lamps_and_reflectances_give_the_light_of_the_changed_room_with_hon
   std::vector<Solution> runs;
   for (std::size_t s = 0; s < seeds; ++s) {
     const SampledOptions options = {.error = 0.02, .error_measure = ErrorMeasure::power, .seed = s + 1};
-    const auto kept = solve(before.patches, tracer, options, context);
+    const auto kept = truth::stored_run(before.patches, tracer, options, context);
     Relighter relighter(before.patches, tracer, kept.state, options, context);
     relighter.set_lamps(weight);
     relighter.set_reflectance(reflectance);
@@ -147,7 +137,8 @@ TEST(Relight, the_sky_is_a_group_of_its_own) {
   ASSERT_EQ(patches.light_groups, (std::vector<std::string>{"lamp", "sky"}));
   const Context context;
   const Tracer tracer(patches, context);
-  const auto kept = solve(patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
+  const auto kept =
+      truth::stored_run(patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
   Relighter relighter(patches, tracer, kept.state, {.error = 0.01, .error_measure = ErrorMeasure::power},
                       context);
 
@@ -156,8 +147,8 @@ TEST(Relight, the_sky_is_a_group_of_its_own) {
     changed.materials[1].emittance *= weight[0];
     changed.sky *= weight[3];
     const auto fresh_patches = make_patches(changed, {.max_edge = 0.25f});
-    const auto fresh =
-        solve(fresh_patches, tracer, {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
+    const auto fresh = truth::stored_run(fresh_patches, tracer,
+                                         {.error = 0.01, .error_measure = ErrorMeasure::power}, context);
     relighter.set_lamps(weight);
     const auto relit = relighter.light();
     // The same seed, so the same rays: only the lamps' choice of samples could differ.
@@ -175,7 +166,8 @@ TEST(Relight, same_bytes_for_any_number_of_threads) {
   const auto relit = [&](int threads) {
     const Context context(threads);
     const Tracer tracer(patches, context);
-    const auto kept = solve(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
+    const auto kept =
+        truth::stored_run(patches, tracer, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
     Relighter relighter(patches, tracer, kept.state, {.error = 0.02, .error_measure = ErrorMeasure::power},
                         context);
     relighter.set_lamps({0.5f, 0.6f, 0.7f});
@@ -195,7 +187,8 @@ TEST(Relight, numbers_that_cannot_be_are_refused) {
   auto patches = make_patches(truth::cube_a(), {.max_edge = 0.5f});
   const Context context;
   const Tracer tracer(patches, context);
-  const auto kept = solve(patches, tracer, {.error = 0.1, .error_measure = ErrorMeasure::power}, context);
+  const auto kept =
+      truth::stored_run(patches, tracer, {.error = 0.1, .error_measure = ErrorMeasure::power}, context);
   Relighter relighter(patches, tracer, kept.state, {.error = 0.1, .error_measure = ErrorMeasure::power},
                       context);
   EXPECT_THROW(relighter.set_lamps({1.0f}), InputError);

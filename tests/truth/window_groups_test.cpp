@@ -19,6 +19,7 @@
 #include "luxel/solve/sampled.h"
 
 #include "support/glass_panes.h"
+#include "support/stored_run.h"
 #include "support/window_rooms.h"
 
 namespace luxel {
@@ -63,11 +64,7 @@ struct WindowedRoom {
     options.error = 0.02;
     options.ray_budget = 4'000'000;
     options.error_measure = ErrorMeasure::power;
-    Solution solution;
-    const SolveHooks hooks{.from = {},
-                           .keep = [&](std::shared_ptr<const SampleState> s) { state = std::move(s); },
-                           .on_light = {}};
-    solve_sampled(patches, tracer, solution, options, hooks, context);
+    state = truth::stored_run(patches, tracer, options, context).state;
     open = find_coefficients(run(), tracer, points, how, context);
   }
 

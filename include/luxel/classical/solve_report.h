@@ -51,7 +51,7 @@ struct EnergyBalance {
   std::vector<double> escaped;        ///< left the scene
   std::vector<double> lost_at_backs;  ///< met the back of a one-sided material
   std::vector<double> unshot;         ///< not yet propagated when the iteration ended
-  /// Of the light of lamps and surfaces: what panes of glass absorb. Empty where the method knows none.
+  /// Light of lamps and surfaces that panes of glass absorb. Empty where the method refuses panes.
   std::vector<double> in_panes = {};
 };
 

@@ -21,7 +21,7 @@ struct Material {
   bool two_sided = true;          ///< false: the back absorbs what meets it and is counted
 
   bool opaque = true;  ///< false: no surface; light passes (a pane of glass)
-  /// Of what is not opaque: visible transmittance of the pane at normal incidence, [0, 1]; 1: all light
+  /// Visible transmittance at normal incidence of a pane, which is not opaque: [0, 1]; 1: all light
   /// passes. A closed body of glass has it once, not at each of its two faces; see scene/glass.h.
   Vec3 transmittance = Vec3(1.0f);
   /// Diffuse transmittance of a thin sheet such as opal glass, fabric, paper or a blind: the fraction of the

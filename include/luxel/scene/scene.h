@@ -57,8 +57,8 @@ struct Scene {
   Vec3 up = Vec3(0.0f);
 
   Vec3 sky = Vec3(0.0f);  ///< radiance of what lies around the scene, the same all over, W/(m² sr)
-  /// Of a sky that is not the same all over: its patches, and the radiance of each, W/(m² sr), linear sRGB,
-  /// instead of `sky`. Empty: it is the same.
+  /// Patches of an uneven sky, and the radiance of each, W/(m² sr), linear sRGB,
+  /// instead of `sky`. Empty: the sky is even.
   SkyPatches sky_patches;
   std::vector<Vec3> sky_radiance;  ///< [sky patch]
 

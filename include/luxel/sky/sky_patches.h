@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-/// What lies below the horizon.
+/// The directions below the horizon.
 enum class LowerHalf : std::uint8_t {
   one,      ///< one patch: ground of even radiance
   mirrored  ///< rows as above the horizon: the lower half of a picture of the surroundings

@@ -69,7 +69,7 @@ inline float reflectance_at(const BandMaterial& material, const TextureRatio& ra
   return std::min(max_reflectance - transmitted,
                   ratio.reflectance ? of_material * ratio.reflectance[band] : of_material);
 }
-/// What it reflects and transmits diffusely there: [0, 1).
+/// The diffuse reflectance plus the diffuse transmittance there: [0, 1).
 inline float albedo_at(const BandMaterial& material, const TextureRatio& ratio, std::size_t band) {
   const auto reflected = reflectance_at(material, ratio, band);
   return material.is_diffuser() ? reflected + material.diffuse_transmittance[band] : reflected;

@@ -24,7 +24,7 @@ std::vector<std::size_t> part_begins(std::span<const std::uint32_t> row_begins, 
   return begins;
 }
 
-// Whether both sides of each diffuser are in one part, so that a part can send its light on when it is done.
+// Returns whether each part has both sides of its diffusers, so that it can be finished alone.
 bool joins_diffusers(const Scattering& scattering, std::span<const std::size_t> begins) {
   const auto part_of = [&](std::size_t row) { return std::upper_bound(begins.begin(), begins.end(), row); };
   for (std::size_t row = 0; row < scattering.far.size(); ++row)

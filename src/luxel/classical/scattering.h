@@ -24,7 +24,7 @@ struct Scattering {
 
   Scattering(std::span<const float> rho, std::span<const float> tau, std::span<const std::uint32_t> far_row)
       : reflectance(rho), transmittance(tau), far(far_row) {}
-  // Of surfaces that only reflect.
+  // Surfaces that only reflect.
   Scattering(std::span<const float> rho) : reflectance(rho) {}
   Scattering(const std::vector<float>& rho) : reflectance(rho) {}
 
@@ -46,7 +46,7 @@ struct Scattering {
   }
 };
 
-// Its numbers.
+// The numbers of a Scattering.
 struct ScatteringTable {
   std::vector<float> reflectance, transmittance;
   std::vector<std::uint32_t> far;
@@ -55,8 +55,8 @@ struct ScatteringTable {
   Scattering view() const { return *this; }
 };
 
-// Of the receivers of patches, one column per band. A diffuser whose other side takes no part, which no light
-// reaches, only reflects.
+// Returns the scattering of all receivers, one column per band. A diffuser only reflects where its other side
+// is no receiver, since no light reaches it.
 ScatteringTable scattering_of(const PatchSet& patches, const GatherSides& sides, const Context& context);
 
 // The same rows twice, one set after the other.

@@ -94,8 +94,9 @@ class DaylightCommand final : public Command {
     YearSkies skies;
     if (weather)
       skies = record.stage("skies", [&](auto&) { return skies_of_year(*weather, sky, albedo_, context); });
-    set_only_sky(sky, weather ? mean_sky(skies) : overcast(sky), scene);
-    if (year_.has_groups()) make_panes_of_groups(year_.groups(), scene);
+    set_only_sky(sky, weather ? mean_sky(skies) : overcast_sky(sky, albedo_), scene);
+    const auto groups = year_.groups();
+    make_panes_of_groups(groups, scene);
     const auto transport = solve_daylight(
         scene, scene_.file, {scene_.patches, error_, coefficients_.seed},
         [&](const PatchSet& patches) { drawings_.check_point(points(patches, up).position.size()); },
@@ -107,9 +108,9 @@ class DaylightCommand final : public Command {
     report.scene = scene_.file;
     report.points = points(transport->patches, up);
     const auto coefficients = record.stage("coefficients", [&](auto& stage) {
-      auto found = find_coefficients(
-          {transport->patches, *transport->samples, transport->options, transport->openings}, tracer,
-          probe_points(transport->patches, report.points), coefficients_, console.reporting(context));
+      auto found =
+          find_coefficients(transport->run(), tracer, probe_points(transport->patches, report.points),
+                            coefficients_, console.reporting(context));
       stage.rays = found.rays;
       return found;
     });
@@ -130,7 +131,11 @@ class DaylightCommand final : public Command {
     std::optional<DaylightYear> year;
     if (weather) {
       windows = record.stage("windows", [&](auto& stage) {
-        return window_light(scene, *transport, coefficients, console.reporting(context), stage.rays);
+        if (groups.empty()) return all_windows(year_.transmittance());
+        auto light =
+            window_light(scene, *transport, coefficients, groups, coefficients_, console.reporting(context));
+        for (const auto& without : light.without) stage.rays += without.rays + transport->samples->rays;
+        return light;
       });
       if (windows.groups.empty()) return stopped_before_light(console);
       year.emplace(record.stage("sun", [&](auto&) {
@@ -196,22 +201,6 @@ class DaylightCommand final : public Command {
     if (look_.up == "y") return {0.0, 1.0, 0.0};
     if (look_.up == "z") return {0.0, 0.0, 1.0};
     return Vec3d(up_of_scene(scene));
-  }
-
-  std::vector<double> overcast(const SkyPatches& sky) const {
-    return sky_patch_luminances(SkyModel::cie(16), sky, Daylight().illuminance, albedo_);
-  }
-
-  // Without groups after a stop.
-  WindowLight window_light(const Scene& scene, const DaylightTransport& t, const DaylightCoefficients& open,
-                           const Context& context, std::uint64_t& rays) const {
-    if (!year_.has_groups()) return {year_.groups(), {}, {}, 0.0};
-    const auto groups = year_.groups();
-    const auto panes = panes_of_groups(scene, t.patches, groups);
-    auto light = find_window_light({{t.patches, *t.samples, t.options, t.openings}, open, open.origins},
-                                   *t.tracer, groups, panes, coefficients_, context);
-    for (const auto& without : light.without) rays += without.rays + t.samples->rays;
-    return light;
   }
 
   PointList points(const PatchSet& patches, const Vec3d& up) const { return places_.points(patches, up); }

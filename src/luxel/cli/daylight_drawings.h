@@ -16,7 +16,7 @@
 
 namespace luxel {
 
-// What drawings of daylight show.
+// The input of drawings of daylight.
 struct DrawnDaylight {
   const DaylightReport& report;
   const MetricOptions& metrics;

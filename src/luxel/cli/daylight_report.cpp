@@ -78,7 +78,7 @@ std::string text_of(const ClimateProvision& p) {
       part_of(p.hours_on_minimum));
 }
 
-// Of several groups of windows.
+// A line on the groups of windows; empty where there is one group.
 std::string blinds_text(const YearReport& year) {
   const auto& groups = year.metrics.blinds;
   if (groups.size() < 2) return {};

@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// What stands in the foot of a manual page.
+// The foot of a manual page.
 struct ManFooter {
   std::string version;
   std::string date;  // YYYY-MM-DD

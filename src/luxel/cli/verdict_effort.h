@@ -24,8 +24,8 @@ class VerdictEffort {
 
   // Verdicts on the points of one area.
   void add(const std::vector<Verdict>& verdicts, const std::vector<ProbedLight>& light);
-  // Sentences with the --error that would tell, and how much longer it takes; empty where all is told.
-  // seconds: that the measurement took; 0: not known.
+  // Sentences with the --error that would decide open verdicts, and the longer time it takes; empty where
+  // none is open. seconds: that the measurement took; 0: not known.
   std::vector<std::string> sentences(const MeasuredSolution& solution, double seconds) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace luxel {
 
-// What a command works with.
+// References to the things that the steps of a command share.
 struct Workplace {
   const Context& context;
   Console& console;

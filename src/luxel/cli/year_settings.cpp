@@ -58,13 +58,12 @@ void YearSettings::check(bool has_weather) const {
   const auto refuse = [](const char* option) {
     throw UsageError(fmt::format("{} belongs to the hours of a year: give --weather FILE", option));
   };
-  if (has_groups()) refuse("--blinds");
+  if (!groups_.empty()) refuse("--blinds");
   if (!schedule_.empty()) refuse("--schedule");
   if (metrics_.lighting.power > 0.0) refuse("--lighting-power");
 }
 
 std::vector<WindowGroup> YearSettings::groups() const {
-  if (groups_.empty()) return {{"all windows", transmittance_}};
   auto groups = groups_;
   for (auto& group : groups)
     if (group.transmittance == not_stated) group.transmittance = transmittance_;
@@ -73,7 +72,9 @@ std::vector<WindowGroup> YearSettings::groups() const {
 
 MetricOptions YearSettings::metrics(const Weather& weather) const {
   auto metrics = metrics_;
-  if (!schedule_.empty()) metrics.schedule = read_schedule(schedule_, weather.hours.size(), groups());
+  if (!schedule_.empty())
+    metrics.schedule = read_schedule(schedule_, weather.hours.size(),
+                                     groups_.empty() ? all_windows(transmittance_).groups : groups());
   return metrics;
 }
 

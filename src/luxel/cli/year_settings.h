@@ -16,9 +16,11 @@ class YearSettings {
   void declare(OptionSet& options);
   // Throws UsageError where options need the weather of a year.
   void check(bool has_weather) const;
-  // With the transmittance of those that name none. Without --blinds one: all windows.
+  // Those of --blinds, with the transmittance of --blind-transmittance where they name none.
   std::vector<WindowGroup> groups() const;
-  bool has_groups() const { return !groups_.empty(); }
+  double transmittance() const {
+    return transmittance_;
+  }  // of the blinds of all windows, where none has a group
   // Reads the schedule, where one is given. Throws InputError.
   MetricOptions metrics(const Weather& weather) const;
 

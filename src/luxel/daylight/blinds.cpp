@@ -29,14 +29,15 @@ Blinds::Blinds(const DaylightYear& year, const std::vector<bool>& is_occupied, c
 
 void Blinds::apply(std::vector<float>& light, std::uint32_t left_out) const {
   const auto points = year_.points();
+  const auto open = light;
   for (std::size_t g = 0; g < closed_.size(); ++g) {
     const auto& closed = closed_[g];
     if (std::none_of(closed.begin(), closed.end(), [](float part) { return part > 0.0f; })) continue;
-    const auto through = year_.has_groups() ? year_.through(g, left_out) : light;
-    const auto kept_out = static_cast<float>(1.0 - year_.groups()[g].transmittance);
+    const auto through = year_.through(g, open, left_out);
+    const auto blocked = static_cast<float>(1.0 - year_.groups()[g].transmittance);
     for (std::size_t h = 0; h < closed.size(); ++h)
       for (std::size_t m = 0; closed[h] > 0.0f && m < points; ++m)
-        light[h * points + m] -= kept_out * closed[h] * through[h * points + m];
+        light[h * points + m] -= blocked * closed[h] * through[h * points + m];
   }
   for (auto& lux : light) lux = std::max(0.0f, lux);
 }

@@ -27,8 +27,8 @@ class Blinds {
 
   // Closed part of the blinds, [0, 1], [hour of the year].
   const std::vector<float>& closed(std::size_t group) const { return closed_[group]; }
-  // Turns the light of all hours with open blinds, [hour * points + point], lx, into that with these: takes
-  // away what they keep out.
+  // Turns the light of all hours with open blinds, lx, which is DaylightYear::illuminance(left_out), into
+  // that with these blinds.
   void apply(std::vector<float>& light, std::uint32_t left_out) const;
 
  private:

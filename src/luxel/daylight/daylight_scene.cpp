@@ -2,8 +2,13 @@
 #include "luxel/daylight/daylight_scene.h"
 
 #include "luxel/scene/luminous_efficacy.h"
+#include "luxel/sky/sky_integrals.h"
 
 namespace luxel {
+
+std::vector<double> overcast_sky(const SkyPatches& patches, double albedo) {
+  return sky_patch_luminances(SkyModel::cie(16), patches, 10'000.0, albedo);
+}
 
 void set_only_sky(const SkyPatches& patches, const std::vector<double>& luminance, Scene& scene) {
   for (auto& material : scene.materials) {

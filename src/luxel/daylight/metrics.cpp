@@ -70,14 +70,17 @@ class Counter {
   }
   std::vector<BlindsFigures> blinds() const {
     std::vector<BlindsFigures> groups;
-    const auto whole = year_.has_groups() ? sum_over_year(year_.illuminance(year_.replicates())) : 0.0;
+    std::vector<float> light;
+    if (year_.has_groups()) light = year_.illuminance(year_.replicates());
+    const auto whole = sum_over_year(light);
     for (std::size_t g = 0; g < year_.groups().size(); ++g) {
       BlindsFigures figures{year_.groups()[g].name, year_.groups()[g].transmittance, 0.0, 1.0};
       for (std::size_t h = 0; h < is_occupied_.size(); ++h)
         if (is_occupied_[h])
           figures.closed_hours += static_cast<double>(blinds_->closed(g)[h]) * year_.hours()[h].duration;
       if (year_.has_groups())
-        figures.part_of_light = sum_over_year(year_.through(g, year_.replicates())) / std::max(whole, 1e-30);
+        figures.part_of_light =
+            sum_over_year(year_.through(g, light, year_.replicates())) / std::max(whole, 1e-30);
       groups.push_back(figures);
     }
     return groups;
@@ -133,9 +136,8 @@ class Counter {
   // lx h, over all points.
   double sum_over_year(const std::vector<float>& light) const {
     double sum = 0.0;
-    for (std::size_t h = 0; h < year_.hours().size(); ++h)
-      for (std::size_t m = 0; m < year_.points(); ++m)
-        sum += year_.hours()[h].duration * static_cast<double>(light[h * year_.points() + m]);
+    for (std::size_t i = 0; i < light.size(); ++i)
+      sum += year_.hours()[i / year_.points()].duration * static_cast<double>(light[i]);
     return sum;
   }
 

@@ -2,7 +2,6 @@
 #include "luxel/daylight/window_groups.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <set>
 
@@ -12,17 +11,18 @@
 #include "luxel/import/name_list.h"
 #include "luxel/patch/make_panes.h"
 #include "luxel/scene/name_pattern.h"
+#include "luxel/scene/triangle_names.h"
 
 namespace luxel {
 namespace {
 
 constexpr float nearly_all = 0.99999f;  // of what a pane lets through, so that it counts as one
 
-// What a window may be called: its material, its object, its group.
-std::array<std::string, 3> names_of(const Scene& scene, std::size_t triangle) {
-  return {scene.materials[static_cast<std::size_t>(scene.triangle_material[triangle])].name,
-          scene.triangle_object.empty() ? std::string() : scene.objects[scene.triangle_object[triangle]],
-          scene.groups[scene.triangle_group[triangle]]};
+// Material, object and group of a triangle of glass.
+std::vector<std::string> names_of(const Scene& scene, std::size_t triangle) {
+  auto names = object_and_group(scene, triangle);
+  names.push_back(scene.materials[static_cast<std::size_t>(scene.triangle_material[triangle])].name);
+  return names;
 }
 
 bool fits(const WindowGroup& group, const Scene& scene, std::size_t triangle) {
@@ -67,6 +67,8 @@ double mean_light(const DaylightCoefficients& coefficients, const PatchSet& patc
 }
 
 }  // namespace
+
+WindowLight all_windows(double transmittance) { return {{{"all windows", transmittance}}, {}, {}, 0.0}; }
 
 void make_panes_of_groups(std::span<const WindowGroup> groups, Scene& scene) {
   for (const auto& group : groups) {

@@ -43,6 +43,9 @@ struct WindowLight {
   double twice = 0.0;
 };
 
+// One group, of all windows and openings: closed blinds let this part of all light through.
+WindowLight all_windows(double transmittance);
+
 struct WindowRun {
   DaylightRun run;
   const DaylightCoefficients& open;  // of the same run

@@ -128,13 +128,12 @@ std::vector<float> DaylightYear::diffuse(std::uint32_t left_out) const {
   return diffuse_by(coefficients_, left_out);
 }
 
-std::vector<float> DaylightYear::through(std::size_t group, std::uint32_t left_out) const {
-  auto light = illuminance(left_out);
-  if (!has_groups()) return light;
+std::vector<float> DaylightYear::through(std::size_t group, std::vector<float> all,
+                                         std::uint32_t left_out) const {
+  if (!has_groups()) return all;
   const auto rest = diffuse_by(windows_.without[group], left_out);
-  for (std::size_t i = 0; i < light.size(); ++i)
-    light[i] -= rest[i] + direct_sun_[i] - sun_through_[group][i];
-  return light;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] -= rest[i] + direct_sun_[i] - sun_through_[group][i];
+  return all;
 }
 
 std::vector<float> DaylightYear::illuminance(std::uint32_t left_out) const {

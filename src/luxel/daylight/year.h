@@ -53,8 +53,8 @@ class DaylightYear {
   const std::vector<WindowGroup>& groups() const { return windows_.groups; }
   bool has_groups() const { return !windows_.without.empty(); }  // else the only one is all light
   double light_taken_twice() const { return windows_.twice; }    // see WindowLight
-  // lx, by sky and sun through the windows of a group: [hour * points + point].
-  std::vector<float> through(std::size_t group, std::uint32_t left_out) const;
+  // lx, by sky and sun through the windows of a group: [hour * points + point]. all: illuminance(left_out).
+  std::vector<float> through(std::size_t group, std::vector<float> all, std::uint32_t left_out) const;
   // lx, straight from the sun through them, likewise.
   const std::vector<float>& direct_sun_through(std::size_t group) const {
     return sun_through_.empty() ? direct_sun_ : sun_through_[group];

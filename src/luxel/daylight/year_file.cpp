@@ -37,13 +37,13 @@ void add_hours(Hdf5Writer& file, const DaylightYear& year, const Weather& weathe
   file.add_array("hours/sun_normal_illuminance", flat(sun), "lx");
 }
 
-// What the blinds keep out is transmittance and closed part times this light.
-void add_groups(Hdf5Writer& file, const DaylightYear& year) {
+// Closed blinds block the part 1 - transmittance of this light.
+void add_groups(Hdf5Writer& file, const DaylightYear& year, const std::vector<float>& all) {
   if (!year.has_groups()) return;
   file.add_group("windows");
   for (std::size_t g = 0; g < year.groups().size(); ++g) {
     const auto group = fmt::format("windows/{}", g + 1);
-    const auto through = year.through(g, year.replicates());
+    const auto through = year.through(g, all, year.replicates());
     file.add_group(group);
     file.add_word(group, "name", year.groups()[g].name);
     file.add_array(group + "/illuminance", table(std::span(through), year.hours().size(), year.points()),
@@ -70,7 +70,7 @@ void write_year(const std::filesystem::path& path, const DaylightYear& year, con
   file.add_array("illuminance", table(std::span(all), hours, count), "lx");
   file.add_array("standard_error", table(std::span(errors), hours, count), "lx");
   file.add_array("direct_sun", table(std::span(year.direct_sun()), hours, count), "lx");
-  add_groups(file, year);
+  add_groups(file, year, all);
   std::vector<double> position, normal;
   for (std::size_t i = 0; i < points.position.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,16 +8,14 @@
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
 #include "luxel/scene/name_pattern.h"
+#include "luxel/scene/triangle_names.h"
 
 namespace luxel {
 bool is_called(const Scene* scene, const PatchSet& patches, std::size_t patch, const std::string& pattern) {
   if (matches(pattern, patches.material_of(patch).name)) return true;
   if (scene == nullptr) return false;
-  const auto triangle = patches.triangle[patch];
-  return (triangle < scene->triangle_object.size() &&
-          matches(pattern, scene->objects[scene->triangle_object[triangle]])) ||
-         (triangle < scene->triangle_group.size() &&
-          matches(pattern, scene->groups[scene->triangle_group[triangle]]));
+  const auto names = object_and_group(*scene, patches.triangle[patch]);
+  return std::any_of(names.begin(), names.end(), [&](const auto& name) { return matches(pattern, name); });
 }
 
 void set_focus(const Scene& scene, const std::string& focus, PatchSet& patches) {

@@ -12,17 +12,15 @@
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
 #include "luxel/scene/name_pattern.h"
+#include "luxel/scene/triangle_names.h"
 
 namespace luxel {
 namespace {
 
 // Names by which a rule can select the triangle's lamp.
 std::vector<std::string> names_of(const Scene& scene, const PatchSet& patches, std::size_t patch) {
-  const auto triangle = patches.triangle[patch];
-  std::vector<std::string> names = {patches.material_of(patch).name};
-  if (triangle < scene.triangle_object.size())
-    names.push_back(scene.objects[scene.triangle_object[triangle]]);
-  if (triangle < scene.triangle_group.size()) names.push_back(scene.groups[scene.triangle_group[triangle]]);
+  auto names = object_and_group(scene, patches.triangle[patch]);
+  names.insert(names.begin(), patches.material_of(patch).name);
   return names;
 }
 

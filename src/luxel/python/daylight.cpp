@@ -23,7 +23,6 @@
 #include "luxel/python/handles.h"
 #include "luxel/runs/daylight_transport.h"
 #include "luxel/scene/up_axis.h"
-#include "luxel/sky/sky_integrals.h"
 
 namespace py = pybind11;
 
@@ -42,7 +41,6 @@ struct DaylightQuestion {
   std::vector<std::pair<std::string, double>> blinds = {};  // of groups of windows, by name
 
   std::vector<WindowGroup> groups() const {
-    if (blinds.empty()) return {{"all windows", transmittance}};
     std::vector<WindowGroup> result;
     for (const auto& [name, tau] : blinds) result.push_back({name, tau});
     return result;
@@ -75,17 +73,6 @@ void warn_of(const std::vector<std::string>& sentences, PythonReporter& reporter
   for (const auto& sentence : sentences) warn(reporter.log(), sentence);
 }
 
-// Without groups after a stop.
-WindowLight window_light(const Scene& scene, const DaylightAnswer& a, const DaylightQuestion& question,
-                         const Context& context) {
-  if (question.blinds.empty()) return {question.groups(), {}, {}, 0.0};
-  const auto& t = *a.transport;
-  const auto groups = question.groups();
-  return find_window_light(
-      {{t.patches, *t.samples, t.options, t.openings}, a.coefficients, a.coefficients.origins}, *t.tracer,
-      groups, panes_of_groups(scene, t.patches, groups), question.coefficients, context);
-}
-
 Handle compute(const SceneHandle& input, const Floats& positions, const Floats& normals,
                const DaylightQuestion& question, const CallOptions& call) {
   auto reporter = call.reporter();
@@ -102,23 +89,23 @@ Handle compute(const SceneHandle& input, const Floats& positions, const Floats& 
     const auto up = Vec3d(up_of_scene(scene));
     const SkyPatches sky(question.subdivision, up, north_of(up, question.north));
     if (a.weather) a.skies = skies_of_year(*a.weather, sky, question.albedo, context);
-    const auto overcast = [&] {
-      return sky_patch_luminances(SkyModel::cie(16), sky, Daylight().illuminance, question.albedo);
-    };
-    set_only_sky(sky, a.weather ? mean_sky(a.skies) : overcast(), scene);
-    if (!question.blinds.empty()) make_panes_of_groups(question.groups(), scene);
+    set_only_sky(sky, a.weather ? mean_sky(a.skies) : overcast_sky(sky, question.albedo), scene);
+    const auto groups = question.groups();
+    make_panes_of_groups(groups, scene);
     DaylightSolveOptions how{{}, question.error, question.coefficients.seed};
     if (question.max_edge > 0.0) how.patches.max_edge = static_cast<float>(question.max_edge);
     a.transport = solve_daylight(scene, scene.source, how, {}, {context, reporter, record});
     if (!a.transport) return false;
     const auto& t = *a.transport;
     const auto points = points_of(t.patches, positions, normals);
-    a.coefficients = find_coefficients({t.patches, *t.samples, t.options, t.openings}, *t.tracer, points,
-                                       question.coefficients, reporter.reporting(context));
+    a.coefficients =
+        find_coefficients(t.run(), *t.tracer, points, question.coefficients, reporter.reporting(context));
     if (a.coefficients.points == 0) return false;
     a.factors = daylight_factors(a.coefficients, 16, question.albedo);
     if (!a.weather) return true;
-    a.windows = window_light(scene, a, question, reporter.reporting(context));
+    a.windows = groups.empty() ? all_windows(question.transmittance)
+                               : window_light(scene, t, a.coefficients, groups, question.coefficients,
+                                              reporter.reporting(context));
     if (a.windows.groups.empty()) return false;
     a.year.emplace(YearCoefficients{a.coefficients, a.windows}, a.skies, a.coefficients.origins,
                    SunSurroundings{t.patches, *t.tracer}, reporter.reporting(context));

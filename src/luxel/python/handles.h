@@ -11,6 +11,7 @@
 
 #include "luxel/core/context.h"
 #include "luxel/python/python_reporter.h"
+#include "luxel/runs/bake_settings.h"
 #include "luxel/runs/option_set.h"
 #include "luxel/scene/scene.h"
 #include "luxel/solution/solution_file.h"
@@ -56,7 +57,17 @@ struct RelighterHandle {
   bool is_changed = false;
 };
 
-// What the parts of the module define.
+// Declares the options of pictures, meshes and pages.
+inline void declare_write(BakeSettings& settings, OptionSet& set) {
+  settings.look.declare(set);
+  settings.look.declare_title(set);
+  settings.mesh.declare(set);
+  settings.picture.declare(set);
+  settings.picture.declare_gather(set);
+  settings.picture.declare_quantity(set);
+}
+
+// Each of these defines a part of the module.
 void define_options(pybind11::module_& module);
 void define_scene(pybind11::module_& module);
 void define_bake(pybind11::module_& module);

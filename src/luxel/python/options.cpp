@@ -48,12 +48,7 @@ py::list options_of(const std::string& command) {
     return entries_of(set);
   }
   if (command == "write") {
-    bake.look.declare(set);
-    bake.look.declare_title(set);
-    bake.mesh.declare(set);
-    bake.picture.declare(set);
-    bake.picture.declare_gather(set);
-    bake.picture.declare_quantity(set);
+    declare_write(bake, set);
     return entries_of(set);
   }
   if (command == "scene") {

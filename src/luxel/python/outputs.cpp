@@ -30,12 +30,7 @@ struct WriteOptions {
   OptionSet set{"write", ""};
 
   WriteOptions(const SolutionHandle& handle, const GivenOptions& given) {
-    settings.look.declare(set);
-    settings.look.declare_title(set);
-    settings.mesh.declare(set);
-    settings.picture.declare(set);
-    settings.picture.declare_gather(set);
-    settings.picture.declare_quantity(set);
+    declare_write(settings, set);
     set.give(given);
     settings.mesh.check();
     settings.picture.check();

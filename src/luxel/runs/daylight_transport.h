@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "luxel/daylight/coefficients.h"
+#include "luxel/daylight/window_groups.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/runs/run_place.h"
@@ -25,6 +27,8 @@ struct DaylightTransport {
   std::shared_ptr<const SampleState> samples;
   SampledOptions options;
   double error = 0.0;
+
+  DaylightRun run() const { return {patches, *samples, options, openings}; }
 };
 
 struct DaylightSolveOptions {
@@ -39,5 +43,10 @@ std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::s
                                                 const DaylightSolveOptions& options,
                                                 const std::function<void(const PatchSet&)>& on_patches,
                                                 const RunPlace& place);
+
+// The light of groups of windows, of the same scene (daylight/window_groups.h). Without groups after a stop.
+WindowLight window_light(const Scene& scene, const DaylightTransport& transport,
+                         const DaylightCoefficients& open, const std::vector<WindowGroup>& groups,
+                         const CoefficientOptions& options, const Context& context);
 
 }  // namespace luxel

@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// What the stages of a run work with. Only references are kept.
+// References to the things that the stages of a run share.
 struct RunPlace {
   const Context& context;
   Reporter& reporter;

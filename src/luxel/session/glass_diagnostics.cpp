@@ -111,6 +111,22 @@ void find_clear_panes(const ScannedMesh& mesh, const std::vector<GlassTriangle>&
   diagnostics.push_back(std::move(diagnostic));
 }
 
+// Adds a triangle with corners of its own to bare geometry, which a tracer takes.
+void add_bare(const Scene& scene, std::uint32_t triangle, PatchSet& bare) {
+  const auto first = static_cast<std::uint32_t>(bare.vertices.size());
+  for (const auto v : scene.triangles[triangle]) bare.vertices.push_back(scene.positions[v]);
+  bare.corners.push_back({first, first + 1, first + 2});
+}
+
+// A warning about triangles that lie so close to something else.
+Diagnostic too_close(DiagnosticKind kind, const Scene& scene, const std::vector<std::uint32_t>& triangles,
+                     std::size_t places) {
+  Diagnostic diagnostic{kind, Severity::warning};
+  tell_materials(scene, triangles, places, diagnostic);
+  diagnostic.count = triangles.size();
+  return diagnostic;
+}
+
 // Looks along the normals of sheets for another one nearby.
 class NearSheets {
  public:
@@ -118,9 +134,7 @@ class NearSheets {
     PatchSet triangles;  // bare geometry
     for (const auto& g : glass) {
       if (g.body != GlassBody::sheet || material_of(scene, g.triangle).transmittance == Vec3(1.0f)) continue;
-      const auto first = static_cast<std::uint32_t>(triangles.vertices.size());
-      for (const auto v : scene.triangles[g.triangle]) triangles.vertices.push_back(scene.positions[v]);
-      triangles.corners.push_back({first, first + 1, first + 2});
+      add_bare(scene, g.triangle, triangles);
       sheets_.push_back(g);
     }
     if (!sheets_.empty()) tracer_.emplace(triangles, context);
@@ -155,9 +169,7 @@ void find_doubled_panes(const ScannedMesh& mesh, const std::vector<GlassTriangle
                         const Context& context, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   const auto triangles = NearSheets(*mesh.scene, glass, context).find();
   if (triangles.empty()) return;
-  Diagnostic diagnostic{DiagnosticKind::doubled_panes, Severity::warning};
-  tell_materials(*mesh.scene, triangles, places, diagnostic);
-  diagnostic.count = triangles.size();
+  auto diagnostic = too_close(DiagnosticKind::doubled_panes, *mesh.scene, triangles, places);
   diagnostic.fact =
       fmt::format("{} within 1 mm of another sheet", counted_lie(triangles.size(), "glass triangle"));
   diagnostic.consequence = "lets each sheet absorb its part, so that such a pane absorbs twice";
@@ -175,9 +187,7 @@ std::vector<std::uint32_t> covered_diffusers(const ScannedMesh& mesh, const Cont
     const auto& material = material_of(scene, t.triangle);
     if (material.is_diffuser()) diffusers.push_back(t.triangle);
     if (!material.opaque || material.is_diffuser()) continue;
-    const auto first = static_cast<std::uint32_t>(others.vertices.size());
-    for (const auto v : scene.triangles[t.triangle]) others.vertices.push_back(scene.positions[v]);
-    others.corners.push_back({first, first + 1, first + 2});
+    add_bare(scene, t.triangle, others);
   }
   if (diffusers.empty() || others.corners.empty()) return {};
   const Tracer tracer(others, context);
@@ -195,9 +205,7 @@ void find_covered_diffusers(const ScannedMesh& mesh, const Context& context, std
                             std::vector<Diagnostic>& diagnostics) {
   const auto triangles = covered_diffusers(mesh, context);
   if (triangles.empty()) return;
-  Diagnostic diagnostic{DiagnosticKind::covered_diffuser, Severity::warning};
-  tell_materials(*mesh.scene, triangles, places, diagnostic);
-  diagnostic.count = triangles.size();
+  auto diagnostic = too_close(DiagnosticKind::covered_diffuser, *mesh.scene, triangles, places);
   diagnostic.fact =
       fmt::format("{} within 1 mm of a surface", counted_lie(triangles.size(), "diffuser triangle"));
   diagnostic.consequence = "lets the light that they transmit end at that surface";

@@ -12,7 +12,7 @@
 #include "luxel/daylight/metrics.h"
 #include "luxel/patch/make_patches.h"
 
-#include "support/truth_scenes.h"
+#include "support/open_sky.h"
 
 namespace luxel {
 namespace {
@@ -24,32 +24,18 @@ const std::string weather_text =
 // A point above open ground. The first group is a tenth of the sky's light, the second the rest.
 struct OpenGround {
   Weather weather = read_weather(weather_text, "ours.wea");
-  PatchSet patches = make_patches(ground(), {});
+  PatchSet patches = make_patches(truth::open_ground(), {});
   Context context;
   Tracer tracer{patches, context};
   std::vector<ProbePoint> points = {{Vec3(0, 0, 1), Vec3(0, 0, 1)}};
-  DaylightCoefficients open = of_sky(1.0f);
-  WindowLight windows{{{"a", 0.5}, {"b", 0.0}}, {patches, patches}, {of_sky(0.9f), of_sky(0.1f)}, 0.0};
+  DaylightCoefficients open = truth::open_sky(1, 1.0f);
+  WindowLight windows{{{"a", 0.5}, {"b", 0.0}},
+                      {patches, patches},
+                      {truth::open_sky(1, 0.9f), truth::open_sky(1, 0.1f)},
+                      0.0};
   YearSkies skies = skies_of_year(weather, open.sky, 0.2);
   DaylightYear year{{open, windows}, skies, points, {patches, tracer}, context};
   std::uint32_t all = year.replicates();
-
-  static Scene ground() {
-    truth::SceneBuilder builder;
-    builder.material("ground", 0.5f, 0.0f).quad({-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0});
-    return builder.scene();
-  }
-  static DaylightCoefficients of_sky(float part) {
-    DaylightCoefficients c;
-    c.sky = SkyPatches(1, {0, 0, 1}, {0, 1, 0});
-    c.points = 1;
-    c.replicates = 2;
-    for (auto& path : c.of) path.assign(2 * c.sky.size(), 0.0f);
-    for (std::size_t r = 0; r < 2; ++r)
-      for (std::size_t p = 1; p < c.sky.size(); ++p)
-        c.of[0][r * c.sky.size() + p] = part * static_cast<float>(c.sky.projected_solid_angle(p));
-    return c;
-  }
 };
 
 std::filesystem::path file(const std::string& name, const std::string& content) {
@@ -78,7 +64,7 @@ TEST(Blinds, close_where_the_sun_comes_through_their_windows) {
   const std::vector<bool> occupied = {true, true, true};
   const Blinds groups(o.year, occupied, {}, {});
   EXPECT_EQ(groups.closed(0), std::vector<float>(3, 0.0f));
-  const WindowLight one{{{"all windows", 0.05}}, {}, {}, 0.0};
+  const auto one = all_windows(0.05);
   const DaylightYear year({o.open, one}, o.skies, o.points, {o.patches, o.tracer}, o.context);
   ASSERT_GT(year.direct_sun()[2], 1000.0f);
   EXPECT_EQ(Blinds(year, occupied, {}, {}).closed(0), (std::vector<float>{0.0f, 0.0f, 1.0f}));

@@ -12,7 +12,7 @@
 #include "luxel/patch/make_patches.h"
 
 #include "scenes/weather/temperate_year.h"
-#include "support/truth_scenes.h"
+#include "support/open_sky.h"
 
 namespace luxel {
 namespace {
@@ -24,33 +24,16 @@ struct OpenGround {
   PatchSet patches;
   Context context;
   Tracer tracer;
-  DaylightCoefficients coefficients = of_sky();
+  DaylightCoefficients coefficients = truth::open_sky(2);
   std::vector<ProbePoint> points = {{Vec3(0, 0, 1), Vec3(0, 0, 1)}, {Vec3(1, 0.3f, -0.02f), Vec3(0, 0, 1)}};
   YearSkies skies = skies_of_year(weather, coefficients.sky, 0.2);
-  WindowLight windows{{{"all windows", 0.05}}, {}, {}, 0.0};
+  WindowLight windows = all_windows(0.05);
   DaylightYear year;
 
   OpenGround()
-      : patches(make_patches(ground(), {})),
+      : patches(make_patches(truth::open_ground(), {})),
         tracer(patches, context),
         year({coefficients, windows}, skies, points, {patches, tracer}, context) {}
-
-  static Scene ground() {
-    truth::SceneBuilder builder;
-    builder.material("ground", 0.5f, 0.0f).quad({-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0});
-    return builder.scene();
-  }
-  static DaylightCoefficients of_sky() {
-    DaylightCoefficients c;
-    c.sky = SkyPatches(1, {0, 0, 1}, {0, 1, 0});
-    c.points = 2;
-    c.replicates = 2;
-    for (auto& path : c.of) path.assign(4 * c.sky.size(), 0.0f);
-    for (std::size_t r = 0; r < 2; ++r)
-      for (std::size_t p = 1; p < c.sky.size(); ++p)
-        c.of[0][r * c.sky.size() + p] = static_cast<float>(c.sky.projected_solid_angle(p));
-    return c;
-  }
 };
 
 TEST(HeatMap, open_ground_has_the_light_of_the_weather) {
