@@ -14,7 +14,7 @@ namespace luxel {
 class Ranks;
 
 struct ContextOptions {
-  int threads = 0;               ///< 0: every core the process may use
+  int threads = 0;  ///< 0: every core the process may use. Fewer run where the system starts no more
   const Ranks* ranks = nullptr;  ///< processes that share the work; must outlive the context. Null: none
   LogSink log = {};              ///< receives warnings; may be empty
   Monitor monitor = {};          ///< receives progress and may stop the work; may be empty

@@ -14,6 +14,7 @@ namespace luxel {
 /// its users change them (the command luxel names its options).
 
 enum class Setting {
+  allow_outside,
   bands,
   contacts,
   eye,
@@ -22,6 +23,7 @@ enum class Setting {
   force,
   glass,
   light_group,
+  max_contacts,
   max_edge,
   reflectance_limit,
   memory,

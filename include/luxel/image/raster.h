@@ -35,7 +35,8 @@ struct Raster {
 /// PNG, JPEG, WebP, BMP, Radiance HDR, OpenEXR (recognised by their first bytes) or TGA (by its extension).
 /// Deeper PNG files are reduced to 8 bits, grey becomes RGB; a file without alpha is opaque, and so are those
 /// of linear values. In these NaN becomes 0 and infinity 65504. Throws InputError naming the file where it is
-/// missing, damaged, of another format, larger than 512 MiB or than 16384 pixels per side.
+/// missing, damaged, of another format, larger than 512 MiB or than 16384 pixels per
+/// side, or claims more than max(2^24, 64 per byte) pixels.
 Raster read_raster(const std::filesystem::path& path);
 
 /// The same from a file in memory, which errors call `name`; TGA is recognised by its extension.

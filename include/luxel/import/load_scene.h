@@ -64,8 +64,10 @@ struct Daylight {
 };
 
 struct LoadOptions {
-  double scale = 1.0;                       ///< metres per unit of the file
-  float max_reflectance = 0.98f;            ///< reflectances above are lowered to it, with a warning
+  double scale = 1.0;             ///< metres per unit of the file
+  float max_reflectance = 0.98f;  ///< reflectances above are lowered to it, with a warning
+  /// Files that the scene's file names (buffers, materials, textures, luminaires) may lie outside its folder.
+  bool allow_outside = false;
   std::vector<std::string> one_sided = {};  ///< materials (* and ? allowed) whose back absorbs
   std::vector<std::string> flip = {};       ///< materials (* and ? allowed) whose triangles are turned round
   std::vector<GlassOption> glass = {};      ///< in this order: the last one that matches a material counts
@@ -90,6 +92,10 @@ struct LoadOptions {
 /// mends it as a hint) and the changes made by requested repairs. The order of repairs is welding, orienting,
 /// flipping. Cost: about half a second per million faces, plus the decoding of textures. Call from one thread
 /// per scene.
+///
+/// Files that the scene's file names are read only where they lie in its folder or below it, links followed,
+/// but for LoadOptions::allow_outside: a buffer, MTL or photometric file elsewhere is an InputError, a
+/// texture elsewhere a warning, as if it were missing. Files that the options name may lie anywhere.
 ///
 /// OBJ: metres, Y up or Z up as in the file; materials are two-sided; Ke is radiance in W/(m² sr); Kd times
 /// the linear colour of map_Kd is the reflectance, or Ks where a mirror or metal has a dark Kd; light passes

@@ -29,6 +29,9 @@ struct PatchOptions {
   std::size_t target_count = 50'000;
   std::size_t max_count = 20'000'000;  ///< more is an InputError with a max_edge that fits
   bool contacts = true;  ///< cut where surfaces touch or pass through each other, or hang close before them
+  /// Lines, and patches that these add, where surfaces touch: more is an InputError. 0: 20 per triangle, at
+  /// least 200,000.
+  std::size_t max_contacts = 0;
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
   /// Cut along these, too. make_patches_for_light() (solve/bake.h) finds them; any order, any number.
   std::vector<ShadowLine> shadow_lines = {};
@@ -51,6 +54,9 @@ struct PatchOptions {
 ///
 /// The monitor receives the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
+
+/// What PatchOptions::max_contacts stands for in a scene of so many triangles.
+std::size_t contact_budget(const PatchOptions& options, std::size_t triangles);
 
 /// The edge that automatic_edge stands for in this scene, m.
 float automatic_max_edge(const Scene& scene, std::size_t target_count);

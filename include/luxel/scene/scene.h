@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ inline constexpr float farthest = 1e12f;
 /// promise); a polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite,
 /// no position is beyond `farthest`, and every index is in range: loading and check_scene() verify this.
 struct Scene {
-  std::string source;  ///< the file, as the user named it
+  std::string source;                        ///< the file, as the user named it
+  std::vector<std::filesystem::path> files;  ///< read for it besides the source: those that it names
+  bool allows_outside = false;               ///< whether these may lie outside its folder
 
   std::vector<Vec3> positions;                          ///< m, counted from `origin`
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front

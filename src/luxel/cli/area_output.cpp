@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "luxel/cli/verdict_json.h"
+#include "luxel/core/csv_field.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/output_file.h"
 #include "luxel/lighting/plane_vtp.h"
@@ -97,12 +98,6 @@ std::string file_word(const std::string& name) {
   return word;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 std::string drawing_of(const AreaReport& report, std::size_t i, const std::string& drawing) {
   auto settings = report.drawings[i];
   settings.has_values = drawing != "lines";
@@ -122,7 +117,7 @@ std::string csv_of(const AreaReport& report) {
       const auto& at = r.grid.position[i];
       const auto& n = r.grid.normal;
       text += fmt::format("{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{:.6g},{:.3g},{:.3g},",
-                          quoted(r.area.name), at.x, at.y, at.z, n.x, n.y, n.z, l.illuminance,
+                          csv_field(r.area.name), at.x, at.y, at.z, n.x, n.y, n.z, l.illuminance,
                           l.standard_error(), l.sampling_error);
       if (r.solution_errors != SolutionErrors::not_stated) text += fmt::format("{:.3g}", l.solution_error);
       if (r.cylinders.empty()) {

@@ -46,6 +46,7 @@ class Check final : public Command {
     const auto scene =
         record.stage("load", [&](auto&) { return load_lit_scene(scene_, "auto", context, console); });
     if (interrupted()) return stopped_before_light(console);
+    keep_files_of(scene);
     const auto report = record.stage(
         "check", [&](auto&) { return diagnose(scene, {.places = places_}, console.reporting(context)); });
     console.clear_bar();

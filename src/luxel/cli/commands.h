@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "luxel/cli/command_line.h"
+#include "luxel/cli/written_files.h"
 #include "luxel/core/ranks.h"
+#include "luxel/scene/scene.h"
 
 namespace luxel {
 
@@ -28,6 +30,8 @@ class Command {
  protected:
   explicit Command(OptionSet& options) : options_(options) {}
   const Ranks* ranks() const { return ranks_; }
+  // Throws UsageError where a file of the scene would be overwritten.
+  void keep_files_of(const Scene& scene) const { keep_inputs(options_, scene.files); }
 
  private:
   const OptionSet& options_;

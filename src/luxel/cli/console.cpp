@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <sstream>
+#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,9 @@
 #include "luxel/cli/flags.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/wrapped_text.h"
+#include "luxel/core/startable_threads.h"
 #include "luxel/core/time_left.h"
+#include "luxel/core/utf8.h"
 #include "luxel/runs/quantity.h"
 #include "luxel/runs/settings.h"
 
@@ -71,13 +74,20 @@ Console::Console(const RunSettings& run)
       verbose_(run.verbose),
       as_json_(run.progress == "json"),
       terminal_(is_terminal(STDERR_FILENO)),
-      paint_(paint_for(STDERR_FILENO)) {}
+      paint_(paint_for(STDERR_FILENO)) {
+  const auto wanted = run.threads > 0 ? run.threads : static_cast<int>(std::thread::hardware_concurrency());
+  if (const auto started = startable_threads(wanted); started < wanted)
+    warn(log(),
+         fmt::format("only {} of {} threads can be started, as a limit on processes or memory prevents "
+                     "more; the result does not depend on it",
+                     started, wanted));
+}
 Console::~Console() { clear_bar(); }
 
 void Console::say(const std::string& label, const std::string& text) {
   if (quiet_ || as_json_) return;
   clear_bar();
-  std::istringstream lines(text);
+  std::istringstream lines(printable(text));
   std::string head = label;
   for (std::string line; std::getline(lines, line); head.clear()) {
     const std::string blanks(label_width - std::min(label_width - 1, width_of(head)), ' ');
@@ -100,7 +110,7 @@ LogSink Console::log_as(Notes notes) {
     if (quiet_ && !is_error) return;
     clear_bar();
     const auto head = is_error ? paint_(Style::error, "error:") : paint_(Style::warning, "warning:");
-    note(fmt::format("{} {}\n", head, with_flags(message.text, message.hints)));
+    note(fmt::format("{} {}\n", head, printable(with_flags(message.text, message.hints), false)));
   };
 }
 

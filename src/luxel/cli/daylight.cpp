@@ -89,6 +89,7 @@ class DaylightCommand final : public Command {
     auto scene = record.stage(
         "load", [&](auto&) { return load_scene(scene_.file, scene_.load, noting(console, context)); });
     if (interrupted()) return stopped_before_light(console);
+    keep_files_of(scene);
     const auto up = up_of(scene);
     const SkyPatches sky(subdivision_, up, north_of(up, north_));
     YearSkies skies;

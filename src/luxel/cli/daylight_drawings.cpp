@@ -9,9 +9,9 @@
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
+#include "luxel/core/utf8.h"
 #include "luxel/daylight/daylight_plans.h"
 #include "luxel/daylight/heat_map.h"
-#include "luxel/export/utf8.h"
 
 namespace luxel {
 namespace {
@@ -39,6 +39,7 @@ void DaylightDrawings::declare(OptionSet& set) {
                             },
                             [&file] { return file; }};
     declaration.endings = ".svg";
+    declaration.is_output = true;
     set.add(std::move(declaration));
   };
   add_file("heat-map", heat_map_, "SVG drawing of the illuminance of each hour of the year: hour over day");

@@ -68,6 +68,7 @@ class FromSolution final : public Command {
       solved =
           record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, kept.baked, console); });
       if (!solved) return stopped_before_light(console);
+      keep_files_of(solved->scene);
     }
     if (interrupted()) return stopped_before_light(console);
     MeshWish mesh{&mesh_};

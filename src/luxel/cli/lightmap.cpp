@@ -80,6 +80,7 @@ class LightmapCommand final : public Command {
     if (!scene_.empty()) {
       solved = record.stage("load", [&](auto&) { return load_solved_scene(scene_, file_, baked, console); });
       if (!solved) return stopped_before_light(console);
+      keep_files_of(solved->scene);
     }
     std::optional<Tracer> tracer;
     if (settings_.lightmap.texels.error > 0.0 || !settings_.preview.empty())

@@ -13,13 +13,15 @@
 #include "luxel/cli/streams.h"
 #include "luxel/cli/terminal.h"
 #include "luxel/core/ranks.h"
+#include "luxel/core/utf8.h"
 #include "luxel/version.h"
 
 namespace {
 
 void print_error(const std::string& sentence) {
   const auto paint = luxel::paint_for(STDERR_FILENO);
-  luxel::print_note(fmt::format("{} {}\n", paint(luxel::Style::error, "luxel:"), sentence));
+  luxel::print_note(
+      fmt::format("{} {}\n", paint(luxel::Style::error, "luxel:"), luxel::printable(sentence, false)));
 }
 
 // Only a solve needs several ranks; only the first one writes to the terminal.
@@ -30,6 +32,9 @@ int run(luxel::Command& command) {
   if (!is_first) luxel::keep_silent();
   command.set_ranks(ranks.get());
   try {
+    luxel::keep_inputs(command.options());
+    if (const auto removed = luxel::remove_leftovers_of(command.options()); is_first && !removed.empty())
+      luxel::print_note(removed + "\n");
     const auto code = command.run();
     // The other ranks may still wait for this one.
     if (ranks && luxel::interrupted()) luxel::leave_ranks(code);
@@ -78,7 +83,7 @@ int run(int argc, char** argv) {
   };
   const auto parsed = line.parse(argc, argv);
   if (!parsed.command) {
-    luxel::print_result(parsed.text);
+    luxel::print_styled(parsed.text);
     return luxel::exit_fine;
   }
   luxel::catch_interrupts();

@@ -68,6 +68,7 @@ class Measure final : public Command {
       solved = record.stage(
           "load", [&](auto&) { return load_solved_scene(scene_file_, file_, stored.baked, console); });
       if (!solved) return stopped_before_light(console);
+      keep_files_of(solved->scene);
     }
     std::vector<std::vector<float>> replicates;
     if (stored.samples) replicates = replicate_illuminance(patches, *stored.samples, context);

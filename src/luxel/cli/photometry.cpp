@@ -26,6 +26,7 @@ class PhotometryCommand final : public Command {
     Declaration output{"output", "FILE", "write the polar diagram of the intensity (.svg)",
                        [this](const std::string& text) { output_ = text; }, [this] { return output_; }};
     output.letter = 'o';
+    output.is_output = true;
     output.endings = kinds;
     options.add(std::move(output));
     options.add_number("lamp-set", "count", lamp_set_, 1u, 1000u,

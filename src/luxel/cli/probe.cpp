@@ -128,6 +128,7 @@ class ProbeCommand final : public Command {
     if (!settings_.areas.scene.empty()) {
       solved = load_solved_scene(settings_.areas.scene, file_, stored.baked, console);
       if (!solved) return stopped_before_light(console);
+      keep_files_of(solved->scene);
     }
     console.announce("hierarchy");
     const Tracer tracer(patches, place.context);

@@ -33,8 +33,8 @@ class Reference final : public Command {
     light_.declare(options);
     look_.declare(options);
     picture_.declare_view(options);
-    options.add_text("error-picture", "FILE", error_picture_,
-                     "also write the standard error of every pixel: .exr or .hdr");
+    options.add_output("error-picture", error_picture_,
+                       "also write the standard error of every pixel: .exr or .hdr");
     run_.declare(options, all_kinds);
     options.show_first({"output", "error", "samples", "bounces-from", "max-edge", "sky", "eye", "target",
                         "width", "height", "open"});
@@ -116,6 +116,7 @@ class Reference final : public Command {
     const auto scene =
         record.stage("load", [&](auto&) { return load_lit_scene(scene_, look_.up, context, console); });
     if (interrupted()) return {};
+    keep_files_of(scene);
     if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
     baked.patches = record.stage("patches", [&](auto&) {

@@ -136,6 +136,7 @@ class ReportCommand final : public Command {
     if (!settings_.scene.empty()) {
       solved = load_solved_scene(settings_.scene, file_, stored.baked, place.console);
       if (!solved) return false;
+      keep_files_of(solved->scene);
     }
     const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
                           solved ? &solved->scene : nullptr};

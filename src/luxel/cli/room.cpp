@@ -25,6 +25,7 @@ class RoomCommand final : public Command {
     Declaration output{"output", "FILE", "OBJ file to write; materials go to an .mtl file beside it",
                        [this](const std::string& text) { output_ = text; }, [this] { return output_; }};
     output.letter = 'o';
+    output.is_output = true;
     output.endings = ".obj";
     options.add(std::move(output));
     options.add({"reflectance", "C,W,F", "reflectance of ceiling, walls and floor, per cent",

@@ -28,6 +28,7 @@ class SkyCommand final : public Command {
                        "equirectangular picture in cd/m² (.exr)",
                        [this](const std::string& text) { output_ = text; }, [this] { return output_; }};
     output.letter = 'o';
+    output.is_output = true;
     output.endings = dome_kinds;
     options.add(std::move(output));
     options.add_flag("json", json_, "print JSON");

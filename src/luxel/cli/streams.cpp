@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/utf8.h"
 
 namespace luxel {
 
@@ -26,6 +27,11 @@ void secure_streams() {
 }
 
 void print_result(std::string_view text) {
+  if (::isatty(STDOUT_FILENO) == 1) return print_styled(printable(text));
+  print_styled(text);
+}
+
+void print_styled(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if ((written && std::fflush(stdout) == 0) || errno == EPIPE) return;
   throw DeviceError(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));

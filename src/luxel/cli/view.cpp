@@ -29,8 +29,8 @@ class View final : public Command {
     s.picture.declare_view(options);
     options.heading(RunSettings::heading);
     options.add_text("compare", "FILE", compare_, "second solution; the viewer shows the difference from it");
-    options.add_text("save", "FILE", save_, "solution file (.vtkhdf) written when the window closes");
-    options.add_text("snapshot", "FILE", snapshot_, "draw off screen and write this .png at the end");
+    options.add_output("save", save_, "solution file (.vtkhdf) written when the window closes");
+    options.add_output("snapshot", snapshot_, "draw off screen and write this .png at the end");
     options.add_text("script", "FILE", script_, "run the commands of this file; see docs/viewer.md");
     options.add_number("ui-scale", "factor", ui_scale_, 0.0f, 8.0f,
                        "size of text and controls, 2: twice as large; 0: that of the display");

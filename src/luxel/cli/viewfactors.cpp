@@ -48,6 +48,7 @@ class ViewFactorsCommand final : public Command {
     const auto scene = record.stage(
         "load", [&](auto&) { return load_scene(scene_.file, scene_.load, console.reporting(context)); });
     if (interrupted()) return stopped_before_factors(console);
+    keep_files_of(scene);
     const auto patches = record.stage("patches", [&](auto&) {
       return make_patches(scene, settings_.patch_options(scene_.patches), console.reporting(context));
     });

@@ -36,13 +36,13 @@ std::filesystem::path find_picture(std::string name, const std::filesystem::path
   std::error_code error;
   const auto own_name = given.filename().string();
   if (own_name.empty()) return given;
-  if (given.is_absolute() && std::filesystem::is_regular_file(given, error))
-    return std::filesystem::relative(given, folder, error);
   if (given.is_relative() && std::filesystem::is_regular_file(folder / given, error)) return given;
   const auto unpacked = file.stem().string() + ".fbm";
   for (const auto& place :
        {std::filesystem::path(), std::filesystem::path("textures"), std::filesystem::path(unpacked)})
     if (const auto found = in_folder(folder / place, own_name)) return place / found->filename();
+  if (given.is_absolute() && std::filesystem::is_regular_file(given, error))
+    return std::filesystem::relative(given, folder, error);
   return own_name;
 }
 

@@ -29,8 +29,9 @@ class ForeignPictures {
 };
 
 // Returns where a picture is, relative to `folder`. Files from other machines give whole paths, backslashes
-// and capitals that differ: looked for are the path itself, then its file name in the folder, in `textures`
-// and in `STEM.fbm`, where the FBX SDK unpacks. Returns the file name where there is none.
+// and capitals that differ: looked for are a relative path itself, then its file name in the folder, in
+// `textures` and in `STEM.fbm`, where the FBX SDK unpacks, then a whole path. Returns the file name where
+// there is none.
 std::filesystem::path find_picture(std::string name, const std::filesystem::path& file);
 
 // Returns a path as a relative URI reference.

@@ -12,16 +12,20 @@
 #include <tbb/task_arena.h>
 
 #include "luxel/core/ranks.h"
+#include "luxel/core/startable_threads.h"
 
 namespace luxel {
 
 struct Context::Threads {
-  explicit Threads(int threads) : arena(threads) {
+  // As many of the wanted threads as can be started.
+  explicit Threads(int wanted) : arena(startable_threads(wanted)) {
+    const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const auto started = static_cast<std::size_t>(arena.max_concurrency());
     // More threads than cores are allowed (a test uses seven on two), but TBB must be configured for it. The
-    // lowest of several live controls applies, so none is created where none is needed.
-    if (threads > tbb::info::default_concurrency())
-      control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                      static_cast<std::size_t>(threads));
+    // lowest of several live controls applies, so none is created where none is needed: here, and where TBB
+    // would start threads of its own that cannot be started.
+    if (started > most || arena.max_concurrency() < wanted)
+      control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, started);
   }
   std::unique_ptr<tbb::global_control> control;
   mutable tbb::task_arena arena;

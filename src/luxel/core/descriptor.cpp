@@ -21,6 +21,7 @@ Descriptor::~Descriptor() {
   errno = error;
 }
 
-bool Descriptor::close() { return ::close(std::exchange(number_, -1)) == 0; }
+// Linux has closed the file even where a signal interrupted the call.
+bool Descriptor::close() { return ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
 
 }  // namespace luxel

@@ -3,39 +3,49 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace luxel {
 
-// A file that is replaced atomically: written next to its path under a temporary name, flushed to the disk,
-// then renamed. Until commit() the old file, if any, is unchanged; a destructor without commit() removes the
-// temporary. Symbolic links are preserved: the file that a link points to is replaced, with its permissions
-// kept. Special files (/dev/stdout, a pipe) cannot be replaced and are written in place.
+class Descriptor;
+
+// A file that is replaced atomically: written without a name in the folder of its path, flushed to the disk,
+// then named. Until commit() the old file, if any, is unchanged; without commit() nothing of it stays, even
+// where the process is killed. File systems without unnamed files get a hidden one, `.STEM.*.tmp.EXTENSION`,
+// which is locked as long as its writer lives. Special files (/dev/stdout, a pipe) cannot be replaced and are
+// written in place. Links are not followed: one that someone else put there would choose what is overwritten.
 class OutputFile {
  public:
   // Throws DeviceError, naming the folder, where the folder does not exist or cannot be written, and where
-  // the path is a folder or write-protected.
+  // the path is a folder, a link or write-protected.
   explicit OutputFile(std::filesystem::path path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  // Where to write now: an empty file in the same folder, with the same ending (libraries choose a format by
-  // it); the path itself where that is no plain file.
-  const std::filesystem::path& temporary() const { return temporary_; }
+  // Appends. Throws DeviceError with the system's reason (for example a full disk), as commit() does.
+  void write(std::string_view bytes);
 
-  // Flushes and renames; call it once, with the temporary closed. Throws DeviceError with the system's reason
-  // (for example a full disk).
+  // Flushes and renames; call it once, at the end.
   void commit();
 
  private:
-  std::filesystem::path path_;    // as it was given: for messages
-  std::filesystem::path target_;  // links followed
-  std::filesystem::path temporary_;
+  void open_in_place();
+  void open_unnamed();
+  void open_hidden();
+  void give_hidden_name();
+
+  std::filesystem::path path_;    // as it was given
+  std::filesystem::path hidden_;  // the file's name until commit(); empty: it has none
+  std::unique_ptr<Descriptor> file_;
   bool in_place_ = false;
-  bool committed_ = false;
 };
+
+// Removes what killed writers of this file left beside it: hidden files that no process has locked. Returns
+// their bytes.
+std::uint64_t remove_leftovers(const std::filesystem::path& path);
 
 // The whole of a buffer as a file, by the same road.
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -5,8 +5,8 @@
 
 #include "luxel/core/output_file.h"
 #include "luxel/core/triangle.h"
+#include "luxel/core/utf8.h"
 #include "luxel/export/unlit_mesh.h"
-#include "luxel/export/utf8.h"
 
 namespace luxel {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/utf8.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/opening_bodies.h"
 #include "luxel/export/unlit_mesh.h"
-#include "luxel/export/utf8.h"
 #include "luxel/export/write_glb.h"
 
 namespace luxel {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/export/utf8.h"
+#include "luxel/core/utf8.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/export/utf8.h"
+#include "luxel/core/utf8.h"
 #include "luxel/patch/luminaire_groups.h"
 #include "luxel/photometry/luminaire_mesh.h"
 #include "luxel/scene/band_colours.h"

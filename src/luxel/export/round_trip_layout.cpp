@@ -25,7 +25,7 @@ std::optional<GivenLayout> round_trip_layout(const Scene& scene, const PatchSet&
                                              double metres_per_unit, std::string& why) {
   why.clear();
   if (!is_gltf(scene.source)) return std::nullopt;
-  GltfFile file(scene.source, known_extensions());
+  GltfFile file(scene.source, known_extensions(), scene.allows_outside);
   GivenLayout given;
   given.uvs.resize(scene.triangles.size());
   given.page.resize(scene.triangles.size());

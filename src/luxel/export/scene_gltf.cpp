@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/utf8.h"
 #include "luxel/export/unlit_mesh.h"
-#include "luxel/export/utf8.h"
 #include "luxel/image/image_file.h"
 #include "luxel/import/gltf_writer.h"
 #include "luxel/scene/luminous_efficacy.h"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "luxel/export/utf8.h"
+#include "luxel/core/utf8.h"
 #include "luxel/export/y_up.h"
 
 namespace luxel {

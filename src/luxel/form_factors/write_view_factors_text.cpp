@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "luxel/core/error.h"
+#include "luxel/core/csv_field.h"
 #include "luxel/core/output_file.h"
 #include "luxel/form_factors/view_factors_file.h"
 
@@ -19,15 +16,7 @@ namespace {
 // Buffered text output: a hundred million lines need not fit into memory.
 class TextFile {
  public:
-  explicit TextFile(const std::filesystem::path& path)
-      : path_(path), output_(path), file_(std::fopen(output_.temporary().c_str(), "wb")) {
-    if (!file_) fail();
-  }
-  ~TextFile() {
-    if (file_) std::fclose(file_);
-  }
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
+  explicit TextFile(const std::filesystem::path& path) : output_(path) {}
 
   template <typename... Arguments>
   void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
@@ -36,37 +25,18 @@ class TextFile {
   }
   void commit() {
     flush();
-    auto* file = file_;
-    file_ = nullptr;
-    if (std::fclose(file) != 0) fail();
     output_.commit();
   }
 
  private:
   void flush() {
-    if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size()) fail();
+    output_.write({buffer_.data(), buffer_.size()});
     buffer_.clear();
   }
-  [[noreturn]] void fail() const {
-    throw DeviceError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
-  }
 
-  std::filesystem::path path_;
   OutputFile output_;
-  std::FILE* file_;
   fmt::memory_buffer buffer_;
 };
-
-// The name as a CSV field.
-std::string field(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string quoted = "\"";
-  for (const char c : name) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 // The name on one line.
 std::string line_of(std::string name) {
@@ -81,9 +51,9 @@ void write_view_factors_csv(const std::filesystem::path& path, const ViewFactors
   TextFile file(path);
   file.add("from,to,factor,standard_error\n");
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    const auto from = field(factors.name[i]);
+    const auto from = csv_field(factors.name[i]);
     for (auto at = factors.row_begin[i]; at < factors.row_begin[i + 1]; ++at)
-      file.add("{},{},{},{}\n", from, field(factors.name[factors.column[at]]), factors.factor[at],
+      file.add("{},{},{},{}\n", from, csv_field(factors.name[factors.column[at]]), factors.factor[at],
                factors.standard_error[at]);
     for (std::size_t k = 0; k < ViewFactors::sinks; ++k)
       if (factors.sink[k].factor[i] > 0.0)

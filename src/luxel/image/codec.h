@@ -26,8 +26,12 @@ struct CodecError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws CodecError unless 1 <= width, height <= max_side.
-void check_size(std::int64_t width, std::int64_t height);
+// A file of n bytes may have max(2^24, 64 n) pixels: compression takes a plain colour farther, and a few
+// kilobytes would ask for gigabytes.
+inline constexpr std::int64_t always_allowed_pixels = 1 << 24, pixels_per_byte = 64;
+
+// Throws CodecError unless 1 <= width, height <= max_side, and a file of so many bytes may have the pixels.
+void check_size(std::int64_t width, std::int64_t height, std::size_t bytes);
 
 // The pixels of a file of linear values.
 inline Raster of_numbers(Image image) { return {image.width, image.height, {}, std::move(image.pixels)}; }

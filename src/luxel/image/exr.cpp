@@ -60,11 +60,12 @@ class MemoryIn : public Imf::IStream {
   std::size_t position_ = 0;
 };
 
-Image read_channels(Imf::InputFile& file) {
+// bytes: of the file.
+Image read_channels(Imf::InputFile& file, std::size_t bytes) {
   const auto& window = file.header().dataWindow();
   const auto width = std::int64_t{window.max.x} - window.min.x + 1;
   const auto height = std::int64_t{window.max.y} - window.min.y + 1;
-  check_size(width, height);
+  check_size(width, height, bytes);
   const auto& channels = file.header().channels();
   const bool grey = !channels.findChannel("R") && channels.findChannel("Y");
   if (!grey && !channels.findChannel("R")) throw CodecError("there is neither a channel R nor Y");
@@ -122,7 +123,7 @@ Raster decode_exr(std::string_view bytes) {
   try {
     MemoryIn memory(bytes);
     Imf::InputFile file(memory, 0);
-    return of_numbers(read_channels(file));
+    return of_numbers(read_channels(file, bytes.size()));
   } catch (const CodecError&) {
     throw;
   } catch (const std::bad_alloc&) {

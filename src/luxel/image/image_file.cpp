@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/image/image_file.h"
 
+#include <algorithm>
 #include <new>
 #include <string>
 #include <string_view>
@@ -56,11 +57,16 @@ Raster decode(const fs::path& path, std::string_view bytes) {
 
 }  // namespace
 
-void check_size(std::int64_t width, std::int64_t height) {
+void check_size(std::int64_t width, std::int64_t height, std::size_t bytes) {
   if (width < 1 || height < 1) throw CodecError("the picture has no pixels");
   if (width > max_side || height > max_side)
     throw CodecError(fmt::format("the picture is {} x {} pixels, expected at most {} a side; make it smaller",
                                  width, height, max_side));
+  if (width * height > std::max(always_allowed_pixels, pixels_per_byte * static_cast<std::int64_t>(bytes)))
+    throw CodecError(
+        fmt::format("the picture claims {} x {} pixels in {} bytes, expected at most {} pixels or "
+                    "{} per byte; make it smaller",
+                    width, height, bytes, always_allowed_pixels, pixels_per_byte));
 }
 
 void write_png(const fs::path& path, const Image& display, const PictureNotes& notes) {

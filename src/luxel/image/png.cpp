@@ -212,7 +212,7 @@ Raster decode_png(std::string_view bytes) {
   if (!read_header(decoder)) refuse();
   const auto width = png_get_image_width(decoder.png, decoder.info);
   const auto height = png_get_image_height(decoder.png, decoder.info);
-  check_size(width, height);
+  check_size(width, height, bytes.size());
   if (!start_pixels(decoder)) refuse();
 
   Raster raster{static_cast<int>(width), static_cast<int>(height), {}, {}};

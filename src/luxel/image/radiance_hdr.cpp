@@ -86,7 +86,7 @@ Raster decode_hdr(std::string_view bytes) {
   if (!is_rgbe) throw CodecError("the HDR picture is not of the format 32-bit_rle_rgbe");
   int width = 0, height = 0;
   read_size(in.line(), width, height);
-  check_size(width, height);
+  check_size(width, height, bytes.size());
 
   Image image(width, height);
   std::vector<Rgbe> row(static_cast<std::size_t>(width));

@@ -58,7 +58,7 @@ Raster decode_stb(std::string_view bytes) {
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) refuse();
-  check_size(width, height);
+  check_size(width, height, bytes.size());
   const std::unique_ptr<stbi_uc, Free> rgba(stbi_load_from_memory(data, size, &width, &height, &channels, 4));
   if (!rgba) refuse();
   Raster raster{width, height, {}, {}};

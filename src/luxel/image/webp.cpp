@@ -24,7 +24,7 @@ Raster decode_webp(std::string_view bytes) {
   if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK)
     throw CodecError("the picture is damaged: it is no WebP that can be decoded");
   if (features.has_animation) throw CodecError("the picture moves; expected a WebP of one frame");
-  check_size(features.width, features.height);
+  check_size(features.width, features.height, bytes.size());
   Raster raster{features.width, features.height, {}, {}};
   raster.codes.resize(static_cast<std::size_t>(features.width) * static_cast<std::size_t>(features.height));
   auto* codes = reinterpret_cast<std::uint8_t*>(raster.codes.data());

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/output_file.h"
 #include "luxel/import/gltf_decompress.h"
 #include "luxel/import/uri.h"
@@ -26,13 +27,15 @@ std::uint32_t little_endian(std::string_view bytes) {
 
 }  // namespace
 
-GltfFile::GltfFile(const std::filesystem::path& path, const std::vector<std::string_view>& extensions)
-    : GltfFile(read_file(path), path, extensions) {}
+GltfFile::GltfFile(const std::filesystem::path& path, const std::vector<std::string_view>& extensions,
+                   bool allow_outside)
+    : GltfFile(read_file(path), path, extensions, allow_outside) {}
 
 GltfFile::GltfFile(std::string bytes, const std::filesystem::path& path,
-                   const std::vector<std::string_view>& extensions)
+                   const std::vector<std::string_view>& extensions, bool allow_outside)
     : source_(path.string()),
       folder_(path.parent_path()),
+      permitted_(path, allow_outside),
       bytes_(std::move(bytes)),
       text_(read_container()),
       root_(JsonValue::parse(text_, source_)) {
@@ -138,7 +141,7 @@ std::string_view GltfFile::buffer(std::size_t number) {
   return bytes.substr(0, length);
 }
 
-std::string GltfFile::resource(const JsonValue& uri) const {
+std::string GltfFile::resource(const JsonValue& uri) {
   const auto text = uri.text();
   if (is_data_uri(text)) {
     auto bytes = data_of_uri(text);
@@ -148,11 +151,17 @@ std::string GltfFile::resource(const JsonValue& uri) const {
   const auto name = file_of_uri(text);
   if (!name)
     uri.refuse(fmt::format("expected the name of a file beside this one, found '{}'", text.substr(0, 60)));
-  const auto path = folder_ / *name;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    uri.refuse(fmt::format("there is no file '{}'", path.string()));
-  return read_file(path);
+  const auto found = permitted_.find(folder_, name->string());
+  if (!found.file && !found.is_outside)
+    uri.refuse(fmt::format("there is no file '{}'", (folder_ / *name).string()));
+  if (!found.file)
+    throw with_hints(
+        InputError(fmt::format("{}: {}: the file '{}' lies outside the scene's folder; copy it there, or "
+                               "allow files outside",
+                               source_, uri.path(), name->string())),
+        {{Setting::allow_outside}});
+  add_file(files_, *found.file);
+  return read_file(*found.file);
 }
 
 }  // namespace luxel

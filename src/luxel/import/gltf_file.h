@@ -10,22 +10,24 @@
 #include <vector>
 
 #include "luxel/import/json_value.h"
+#include "luxel/import/scene_folder.h"
 
 namespace luxel {
 
 // A glTF 2.0 file as it is written down: its JSON, and the bytes it refers to, inside it, in data URIs or in
 // files beside it. Meshes that Draco or meshoptimizer compressed are decoded when it is opened, so that what
-// it shows has none. Files are named relative to its folder, and may lie above it ("../textures/wood.png"),
-// as scenes in the wild have it; whole paths and addresses of the net are refused.
+// it shows has none. Files are named relative to its folder; those that SceneFolder does not permit and
+// addresses of the net are refused.
 class GltfFile {
  public:
   // Reads a GLB (recognised by its first bytes) or the JSON of a .gltf. Throws InputError where it is
   // neither, is damaged or shorter than declared, is not glTF 2, or requires an extension that is not in
   // `extensions`.
-  GltfFile(const std::filesystem::path& path, const std::vector<std::string_view>& extensions);
+  GltfFile(const std::filesystem::path& path, const std::vector<std::string_view>& extensions,
+           bool allow_outside = false);
   // The same for a file in memory; path gives its name and where its other files lie.
   GltfFile(std::string bytes, const std::filesystem::path& path,
-           const std::vector<std::string_view>& extensions);
+           const std::vector<std::string_view>& extensions, bool allow_outside = false);
   GltfFile(const GltfFile&) = delete;
   GltfFile& operator=(const GltfFile&) = delete;
 
@@ -52,8 +54,11 @@ class GltfFile {
   // The JSON as it is written, but for what was decoded.
   std::string_view text() const { return text_; }
 
-  // The bytes that a URI stands for.
-  std::string resource(const JsonValue& uri) const;
+  // The bytes that a URI stands for. Throws InputError where there is no such file that may be read.
+  std::string resource(const JsonValue& uri);
+
+  // The files that were read besides this one.
+  const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
   std::string_view read_container();
@@ -61,6 +66,8 @@ class GltfFile {
 
   std::string source_;
   std::filesystem::path folder_;
+  SceneFolder permitted_;
+  std::vector<std::filesystem::path> files_;
   std::string bytes_;        // the whole file
   std::string_view binary_;  // what a GLB has behind it
   std::string_view text_;

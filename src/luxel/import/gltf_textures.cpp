@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/trig.h"
 #include "luxel/import/make_materials.h"
 #include "luxel/import/name_list.h"
@@ -82,12 +83,16 @@ std::optional<std::uint32_t> GltfTextures::decoded(const JsonValue& texture) {
     const auto bytes = uri ? file_.resource(uri) : std::string(file_.view(image["bufferView"]));
     const auto written = uri && !is_data_uri(uri.text()) ? uri.text() : image.path();
     auto raster = decode_raster(bytes, fmt::format("{}: {}", file_.source(), written));
+    budget_.take(raster, bytes.size());
     const auto number = static_cast<std::uint32_t>(textures_.size());
     textures_.push_back({image["name"].text(written), std::make_shared<const Raster>(std::move(raster))});
     place->second = number;
     return number;
   } catch (const InputError& error) {
-    if (unreadable_++ == 0) first_reason_ = error.what();
+    if (unreadable_++ == 0) {
+      first_reason_ = error.what();
+      first_hints_ = hints_of(error);
+    }
     return std::nullopt;
   }
 }
@@ -106,10 +111,12 @@ std::uint32_t GltfTextures::with_metal(std::optional<std::uint32_t> base, std::u
 
 void GltfTextures::say_warnings(const Context& context) const {
   if (unreadable_ > 0)
-    context.warn(fmt::format(
-        "{}: {} cannot be read (first: {}); 0.5 is taken for the reflectance there, and 0 for the "
-        "light that is emitted",
-        file_.source(), counted(unreadable_, "picture"), first_reason_));
+    context.warn(
+        fmt::format(
+            "{}: {} cannot be read (first: {}); 0.5 is taken for the reflectance there, and 0 for the "
+            "light that is emitted",
+            file_.source(), counted(unreadable_, "picture"), first_reason_),
+        first_hints_);
 }
 
 }  // namespace luxel

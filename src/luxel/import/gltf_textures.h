@@ -10,6 +10,7 @@
 
 #include "luxel/core/context.h"
 #include "luxel/import/gltf_file.h"
+#include "luxel/import/texel_budget.h"
 #include "luxel/scene/texture.h"
 
 namespace luxel {
@@ -44,10 +45,12 @@ class GltfTextures {
 
   GltfFile& file_;
   std::vector<Texture> textures_;
+  TexelBudget budget_;
   std::map<std::size_t, std::optional<std::uint32_t>> images_;  // those that were requested
   std::map<std::tuple<std::int64_t, std::uint32_t, float>, std::uint32_t> with_metal_;
   std::size_t unreadable_ = 0;
   std::string first_reason_;
+  std::vector<Hint> first_hints_;
 };
 
 }  // namespace luxel

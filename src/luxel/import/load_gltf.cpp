@@ -117,6 +117,8 @@ Scene GltfLoader::load() {
   add_cameras(file_, nodes_, options_.scale, scene, context_);
   materials.say_warnings(context_);
   say_warnings();
+  scene.files = file_.files();
+  scene.allows_outside = options_.allow_outside;
   return scene;
 }
 
@@ -129,7 +131,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, c
 Scene load_gltf(std::string bytes, const std::filesystem::path& path, const LoadOptions& options,
                 const Context& context) {
   if (context.report({.stage = "load", .done = 0.0}) == Next::stop) return {};
-  GltfFile file(std::move(bytes), path, known_extensions());
+  GltfFile file(std::move(bytes), path, known_extensions(), options.allow_outside);
   return GltfLoader(file, options, context).load();
 }
 

@@ -35,7 +35,8 @@ Scene load_obj(std::string_view text, const std::filesystem::path& path, const L
   const auto mesh = read_obj(text, source, options.scale, context);
   if (!mesh) return {};
   expect_faces(*mesh, text, source);
-  const auto library = read_libraries(mesh->libraries, path, context);
+  const auto library =
+      read_libraries(mesh->libraries, path, SceneFolder(path, options.allow_outside), context);
   return scene_of(*mesh, library, source, options, context);
 }
 

@@ -28,11 +28,11 @@ TextureUse use_of(const MtlTexture& mtl, std::uint32_t texture) {
 
 class MaterialMaker {
  public:
-  MaterialMaker(const MaterialLibrary& library, const LoadOptions& options)
-      : library_(library), options_(options) {}
+  MaterialMaker(const MaterialLibrary& library, const LoadOptions& options, const std::string& source)
+      : library_(library), options_(options), folder_(source, options.allow_outside) {}
 
   Material make(const NamedLine& use);
-  const std::vector<Texture>& textures() const { return files_.textures(); }
+  const TextureFiles& files() const { return files_; }
   void say_warnings(const std::string& source, const Context& context) const;
 
  private:
@@ -44,7 +44,8 @@ class MaterialMaker {
 
   const MaterialLibrary& library_;
   const LoadOptions& options_;
-  TextureFiles files_;
+  SceneFolder folder_;
+  TextureFiles files_ = TextureFiles(folder_);
 
   // Names of materials, for the warnings.
   std::vector<std::string> unknown_, colorless_, too_bright_, transparent_, glasses_, panes_, mirrors_,
@@ -187,10 +188,13 @@ void MaterialMaker::say_warnings(const std::string& source, const Context& conte
 
 void make_materials(std::span<const NamedLine> used, const MaterialLibrary& library,
                     const LoadOptions& options, Scene& scene, const Context& context) {
-  MaterialMaker maker(library, options);
+  MaterialMaker maker(library, options, scene.source);
   for (const auto& use : used) scene.materials.push_back(maker.make(use));
   maker.say_warnings(scene.source, context);
-  scene.textures = maker.textures();
+  scene.textures = maker.files().textures();
+  scene.files.assign(library.files.begin(), library.files.end());
+  maker.files().list_files(scene.files);
+  scene.allows_outside = options.allow_outside;
   keep_used_textures(scene);
 }
 

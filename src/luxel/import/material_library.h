@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "luxel/core/context.h"
 #include "luxel/import/polygon_mesh.h"
 #include "luxel/import/read_mtl.h"
+#include "luxel/import/scene_folder.h"
 
 namespace luxel {
 
@@ -24,12 +24,9 @@ struct MaterialLibrary {
   std::vector<std::string> files;        // those read, in order
 };
 
-// Reads the files that the mtllib statements name, in their order. A missing file is a warning.
+// Reads the files that the mtllib statements name, in their order. A missing file is a warning; one that the
+// folder does not permit is an InputError.
 MaterialLibrary read_libraries(std::span<const NamedLine> statements, const std::filesystem::path& obj_path,
-                               const Context& context);
-
-// The plain file that a name inside an OBJ or MTL file means: below folder as written, with backslashes for
-// slashes, or, for the whole paths of another machine, the last part alone beside the file.
-std::optional<std::filesystem::path> find_file(const std::filesystem::path& folder, const std::string& name);
+                               const SceneFolder& folder, const Context& context);
 
 }  // namespace luxel

@@ -11,9 +11,11 @@
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/trig.h"
 #include "luxel/import/luminaires.h"
+#include "luxel/import/scene_folder.h"
 #include "luxel/scene/luminous_efficacy.h"
 
 namespace luxel {
@@ -130,6 +132,12 @@ void replace_by_luminaires(const std::filesystem::path& scene_file, const Vec3& 
     const auto file = scene_file.parent_path() / std::filesystem::path(material.name).filename();
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) continue;
+    if (!SceneFolder(scene_file, scene.allows_outside).permits(file))
+      throw with_hints(InputError(file.string(),
+                                  "this link leads outside the scene's folder; copy the file there, or "
+                                  "allow files outside"),
+                       {{Setting::allow_outside}});
+    add_file(scene.files, file);
     DisjointSets sets(scene.positions.size());
     std::vector<std::size_t> triangles;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/import/make_materials.h"
 #include "luxel/import/material_library.h"
 #include "luxel/import/name_list.h"
@@ -24,15 +25,16 @@ std::string consequence(std::size_t purpose) {
 std::optional<std::uint32_t> TextureFiles::find(Purpose purpose, const std::filesystem::path& folder,
                                                 const std::string& name, const std::string& material) {
   auto& troubles = troubles_[static_cast<std::size_t>(purpose)];
-  const auto path = find_file(folder, name);
-  if (!path) {
-    troubles.missing.insert(name);
-    if (!troubles.first_missing) troubles.first_missing = Trouble{name, material, {}};
+  const auto found = folder_.find(folder, name);
+  if (!found.file) {
+    (found.is_outside ? troubles.outside : troubles.missing).insert(name);
+    auto& first = found.is_outside ? troubles.first_outside : troubles.first_missing;
+    if (!first) first = Trouble{name, material, {}};
     return std::nullopt;
   }
-  const auto& file = read(*path, name);
+  const auto& file = read(*found.file, name);
   if (!file.texture) {
-    troubles.unreadable.insert(*path);
+    troubles.unreadable.insert(*found.file);
     if (!troubles.first_unreadable) troubles.first_unreadable = Trouble{name, material, file.reason};
   }
   return file.texture;
@@ -44,6 +46,7 @@ const TextureFiles::File& TextureFiles::read(const std::filesystem::path& path, 
   if (!is_new) return file;
   try {
     auto raster = read_raster(path);
+    budget_.take(raster, std::filesystem::file_size(path));
     for (auto& colour : raster.linear)
       colour = glm::max(colour, Vec3(0.0f));  // negative light does not exist
     if (!is_finite(mean_colour(raster))) throw InputError(path.string(), "its mean colour is not finite");
@@ -66,9 +69,20 @@ std::uint32_t TextureFiles::mask_of(std::uint32_t texture) {
   return place->second;
 }
 
+void TextureFiles::list_files(std::vector<std::filesystem::path>& files) const {
+  for (const auto& [path, file] : files_) add_file(files, path);
+}
+
 void TextureFiles::say_warnings(const std::string& source, const Context& context) const {
   for (std::size_t purpose = 0; purpose < troubles_.size(); ++purpose) {
-    const auto& [missing, unreadable, first_missing, first_unreadable] = troubles_[purpose];
+    const auto& [missing, outside, unreadable, first_missing, first_outside, first_unreadable] =
+        troubles_[purpose];
+    if (first_outside)
+      context.warn(fmt::format("{}: {} outside the scene's folder not read (first: {}, needed by material "
+                               "'{}'); {}",
+                               source, counted(outside.size(), "texture"), first_outside->texture,
+                               first_outside->material, consequence(purpose)),
+                   {{Setting::allow_outside}});
     if (first_missing)
       context.warn(fmt::format("{}: {} not found (first: {}, needed by material '{}'); {}", source,
                                counted(missing.size(), "texture"), first_missing->texture,

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "luxel/core/context.h"
+#include "luxel/import/scene_folder.h"
+#include "luxel/import/texel_budget.h"
 #include "luxel/scene/texture.h"
 
 namespace luxel {
@@ -19,10 +21,13 @@ namespace luxel {
 // warning a purpose at the end.
 class TextureFiles {
  public:
+  // The folder must outlive it.
+  explicit TextureFiles(const SceneFolder& folder) : folder_(folder) {}
+
   enum class Purpose { reflectance, emission, holes };
 
   // The number of the picture that an MTL file in `folder` names for a material, or nothing where it is
-  // missing or cannot be read.
+  // missing, outside the scene's folder or cannot be read.
   std::optional<std::uint32_t> find(Purpose purpose, const std::filesystem::path& folder,
                                     const std::string& name, const std::string& material);
 
@@ -33,6 +38,8 @@ class TextureFiles {
   std::uint32_t mask_of(std::uint32_t texture);
 
   const std::vector<Texture>& textures() const { return textures_; }
+  // Appends those that were read.
+  void list_files(std::vector<std::filesystem::path>& files) const;
 
   void say_warnings(const std::string& source, const Context& context) const;
 
@@ -45,14 +52,16 @@ class TextureFiles {
     std::string texture, material, reason;
   };
   struct Troubles {
-    std::set<std::string> missing;               // as the MTL names them
+    std::set<std::string> missing, outside;      // as the MTL names them
     std::set<std::filesystem::path> unreadable;  // there, but of no use
-    std::optional<Trouble> first_missing, first_unreadable;
+    std::optional<Trouble> first_missing, first_outside, first_unreadable;
   };
 
   const File& read(const std::filesystem::path& path, const std::string& name);
 
+  const SceneFolder& folder_;
   std::vector<Texture> textures_;
+  TexelBudget budget_;
   std::map<std::filesystem::path, File> files_;
   std::map<std::uint32_t, std::uint32_t> masks_;
   std::array<Troubles, 3> troubles_;

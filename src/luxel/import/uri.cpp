@@ -74,9 +74,7 @@ std::optional<std::filesystem::path> file_of_uri(std::string_view uri) {
   const auto colon = uri.find(':');
   if (colon != std::string_view::npos && colon < uri.find('/')) return std::nullopt;
   std::replace(plain->begin(), plain->end(), '\\', '/');  // not valid in a URI, but some programs write it
-  const std::filesystem::path path(*plain);
-  if (path.is_absolute()) return std::nullopt;
-  return path;
+  return std::filesystem::path(*plain);
 }
 
 }  // namespace luxel

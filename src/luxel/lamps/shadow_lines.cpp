@@ -155,7 +155,8 @@ class Finder {
 
   // shadows: sorted by triangle.
   std::vector<EdgeShadow> verified(std::span<const EdgeShadow> shadows) const {
-    const auto contacts = find_contact_lines(clean_, triangles_.vertices, options_.contact_gap, context_);
+    const auto contacts = find_contact_lines(clean_, triangles_.vertices, options_.contact_gap,
+                                             options_.max_contacts, context_);
     std::vector<std::span<const EdgeShadow>> groups;
     for (auto begin = shadows.begin(); begin != shadows.end();) {
       const auto on = begin->triangle;

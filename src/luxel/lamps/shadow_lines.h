@@ -12,9 +12,10 @@
 namespace luxel {
 
 struct ShadowLineOptions {
-  double max_edge = 0.0;        // m, above 0: of the patches that are cut along the lines
-  double contact_gap = 0.0;     // m, as for find_contact_lines()
-  std::size_t max_patches = 0;  // that the lines may add; lines of little light are left out
+  double max_edge = 0.0;               // m, above 0: of the patches that are cut along the lines
+  double contact_gap = 0.0;            // m, as for find_contact_lines()
+  std::size_t max_contacts = 200'000;  // as for find_contact_lines()
+  std::size_t max_patches = 0;         // that the lines may add; lines of little light are left out
 };
 
 // Finds the lines along which hard shadows of punctual lights end on surfaces: edges of the outline of

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/patch/flat_triangle.h"
@@ -28,9 +32,10 @@ using Triangle = std::array<Vec3, 3>;
 class Finder {
  public:
   Finder(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions, double gap,
-         const Context& context)
+         std::size_t most, const Context& context)
       : triangles_(triangles),
         positions_(positions),
+        most_(most),
         context_(context),
         neighbours_(triangles, positions.size()),
         shapes_(triangles.size()) {
@@ -46,7 +51,7 @@ class Finder {
 
   std::vector<ContactLine> find() const {
     return lines_of_pairs(
-        boxes(), context_,
+        boxes(), most_, context_,
         [this](std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) { meet(i, j, lines); });
   }
 
@@ -353,6 +358,7 @@ class Finder {
 
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
+  std::size_t most_;
   const Context& context_;
   VertexTriangles neighbours_;
   std::vector<Shape> shapes_;
@@ -361,10 +367,18 @@ class Finder {
 }  // namespace
 
 std::vector<ContactLine> find_contact_lines(const std::vector<CleanTriangle>& triangles,
-                                            const std::vector<Vec3>& positions, double gap,
+                                            const std::vector<Vec3>& positions, double gap, std::size_t most,
                                             const Context& context) {
   assert(gap >= 0.0);
-  return Finder(triangles, positions, gap, context).find();
+  return Finder(triangles, positions, gap, most, context).find();
+}
+
+void refuse_contacts(std::size_t most) {
+  throw with_hints(InputError(fmt::format(
+                       "surfaces touch or pierce one another in so many places that cuts along these make "
+                       "more than {} lines or patches: expected fewer, a larger limit, or no such cuts",
+                       most)),
+                   {{Setting::max_contacts}, {Setting::contacts, "off"}});
 }
 
 }  // namespace luxel

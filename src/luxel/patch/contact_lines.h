@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,12 +36,16 @@ struct ContactLine {
 // Leaves out lines that separate no light: a line on an edge of `on` that both share, or at which the surface
 // of `on` ends or bends by more than about 85 degrees; and lines shorter than rounding.
 //
-// gap: m; at most a hundredth of the shortest edge of both, at least two units in the last place of their
-// coordinates. corners index into positions; triangles have area. The same bits for any number of threads.
-// Cost: n log n, and about 0.3 us per pair of near triangles: two seconds of processor time for a million
-// triangles of a mesh.
+// Throws InputError where there are more than `most`. gap: m; at most a hundredth of the shortest edge of
+// both, at least two units in the last place of their coordinates. corners index into positions; triangles
+// have area. The same bits for any number of threads. Cost: n log n, and about 0.3 us per pair of near
+// triangles: two seconds of processor time for a million triangles of a mesh.
 std::vector<ContactLine> find_contact_lines(const std::vector<CleanTriangle>& triangles,
-                                            const std::vector<Vec3>& positions, double gap,
+                                            const std::vector<Vec3>& positions, double gap, std::size_t most,
                                             const Context& context);
+
+// Throws the InputError of a scene whose surfaces touch or pierce one another in more places than the budget
+// of PatchOptions::max_contacts.
+[[noreturn]] void refuse_contacts(std::size_t most);
 
 }  // namespace luxel

@@ -45,8 +45,8 @@ struct EdgeLine {
 
 class Cutter {
  public:
-  Cutter(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines)
-      : patches_(patches), weld_(weld), lines_(lines) {}
+  Cutter(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines, std::size_t most)
+      : patches_(patches), weld_(weld), lines_(lines), most_(most) {}
 
   void cut(std::span<const LineOnPatch> on) {
     for (const auto& o : on) place(o);
@@ -199,7 +199,11 @@ class Cutter {
     std::vector<std::array<std::uint32_t, 2>> ends;
     for (const auto& line : inner)
       ends.push_back({point_of(line.from, fragments, vertex), point_of(line.to, fragments, vertex)});
-    for (std::size_t i = 0; i < inner.size(); ++i) fragments.add_line(ends[i][0], ends[i][1], inner[i].line);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      fragments.add_line(ends[i][0], ends[i][1], inner[i].line);
+      if (added_ + fragments.fragments().size() > most_) refuse_contacts(most_);
+    }
+    added_ += fragments.fragments().size() - 1;
     fragments.improve();
     for (auto p = vertex.size(); p < fragments.points(); ++p)
       vertex.push_back(weld_.index_of(Vec3(fragments.place(static_cast<std::uint32_t>(p)))));
@@ -248,6 +252,7 @@ class Cutter {
   PatchSet& patches_;
   VertexWeld& weld_;
   std::span<const ContactLine> lines_;
+  std::size_t most_, added_ = 0;  // patches
   EdgePoints edge_points_;
   std::vector<InnerLine> inner_lines_;
   std::vector<EdgeLine> edge_lines_;
@@ -256,8 +261,8 @@ class Cutter {
 }  // namespace
 
 void cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,
-                        std::span<const LineOnPatch> on) {
-  Cutter(patches, weld, lines).cut(on);
+                        std::span<const LineOnPatch> on, std::size_t most) {
+  Cutter(patches, weld, lines, most).cut(on);
 }
 
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,13 +24,20 @@ inline bool comes_before(const ContactLine& a, const ContactLine& b) {
 
 // The lines that meet(i, j, lines) adds for each pair of triangles whose boxes overlap, in the order above.
 // The same for any number of threads, if all lines of one (on, other) come from one pair. meet: thread-safe.
+// Throws InputError where there are more lines than `most`.
 template <typename Meet>
-std::vector<ContactLine> lines_of_pairs(std::span<const Bounds> boxes, const Context& context,
-                                        const Meet& meet) {
+std::vector<ContactLine> lines_of_pairs(std::span<const Bounds> boxes, std::size_t most,
+                                        const Context& context, const Meet& meet) {
   const OverlappingPairs pairs(boxes, context);
   std::vector<std::vector<ContactLine>> of_part(pairs.parts());
+  std::atomic<std::size_t> count = 0;
   context.for_chunks(pairs.parts(), 1, [&](std::size_t part, std::size_t, int) {
-    pairs.for_pairs(part, [&](std::uint32_t i, std::uint32_t j) { meet(i, j, of_part[part]); });
+    auto& lines = of_part[part];
+    pairs.for_pairs(part, [&](std::uint32_t i, std::uint32_t j) {
+      const auto before = lines.size();
+      meet(i, j, lines);
+      if (lines.size() != before && (count += lines.size() - before) > most) refuse_contacts(most);
+    });
   });
   std::vector<ContactLine> lines;
   for (const auto& some : of_part) lines.insert(lines.end(), some.begin(), some.end());

@@ -137,15 +137,16 @@ void merge_into(std::vector<ContactLine>& lines, const std::vector<ContactLine>&
 
 // Outlines of things before a surface that patches of this size do not resolve.
 std::vector<ContactLine> outlines_near(const std::vector<CleanTriangle>& triangles,
-                                       const std::vector<Vec3>& positions, double gap, double max_edge,
-                                       const Context& context) {
+                                       const std::vector<Vec3>& positions, const PatchOptions& options,
+                                       double max_edge, const Context& context) {
   constexpr double of_edge = 0.35;   // of the longest edge of a patch, that things are close at
   constexpr double of_scene = 0.01;  // of its diagonal, at most
   if (!(max_edge > 0.0)) return {};
   Bounds box;
   for (const auto& p : positions) box.add(p);
   const auto distance = std::min(of_edge * max_edge, of_scene * static_cast<double>(glm::length(box.size())));
-  return find_near_lines(triangles, positions, gap, distance, context);
+  return find_near_lines(triangles, positions, options.contact_gap, distance,
+                         contact_budget(options, triangles.size()), context);
 }
 
 // Shadow lines on triangles that are left, as lines of something that stands along the normal.
@@ -170,8 +171,9 @@ std::vector<ContactLine> lines_to_cut(const std::vector<CleanTriangle>& triangle
                                       double max_edge, const Context& context) {
   std::vector<ContactLine> lines;
   if (options.contacts) {
-    lines = find_contact_lines(triangles, positions, options.contact_gap, context);
-    merge_into(lines, outlines_near(triangles, positions, options.contact_gap, max_edge, context));
+    lines = find_contact_lines(triangles, positions, options.contact_gap,
+                               contact_budget(options, triangles.size()), context);
+    merge_into(lines, outlines_near(triangles, positions, options, max_edge, context));
   }
   if (!options.shadow_lines.empty()) merge_into(lines, shadow_edges(triangles, options.shadow_lines));
   return lines;
@@ -209,6 +211,12 @@ void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, co
 }
 
 }  // namespace
+
+std::size_t contact_budget(const PatchOptions& options, std::size_t triangles) {
+  constexpr std::size_t per_triangle = 20, of_small_scenes = 200'000;
+  return options.max_contacts > 0 ? options.max_contacts
+                                  : std::max(per_triangle * triangles, of_small_scenes);
+}
 
 float automatic_max_edge(const Scene& scene, std::size_t target_count) {
   const auto all = shapes(scene);
@@ -249,7 +257,10 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
   }
   if (!lines.empty()) {
     const auto before = patches.size();
-    cut_along_contacts(patches, weld, lines, splitter.lines_on_patches());
+    constexpr std::size_t of_shadow_line = 20;  // they have a limit of their own, ShadowLineOptions
+    cut_along_contacts(
+        patches, weld, lines, splitter.lines_on_patches(),
+        contact_budget(options, triangles.size()) + of_shadow_line * options.shadow_lines.size());
     if (patches.size() > options.max_count)
       throw with_hints(
           InputError(fmt::format("more than {} patches where surfaces touch: a longer edge is needed, or no "

@@ -27,18 +27,19 @@ constexpr std::size_t grain = 8192;
 class Finder {
  public:
   Finder(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions, double gap,
-         double distance, const Context& context)
+         double distance, std::size_t most, const Context& context)
       : triangles_(triangles),
         positions_(positions),
         gap_(gap),
         distance_(distance),
+        most_(most),
         context_(context),
         neighbours_(triangles, positions.size()),
         is_wide_(triangles.size()) {}
 
   std::vector<ContactLine> find() {
     const auto all = boxes();  // before a pair asks which triangles are wide
-    return lines_of_pairs(all, context_,
+    return lines_of_pairs(all, most_, context_,
                           [this](std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) {
                             if (is_wide_[i]) add_lines(i, j, lines);
                             if (is_wide_[j]) add_lines(j, i, lines);
@@ -133,6 +134,7 @@ class Finder {
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
   double gap_, distance_;  // m
+  std::size_t most_;
   const Context& context_;
   VertexTriangles neighbours_;
   std::vector<char> is_wide_;
@@ -142,8 +144,8 @@ class Finder {
 
 std::vector<ContactLine> find_near_lines(const std::vector<CleanTriangle>& triangles,
                                          const std::vector<Vec3>& positions, double gap, double distance,
-                                         const Context& context) {
-  return Finder(triangles, positions, gap, distance, context).find();
+                                         std::size_t most, const Context& context) {
+  return Finder(triangles, positions, gap, distance, most, context).find();
 }
 
 }  // namespace luxel

@@ -23,9 +23,10 @@ namespace luxel {
 // order, with `into` along the normal of `on`.
 //
 // distance: m, about a third of the longest edge of patches: patches resolve the shadows of wider gaps. gap:
-// as for find_contact_lines(). The same bits for any number of threads. Cost: as find_contact_lines().
+// and most: as for find_contact_lines(). The same bits for any number of threads. Cost: as
+// find_contact_lines().
 std::vector<ContactLine> find_near_lines(const std::vector<CleanTriangle>& triangles,
                                          const std::vector<Vec3>& positions, double gap, double distance,
-                                         const Context& context);
+                                         std::size_t most, const Context& context);
 
 }  // namespace luxel

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "luxel/export/utf8.h"
+#include "luxel/core/utf8.h"
 
 namespace luxel {
 

@@ -75,17 +75,17 @@ void LightmapSettings::declare(OptionSet& set) {
            "irradiance shown as white in PNG files; auto: the 99.9th percentile of lit texels",
            [this](const std::string& text) { white = parse_white(text); },
            [this] { return white == automatic_white ? std::string("auto") : fmt::format("{}", white); }});
-  set.add_text("error-map", "FILE", error_map, "EXR file for the standard error of each texel, W/m²");
-  set.add_text(
-      "directional", "FILE", directional,
+  set.add_output("error-map", error_map, "EXR file for the standard error of each texel, W/m²");
+  set.add_output(
+      "directional", directional,
       "EXR files for the light vector in W/m², for surfaces with normal maps: room.exr becomes room-x.exr, "
       "room-y.exr and room-z.exr");
-  set.add_text(
-      "uv2", "FILE", unwrapped,
+  set.add_output(
+      "uv2", unwrapped,
       "the scene with the lightmap coordinates: .glb, as TEXCOORD_1 beside its own; .obj, which has one "
       "set, as vt instead of its own");
   declare_compression(set, compression, "the .glb of --uv2");
-  set.add_text("preview", "FILE", preview, "picture (.png .exr .hdr) of the scene drawn with the lightmap");
+  set.add_output("preview", preview, "picture (.png .exr .hdr) of the scene drawn with the lightmap");
 }
 
 std::string describe(const Lightmap& lightmap, const LightmapReport& report) {

@@ -107,6 +107,11 @@ void OptionSet::add_text(const char* name, const char* unit, std::string& value,
   add({name, unit, help, [&value](const std::string& text) { value = text; }, [&value] { return value; }});
 }
 
+void OptionSet::add_output(const char* name, std::string& value, const char* help) {
+  add_text(name, "FILE", value, help);
+  entries_.back().declaration.is_output = true;
+}
+
 void OptionSet::add_texts(const char* name, const char* unit, std::vector<std::string>& values,
                           const char* help) {
   Declaration declaration{name, unit, help, [&values](const std::string& text) { values.push_back(text); },

@@ -32,6 +32,7 @@ struct Declaration {
   bool many = false;                              // may be given several times; parse is called for each
   bool configurable = true;                       // may stand in a file
   bool recorded = true;                           // is part of the command that reproduces a result
+  bool is_output = false;                         // names files that the command writes
   bool alone = false;                             // where it is given, positionals may be missing
   std::string endings = {};                       // of the files it names, ".png .exr"; for completion
   // Values that it gives to other options, unless a person set those: option and value.
@@ -66,6 +67,8 @@ class OptionSet {
   void add_fraction(const char* name, double& value, const char* help);
   void add_count(const char* name, std::uint64_t& value, const char* help);  // 50M, 2e6, 1000
   void add_text(const char* name, const char* unit, std::string& value, const char* help);
+  // A file that the command writes.
+  void add_output(const char* name, std::string& value, const char* help);
   void add_texts(const char* name, const char* unit, std::vector<std::string>& values, const char* help);
   void add_point(const char* name, const char* unit, std::optional<Vec3d>& value, const char* help);  // x,y,z
   void add_choice(const char* name, std::vector<std::string> words, std::string& value, const char* help);

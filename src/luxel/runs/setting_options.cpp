@@ -13,6 +13,7 @@ struct SettingOption {
 };
 
 constexpr SettingOption options[] = {
+    {Setting::allow_outside, "allow-outside"},
     {Setting::bands, "bands"},
     {Setting::contacts, "contacts"},
     {Setting::eye, "eye"},
@@ -21,6 +22,7 @@ constexpr SettingOption options[] = {
     {Setting::force, "force"},
     {Setting::glass, "glass"},
     {Setting::light_group, "light-group"},
+    {Setting::max_contacts, "max-contacts"},
     {Setting::max_edge, "max-edge"},
     {Setting::reflectance_limit, "max-reflectance"},
     {Setting::memory, "memory"},

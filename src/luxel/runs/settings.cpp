@@ -96,6 +96,9 @@ void SceneSettings::declare_scene(OptionSet& set, const char* what_it_takes) {
   set.add_number("scale", "m", load.scale, 1e-9, far, "metres per unit of the file");
   set.add_number("max-reflectance", "0..1", load.max_reflectance, 0.0f, 0.999f,
                  "maximum reflectance; higher ones are lowered to it");
+  set.add_flag("allow-outside", load.allow_outside,
+               "read files that the scene names (buffers, materials, textures, luminaires) from outside its "
+               "folder, too");
   set.add_texts("one-sided", "NAME", load.one_sided, "materials (with * and ?) whose backs absorb light");
   set.add(glass_declaration(load.glass));
   set.add_texts("flip", "NAME", load.flip, "materials (with * and ?) whose faces are flipped");
@@ -115,6 +118,16 @@ void SceneSettings::declare_contacts(OptionSet& set) {
   set.add_switch("contacts", patches.contacts,
                  "cut patches where surfaces touch or intersect, so that no light leaks there, and along "
                  "hard shadows of suns and other punctual lights");
+  set.add(
+      {"max-contacts", "count",
+       "maximum number of lines, and of patches added, where surfaces touch or intersect; more is refused; "
+       "auto: 20 per triangle, at least 200k",
+       [this](const std::string& text) {
+         patches.max_contacts = text == "auto" ? 0 : parse_count("max-contacts", text);
+       },
+       [this] {
+         return patches.max_contacts == 0 ? std::string("auto") : std::to_string(patches.max_contacts);
+       }});
   set.add_number("contact-gap", "m", patches.contact_gap, 0.0f, 1.0f,
                  "maximum distance of surfaces that touch (at most a hundredth of their shortest edge)");
 }
@@ -292,12 +305,13 @@ void RunSettings::declare(OptionSet& set, const std::string& kinds) {
                        [this] { return fmt::format("{}", fmt::join(outputs, "\n")); }};
     output.letter = 'o';
     output.many = true;
+    output.is_output = true;
     output.endings = kinds;
     set.add(std::move(output));
   }
   set.add_number("threads", "count", threads, 0, 4096,
                  "number of threads; 0: all cores; results do not depend on it");
-  set.add_text("json-file", "FILE", report, "write the result as JSON to this file");
+  set.add_output("json-file", report, "write the result as JSON to this file");
   set.add_flag("json", json, "print the result as JSON");
   if (kinds.find(".glb") != std::string::npos || kinds.find(".png") != std::string::npos)
     set.add_flag("open", opens,

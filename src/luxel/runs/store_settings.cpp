@@ -44,9 +44,9 @@ void StoreSettings::declare_groups(OptionSet& set) {
 void StoreSettings::declare_run(OptionSet& set) {
   set.heading(RunSettings::heading);
   set.only_with("method", "sampled");
-  set.add_text("checkpoint", "FILE", checkpoint,
-               "solution file (.vtkhdf) that stores the state of the run; the same command, or 'luxel "
-               "resume', continues it");
+  set.add_output("checkpoint", checkpoint,
+                 "solution file (.vtkhdf) that stores the state of the run; the same command, or 'luxel "
+                 "resume', continues it");
   declare_every(set);
   set.only_with();
 }

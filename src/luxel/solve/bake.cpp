@@ -28,6 +28,7 @@ PatchSet make_patches_for_light(const Scene& scene, PatchOptions options, const 
   auto lines = find_shadow_lines(triangles, tracer,
                                  {.max_edge = static_cast<double>(max_edge),
                                   .contact_gap = static_cast<double>(options.contact_gap),
+                                  .max_contacts = contact_budget(options, scene.triangles.size()),
                                   .max_patches = std::max(min_shadow_patches, patches / 2)},
                                  context);
   options.shadow_lines.insert(options.shadow_lines.end(), lines.begin(), lines.end());

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/core/output_file.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "luxel/core/error.h"
@@ -55,13 +59,11 @@ TEST_F(OutputFileTest, a_written_file_holds_the_bytes_and_nothing_stays_beside_i
 
 TEST_F(OutputFileTest, the_old_file_stays_until_commit) {
   put(path("a.txt"), "old");
-  {
-    OutputFile file(path("a.txt"));
-    put(file.temporary(), "new");
-    EXPECT_EQ(read_file(path("a.txt")), "old");
-    file.commit();
-    EXPECT_EQ(read_file(path("a.txt")), "new");
-  }
+  OutputFile file(path("a.txt"));
+  file.write("ne");
+  file.write("w");
+  EXPECT_EQ(read_file(path("a.txt")), "old");
+  file.commit();
   EXPECT_EQ(read_file(path("a.txt")), "new");
   EXPECT_EQ(files(), 1);
 }
@@ -70,22 +72,51 @@ TEST_F(OutputFileTest, an_interrupted_writer_leaves_the_old_file_as_it_was) {
   put(path("a.txt"), "old");
   {
     OutputFile file(path("a.txt"));
-    put(file.temporary(), "half of the n");
+    file.write("half of the n");
   }
   EXPECT_EQ(read_file(path("a.txt")), "old");
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(OutputFileTest, the_temporary_lies_in_the_same_folder_with_the_same_ending) {
-  const OutputFile file(path("picture.of.a.room.exr"));
-  EXPECT_EQ(file.temporary().parent_path(), path("x").parent_path());
-  EXPECT_EQ(file.temporary().extension(), ".exr");
+TEST_F(OutputFileTest, a_killed_writer_leaves_nothing_that_the_next_one_does_not_remove) {
+  put(path("a.txt"), "old");
+  const auto child = ::fork();
+  if (child == 0) {
+    OutputFile file(path("a.txt"));
+    file.write(std::string(100'000, 'x'));
+    ::kill(::getpid(), SIGKILL);
+  }
+  ASSERT_GT(child, 0);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  remove_leftovers(path("a.txt"));
+  EXPECT_EQ(read_file(path("a.txt")), "old");
+  EXPECT_EQ(files(), 1);
 }
 
-TEST_F(OutputFileTest, two_writers_of_one_file_do_not_share_a_temporary) {
-  const OutputFile a(path("a.txt"));
-  const OutputFile b(path("a.txt"));
-  EXPECT_NE(a.temporary(), b.temporary());
+TEST_F(OutputFileTest, leftovers_of_the_dead_are_removed_and_those_of_the_living_stay) {
+  put(path(".a.1234.0.tmp.txt"), "left");
+  put(path(".b.1234.0.tmp.txt"), "of another file");
+  put(path(".a.5678.0.tmp.txt"), "being written");
+  const int living = ::open(path(".a.5678.0.tmp.txt").c_str(), O_RDWR);
+  ASSERT_EQ(::flock(living, LOCK_EX), 0);
+  EXPECT_EQ(remove_leftovers(path("a.txt")), 4u);
+  EXPECT_FALSE(fs::exists(path(".a.1234.0.tmp.txt")));
+  EXPECT_TRUE(fs::exists(path(".b.1234.0.tmp.txt")));
+  EXPECT_TRUE(fs::exists(path(".a.5678.0.tmp.txt")));
+  ::close(living);
+}
+
+TEST_F(OutputFileTest, two_writers_of_one_file_do_not_disturb_each_other) {
+  OutputFile a(path("a.txt"));
+  OutputFile b(path("a.txt"));
+  a.write("first");
+  b.write("second");
+  b.commit();
+  a.commit();
+  EXPECT_EQ(read_file(path("a.txt")), "first");
+  EXPECT_EQ(files(), 1);
 }
 
 TEST_F(OutputFileTest, a_name_as_long_as_the_system_allows_can_be_written) {
@@ -131,20 +162,16 @@ TEST_F(OutputFileTest, a_write_protected_file_is_not_replaced) {
   EXPECT_EQ(read_file(path("a.txt")), "old");
 }
 
-TEST_F(OutputFileTest, a_link_stays_a_link_and_its_file_is_replaced) {
-  fs::create_directory(path("there"));
-  put(path("there/real.txt"), "old");
-  fs::create_symlink("there/real.txt", path("link.txt"));
-  write_file(path("link.txt"), "new");
-  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
-  EXPECT_EQ(read_file(path("there/real.txt")), "new");
-}
-
-TEST_F(OutputFileTest, a_link_to_nothing_makes_the_file_it_names) {
-  fs::create_symlink("later.txt", path("link.txt"));
-  write_file(path("link.txt"), "new");
-  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
-  EXPECT_EQ(read_file(path("later.txt")), "new");
+TEST_F(OutputFileTest, a_link_is_not_followed) {
+  put(path("real.txt"), "old");
+  for (const auto* target : {"real.txt", "later.txt"}) {
+    fs::create_symlink(target, path("link.txt"));
+    EXPECT_NE(refusal(path("link.txt")).find("it is a symbolic link"), std::string::npos);
+    EXPECT_TRUE(fs::is_symlink(path("link.txt")));
+    fs::remove(path("link.txt"));
+  }
+  EXPECT_EQ(read_file(path("real.txt")), "old");
+  EXPECT_FALSE(fs::exists(path("later.txt")));
 }
 
 TEST_F(OutputFileTest, a_replaced_file_keeps_its_permissions) {
@@ -167,8 +194,8 @@ TEST_F(OutputFileTest, a_pipe_is_written_where_it_stands) {
 
 TEST_F(OutputFileTest, a_device_is_not_removed_by_an_interrupted_writer) {
   {
-    const OutputFile file("/dev/null");
-    EXPECT_EQ(file.temporary(), "/dev/null");
+    OutputFile file("/dev/null");
+    file.write("x");
   }
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }

@@ -152,6 +152,11 @@ TEST(ReadImage, a_giant_declared_size_is_refused_before_decoding) {
             std::string::npos);
 }
 
+TEST(ReadImage, many_pixels_in_few_bytes_are_refused_before_decoding) {
+  EXPECT_NE(complaint(raw_png(16'000, 16'000, 8, 2, ""), ".png").find("16000 x 16000 pixels in"),
+            std::string::npos);
+}
+
 TEST(ReadImage, a_grey_png_is_grey) {
   const auto image = read_bytes(raw_png(2, 1, 8, 0, std::string("\0\x80\xff", 3)), ".png");
   EXPECT_EQ(image.pixels, (std::vector{Vec3(code(0x80)), Vec3(1.0f)}));

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each call of the operating system that writes fails once: the file that was there is whole, old or new, the
+// exit code says which, and nothing is left beside it.
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "cli/run_program.h"
+
+namespace luxel::cli {
+namespace {
+namespace fs = std::filesystem;
+
+class FailingWrites : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fresh_folder("failing_writes");
+    ASSERT_EQ(
+        cli::run(folder_, "$LUXEL bake cornell-box.obj --max-edge 0.5 --error 20% -o light.vtkhdf").code, 0);
+    ASSERT_EQ(cli::run(folder_, command_).code, 0);
+    whole_ = read_file(folder_ / "out.glb");
+  }
+
+  // Runs the command with planned failures over an old file, and checks what is there then.
+  static void expect_old_or_new(const std::string& plan) {
+    std::ofstream(folder_ / "out.glb", std::ios::trunc) << "old";
+    const auto run = cli::run(
+        folder_, fmt::format("LD_PRELOAD='{}' FAIL_CALL={} {}", LUXEL_FAILING_CALLS, plan, command_));
+    const auto found = read_file(folder_ / "out.glb");
+    if (run.code == 0) {
+      EXPECT_EQ(found, whole_) << plan;
+    } else {
+      EXPECT_EQ(run.code, 1) << plan << ": " << run.err;
+      EXPECT_EQ(found, "old") << plan;
+      EXPECT_NE(run.err.find("out.glb: "), std::string::npos) << plan << ": " << run.err;
+    }
+    for (const auto& entry : fs::directory_iterator(folder_))
+      EXPECT_EQ(entry.path().filename().string().find(".tmp"), std::string::npos) << plan << entry.path();
+  }
+
+  inline static fs::path folder_;
+  inline static const std::string command_ = "$LUXEL export light.vtkhdf -o out.glb";
+  inline static std::string whole_;
+};
+
+TEST_F(FailingWrites, leave_the_old_file_or_the_new_one) {
+  for (const char* call : {"tmpfile", "open", "write", "fsync", "linkat", "rename"})
+    for (const int error : {EIO, ENOSPC, EINTR}) expect_old_or_new(fmt::format("{}:1:{}", call, error));
+  for (const char* plan : {"write:1:0", "tmpfile:2:95", "close:3:5", "close:4:5", "close:5:5"})
+    expect_old_or_new(plan);
+}
+
+}  // namespace
+}  // namespace luxel::cli

@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Attacks on the built program, for hours if need be: ./dev soak [--minutes N] [ATTACK...].
+
+Each attack goes on where it stopped: the seed of a try is its number. Totals are added up in
+build/soak/totals.json; what was found is kept in build/soak/findings, with the command that shows it again.
+"""
+
+import argparse
+import json
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+STATE = ROOT / "build" / "soak"
+
+
+class Finding(Exception):
+    """What an attack has found, in a sentence."""
+
+
+def run(command, folder, **options):
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", **options)
+
+
+def expect_sound(result, what):
+    """A program may refuse with code 1 or 2 and one sentence; signals and silence are findings."""
+    if result.returncode < 0 or result.returncode not in (0, 1, 2, 3):
+        raise Finding(f"{what}: ended with {result.returncode}: {result.stderr[-500:]}")
+    if result.returncode in (1, 2) and not result.stderr.strip():
+        raise Finding(f"{what}: failed without a word")
+
+
+# ---- Killed runs ----
+
+BAKE = ["--max-edge", "0.08", "--rays", "3M", "--seed", "5", "--every", "0", "--mesh-error", "none"]
+
+
+class Kills:
+    """kill -9 at a random moment, again and again, until the run has ended: the same bytes, nothing left."""
+
+    def __init__(self, luxel):
+        self.luxel, self.expected, self.seconds = luxel, None, 0.0
+
+    def command(self):
+        return [self.luxel, "bake", "cornell-box.obj", *BAKE, "--checkpoint", "run.vtkhdf", "-o", "light.ply"]
+
+    def folder(self):
+        folder = Path(tempfile.mkdtemp(prefix="kills-", dir=STATE))
+        for name in ("cornell-box.obj", "cornell-box.mtl"):
+            shutil.copy(ROOT / "scenes" / name, folder)
+        return folder
+
+    def prepare(self):
+        folder = self.folder()
+        begin = time.monotonic()
+        result = run(self.command(), folder)
+        if result.returncode != 0:
+            raise SystemExit(f"the run that is to be killed fails by itself: {result.stderr}")
+        self.seconds = time.monotonic() - begin
+        self.expected = (folder / "light.ply").read_bytes()
+        shutil.rmtree(folder)
+
+    def attempt(self, chance):
+        if self.expected is None:
+            self.prepare()
+        folder = self.folder()
+        for attempt in range(100):
+            process = subprocess.Popen(self.command(), cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            try:
+                process.wait(timeout=chance.uniform(0.0, 1.2 * self.seconds))
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGKILL)
+            message = process.communicate()[1].decode(errors="replace")
+            if process.returncode == 0:
+                break
+            if process.returncode != -signal.SIGKILL:
+                raise Finding(f"after {attempt} kills in {folder}: {message}")
+        else:
+            raise Finding(f"a hundred kills, and no progress: {folder}")
+        if (folder / "light.ply").read_bytes() != self.expected:
+            raise Finding(f"other bytes after {attempt} kills: {folder}")
+        left = [path.name for path in folder.iterdir() if ".tmp" in path.name]
+        if left:
+            raise Finding(f"left behind after {attempt} kills: {left} in {folder}")
+        shutil.rmtree(folder)
+
+
+# ---- Random scenes against the path tracer ----
+
+
+def random_box(chance, low, high):
+    size = [chance.uniform(0.1, 0.5) * (h - l) for l, h in zip(low, high)]
+    at = [chance.uniform(l, h - s) for l, h, s in zip(low, high, size)]
+    return at, [a + s for a, s in zip(at, size)]
+
+
+def box_faces(low, high, first, inwards):
+    corners = [(x, y, z) for z in (low[2], high[2]) for y in (low[1], high[1]) for x in (low[0], high[0])]
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    if not inwards:
+        quads = [tuple(reversed(quad)) for quad in quads]
+    return corners, [tuple(first + index for index in quad) for quad in quads]
+
+
+def random_scene(chance):
+    """A closed room with boxes and a lamp below the ceiling: OBJ and MTL."""
+    size = [chance.uniform(2.0, 6.0) for _ in range(3)]
+    lines, materials, first = ["mtllib room.mtl"], [], 1
+
+    def add(name, low, high, inwards, reflectance, radiance=0.0):
+        nonlocal first
+        corners, quads = box_faces(low, high, first, inwards)
+        first += len(corners)
+        lines.extend(f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in corners)
+        lines.extend([f"g {name}", f"usemtl {name}"])
+        lines.extend("f " + " ".join(map(str, quad)) for quad in quads)
+        colour = " ".join(f"{r:.4f}" for r in reflectance)
+        materials.append(f"newmtl {name}\nKd {colour}\nKe {radiance} {radiance} {radiance}\n")
+
+    def colour():
+        return [chance.uniform(0.05, 0.85) for _ in range(3)]
+
+    add("room", (0, 0, 0), size, True, colour())
+    for number in range(chance.randrange(4)):
+        add(f"box{number}", *random_box(chance, (0.05, 0.05, 0.05), [0.7 * s for s in size]), False, colour())
+    low = [chance.uniform(0.2, 0.5) * s for s in size[:2]] + [size[2] - 0.12]
+    add("lamp", low, [low[0] + 0.4, low[1] + 0.3, size[2] - 0.02], False, [0.5] * 3, 10.0)
+    return "\n".join(lines) + "\n", "\n".join(materials)
+
+
+class Scenes:
+    """Solver and path tracer agree within their errors, in the mean over all patches."""
+
+    limit = 6.0  # standard errors; with a dozen replicates behind each, about one false alarm in 10,000 scenes
+
+    def __init__(self, luxel):
+        self.luxel = luxel
+
+    def attempt(self, chance):
+        folder = Path(tempfile.mkdtemp(prefix="scenes-", dir=STATE))
+        obj, mtl = random_scene(chance)
+        (folder / "room.obj").write_text(obj)
+        (folder / "room.mtl").write_text(mtl)
+        seed = ["--seed", str(chance.randrange(1 << 30))]
+        common = ["room.obj", "--max-edge", "0.8", "--sky", "none", *seed]
+        solved = run([self.luxel, "bake", *common, "--rays", "1M", "--mesh-error", "none", "-o", "a.vtkhdf"], folder)
+        expect_sound(solved, f"bake in {folder}")
+        traced = run([self.luxel, "reference", *common, "--error", "2%", "-o", "b.vtkhdf"], folder)
+        expect_sound(traced, f"reference in {folder}")
+        compared = run([self.luxel, "compare", "a.vtkhdf", "b.vtkhdf", "--json"], folder)
+        expect_sound(compared, f"compare in {folder}")
+        self.judge(json.loads(compared.stdout), folder)
+        shutil.rmtree(folder)
+
+    def judge(self, comparison, folder):
+        bias, error = comparison["mean_bias"], comparison["bias_error"]
+        if not abs(bias) <= self.limit * error:
+            raise Finding(f"bias {bias:.4f}, standard error {error:.4f}: {folder}")
+
+
+ATTACKS = {"kills": Kills, "scenes": Scenes}
+
+
+def cpu_seconds():
+    own, children = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--luxel", default=str(ROOT / "build/release/bin/luxel"))
+    parser.add_argument("--minutes", type=float, default=10.0, help="of this leg, at most 60")
+    parser.add_argument("attacks", nargs="*", metavar="ATTACK", help=", ".join(ATTACKS))
+    options = parser.parse_args()
+    unknown = [name for name in options.attacks if name not in ATTACKS]
+    if unknown:
+        parser.error(f"there is no attack {unknown[0]}: expected {', '.join(ATTACKS)}")
+    STATE.mkdir(parents=True, exist_ok=True)
+    totals_file = STATE / "totals.json"
+    totals = json.loads(totals_file.read_text()) if totals_file.exists() else {}
+    names = options.attacks or list(ATTACKS)
+    end = time.monotonic() + 60.0 * min(options.minutes, 60.0)
+    attacks = {name: ATTACKS[name](os.path.abspath(options.luxel)) for name in names}
+    found = 0
+    while time.monotonic() < end:
+        for name in names:
+            total = totals.setdefault(name, {"tries": 0, "findings": 0, "cpu_seconds": 0.0})
+            before = cpu_seconds()
+            try:
+                attacks[name].attempt(random.Random(f"{name} {total['tries']}"))
+            except Finding as finding:
+                found += 1
+                total["findings"] += 1
+                (STATE / "findings").mkdir(exist_ok=True)
+                (STATE / "findings" / f"{name}-{total['tries']}.txt").write_text(f"{finding}\n")
+                print(f"FOUND by {name}, try {total['tries']}: {finding}", flush=True)
+            total["tries"] += 1
+            total["cpu_seconds"] += cpu_seconds() - before
+            totals_file.write_text(json.dumps(totals, indent=2))
+            if time.monotonic() >= end:
+                break
+    for name, total in totals.items():
+        print(f"{name:8} {total['tries']:6} tries {total['findings']:3} findings {total['cpu_seconds']:8.0f} CPU s in all")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
