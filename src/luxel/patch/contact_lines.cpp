@@ -35,7 +35,7 @@ class Finder {
          std::size_t most, const Context& context)
       : triangles_(triangles),
         positions_(positions),
-        most_(most),
+        max_lines_(most),
         context_(context),
         neighbours_(triangles, positions.size()),
         shapes_(triangles.size()) {
@@ -51,7 +51,7 @@ class Finder {
 
   std::vector<ContactLine> find() const {
     return lines_of_pairs(
-        boxes(), most_, context_,
+        boxes(), max_lines_, context_,
         [this](std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) { meet(i, j, lines); });
   }
 
@@ -358,7 +358,7 @@ class Finder {
 
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
-  std::size_t most_;
+  std::size_t max_lines_;
   const Context& context_;
   VertexTriangles neighbours_;
   std::vector<Shape> shapes_;

@@ -46,7 +46,7 @@ struct EdgeLine {
 class Cutter {
  public:
   Cutter(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines, std::size_t most)
-      : patches_(patches), weld_(weld), lines_(lines), most_(most) {}
+      : patches_(patches), weld_(weld), lines_(lines), max_added_(most) {}
 
   void cut(std::span<const LineOnPatch> on) {
     for (const auto& o : on) place(o);
@@ -201,7 +201,7 @@ class Cutter {
       ends.push_back({point_of(line.from, fragments, vertex), point_of(line.to, fragments, vertex)});
     for (std::size_t i = 0; i < inner.size(); ++i) {
       fragments.add_line(ends[i][0], ends[i][1], inner[i].line);
-      if (added_ + fragments.fragments().size() > most_) refuse_contacts(most_);
+      if (added_ + fragments.fragments().size() > max_added_) refuse_contacts(max_added_);
     }
     added_ += fragments.fragments().size() - 1;
     fragments.improve();
@@ -252,7 +252,7 @@ class Cutter {
   PatchSet& patches_;
   VertexWeld& weld_;
   std::span<const ContactLine> lines_;
-  std::size_t most_, added_ = 0;  // patches
+  std::size_t max_added_, added_ = 0;  // patches
   EdgePoints edge_points_;
   std::vector<InnerLine> inner_lines_;
   std::vector<EdgeLine> edge_lines_;

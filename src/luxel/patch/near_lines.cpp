@@ -32,14 +32,14 @@ class Finder {
         positions_(positions),
         gap_(gap),
         distance_(distance),
-        most_(most),
+        max_lines_(most),
         context_(context),
         neighbours_(triangles, positions.size()),
         is_wide_(triangles.size()) {}
 
   std::vector<ContactLine> find() {
     const auto all = boxes();  // before a pair asks which triangles are wide
-    return lines_of_pairs(all, most_, context_,
+    return lines_of_pairs(all, max_lines_, context_,
                           [this](std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) {
                             if (is_wide_[i]) add_lines(i, j, lines);
                             if (is_wide_[j]) add_lines(j, i, lines);
@@ -134,7 +134,7 @@ class Finder {
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<Vec3>& positions_;
   double gap_, distance_;  // m
-  std::size_t most_;
+  std::size_t max_lines_;
   const Context& context_;
   VertexTriangles neighbours_;
   std::vector<char> is_wide_;
