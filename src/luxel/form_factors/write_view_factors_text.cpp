@@ -47,9 +47,7 @@ class TextFile {
     if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size()) fail();
     buffer_.clear();
   }
-  [[noreturn]] void fail() const {
-    throw DeviceError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
-  }
+  [[noreturn]] void fail() const { throw cannot_write(path_.string(), std::strerror(errno)); }
 
   std::filesystem::path path_;
   OutputFile output_;
