@@ -79,12 +79,15 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                               f"Tag: {tag}-{tag}-{platform}\n").encode()
     files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     record = ""
-    with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
+    for path, content in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+        record += f"{path},sha256={digest},{len(content)}\n"
+    files[f"{info}/RECORD"] = (record + f"{info}/RECORD,,\n").encode()
+    with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w") as wheel:
         for path, content in files.items():
-            wheel.writestr(path, content)
-            digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
-            record += f"{path},sha256={digest},{len(content)}\n"
-        wheel.writestr(f"{info}/RECORD", record + f"{info}/RECORD,,\n")
+            entry = zipfile.ZipInfo(path)  # dated 1980, so that the same build gives the same bytes
+            entry.external_attr = 0o644 << 16
+            wheel.writestr(entry, content, zipfile.ZIP_DEFLATED)
     return name
 
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 """The exceptions of the package, and how messages are worded for Python."""
-import os
 import re
 
 __all__ = ["Error", "InputError", "FormatError", "MismatchError", "DeviceError", "Stopped"]
@@ -18,10 +17,11 @@ class Error(Exception):
     line = None
     hints = ()
 
-    def __init__(self, message, hints=()):
+    def __init__(self, message, hints=(), file=None, line=None):
         super().__init__(message)
         self.hints = tuple(hints)
-        self.file, self.line = _place_in(str(message))
+        self.file = file
+        self.line = line
 
 
 class InputError(Error, ValueError):
@@ -50,20 +50,6 @@ class Stopped(Error):
 _KINDS = {"usage": InputError, "input": InputError, "format": FormatError, "mismatch": MismatchError,
           "device": DeviceError, "error": Error}
 
-# "room.obj:12: ..." or "room.obj: ...": the extension, or the file itself, tells a place from other words.
-_PLACE = re.compile(r"(?P<file>[^\n]+?)(?::(?P<line>[0-9]+))?: ")
-_EXTENSION = re.compile(r"\.[A-Za-z][A-Za-z0-9]{1,7}$")
-
-
-def _place_in(message):
-    found = _PLACE.match(message)
-    if not found:
-        return None, None
-    name = found["file"]
-    if not (os.path.exists(name) or (_EXTENSION.search(name) and "--" not in name)):
-        return None, None
-    return name, int(found["line"]) if found["line"] else None
-
 
 def python_name(option):
     """max-edge -> max_edge."""
@@ -88,7 +74,7 @@ def python_hints(pairs):
     return tuple((python_name(name), value or None) for name, value in pairs if name)
 
 
-def make(kind, message, pairs):
-    """The exception of a kind; the extension calls it."""
+def make(kind, message, pairs, file, line):
+    """The exception of a kind; the extension calls it. An empty file and line 0 are unknown."""
     hints = python_hints(pairs)
-    return _KINDS[kind](with_hints(worded(message), hints), hints)
+    return _KINDS[kind](with_hints(worded(message), hints), hints, file or None, line or None)

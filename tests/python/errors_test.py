@@ -76,13 +76,32 @@ def test_other_files_are_no_solutions(tmp_path, box, box_file):
         box.save(tmp_path / "no folder" / "box.vtkhdf")
 
 
+def test_files_that_cannot_be_written_are_named(box, tmp_path):
+    for name, write in (("box.vtkhdf", box.save), ("box.png", box.write), ("box.glb", box.write)):
+        path = tmp_path / "no folder: none" / name
+        with pytest.raises(luxel.DeviceError, match="does not exist") as raised:
+            write(path)
+        assert (raised.value.file, raised.value.line) == (str(path), None)
+
+
+def test_any_name_of_a_file_and_its_line_are_found(tmp_path):
+    for name in ("no extension", "colon: inside.obj", "12: 34.obj"):
+        path = tmp_path / name
+        path.write_text("v 0 0 0\nv 1 0 zero\n", encoding="utf-8")
+        with pytest.raises(luxel.InputError) as raised:
+            luxel.load_scene(path)
+        assert raised.value.file == str(path)
+        assert raised.value.line == (2 if name.endswith(".obj") else None)
+
+
 def test_errors_can_be_pickled():
-    error = luxel.InputError("a.obj:3: expected a number", [("scale", "0.01")])
-    copy = pickle.loads(pickle.dumps(error))
-    assert (str(copy), copy.file, copy.line) == (str(error), "a.obj", 3)
-    assert copy.hints == error.hints
+    for kind in (luxel.InputError, luxel.DeviceError):
+        error = kind("a.obj:3: expected a number", [("scale", "0.01")], "a.obj", 3)
+        copy = pickle.loads(pickle.dumps(error))
+        assert (str(copy), copy.file, copy.line) == (str(error), "a.obj", 3)
+        assert copy.hints == error.hints
 
 
-def test_sentences_that_begin_otherwise_have_no_file():
-    for sentence in ("expected one thing: found another", "faces[0]: wrong", "the scale is 2.5: too large"):
-        assert luxel.Error(sentence).file is None
+def test_a_sentence_alone_has_no_file():
+    error = luxel.Error("room.obj:3: wrong")
+    assert error.file is None and error.line is None

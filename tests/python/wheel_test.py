@@ -7,6 +7,7 @@ import io
 import os
 import subprocess
 import sys
+import time
 import zipfile
 
 import pytest
@@ -16,7 +17,7 @@ from conftest import SOURCES
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
+def build_wheel():
     if "LUXEL_BUILD" not in os.environ:
         pytest.skip("LUXEL_BUILD does not name the build folder")
     sys.path.insert(0, str(SOURCES / "python"))
@@ -24,8 +25,12 @@ def wheel(tmp_path_factory):
         import build_backend
     finally:
         sys.path.pop(0)
-    folder = tmp_path_factory.mktemp("wheel")
-    return folder / build_backend.build_wheel(folder)
+    return lambda folder: folder / build_backend.build_wheel(folder)
+
+
+@pytest.fixture(scope="module")
+def wheel(build_wheel, tmp_path_factory):
+    return build_wheel(tmp_path_factory.mktemp("wheel"))
 
 
 def test_every_file_is_in_the_record(wheel):
@@ -50,3 +55,9 @@ def test_the_unpacked_package_runs(wheel, tmp_path):
     done = subprocess.run([sys.executable, "-B", "-c", code], env={"PYTHONPATH": str(tmp_path)}, check=True,
                           capture_output=True, text=True)
     assert done.stdout.split() == [str(tmp_path / "luxel" / "__init__.py"), luxel.__version__]
+
+
+def test_the_same_build_gives_the_same_bytes(wheel, build_wheel, tmp_path, monkeypatch):
+    a_day = 86400.0
+    monkeypatch.setattr("time.time", lambda now=time.time(): now + a_day)
+    assert build_wheel(tmp_path).read_bytes() == wheel.read_bytes()

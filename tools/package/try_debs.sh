@@ -49,9 +49,17 @@ say "an example builds with libluxel-dev and runs"
 packages=(luxel libluxel-dev)
 if compgen -G './python3-luxel_*.deb' >/dev/null; then
   install ./python3-luxel_*.deb
-  python3 -c 'import luxel' || fail "Python does not import luxel"
+  cat >bake.py <<'END'
+import luxel
+solution = luxel.bake("cornell-box.obj", error=0.2)
+solution.write("python.png")
+print(luxel.__version__, solution.mean("white"))
+assert luxel.load_scene("box.dae"), "a COLLADA file was not read"
+END
+  python3 bake.py || fail "Python does not bake"
+  [[ -s python.png ]] || fail "Python wrote no picture"
   packages+=(python3-luxel)
-  say "Python imports luxel"
+  say "Python imports luxel, bakes, and reads a COLLADA file"
 fi
 
 apt-get -qq -y purge "${packages[@]}" >/dev/null

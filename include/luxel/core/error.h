@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace luxel {
 
@@ -13,20 +14,27 @@ namespace luxel {
 
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
+  Error(const std::string& message, std::string of_file, std::size_t of_line = 0)
+      : std::runtime_error(message), file(std::move(of_file)), line(of_line) {}
+
+  std::string file;      // where the cause is; empty: in no file, or unknown
+  std::size_t line = 0;  // from 1; 0: unknown
 };
 
 /// A file or option a person wrote is wrong. what() begins with "FILE:LINE: " or "FILE: " where they are
 /// known.
 struct InputError : Error {
   explicit InputError(const std::string& message) : Error(message) {}
-  InputError(const std::string& file, const std::string& message) : Error(file + ": " + message) {}
-  InputError(const std::string& file, std::size_t line, const std::string& message)
-      : Error(file + ":" + std::to_string(line) + ": " + message) {}
+  InputError(const std::string& of_file, const std::string& message)
+      : Error(of_file + ": " + message, of_file) {}
+  InputError(const std::string& of_file, std::size_t of_line, const std::string& message)
+      : Error(of_file + ":" + std::to_string(of_line) + ": " + message, of_file, of_line) {}
 };
 
 /// A file of ours is damaged, is not what its name says, or was written by a newer version.
 struct FormatError : Error {
-  FormatError(const std::string& file, const std::string& message) : Error(file + ": " + message) {}
+  FormatError(const std::string& of_file, const std::string& message)
+      : Error(of_file + ": " + message, of_file) {}
 };
 
 /// Two things that must belong together do not: this solution is not of this scene.
@@ -38,5 +46,10 @@ struct MismatchError : Error {
 struct DeviceError : Error {
   using Error::Error;
 };
+
+/// A file cannot be written, for a reason that follows "cannot write FILE: ".
+inline DeviceError cannot_write(const std::string& file, const std::string& reason) {
+  return {"cannot write " + file + ": " + reason, file};
+}
 
 }  // namespace luxel

@@ -27,7 +27,8 @@ class Manual final : public Command {
     const std::filesystem::path folder(folder_);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw DeviceError(fmt::format("{}: cannot make this folder: {}", folder_, error.message()));
+    if (error)
+      throw DeviceError(fmt::format("{}: cannot make this folder: {}", folder_, error.message()), folder_);
     const ManFooter footer{LUXEL_VERSION, today()};
     write_file(folder / "luxel.1", man_page(line_.commands(), footer));
     for (const auto& command : line_.commands())

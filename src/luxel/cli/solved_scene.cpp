@@ -21,7 +21,8 @@ std::optional<SolvedScene> load_solved_scene(const std::string& file, const std:
   solved.scene = load_lit_scene(of_bake.scene, of_bake.look.up, {}, console);
   if (interrupted()) return std::nullopt;
   if (fingerprint(solved.scene) != baked.patches.scene_fingerprint)
-    throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", file, solution_file));
+    throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", file, solution_file),
+                        file);
   return solved;
 }
 

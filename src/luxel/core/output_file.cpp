@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
-  throw DeviceError(fmt::format("cannot write {}: {}", path.string(), reason));
+  throw cannot_write(path.string(), reason);
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }

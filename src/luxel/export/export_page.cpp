@@ -229,7 +229,8 @@ std::string page_is_missing() {
 
 void export_page(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                  const SmoothLight& light, std::span<const GroupLight> groups, const PageOptions& options) {
-  if (const auto why = page_is_missing(); !why.empty()) throw DeviceError(path.string() + ": " + why);
+  if (const auto why = page_is_missing(); !why.empty())
+    throw DeviceError(path.string() + ": " + why, path.string());
   if (light.corners.size() != patches.size() ||
       solution.irradiance.back.size() != patches.size() * patches.band_count())
     throw MismatchError("the light is not of these patches: smooth the light of this scene");

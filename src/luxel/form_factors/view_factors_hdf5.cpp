@@ -89,7 +89,7 @@ void write_view_factors_hdf5(const std::filesystem::path& path, const ViewFactor
     add_provenance(file, provenance_group, note.provenance);
     bytes = file.finish();
   } catch (const DeviceError& error) {
-    throw DeviceError(fmt::format("cannot write {}: {}", path.string(), error.what()));
+    throw cannot_write(path.string(), error.what());
   }
   write_file(path, bytes);
 }

@@ -23,17 +23,12 @@ constexpr std::uint64_t max_file = std::uint64_t{512} << 20;
 // name: of the file, for errors.
 template <typename Picture, typename Encode>
 std::string encoded(const std::string& name, const Picture& image, const Encode& encode) {
-  const auto refuse = [&](const std::string& reason) {
-    throw DeviceError(fmt::format("cannot write {}: {}", name, reason));
-  };
-  if (image.width < 1 || image.height < 1) refuse("the picture has no pixels");
-  std::string bytes;
+  if (image.width < 1 || image.height < 1) throw cannot_write(name, "the picture has no pixels");
   try {
-    bytes = encode(image);
+    return encode(image);
   } catch (const CodecError& e) {
-    refuse(e.what());
+    throw cannot_write(name, e.what());
   }
-  return bytes;
 }
 
 template <typename Picture, typename Encode>

@@ -17,9 +17,9 @@ namespace luxel {
 namespace {
 
 // Raises the Python exception of a kind: luxel._errors words it.
-void raise(const char* kind, const std::exception& error) {
+void raise(const char* kind, const Error& error) {
   const auto make = py::module_::import("luxel._errors").attr("make");
-  const auto raised = make(kind, error.what(), as_pairs(hints_of(error)));
+  const auto raised = make(kind, error.what(), as_pairs(hints_of(error)), error.file, error.line);
   PyErr_SetObject(py::type::handle_of(raised).ptr(), raised.ptr());
 }
 

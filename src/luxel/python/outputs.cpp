@@ -89,8 +89,9 @@ bool write(SolutionHandle& handle, const std::string& path, const SceneHandle* s
   check_before_work(settings.run, settings.picture, all_kinds);
   settings.mesh.check_outputs(settings.run.outputs);
   if (scene && fingerprint(scene->scene) != handle.baked.patches.scene_fingerprint)
-    throw MismatchError(scene->scene.source + ": it is not the scene that " + handle.name +
-                        " was solved from");
+    throw MismatchError(
+        scene->scene.source + ": it is not the scene that " + handle.name + " was solved from",
+        scene->scene.source);
   auto reporter = call.reporter();
   return reporter.run([&] {
     const Context context(call.threads);

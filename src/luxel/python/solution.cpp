@@ -141,7 +141,8 @@ std::vector<std::uint32_t> patches_called(const SolutionHandle& handle, const st
   const auto& patches = handle.baked.patches;
   if (scene != nullptr && fingerprint(scene->scene) != patches.scene_fingerprint)
     throw MismatchError(
-        fmt::format("{}: it is not the scene that {} was solved from", scene->scene.source, handle.name));
+        fmt::format("{}: it is not the scene that {} was solved from", scene->scene.source, handle.name),
+        scene->scene.source);
   std::vector<std::uint32_t> selected;
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (is_called(scene ? &scene->scene : nullptr, patches, p, pattern))

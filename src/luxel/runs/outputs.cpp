@@ -41,7 +41,7 @@ class Places {
     try {
       const OutputFile trial(path);
     } catch (const DeviceError& error) {
-      throw DeviceError(fmt::format("{}: {}", option, error.what()));
+      throw DeviceError(fmt::format("{}: {}", option, error.what()), path);
     }
   }
 
@@ -106,7 +106,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
   for (const auto& output : run.outputs) {
     expect_ending("-o", output, kinds);
     if (const auto why = page_is_missing(); is_page(output) && !why.empty())
-      throw DeviceError(fmt::format("-o {}: {}", output, why));
+      throw DeviceError(fmt::format("-o {}: {}", output, why), output);
     places.add("-o", output);
   }
   if (!run.report.empty()) places.add("--json-file", run.report);

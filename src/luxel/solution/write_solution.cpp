@@ -4,8 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/scene/band_colours.h"
@@ -170,7 +168,7 @@ void add_luxel(Hdf5Writer& file, const PatchSet& patches, const Solution& soluti
 void write_solution(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                     const SampleState* samples) {
   if (const auto fault = fault_in(patches, solution); !fault.empty())
-    throw MismatchError(fmt::format("cannot write {}: {}", path.string(), fault));
+    throw MismatchError(cannot_write(path.string(), fault).what(), path.string());
   Hdf5Writer file;
   std::string_view bytes;
   try {
@@ -180,7 +178,7 @@ void write_solution(const std::filesystem::path& path, const PatchSet& patches, 
     if (samples) add_samples(file, *samples);
     bytes = file.finish();
   } catch (const DeviceError& error) {
-    throw DeviceError(fmt::format("cannot write {}: {}", path.string(), error.what()));
+    throw cannot_write(path.string(), error.what());
   }
   write_file(path, bytes);
 }
