@@ -15,11 +15,13 @@
 #include "luxel/cli/file_date.h"
 #include "luxel/cli/probe_settings.h"
 #include "luxel/cli/table_output.h"
+#include "luxel/cli/workplace.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/daylight/year_file.h"
 #include "luxel/report/daylight_page.h"
 #include "luxel/report/room_data.h"
+#include "luxel/runs/daylight_run.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/runs/picture_camera.h"
 #include "luxel/runs/run_record.h"
@@ -29,7 +31,7 @@
 namespace luxel {
 namespace {
 
-constexpr const char* kinds = ".csv .json .h5 .svg .html";
+constexpr const char* kinds = ".csv .json .h5 .svg .html .vtkhdf";
 
 bool is_year_file(const std::string& output) { return output.ends_with(".h5"); }
 bool is_drawing(const std::string& output) { return output.ends_with(".svg"); }
@@ -38,7 +40,7 @@ bool is_drawing(const std::string& output) { return output.ends_with(".svg"); }
 class DaylightCommand final : public Command {
  public:
   explicit DaylightCommand(OptionSet& options) : Command(options) {
-    scene_.declare(options);
+    scene_.declare(options, "the mesh (OBJ with MTL, glTF), or a run that -o run.vtkhdf stored");
     places_.declare_points(options);
     options.heading("Sky");
     input_.declare_sky(options);
@@ -55,17 +57,22 @@ class DaylightCommand final : public Command {
                       "seed of the random numbers; other seeds give independent errors");
     options.heading("Scene");
     look_.declare_up(options);
+    options.heading("Changes of a stored run");
+    changes_.declare(options);
     run_.declare(options, kinds);
     options.show_first(
         {"output", "weather", "plane", "spacing", "border", "north", "occupied", "heat-map", "error"});
-    options.set_examples({{"luxel daylight room.obj -o factors.csv",
-                           "Daylight factors on a plane at 0.85 m, 0.5 m from the walls."},
-                          {"luxel daylight room.obj --weather chicago.epw -o year.h5 -o points.csv",
-                           "Also a year hour by hour, with DA, sDA, UDI, ASE and EN 17037."},
-                          {"luxel daylight room.obj --weather chicago.epw -o plan.svg --heat-map year.svg",
-                           "Plans over the room, and the hours of the year as a picture."},
-                          {"luxel daylight room.obj --weather chicago.epw -o daylight.html",
-                           "A report: requirements with verdicts, plans, figures, assumptions."}});
+    options.set_examples(
+        {{"luxel daylight room.obj -o factors.csv",
+          "Daylight factors on a plane at 0.85 m, 0.5 m from the walls."},
+         {"luxel daylight room.obj --weather chicago.epw -o year.h5 -o points.csv",
+          "Also a year hour by hour, with DA, sDA, UDI, ASE and EN 17037."},
+         {"luxel daylight room.obj --weather chicago.epw -o plan.svg --heat-map year.svg",
+          "Plans over the room, and the hours of the year as a picture."},
+         {"luxel daylight run.vtkhdf --weather chicago.epw --reflectance wall=0.7 -o other.csv",
+          "Another wall, by the rays of a run that -o run.vtkhdf stored."},
+         {"luxel daylight room.obj --weather chicago.epw -o daylight.html",
+          "A report: requirements with verdicts, plans, figures, assumptions."}});
   }
 
   int run() override {
@@ -74,21 +81,9 @@ class DaylightCommand final : public Command {
     const Context context(run_.threads);
     RunRecord record;
     auto log = noting(console, context).log();
-    auto question = input_.question({0.0, 0.0, 1.0}, log);
-    auto scene = record.stage(
-        "load", [&](auto&) { return load_scene(scene_.file, scene_.load, noting(console, context)); });
-    if (interrupted()) return stopped_before_light(console);
-    const auto up = question.up = up_of(scene);
-    question.solve = {scene_.patches, error_, coefficients_.seed};
-    question.coefficients = coefficients_;
     PointList points;
-    const auto answer = study_daylight(std::move(scene), scene_.file, std::move(question),
-                                       [&](const PatchSet& patches) {
-                                         points = places_.points(patches, up);
-                                         drawings_.check_point(points.position.size());
-                                         return probe_points(patches, points);
-                                       },
-                                       {context, console, record});
+    const auto answer = is_run() ? from_run(points, {context, console, record})
+                                 : from_scene(points, {context, console, record});
     if (!answer) return stopped_before_light(console);
     console.clear_bar();
     const auto report = input_.report_of(*answer, scene_.file, std::move(points));
@@ -101,7 +96,60 @@ class DaylightCommand final : public Command {
   }
 
  private:
+  bool is_run() const { return scene_.file.ends_with(".vtkhdf"); }
+
+  // The question, but for the sky of a stored run.
+  DaylightQuestion question(const Vec3d& up, const Workplace& place) {
+    auto question = input_.question(up, noting(place.console, place.context).log());
+    question.solve = {scene_.patches, error_, coefficients_.seed};
+    question.coefficients = coefficients_;
+    return question;
+  }
+
+  PointsOfPatches points_to(PointList& points, const Vec3d& up) const {
+    return [this, &points, up](const PatchSet& patches) {
+      points = places_.points(patches, up);
+      drawings_.check_point(points.position.size());
+      return probe_points(patches, points);
+    };
+  }
+
+  std::unique_ptr<DaylightAnswer> from_scene(PointList& points, const Workplace& place) {
+    auto asked = question({0.0, 0.0, 1.0}, place);
+    auto scene = place.record.stage("load", [&](auto&) {
+      return load_scene(scene_.file, scene_.load, noting(place.console, place.context));
+    });
+    if (interrupted()) return nullptr;
+    const auto up = asked.up = up_of(scene);
+    return study_daylight(std::move(scene), scene_.file, std::move(asked), points_to(points, up), place);
+  }
+
+  std::unique_ptr<DaylightAnswer> from_run(PointList& points, const Workplace& place) {
+    auto stored = place.record.stage(
+        "read", [&](auto&) { return read_daylight_run(scene_.file, changes_, place.context); });
+    auto asked = question(stored.up, place);
+    asked.north = stored.north;
+    asked.subdivision = stored.subdivision;
+    place.console.say(
+        "run", fmt::format("{}: {} patches, no new solve", scene_.file, stored.transport.patches.size()));
+    return study_daylight(std::move(stored.transport), std::move(asked), points_to(points, stored.up), place);
+  }
+
+  void check_run() const {
+    if (!is_run() && changes_.any())
+      throw UsageError(
+          "--reflectance and --transmittance change a stored run: store one with 'luxel daylight SCENE -o "
+          "RUN.vtkhdf', and give it in place of the scene");
+    for (const char* name : {"north", "sky-patches", "error", "max-edge", "blinds"})
+      if (is_run() && options().is_given(name))
+        throw UsageError(
+            fmt::format("--{} is that of the stored run: give the scene in place of the run to "
+                        "have another one",
+                        name));
+  }
+
   void check() {
+    check_run();
     const bool has_points = !places_.file.empty() || places_.line || places_.grid || places_.plane;
     if (!has_points) {
       places_.plane = en_17037_height;
@@ -155,6 +203,8 @@ class DaylightCommand final : public Command {
                  {points.position, points.normal, points.columns}, *drawn.report.year);
     else if (is_drawing(output))
       drawings_.write(output, drawn);
+    else if (output.ends_with(".vtkhdf"))
+      write_daylight_run(output, drawn.answer, options().as_command(RunSettings::heading));
     else if (is_page(output))
       write_file(output, daylight_page(page_of(drawn)));
     else
@@ -182,6 +232,7 @@ class DaylightCommand final : public Command {
   CoefficientOptions coefficients_;
   DaylightInput input_;
   DaylightDrawings drawings_;
+  DaylightChanges changes_;
   std::vector<std::string> notes_;  // of reading the scene
   double error_ = 0.05;
 };

@@ -86,8 +86,8 @@ DaylightPage DaylightInput::page_of(const DaylightReport& report, const Daylight
   page.year = report.year;
   page.metrics = answer.question.metrics;
   page.sky_patches = report.sky_patches;
-  page.albedo = albedo;
-  page.north = north;
+  page.albedo = answer.question.albedo;
+  page.north = answer.question.north;
   page.solve_error = report.solve_error;
   page.seed = answer.question.coefficients.seed;
   return page;

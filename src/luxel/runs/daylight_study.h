@@ -56,4 +56,9 @@ std::unique_ptr<DaylightAnswer> study_daylight(Scene scene, const std::string& n
                                                DaylightQuestion question, const PointsOfPatches& points,
                                                const RunPlace& place);
 
+// The same of a run that was stored (daylight_run.h), without groups of blinds: what surfaces reflect
+// comes by its kept rays.
+std::unique_ptr<DaylightAnswer> study_daylight(DaylightTransport transport, DaylightQuestion question,
+                                               const PointsOfPatches& points, const RunPlace& place);
+
 }  // namespace luxel
