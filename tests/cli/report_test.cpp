@@ -278,7 +278,7 @@ TEST(Report, has_the_daylight_of_the_solved_scene) {
   ASSERT_EQ(baked.code, 0) << baked.err;
   const std::string daylight = " --weather town.wea --sky-patches 145 --lighting-power 100 ";
   const auto made = cli::run(folder, "$LUXEL report room.vtkhdf --scene room.obj" + daylight +
-                                         "--error 10% --unfolded=no --picture=no -o a.html --json");
+                                         "--error 10% --unfolded=off --picture=off -o a.html --json");
   ASSERT_EQ(made.code, 0) << made.err;
   const auto alone = cli::run(folder, "$LUXEL daylight room.obj" + daylight + "--json --quiet");
   ASSERT_EQ(alone.code, 0) << alone.err;
