@@ -54,6 +54,7 @@ sky_glow source sky
 
 def run(command, folder, **more):
     """Runs a program; returns its CPU seconds."""
+    more.setdefault("stdout", subprocess.DEVNULL)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
         subprocess.run([str(word) for word in command], cwd=folder, check=True, stderr=subprocess.PIPE, **more)
