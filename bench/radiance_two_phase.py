@@ -40,7 +40,7 @@ ground_glow source ground
 0
 0
 4 0 0 -1 180
-#@rfluxmtx u=+Y h=r2
+#@rfluxmtx u=+Y h=r{division}
 void glow sky_glow
 0
 0
@@ -91,10 +91,11 @@ def write_classroom(program, folder):
         mtl.write("\nnewmtl desk\nKd 0.5 0.5 0.5\n")
 
 
-def by_luxel(program, folder, spacing, rays, error):
+def by_luxel(program, folder, is_large, rays, error):
     """CPU seconds, and lx, [hour, point], of the hours with light."""
+    spacing, sky = (0.6, 577) if is_large else (0.75, 145)
     cpu = run([program, "daylight", "classroom.obj", "--weather", "town.wea", "--plane", "0.8", "--spacing", spacing,
-               "--sky-patches", "577", "--rays", rays, "--error", f"{error}%", "--quiet", "-o", "year.h5"], folder)
+               "--sky-patches", sky, "--rays", rays, "--error", f"{error}%", "--quiet", "-o", "year.h5"], folder)
     with h5py.File(folder / "year.h5") as file:
         return cpu, file["illuminance"][:], file["points/position"][:], file["points/normal"][:]
 
@@ -135,12 +136,13 @@ def write_radiance_scene(obj, mtl, to, is_y_up):
     to.write_text("".join(lines), encoding="utf-8")
 
 
-def prepare_radiance(folder, position, normal, is_y_up):
-    write_radiance_scene(folder / "classroom.obj", folder / "classroom.mtl", folder / "scene.rad", is_y_up)
-    (folder / "sky.rad").write_text(SKY, encoding="utf-8")
-    np.savetxt(folder / "points.txt", np.hstack([z_up(position, is_y_up), z_up(normal, is_y_up)]), fmt="%.6g")
+def prepare_radiance(folder, position, normal, is_large):
+    write_radiance_scene(folder / "classroom.obj", folder / "classroom.mtl", folder / "scene.rad", is_large)
+    division = 2 if is_large else 1  # of the sky: 577 or 145 patches
+    (folder / "sky.rad").write_text(SKY.format(division=division), encoding="utf-8")
+    np.savetxt(folder / "points.txt", np.hstack([z_up(position, is_large), z_up(normal, is_large)]), fmt="%.6g")
     with open(folder / "skies.mtx", "wb") as out:
-        return run(["gendaymtx", "-m", "2", "-u", "town.wea"], folder, stdout=out)
+        return run(["gendaymtx", "-m", division, "-u", "town.wea"], folder, stdout=out)
 
 
 def by_radiance(folder, points, divisions):
@@ -191,10 +193,14 @@ def main():
             write_classroom(program, folder)
         run([scenes, "temperate-year", "town.wea"], folder)
         print(f"{'program':<10} {'setting':>12} {'CPU s':>9} {'error %':>9}")
-        settings = [(64, 50), (256, 40)] if options.small else [(1024, 10), (4096, 5), (16384, 2.5), (65536, 1)]
+        settings = [(256, 20), (1024, 10), (4096, 5), (16384, 2.5)]
+        if options.large:
+            settings = [(4 * rays, error / 2) for rays, error in settings]
+        if options.small:
+            settings = [(64, 50), (256, 40)]
         runs = []
         for rays, error in settings:
-            cpu, light, position, normal = by_luxel(program, folder, 0.6 if options.large else 0.5, rays, error)
+            cpu, light, position, normal = by_luxel(program, folder, options.large, rays, error)
             runs.append((f"{rays} rays", cpu, light))
         luxel = table("Luxel", runs)
         missing = [name for name in PROGRAMS if not shutil.which(name)]
