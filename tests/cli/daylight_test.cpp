@@ -305,5 +305,44 @@ TEST(DaylightCommand, blinds_are_operated_by_groups_of_windows) {
   EXPECT_EQ(cli::run(folder, command + " --blinds =0.5").code, 2);
 }
 
+// A stored run answers as its scene does; changed, as the changed scene does within their errors.
+TEST(DaylightCommand, changes_surfaces_and_panes_of_a_stored_run) {
+  const auto folder = room("stored", "south:1,0.9,2,1.5");
+  const auto stored = cli::run(folder, "$LUXEL daylight room.obj --glass glass=0.8" + quick +
+                                           "--weather town.wea -o run.vtkhdf -o own.csv");
+  ASSERT_EQ(stored.code, 0) << stored.err;
+  const auto of_run = [&](const std::string& changes) {
+    const auto run = cli::run(folder, "$LUXEL daylight run.vtkhdf --quiet " + changes);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+  };
+  EXPECT_EQ(of_run("--weather town.wea"), read_file(folder / "own.csv"));
+
+  auto mtl = read_file(folder / "room.mtl");
+  const auto wall = mtl.find("Kd 0.5 0.5 0.5");
+  ASSERT_NE(wall, std::string::npos);
+  mtl.replace(wall, 14, "Kd 0.8 0.8 0.8");
+  write_file(folder / "room.mtl", mtl);
+  const auto changed = rows_of(of_run("--reflectance wall=0.8 --transmittance glass=0.4")),
+             expected = daylight(folder, "--glass glass=0.4"), own = rows_of(read_file(folder / "own.csv"));
+  ASSERT_EQ(changed.size(), expected.size());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    expect_same(changed[i], expected[i], "daylight_factor_16", "daylight_factor_16_standard_error");
+    EXPECT_LT(changed[i].at("daylight_factor_16"), 0.9 * own[i].at("daylight_factor_16"));
+    EXPECT_GT(changed[i].at("internally_reflected") / changed[i].at("sky_component"),
+              1.5 * own[i].at("internally_reflected") / own[i].at("sky_component"));
+  }
+
+  const auto refuses = [&](const std::string& line, int code, const std::string& text) {
+    const auto outcome = cli::run(folder, "$LUXEL daylight " + line);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+  };
+  refuses("room.obj --reflectance wall=0.7", 2, "change a stored run");
+  refuses("run.vtkhdf --north 20", 2, "--north is that of the stored run");
+  refuses("run.vtkhdf --transmittance glas=0.4", 1, "there is no glass 'glas', but 'glass'");
+  refuses("run.vtkhdf --transmittance glass=4", 2, "a number from 0 to 1");
+}
+
 }  // namespace
 }  // namespace luxel::cli

@@ -9,6 +9,7 @@
 #include "luxel/core/output_file.h"
 
 #include "cli/run_program.h"
+#include "scenes/weather/temperate_year.h"
 
 namespace luxel::cli {
 namespace {
@@ -263,6 +264,36 @@ TEST(Report, dates_its_solution_reproducibly) {
   EXPECT_EQ(date("SOURCE_DATE_EPOCH=1900000000", ""), "File of the solution of 2026-03-05");
   EXPECT_EQ(date("SOURCE_DATE_EPOCH=soon", ""), "File of the solution of 2026-03-05");
   EXPECT_EQ(date("", "--date 'May 2026'"), "Date May 2026");
+}
+
+// The sections on daylight have the numbers of `luxel daylight` of the same scene.
+TEST(Report, has_the_daylight_of_the_solved_scene) {
+  const auto folder = fresh_folder("report_daylight");
+  write_file(folder / "town.wea", scenes::temperate_year());
+  write_file(folder / "panel.ies", panel_ies());
+  const auto baked =
+      cli::run(folder,
+               "$LUXEL room 4x4x3 --window south:1,0.9,2,1.5 --quiet -o room.obj && $LUXEL bake room.obj "
+               "--luminaire-grid panel.ies:2x2@3 --error 20% --quiet -o room.vtkhdf");
+  ASSERT_EQ(baked.code, 0) << baked.err;
+  const std::string daylight = " --weather town.wea --sky-patches 145 --lighting-power 100 ";
+  const auto made = cli::run(folder, "$LUXEL report room.vtkhdf --scene room.obj" + daylight +
+                                         "--error 10% --unfolded=off --picture=off -o a.html --json");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto alone = cli::run(folder, "$LUXEL daylight room.obj" + daylight + "--json --quiet");
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  auto expected = Json::parse(alone.out);
+  expected.erase("command");
+  EXPECT_EQ(Json::parse(made.out)["daylight"], expected) << "without lamps the scene is the same";
+  const auto page = read_file(folder / "a.html");
+  for (const char* text : {"<h2>Daylight</h2>", "<h2>Daylight: requirements</h2>", "<h2>Daylight: plans</h2>",
+                           "<h2>Daylight: the year</h2>", "LEED v4.1, option 1: ASE1000,250h",
+                           "at a height of 0.85 m, 0.5 m from the walls", "<h2>Room</h2>"})
+    EXPECT_TRUE(has(page, text)) << text;
+  EXPECT_EQ(page.find("<h2>Room</h2>"), page.rfind("<h2>Room</h2>")) << "once";
+  const auto refused = cli::run(folder, "$LUXEL report room.vtkhdf --weather town.wea -o b.html");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(has(refused.err, "give --scene FILE")) << refused.err;
 }
 
 TEST(Report, reports_scenes_without_luminaires_and_refuses_what_it_cannot_do) {

@@ -200,6 +200,20 @@ TEST(SkyCommand, refuses_in_one_sentence_what_it_cannot_draw) {
   EXPECT_EQ(cli::run(folder, "$LUXEL sky perez --weather bad.epw --hour 03-21T13").code, 1);
 }
 
+TEST(SkyCommand, leaves_out_oddities_where_it_is_told_to_be_quiet) {
+  const auto folder = fresh_folder("sky_quiet");
+  std::ofstream(folder / "short.wea")
+      << "place A_B\nlatitude 48\nlongitude -11\ntime_zone -15\nsite_elevation 5\n"
+         "weather_data_file_units 1\n6 1 12.5 700 100\n";
+  const std::string line = "$LUXEL sky perez --weather short.wea --hour 06-01T12:30";
+  const auto loud = cli::run(folder, line), quiet = cli::run(folder, line + " --quiet");
+  EXPECT_EQ(loud.code, 0) << loud.err;
+  EXPECT_NE(loud.err.find("1 record, where a year has 8760"), std::string::npos) << loud.err;
+  EXPECT_EQ(quiet.code, 0) << quiet.err;
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(quiet.out, loud.out);
+}
+
 TEST(WeatherCommand, prints_what_a_designer_asks_of_a_place) {
   const auto folder = fresh_folder("weather");
   std::ofstream(folder / "delhi.epw") << made_epw({});

@@ -105,19 +105,21 @@ std::vector<NamedOutput> DaylightDrawings::files() const {
   return files;
 }
 
-std::optional<MetricGround> DaylightDrawings::ground_of(const ProbeSettings& places, const Vec3d& up,
-                                                        const DrawnPlace& place) {
+std::optional<MetricGround> DaylightDrawings::ground_of(const ProbeSettings& places,
+                                                        const DaylightAnswer& answer) {
   constexpr double lift = 0.02, beyond_border = 0.3;  // m
-  const auto cells = places.cells(place.patches, up);
+  const auto& patches = answer.transport->patches;
+  const auto cells = places.cells(patches, answer.question.up);
   if (!cells || is_skewed(*cells)) return std::nullopt;
   MetricGround ground;
   ground.grid = rectangular_grid(cells->corner, cells->first, cells->second, cells->columns, cells->rows);
-  ground.plan = plan_of(place.patches, ground.grid, lift);
+  ground.plan = plan_of(patches, ground.grid, lift);
   std::vector<Vec3d> corners;
-  for (const auto& portal : place.openings)
-    for (const auto& corner : portal.corner) corners.push_back(place.patches.in_file(corner));
+  for (const auto& portal : answer.transport->openings)
+    for (const auto& corner : portal.corner) corners.push_back(patches.in_file(corner));
   ground.openings = openings_of(ground.grid, corners);
-  const Vec2d north(glm::dot(place.north, ground.grid.along), glm::dot(place.north, ground.grid.across));
+  const auto way = answer.sky.north();
+  const Vec2d north(glm::dot(way, ground.grid.along), glm::dot(way, ground.grid.across));
   constexpr double level = 0.5;  // sine of the angle between north and the plane's normal
   if (glm::length(north) > level) ground.north = glm::normalize(north);
   if (places.plane) ground.around = places.border + beyond_border;
@@ -134,15 +136,15 @@ std::string DaylightDrawings::heat_map(const DrawnDaylight& drawn) const {
     const auto& at = points[*point];
     map.title = fmt::format("Illuminance at point {} ({:.4g}, {:.4g}, {:.4g} m)", point_, at.x, at.y, at.z);
   }
-  map.figures = {valid_utf8(drawn.weather->place) + "; by sky and sun, blinds open"};
-  map.illuminance = hourly_illuminance(*drawn.year, point);
-  map.from = drawn.metrics.from;
-  map.to = drawn.metrics.to;
-  return heat_map_svg(map, *drawn.year, *drawn.weather);
+  map.figures = {valid_utf8(drawn.answer.question.weather->place) + "; by sky and sun, blinds open"};
+  map.illuminance = hourly_illuminance(*drawn.answer.year, point);
+  map.from = drawn.answer.question.metrics.from;
+  map.to = drawn.answer.question.metrics.to;
+  return heat_map_svg(map, *drawn.answer.year, *drawn.answer.question.weather);
 }
 
 std::string DaylightDrawings::day_plans(const DrawnDaylight& drawn) const {
-  const auto plans = plans_of_day(*drawn.year, *drawn.weather, day_);
+  const auto plans = plans_of_day(*drawn.answer.year, *drawn.answer.question.weather, day_);
   if (plans.empty())
     throw InputError(fmt::format("--day {:02}-{:02}: the weather file has no hour with light on this day",
                                  day_.month, day_.day));
@@ -160,7 +162,7 @@ void DaylightDrawings::add(const DrawnDaylight& drawn, DaylightPage& page) const
     page.plans = metric_plan_svgs(*drawn.ground, plans_of(drawn.report));
     page.are_plans_wide = is_wide_plan(drawn.ground->grid);
   }
-  if (drawn.year) page.heat_map = heat_map(drawn);
+  if (drawn.answer.year) page.heat_map = heat_map(drawn);
 }
 
 }  // namespace luxel

@@ -9,8 +9,8 @@
 #include "luxel/cli/probe_settings.h"
 #include "luxel/daylight/daylight_plans.h"
 #include "luxel/daylight/metric_plan.h"
-#include "luxel/daylight/year.h"
 #include "luxel/report/daylight_page.h"
+#include "luxel/runs/daylight_study.h"
 #include "luxel/runs/option_set.h"
 #include "luxel/runs/outputs.h"
 
@@ -19,17 +19,8 @@ namespace luxel {
 // The input of drawings of daylight.
 struct DrawnDaylight {
   const DaylightReport& report;
-  const MetricOptions& metrics;
-  const DaylightYear* year = nullptr;  // with the weather; null: daylight factors alone
-  const Weather* weather = nullptr;
+  const DaylightAnswer& answer;
   std::optional<MetricGround> ground;  // where the points are a grid
-};
-
-// Where the surfaces are, and which way north is.
-struct DrawnPlace {
-  const PatchSet& patches;
-  const std::vector<Portal>& openings;
-  Vec3d north{0.0, 1.0, 0.0};  // unit, in the scene
 };
 
 // The drawings of `daylight`: plans over the grid of points, of the hours of a day too, and the heat map of
@@ -45,8 +36,7 @@ class DaylightDrawings {
   std::vector<NamedOutput> files() const;
 
   // The plan around the points; nothing where these are no grid.
-  static std::optional<MetricGround> ground_of(const ProbeSettings& places, const Vec3d& up,
-                                               const DrawnPlace& place);
+  static std::optional<MetricGround> ground_of(const ProbeSettings& places, const DaylightAnswer& answer);
   // Writes a .svg file: the heat map or the plans.
   void write(const std::string& output, const DrawnDaylight& drawn) const;
   // Adds the drawings to a page.

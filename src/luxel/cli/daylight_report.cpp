@@ -106,10 +106,14 @@ std::string text_of(const YearReport& year) {
         "dimmed lamps take {:.0f} kWh ({:.0f} to {:.0f}); dimming saves {:.0f} kWh ({:.0f} to {:.0f})\n",
         m.lighting_energy.value, m.lighting_energy.low, m.lighting_energy.high, m.lighting_saved.value,
         m.lighting_saved.low, m.lighting_saved.high);
-  text += fmt::format("ASE1000,250h {:.0f} % of the points\n", 100.0 * m.sun_exposure.value);
-  text += fmt::format(
-      "LEED v4.1 option 1: {} of 3 points by sDA; ASE {}\n", leed_points(m.autonomy_with_blinds.value),
-      m.sun_exposure.value > leed_exposure ? "above 10 %, which needs an explanation" : "at most 10 %");
+  text += fmt::format("ASE1000,250h {} of the points; {:.0f} % of them are too near to tell\n",
+                      part_of(m.sun_exposure), 100.0 * m.sun_too_near_to_tell);
+  const auto exposure = leed_exposure_compliance(m.sun_exposure);
+  text += fmt::format("LEED v4.1 option 1: {} of 3 points by sDA; ASE {}\n",
+                      leed_points(m.autonomy_with_blinds.value),
+                      exposure == Compliance::met       ? "at most 10 %"
+                      : exposure == Compliance::not_met ? "above 10 %, which needs an explanation"
+                                                        : "too near to 10 % to tell");
   text += fmt::format(
       "BREEAM: 300 lx in the mean for {:.0f} h ({:.0f} to {:.0f}), 90 lx at the darkest point for "
       "{:.0f} h ({:.0f} to {:.0f}); 2,000 h needed\n",
@@ -166,13 +170,16 @@ Json json_of(const YearReport& year) {
                {"mean_udi_100_3000", figure_json(m.useful.mean)},
                {"mean_udi_300_3000", figure_json(m.autonomous.mean)},
                {"mean_udi_above_3000", figure_json(m.above_3000.mean)},
+               {"mean_annual_light_exposure_lxh", figure_json(m.exposure.mean)},
+               {"mean_direct_sun_hours", figure_json(m.sun_hours.mean)},
                {"sda_300_50", figure_json(m.autonomy_of_space)},
                {"sda_300_50_with_blinds", figure_json(m.autonomy_with_blinds)},
                {"hours_with_blinds", m.hours_with_blinds},
                {"blinds", Json::array()},
                {"light_through_two_groups", year.light_taken_twice},
                {"points_too_near_to_tell", m.too_near_to_tell},
-               {"ase_1000_250", m.sun_exposure.value},
+               {"ase_1000_250", figure_json(m.sun_exposure)},
+               {"points_too_near_to_tell_ase", m.sun_too_near_to_tell},
                {"leed_v4_1_points", leed_points(m.autonomy_with_blinds.value)},
                {"breeam_hours_mean_300", figure_json(year.hours_mean_300)},
                {"breeam_hours_minimum_90", figure_json(year.hours_min_90)},
@@ -212,7 +219,7 @@ std::string csv_of(const DaylightReport& report) {
     text +=
         ",daylight_autonomy_300,daylight_autonomy_300_standard_error,continuous_daylight_autonomy_300,"
         "udi_below_100,udi_100_3000,udi_300_3000,udi_above_3000,annual_light_exposure_lxh,"
-        "annual_light_exposure_standard_error_lxh,direct_sun_hours_1000";
+        "annual_light_exposure_standard_error_lxh,direct_sun_hours_1000,direct_sun_hours_1000_standard_error";
   text += "\n";
   for (std::size_t i = 0; i < report.points.position.size(); ++i) {
     const auto &at = report.points.position[i], &n = report.points.normal[i];
@@ -222,20 +229,19 @@ std::string csv_of(const DaylightReport& report) {
     for (const auto& part : report.factors.front().components) text += fmt::format(",{:.6g}", part[i]);
     if (report.year) {
       const auto& m = report.year->metrics;
-      text +=
-          fmt::format(",{:.5g},{:.2g},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.6g},{:.3g},{:.5g}",
-                      m.autonomy.value[i], m.autonomy.standard_error[i], m.continuous_autonomy.value[i],
-                      m.below_100.value[i], m.useful.value[i], m.autonomous.value[i], m.above_3000.value[i],
-                      m.exposure.value[i], m.exposure.standard_error[i], m.sun_hours.value[i]);
+      text += fmt::format(",{:.5g},{:.2g},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.6g},{:.3g},{:.5g},{:.2g}",
+                          m.autonomy.value[i], m.autonomy.standard_error[i], m.continuous_autonomy.value[i],
+                          m.below_100.value[i], m.useful.value[i], m.autonomous.value[i],
+                          m.above_3000.value[i], m.exposure.value[i], m.exposure.standard_error[i],
+                          m.sun_hours.value[i], m.sun_hours.standard_error[i]);
     }
     text += "\n";
   }
   return text;
 }
 
-std::string json_of(const DaylightReport& report, const std::vector<std::string>& outputs) {
-  Json json = {{"command", "daylight"},
-               {"scene", report.scene},
+Json json_of(const DaylightReport& report) {
+  Json json = {{"scene", report.scene},
                {"points", report.points.position.size()},
                {"sky_patches", report.sky_patches},
                {"openings_found", report.knows_openings},
@@ -250,6 +256,12 @@ std::string json_of(const DaylightReport& report, const std::vector<std::string>
     json["place"] = report.place;
     json["year"] = json_of(*report.year);
   }
+  return json;
+}
+
+std::string json_of(const DaylightReport& report, const std::vector<std::string>& outputs) {
+  Json json = {{"command", "daylight"}};
+  json.update(json_of(report));
   if (!outputs.empty()) json["outputs"] = outputs;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

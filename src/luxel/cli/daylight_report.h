@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "luxel/cli/probe_points.h"
 #include "luxel/daylight/daylight_factor.h"
 #include "luxel/daylight/metrics.h"
@@ -28,6 +30,8 @@ struct DaylightReport {
 
 std::string summary_of(const DaylightReport& report);
 std::string csv_of(const DaylightReport& report);
+// The same without the keys of a whole document.
+nlohmann::ordered_json json_of(const DaylightReport& report);
 std::string json_of(const DaylightReport& report, const std::vector<std::string>& outputs);
 
 }  // namespace luxel

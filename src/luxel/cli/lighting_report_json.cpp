@@ -165,7 +165,8 @@ Json origin_json(const ReportOrigin& origin) {
 
 }  // namespace
 
-std::string json_of(const LightingReport& report, const std::vector<std::string>& outputs) {
+std::string json_of(const LightingReport& report, const DaylightReport* daylight,
+                    const std::vector<std::string>& outputs) {
   Json json = {{"command", "report"},
                {"solution", report.origin.solution},
                {"title", report.title},
@@ -196,6 +197,7 @@ std::string json_of(const LightingReport& report, const std::vector<std::string>
   for (const auto& [face, result] : report.unfolded)
     json["faces"].push_back(
         {{"name", face.area.name}, {"points", result.grid.points()}, {"mean_lx", as_json(result.mean)}});
+  if (daylight) json["daylight"] = json_of(*daylight);
   if (!outputs.empty()) json["outputs"] = outputs;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

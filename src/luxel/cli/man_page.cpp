@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/cli/help_text.h"
+#include "luxel/cli/wrapped_text.h"
 #include "luxel/runs/quality.h"
 
 namespace luxel {
@@ -72,12 +73,6 @@ std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR";
 
 std::string section(std::string_view title) { return fmt::format(".SH {}\n", title); }
 std::string item(const std::string& tag, std::string_view text) { return ".TP\n" + tag + "\n" + line(text); }
-
-std::string sentence(std::string text) {
-  if (text.empty()) return text;
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text.ends_with('.') ? text : text + ".";
-}
 
 std::string page_name(const std::string& command) { return "luxel-" + command; }
 

@@ -11,11 +11,13 @@
 #include "luxel/cli/file_date.h"
 #include "luxel/cli/lighting_report_json.h"
 #include "luxel/cli/probe_points.h"
+#include "luxel/cli/report_daylight.h"
 #include "luxel/cli/report_settings.h"
 #include "luxel/cli/solved_scene.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/verdict_effort.h"
 #include "luxel/cli/workplace.h"
+#include "luxel/cli/wrapped_text.h"
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/image/image_file.h"
@@ -38,6 +40,7 @@ class ReportCommand final : public Command {
   explicit ReportCommand(OptionSet& options) : Command(options) {
     options.set_positional("SOLUTION", file_, "a .vtkhdf file that 'luxel bake' wrote", ".vtkhdf");
     settings_.declare(options);
+    daylight_.declare(options);
     options.heading("Scene");
     look_.declare_up(options);
     run_.declare(options, page_kinds);
@@ -46,11 +49,14 @@ class ReportCommand final : public Command {
     options.set_examples({{"luxel report office.vtkhdf -o office.html", "The report of a lighting design."},
                           {"luxel report office.vtkhdf --require-mean 500 --require-uniformity 0.6 "
                            "--require-ugr 19 -o office.html",
-                           "With verdicts on what is required."}});
+                           "With verdicts on what is required."},
+                          {"luxel report office.vtkhdf --scene office.obj --weather city.epw -o office.html",
+                           "With daylight factors and a year of daylight."}});
   }
 
   int run() override {
-    settings_.settle();
+    settings_.settle(daylight_.is_wanted());
+    daylight_.check(!settings_.scene.empty());
     if (run_.outputs.empty() && !run_.json && run_.report.empty())
       throw UsageError("no file to write: give -o report.html, or --json");
     if (!run_.outputs.empty()) check_before_work(run_, {}, page_kinds);
@@ -77,8 +83,7 @@ class ReportCommand final : public Command {
 
  private:
   // Returns false where the user stopped the work.
-  bool fill(const StoredRun& stored, const Tracer& tracer, const Workplace& place,
-            LightingReport& report) const {
+  bool fill(const StoredRun& stored, const Tracer& tracer, const Workplace& place, LightingReport& report) {
     const auto& patches = stored.baked.patches;
     const auto probe = place.record.stage("light", [&](auto&) {
       return std::make_unique<SolutionProbe>(patches, stored.baked.solution, tracer, stored.samples.get(),
@@ -90,11 +95,18 @@ class ReportCommand final : public Command {
     report.maintenance.luminaires = luminaire_maintenance(patches);
     report.luminaires =
         place.record.stage("luminaires", [&](auto&) { return list_luminaires(patches, report.room.axes); });
-    if (!measure_planes(stored, *probe, place, report)) return false;
+    std::optional<SolvedScene> solved;
+    if (!settings_.scene.empty()) {
+      solved = load_solved_scene(settings_.scene, file_, stored.baked, place.console);
+      if (!solved) return false;
+      keep_files_of(solved->scene);
+    }
+    if (!measure_planes(stored, *probe, solved ? &solved->scene : nullptr, place, report)) return false;
     measure_surfaces(stored, place.context, report);
     if (settings_.has_unfolded && !measure_faces(*probe, stored, place, report)) return false;
     if (!measure_glare(*probe, place, report)) return false;
     if (settings_.has_picture) report.picture = draw(stored.baked, tracer, place);
+    if (daylight_.is_wanted() && !daylight_.add(solved->scene, settings_.scene, place, report)) return false;
     if (interrupted()) return false;
     add_warnings(stored, report);
     return true;
@@ -129,17 +141,11 @@ class ReportCommand final : public Command {
   }
 
   // Returns false where the user stopped the work.
-  bool measure_planes(const StoredRun& stored, const SolutionProbe& probe, const Workplace& place,
-                      LightingReport& report) const {
+  bool measure_planes(const StoredRun& stored, const SolutionProbe& probe, const Scene* solved,
+                      const Workplace& place, LightingReport& report) const {
     constexpr double lift = 0.02;  // m: the plan of the drawings is cut so much above the plane
-    std::optional<SolvedScene> solved;
-    if (!settings_.scene.empty()) {
-      solved = load_solved_scene(settings_.scene, file_, stored.baked, place.console);
-      if (!solved) return false;
-      keep_files_of(solved->scene);
-    }
     const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
-                          solved ? &solved->scene : nullptr};
+                          solved};
     for (const auto& area : areas_of(report)) {
       auto result = place.record.stage(area.name, [&](auto&) {
         return measure_plane(probe, area, scene, settings_.probe, place.console.reporting(place.context));
@@ -339,12 +345,16 @@ class ReportCommand final : public Command {
   }
 
   void write(const LightingReport& report, Console& console) const {
+    const auto json = [&](const std::vector<std::string>& outputs) {
+      return json_of(report, daylight_.result() ? &*daylight_.result() : nullptr, outputs);
+    };
     for (const auto& output : run_.outputs)
-      write_file(output, is_page(output) ? report_page(report) : json_of(report, {}));
-    if (!run_.report.empty()) write_file(run_.report, json_of(report, run_.outputs));
+      write_file(output, is_page(output) ? report_page(report) : json({}));
+    if (!run_.report.empty()) write_file(run_.report, json(run_.outputs));
     console.say("report", summary_of(report));
+    if (daylight_.result()) console.say("daylight", luxel::summary_of(*daylight_.result()));
     for (const auto& warning : report.warnings) warn(console.log(), warning);
-    if (run_.json) return print_result(json_of(report, run_.outputs));
+    if (run_.json) return print_result(json(run_.outputs));
     for (const auto& output : run_.outputs) print_result(output + "\n");
   }
 
@@ -353,12 +363,6 @@ class ReportCommand final : public Command {
     for (const auto& more : {verdict.note, remedy_of(verdict)})
       if (!more.empty()) text += "; " + more;
     return text;
-  }
-
-  // With a capital and a full stop.
-  static std::string sentence(std::string text) {
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    return text + ".";
   }
 
   static std::string summary_of(const LightingReport& report) {
@@ -381,6 +385,7 @@ class ReportCommand final : public Command {
   std::string file_;
   mutable double seconds_ = 0.0;  // that the planes took
   ReportSettings settings_;
+  ReportDaylight daylight_;
   LookSettings look_;
   RunSettings run_;
 };

@@ -31,8 +31,7 @@ void ReportSettings::declare(OptionSet& set) {
   set.add_text("areas", "FILE", areas,
                "TOML or glTF file of calculation areas that are reported beside the working plane, as for "
                "probe; empty: none");
-  set.add_text("scene", "FILE", scene,
-               "--areas: the solved scene, which has the names of its objects and groups");
+  set.add_text("scene", "FILE", scene, "--areas, --weather, --median-diffuse: the solved scene");
   set.heading("Glare");
   set.add_number("eye-height", "m", eye_height, 0.0, 1000.0, "height of the observers' eyes above the floor");
   set.add_text(
@@ -49,11 +48,12 @@ void ReportSettings::declare(OptionSet& set) {
   set.add_count("seed", probe.seed, "seed of the random numbers; other seeds give independent errors");
 }
 
-void ReportSettings::settle() {
+void ReportSettings::settle(bool uses_scene) {
   glare.error = probe.error;
   glare.seed = probe.seed;
   required.check(!areas.empty());
-  if (areas.empty() && !scene.empty()) throw UsageError("--scene belongs to --areas");
+  if (areas.empty() && !scene.empty() && !uses_scene)
+    throw UsageError("--scene belongs to --areas, --weather or --median-diffuse");
 }
 
 }  // namespace luxel

@@ -29,8 +29,8 @@ struct ReportSettings {
 
   void declare(OptionSet& set);
   // Transfers what several measurements share; call it before they are used. Throws UsageError where options
-  // need --areas.
-  void settle();
+  // need --areas. uses_scene: something else needs --scene.
+  void settle(bool uses_scene);
 };
 
 }  // namespace luxel

@@ -12,6 +12,7 @@
 #include "luxel/image/image_file.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/runs/outside_settings.h"
+#include "luxel/runs/settings.h"
 
 namespace luxel {
 namespace {
@@ -32,6 +33,7 @@ class SkyCommand final : public Command {
     output.endings = dome_kinds;
     options.add(std::move(output));
     options.add_flag("json", json_, "print JSON");
+    options.add_flag("quiet", run_.quiet, "print no warnings, such as oddities of a weather file");
     settings_.declare_sun(options);
     settings_.declare_sky(options);
     options.show_first({"sun", "date", "place", "weather", "hour", "sky-illuminance", "output", "json"});
@@ -44,7 +46,7 @@ class SkyCommand final : public Command {
 
   int run() override {
     if (!output_.empty()) expect_ending("-o", output_, dome_kinds);
-    Console console;
+    Console console(run_);
     const auto light = settings_.daylight(kind_);
     if (light.hour)
       for (const auto& oddity : light.hour->weather.oddities) warn(console.log(), oddity);
@@ -57,6 +59,7 @@ class SkyCommand final : public Command {
  private:
   std::string kind_, output_;
   bool json_ = false;
+  RunSettings run_;
   OutsideSettings settings_;
 };
 

@@ -2,6 +2,7 @@
 #include "luxel/cli/wrapped_text.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace luxel {
 
@@ -29,6 +30,12 @@ std::string wrapped(const std::string& text, const Margins& margins) {
     begin = end + 1;
   }
   return result;
+}
+
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text.ends_with('.') ? text : text + ".";
 }
 
 }  // namespace luxel

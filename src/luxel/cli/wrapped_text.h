@@ -19,4 +19,7 @@ struct Margins {
 };
 std::string wrapped(const std::string& text, const Margins& margins);
 
+// With a capital and a full stop.
+std::string sentence(std::string text);
+
 }  // namespace luxel

@@ -26,12 +26,12 @@ bool is_occupied(const Weather& weather, std::size_t record, const MetricOptions
   return middle >= options.from && middle < options.to;
 }
 
-enum Metric : std::size_t { da, cda, low, useful, autonomous, high, exposure, metrics };
+enum Metric : std::size_t { da, cda, low, useful, autonomous, high, exposure, sunlit, metrics };
 
 // All that is counted for one set of illuminances.
 struct Counts {
   std::array<std::vector<float>, metrics> of_point;
-  double space = 0.0, space_with_blinds = 0.0;  // fractions of the points
+  double space = 0.0, space_with_blinds = 0.0, exposed = 0.0;  // fractions of the points
   std::array<double, 3> points_target{}, points_minimum{}, hours_target{}, hours_minimum{};
   double mean_300 = 0.0, min_90 = 0.0;  // h
   double lighting = 0.0;                // kWh
@@ -87,16 +87,6 @@ class Counter {
   }
   std::size_t bright_hours() const { return bright_.size(); }
 
-  // h of occupied hours with much light straight from the sun, [point].
-  std::vector<float> sun_hours() const {
-    std::vector<float> sum(year_.points(), 0.0f);
-    for (std::size_t h = 0; h < year_.hours().size(); ++h)
-      for (std::size_t m = 0; is_occupied_[h] && m < sum.size(); ++m)
-        if (static_cast<double>(year_.direct_sun()[h * sum.size() + m]) > sun_lux)
-          sum[m] += static_cast<float>(year_.hours()[h].duration);
-    return sum;
-  }
-
   Counts count(std::uint32_t left_out) const {
     const auto light = year_.illuminance(left_out);
     auto with_blinds = light;
@@ -104,6 +94,7 @@ class Counter {
     const auto points = year_.points();
     Counts counts;
     for (auto& values : counts.of_point) values.assign(points, 0.0f);
+    const auto sunlight = year_.direct_sun(left_out);
     std::vector<float> autonomy_with_blinds(points, 0.0f);
     for (std::size_t h = 0; h < year_.hours().size(); ++h) {
       const auto duration = static_cast<float>(year_.hours()[h].duration);
@@ -111,6 +102,8 @@ class Counter {
       for (std::size_t m = 0; m < points; ++m) counts.of_point[exposure][m] += duration * here[m];
       if (!is_occupied_[h]) continue;
       add_occupied(here, duration, counts);
+      for (std::size_t m = 0; m < points; ++m)
+        if (static_cast<double>(sunlight[h * points + m]) > sun_lux) counts.of_point[sunlit][m] += duration;
       const auto screened = std::span(with_blinds).subspan(h * points, points);
       for (std::size_t m = 0; m < points; ++m)
         if (static_cast<double>(screened[m]) >= autonomy_lux) autonomy_with_blinds[m] += duration;
@@ -176,6 +169,7 @@ class Counter {
     for (auto& v : with_blinds) v /= whole;
     counts.space = fraction_reached(counts.of_point[da], half);
     counts.space_with_blinds = fraction_reached(with_blinds, half);
+    counts.exposed = fraction_reached(counts.of_point[sunlit], sun_limit);
   }
 
   void count_provision(const std::vector<float>& light, Counts& counts) const {
@@ -241,6 +235,16 @@ Figure figure(const Counts& all, const std::vector<Counts>& left_out, const Valu
   return jackknifed(value(all), others);
 }
 
+// The fraction of points whose interval holds a limit.
+double too_near(const PointMetric& metric, double limit, double widening) {
+  std::size_t near = 0;
+  for (std::size_t p = 0; p < metric.value.size(); ++p)
+    if (std::abs(static_cast<double>(metric.value[p]) - limit) <
+        1.96 * widening * static_cast<double>(metric.standard_error[p]))
+      ++near;
+  return static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(1, metric.value.size()));
+}
+
 bool is_sure(const Figure& f, double limit) { return f.low >= limit || f.high < limit; }
 
 }  // namespace
@@ -262,28 +266,18 @@ YearReport metrics_of(const DaylightYear& year, const Weather& weather, const Me
   m.autonomous = point_metric(all, left_out, autonomous);
   m.above_3000 = point_metric(all, left_out, high);
   m.exposure = point_metric(all, left_out, exposure);
-  m.sun_hours.value = counter.sun_hours();
-  m.sun_hours.standard_error.assign(m.sun_hours.value.size(), 0.0f);
-  const auto mean_sun = mean_over(m.sun_hours.value), median_sun = median_of(m.sun_hours.value);
-  m.sun_hours.mean = {mean_sun, mean_sun, mean_sun};
-  m.sun_hours.median = {median_sun, median_sun, median_sun};
+  m.sun_hours = point_metric(all, left_out, sunlit);
   m.autonomy_of_space = figure(all, left_out, [](const Counts& c) { return c.space; });
   m.autonomy_with_blinds = figure(all, left_out, [](const Counts& c) { return c.space_with_blinds; });
-  const auto exposed = fraction_reached(m.sun_hours.value, sun_limit);
-  m.sun_exposure = {exposed, exposed, exposed};
+  m.sun_exposure = figure(all, left_out, [](const Counts& c) { return c.exposed; });
   m.hours_with_blinds = counter.hours_with_blinds();
   m.blinds = counter.blinds();
   m.lighting_energy = figure(all, left_out, [](const Counts& c) { return c.lighting; });
   const auto undimmed = counter.undimmed_energy();
   m.lighting_saved = figure(all, left_out, [=](const Counts& c) { return undimmed - c.lighting; });
-  const auto t = 1.96 * student_widening(static_cast<double>(year.replicates()) - 1.0);
-  std::size_t near = 0;
-  for (std::size_t p = 0; p < m.autonomy.value.size(); ++p)
-    if (std::abs(static_cast<double>(m.autonomy.value[p]) - half) <
-        t * static_cast<double>(m.autonomy.standard_error[p]))
-      ++near;
-  m.too_near_to_tell =
-      static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(1, year.points()));
+  const auto widening = student_widening(static_cast<double>(year.replicates()) - 1.0);
+  m.too_near_to_tell = too_near(m.autonomy, half, widening);
+  m.sun_too_near_to_tell = too_near(m.sun_hours, sun_limit, widening);
 
   report.light_taken_twice = year.light_taken_twice();
   report.daylight_hours = counter.bright_hours();

@@ -51,6 +51,7 @@ struct YearMetrics {
   // ASE1000,250 with 250 hours or more. Where illuminance is near a limit, points are too near to tell.
   Figure autonomy_of_space, autonomy_with_blinds, sun_exposure;
   double too_near_to_tell = 0.0;      // points whose interval of daylight autonomy holds 50 %
+  double sun_too_near_to_tell = 0.0;  // points whose interval of the hours of sun holds 250
   std::size_t hours_with_blinds = 0;  // occupied records in which the blinds of any group are closed
   std::vector<BlindsFigures> blinds;  // [group]
   // kWh, of occupied hours, with operated blinds: of lamps that are dimmed, and what dimming saves.

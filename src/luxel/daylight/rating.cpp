@@ -33,6 +33,11 @@ Compliance compliance_by_hours(const ClimateProvision& provision) {
   return both(judged(provision.hours_on_target, 0.5), judged(provision.hours_on_minimum, 0.5));
 }
 
+Compliance leed_exposure_compliance(const Figure& exposed) {
+  if (exposed.high <= leed_exposure) return Compliance::met;
+  return exposed.low > leed_exposure ? Compliance::not_met : Compliance::cannot_be_told;
+}
+
 Compliance breeam_compliance(const YearReport& year) {
   return both(judged(year.hours_mean_300, breeam_hours), judged(year.hours_min_90, breeam_hours));
 }

@@ -24,6 +24,8 @@ Compliance both(Compliance a, Compliance b);
 Compliance compliance_of(FactorProvision::Verdict verdict);
 Compliance compliance_by_points(const ClimateProvision& provision);
 Compliance compliance_by_hours(const ClimateProvision& provision);
+// Whether ASE1000,250 is at most that of LEED.
+Compliance leed_exposure_compliance(const Figure& exposed);
 Compliance breeam_compliance(const YearReport& year);
 
 }  // namespace luxel

@@ -3,20 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "luxel/core/address.h"
-#include "luxel/core/trig.h"
-#include "luxel/core/warp.h"
 #include "luxel/daylight/hour_products.h"
-#include "luxel/trace/panes.h"
-#include "luxel/trace/point_sight.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::size_t hours_per_chunk = 16;
-constexpr std::size_t hours_per_report = 512;
 
 // Coefficients in the mean over the replicates but one.
 struct Columns {
@@ -52,7 +45,8 @@ DaylightYear::DaylightYear(const YearCoefficients& coefficients, const YearSkies
       windows_(coefficients.windows),
       context_(context.quiet()),
       skies_(skies),
-      sun_(skies.hours.size()) {
+      sun_(skies.hours.size()),
+      sun_light_(skies, points, around, windows_.dark, context) {
   const auto& patches = skies.patches;
   for (std::size_t h = 0; h < hours().size(); ++h) {
     const auto& hour = hours()[h];
@@ -61,52 +55,6 @@ DaylightYear::DaylightYear(const YearCoefficients& coefficients, const YearSkies
       if (weight > 0.0)
         sun_[h].push_back(
             {patch, static_cast<float>(weight * hour.sun_illuminance / patches.solid_angle(patch))});
-  }
-  trace_sun(points, around, context);
-}
-
-void DaylightYear::trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around,
-                             const Context& context) {
-  const Panes panes(around.patches);
-  std::vector<Panes> without;
-  for (const auto& dark : windows_.dark) without.emplace_back(dark);
-  direct_sun_.assign(hours().size() * points.size(), 0.0f);
-  sun_through_.assign(without.size(), direct_sun_);
-  PointLight disc;
-  disc.kind = PointLightKind::directional;
-  disc.angular_radius = static_cast<float>(0.5 * sun_diameter * std::numbers::pi / 180.0);
-  for (std::size_t first = 0; first < hours().size(); first += hours_per_report) {
-    const auto done = static_cast<double>(first) / static_cast<double>(hours().size());
-    if (context.report({"sun", done, first * points.size()}) == Next::stop) {
-      is_stopped_ = true;
-      return;
-    }
-    const auto count = std::min(hours_per_report, hours().size() - first);
-    context.for_chunks(count, hours_per_chunk, [&](std::size_t begin, std::size_t end, int) {
-      auto sun = disc;
-      for (auto h = first + begin; h < first + end; ++h) {
-        const auto& hour = hours()[h];
-        if (!(hour.sun_illuminance > 0.0)) continue;
-        sun.direction = Vec3(-coefficients_.sky.in_scene_axes(hour.sun.direction));
-        for (std::size_t m = 0; m < points.size(); ++m) {
-          const auto u = uniform4(stream_key(seed_of(RandomSeed::sun_power), static_cast<std::uint32_t>(h),
-                                             static_cast<std::uint32_t>(m)),
-                                  0);
-          const auto sight = sight_of(sun, Vec3d(points[m].position), Vec3d(points[m].normal),
-                                      {static_cast<double>(u[0]), static_cast<double>(u[1])});
-          const Ray ray{points[m].position, Vec3(sight.direction)};
-          if (!(sight.irradiance > 0.0) || around.tracer.occluded(ray, sight.distance)) continue;
-          const auto arriving = [&](const Panes& glass) {
-            return static_cast<float>(glass.luminous(glass.along(ray, sight.distance)) * sight.irradiance *
-                                      hour.sun_illuminance);
-          };
-          const auto at = h * points.size() + m;
-          direct_sun_[at] = arriving(panes);
-          for (std::size_t g = 0; g < without.size(); ++g)
-            sun_through_[g][at] = direct_sun_[at] - arriving(without[g]);
-        }
-      }
-    });
   }
 }
 
@@ -132,13 +80,16 @@ std::vector<float> DaylightYear::through(std::size_t group, std::vector<float> a
                                          std::uint32_t left_out) const {
   if (!has_groups()) return all;
   const auto rest = diffuse_by(windows_.without[group], left_out);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] -= rest[i] + direct_sun_[i] - sun_through_[group][i];
+  const auto sun = direct_sun(left_out);
+  const auto sun_through = sun_light_.without(sun_light_.through(group), replicates(), left_out);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] -= rest[i] + sun[i] - sun_through[i];
   return all;
 }
 
 std::vector<float> DaylightYear::illuminance(std::uint32_t left_out) const {
   auto light = diffuse(left_out);
-  for (std::size_t i = 0; i < light.size(); ++i) light[i] += direct_sun_[i];
+  const auto sun = direct_sun(left_out);
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] += sun[i];
   return light;
 }
 

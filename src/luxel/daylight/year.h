@@ -7,17 +7,11 @@
 
 #include "luxel/core/context.h"
 #include "luxel/daylight/coefficients.h"
+#include "luxel/daylight/sun_light.h"
 #include "luxel/daylight/window_groups.h"
 #include "luxel/daylight/year_skies.h"
-#include "luxel/trace/tracer.h"
 
 namespace luxel {
-
-// What the sun's rays meet.
-struct SunSurroundings {
-  const PatchSet& patches;  // for their panes of glass
-  const Tracer& tracer;
-};
 
 // The coefficients of all windows, and those without the windows of each group. A group without coefficients,
 // the only one then, is all windows and openings.
@@ -32,17 +26,21 @@ struct YearCoefficients {
 // it comes by the coefficients of the four patches around it, which is as coarse as these are.
 class DaylightYear {
  public:
-  // Keeps references to the coefficients and the skies, whose patches are the same. Traces one ray per point
-  // and hour with sun, and polls the monitor; after its stop is_stopped().
+  // Keeps references to the coefficients and the skies, whose patches are the same. Traces SunLight::rays
+  // per point and hour with sun, and polls the monitor; after its stop is_stopped().
   DaylightYear(const YearCoefficients& coefficients, const YearSkies& skies,
                std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
 
-  bool is_stopped() const { return is_stopped_; }
+  bool is_stopped() const { return sun_light_.is_stopped(); }
   // Hours with light.
   const std::vector<DaylightHour>& hours() const { return skies_.hours; }
   std::size_t points() const { return coefficients_.points; }
   // lx, straight from the sun: [hour * points + point].
-  const std::vector<float>& direct_sun() const { return direct_sun_; }
+  const std::vector<float>& direct_sun() const { return sun_light_.all(); }
+  // The same in the mean over the replicates but `left_out`.
+  std::vector<float> direct_sun(std::uint32_t left_out) const {
+    return sun_light_.without(sun_light_.all(), replicates(), left_out);
+  }
   // lx, by sky and sun, [hour * points + point]: the mean over the replicates but `left_out`; over all with
   // left_out = replicates(). Cost: that of PackedColumns::times().
   std::vector<float> illuminance(std::uint32_t left_out) const;
@@ -56,12 +54,9 @@ class DaylightYear {
   // lx, by sky and sun through the windows of a group: [hour * points + point]. all: illuminance(left_out).
   std::vector<float> through(std::size_t group, std::vector<float> all, std::uint32_t left_out) const;
   // lx, straight from the sun through them, likewise.
-  const std::vector<float>& direct_sun_through(std::size_t group) const {
-    return sun_through_.empty() ? direct_sun_ : sun_through_[group];
-  }
+  const std::vector<float>& direct_sun_through(std::size_t group) const { return sun_light_.through(group); }
 
  private:
-  void trace_sun(std::span<const ProbePoint> points, const SunSurroundings& around, const Context& context);
   std::vector<float> diffuse_by(const DaylightCoefficients& coefficients, std::uint32_t left_out) const;
 
   const DaylightCoefficients& coefficients_;
@@ -73,9 +68,7 @@ class DaylightYear {
     float luminance = 0.0f;  // cd/m²
   };
   std::vector<std::vector<SunPatch>> sun_;  // [hour], what the sun adds to the sky for reflected light
-  std::vector<float> direct_sun_;
-  std::vector<std::vector<float>> sun_through_;  // [group]; empty: all of it
-  bool is_stopped_ = false;
+  SunLight sun_light_;
 };
 
 // Standard errors of the illuminance of all replicates, `all`, by the jackknife: lx, [hour * points + point].

@@ -12,16 +12,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "luxel/daylight/daylight_factor.h"
-#include "luxel/daylight/daylight_scene.h"
-#include "luxel/daylight/metrics.h"
-#include "luxel/daylight/window_groups.h"
-#include "luxel/daylight/year.h"
-#include "luxel/daylight/year_skies.h"
-#include "luxel/import/set_daylight.h"
 #include "luxel/python/arrays.h"
 #include "luxel/python/handles.h"
-#include "luxel/runs/daylight_transport.h"
+#include "luxel/runs/daylight_study.h"
 #include "luxel/scene/up_axis.h"
 
 namespace py = pybind11;
@@ -31,32 +24,12 @@ namespace {
 
 using Floats = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-struct DaylightQuestion {
-  std::string weather;  // file; empty: factors alone
-  double north = 0.0, albedo = 0.2, max_edge = 0.0, error = 0.05;
-  int subdivision = 2;  // of the sky's patches
-  CoefficientOptions coefficients = {};
-  MetricOptions metrics = {};
-  double transmittance = WindowGroup{}.transmittance;       // of closed blinds
-  std::vector<std::pair<std::string, double>> blinds = {};  // of groups of windows, by name
-
-  std::vector<WindowGroup> groups() const {
-    std::vector<WindowGroup> result;
-    for (const auto& [name, tau] : blinds) result.push_back({name, tau});
-    return result;
-  }
+struct DaylightRequest : DaylightQuestion {
+  std::string weather_file;  // empty: factors alone
+  double max_edge = 0.0;
+  std::vector<std::pair<std::string, double>> groups;  // of windows, by name
 };
 
-struct DaylightAnswer {
-  std::optional<Weather> weather;
-  std::optional<DaylightTransport> transport;
-  DaylightCoefficients coefficients;
-  DaylightFactors factors;
-  YearSkies skies;
-  WindowLight windows;
-  std::optional<DaylightYear> year;  // refers to all of these
-  std::optional<YearReport> report;
-};
 using Handle = std::shared_ptr<DaylightAnswer>;
 
 std::vector<ProbePoint> points_of(const PatchSet& patches, const Floats& positions, const Floats& normals) {
@@ -74,44 +47,25 @@ void warn_of(const std::vector<std::string>& sentences, PythonReporter& reporter
 }
 
 Handle compute(const SceneHandle& input, const Floats& positions, const Floats& normals,
-               const DaylightQuestion& question, const CallOptions& call) {
+               const DaylightRequest& request, const CallOptions& call) {
   auto reporter = call.reporter();
-  auto answer = std::make_shared<DaylightAnswer>();
-  auto& a = *answer;
+  Handle answer;
   const bool is_whole = reporter.run([&] {
     const Context context(call.threads);
     RunRecord record(0.0);
-    if (!question.weather.empty()) {
-      a.weather = load_weather(question.weather);
-      warn_of(a.weather->oddities, reporter);
+    DaylightQuestion question = request;
+    if (!request.weather_file.empty()) {
+      question.weather = load_weather(request.weather_file);
+      warn_of(question.weather->oddities, reporter);
     }
-    auto scene = input.scene;
-    const auto up = Vec3d(up_of_scene(scene));
-    const SkyPatches sky(question.subdivision, up, north_of(up, question.north));
-    if (a.weather) a.skies = skies_of_year(*a.weather, sky, question.albedo, context);
-    set_only_sky(sky, a.weather ? mean_sky(a.skies) : overcast_sky(sky, question.albedo), scene);
-    const auto groups = question.groups();
-    make_panes_of_groups(groups, scene);
-    DaylightSolveOptions how{{}, question.error, question.coefficients.seed};
-    if (question.max_edge > 0.0) how.patches.max_edge = static_cast<float>(question.max_edge);
-    a.transport = solve_daylight(scene, scene.source, how, {}, {context, reporter, record});
-    if (!a.transport) return false;
-    const auto& t = *a.transport;
-    const auto points = points_of(t.patches, positions, normals);
-    a.coefficients =
-        find_coefficients(t.run(), *t.tracer, points, question.coefficients, reporter.reporting(context));
-    if (a.coefficients.points == 0) return false;
-    a.factors = daylight_factors(a.coefficients, 16, question.albedo);
-    if (!a.weather) return true;
-    a.windows = groups.empty() ? all_windows(question.transmittance)
-                               : window_light(scene, t, a.coefficients, groups, question.coefficients,
-                                              reporter.reporting(context));
-    if (a.windows.groups.empty()) return false;
-    a.year.emplace(YearCoefficients{a.coefficients, a.windows}, a.skies, a.coefficients.origins,
-                   SunSurroundings{t.patches, *t.tracer}, reporter.reporting(context));
-    if (a.year->is_stopped()) return false;
-    a.report = metrics_of(*a.year, *a.weather, question.metrics);
-    return !reporter.is_interrupted();
+    question.up = Vec3d(up_of_scene(input.scene));
+    question.solve.seed = question.coefficients.seed;
+    if (request.max_edge > 0.0) question.solve.patches.max_edge = static_cast<float>(request.max_edge);
+    for (const auto& [name, tau] : request.groups) question.blinds.push_back({name, tau});
+    answer = study_daylight(input.scene, input.scene.source, std::move(question),
+                            [&](const PatchSet& patches) { return points_of(patches, positions, normals); },
+                            {context, reporter, record});
+    return answer != nullptr;
   });
   return is_whole ? answer : nullptr;
 }
@@ -124,8 +78,8 @@ py::array minutes_of(const DaylightAnswer& a) {
   std::vector<std::int64_t> minutes;
   if (a.year)
     for (const auto& hour : a.year->hours()) {
-      const auto& record = a.weather->hours[hour.record];
-      const std::chrono::year_month_day day{std::chrono::year(a.weather->has_leap_day ? 2024 : 2023),
+      const auto& record = a.question.weather->hours[hour.record];
+      const std::chrono::year_month_day day{std::chrono::year(a.question.weather->has_leap_day ? 2024 : 2023),
                                             std::chrono::month(record.month), std::chrono::day(record.day)};
       const auto days = std::chrono::sys_days(day).time_since_epoch().count();
       minutes.push_back(static_cast<std::int64_t>(days) * 1440 +
@@ -176,7 +130,7 @@ py::dict metrics_as_dict(const Handle& handle) {
 }
 
 py::dict factors_as_dict(const Handle& handle) {
-  const auto& f = handle->factors;
+  const auto& f = handle->factors.front();
   const py::object owner = py::cast(handle);
   py::dict result;
   result["factor"] = view_of(f.value, owner);
@@ -194,34 +148,37 @@ py::dict factors_as_dict(const Handle& handle) {
 }  // namespace
 
 void define_daylight(py::module_& module) {
-  py::class_<DaylightQuestion>(module, "DaylightOptions")
+  py::class_<DaylightRequest>(module, "DaylightOptions")
       .def(py::init<>())
-      .def_readwrite("weather", &DaylightQuestion::weather)
-      .def_readwrite("north", &DaylightQuestion::north)
-      .def_readwrite("albedo", &DaylightQuestion::albedo)
-      .def_readwrite("max_edge", &DaylightQuestion::max_edge)
-      .def_readwrite("error", &DaylightQuestion::error)
-      .def_readwrite("subdivision", &DaylightQuestion::subdivision)
+      .def_readwrite("weather", &DaylightRequest::weather_file)
+      .def_readwrite("north", &DaylightRequest::north)
+      .def_readwrite("albedo", &DaylightRequest::albedo)
+      .def_readwrite("max_edge", &DaylightRequest::max_edge)
       .def_property(
-          "rays", [](const DaylightQuestion& q) { return q.coefficients.rays; },
-          [](DaylightQuestion& q, std::uint32_t rays) { q.coefficients.rays = rays; })
+          "error", [](const DaylightRequest& q) { return q.solve.error; },
+          [](DaylightRequest& q, double error) { q.solve.error = error; })
+      .def_readwrite("subdivision", &DaylightRequest::subdivision)
       .def_property(
-          "seed", [](const DaylightQuestion& q) { return q.coefficients.seed; },
-          [](DaylightQuestion& q, std::uint64_t seed) { q.coefficients.seed = seed; })
+          "rays", [](const DaylightRequest& q) { return q.coefficients.rays; },
+          [](DaylightRequest& q, std::uint32_t rays) { q.coefficients.rays = rays; })
+      .def_property(
+          "seed", [](const DaylightRequest& q) { return q.coefficients.seed; },
+          [](DaylightRequest& q, std::uint64_t seed) { q.coefficients.seed = seed; })
       .def("set_occupied",
-           [](DaylightQuestion& q, double from, double to) {
+           [](DaylightRequest& q, double from, double to) {
              q.metrics.from = from;
              q.metrics.to = to;
            })
       .def_property(
-          "blind_transmittance", [](const DaylightQuestion& q) { return q.transmittance; },
-          [](DaylightQuestion& q, double value) { q.transmittance = value; })
-      .def_readwrite("blinds", &DaylightQuestion::blinds);
+          "blind_transmittance", [](const DaylightRequest& q) { return q.transmittance; },
+          [](DaylightRequest& q, double value) { q.transmittance = value; })
+      .def_readwrite("blinds", &DaylightRequest::groups);
   py::class_<DaylightAnswer, Handle>(module, "Daylight")
       .def_property_readonly("minutes", minutes_of)
       .def_property_readonly("sun", sun_of_hours)
-      .def_property_readonly("place",
-                             [](const DaylightAnswer& a) { return a.weather ? a.weather->place : ""; })
+      .def_property_readonly(
+          "place",
+          [](const DaylightAnswer& a) { return a.question.weather ? a.question.weather->place : ""; })
       .def_property_readonly("has_year", [](const DaylightAnswer& a) { return a.year.has_value(); })
       .def_property_readonly("knows_openings",
                              [](const DaylightAnswer& a) { return a.coefficients.knows_openings; })

@@ -28,8 +28,8 @@ std::string box_of(const char* name, const Figure& fraction, int decimals, const
   return page_box(name, text.substr(0, bracket), note);
 }
 
-std::string summary(const DaylightPage& page) {
-  auto html = page_heading("Summary") + "<div class=\"figures\">\n";
+std::string summary(const DaylightPage& page, const char* heading) {
+  auto html = page_heading(heading) + "<div class=\"figures\">\n";
   const auto& f = page.factors.front();
   html += box_of("Mean daylight factor", f.mean, 2, "");
   html += box_of("Median daylight factor", f.median, 2, "");
@@ -40,10 +40,10 @@ std::string summary(const DaylightPage& page) {
     html += box_of("ASE1000,250h", m.sun_exposure, 0, "blinds open");
     html += box_of("Useful daylight, 100 to 3,000 lx", m.useful.mean, 1, "mean");
   }
-  return html +
-         fmt::format(
-             "</div>\n<p class=\"note\">{}. Below each number its 95 % interval, where it has one.</p>\n",
-             html_escaped(page.points_description));
+  return html + fmt::format(
+                    "</div>\n<p class=\"note\">{}. Below each number its 95 % interval, unless it has no "
+                    "extent.</p>\n",
+                    html_escaped(page.points_description));
 }
 
 class Requirements {
@@ -100,17 +100,18 @@ void add_ratings(const YearReport& year, Requirements& table) {
   if (high == 0) points = compliance_span(Compliance::not_met);
   table.add("LEED v4.1, option 1: sDA300,50%", per_cent_text(m.autonomy_with_blinds, 0),
             "40, 55, 75 % for 1, 2, 3 points", points);
+  const auto exposure = leed_exposure_compliance(m.sun_exposure);
   table.add("LEED v4.1, option 1: ASE1000,250h", per_cent_text(m.sun_exposure, 0), "at most 10 %",
-            m.sun_exposure.value > leed_exposure ? "<span class=\"verdict open\">explanation needed</span>"
-                                                 : compliance_span(Compliance::met));
+            exposure == Compliance::not_met ? "<span class=\"verdict open\">explanation needed</span>"
+                                            : compliance_span(exposure));
   table.add("BREEAM: 300 lx in the mean", hours_text(year.hours_mean_300),
             fmt::format("{:.0f} h per year", breeam_hours), compliance_span(breeam_compliance(year)));
   table.add("BREEAM: 90 lx at the darkest point", hours_text(year.hours_min_90),
             fmt::format("{:.0f} h per year", breeam_hours), "");
 }
 
-std::string verdicts(const DaylightPage& page) {
-  auto html = page_heading("Requirements");
+std::string verdicts(const DaylightPage& page, const char* heading) {
+  auto html = page_heading(heading);
   if (page.provision.empty())
     return html +
            "<p>None: EN 17037 needs a weather file or the median diffuse illuminance of the place.</p>\n";
@@ -133,17 +134,17 @@ std::string verdicts(const DaylightPage& page) {
          "verdict on EN 17037, LEED or BREEAM as a whole.</p>\n";
 }
 
-std::string plans(const DaylightPage& page) {
+std::string plans(const DaylightPage& page, const char* heading) {
   if (page.plans.empty()) return "";
-  auto html = page_heading("Plans") +
+  auto html = page_heading(heading) +
               fmt::format("<div class=\"{}\">\n", page.are_plans_wide ? "wide-plans" : "plans");
   for (const auto& plan : page.plans) html += "<figure>\n" + plan + "</figure>\n";
   return html + "</div>\n";
 }
 
-std::string heat_map(const DaylightPage& page) {
+std::string heat_map(const DaylightPage& page, const char* heading) {
   if (page.heat_map.empty()) return "";
-  return page_heading("The year") +
+  return page_heading(heading) +
          page_figure(page.heat_map, "Illuminance hour by hour; black is night. Blinds open.");
 }
 
@@ -162,7 +163,7 @@ std::string components(const DaylightPage& page) {
   return text;
 }
 
-std::string figures(const DaylightPage& page) {
+std::string figures(const DaylightPage& page, const char* heading) {
   HtmlTable table({"Quantity", "Value (95 % interval)"}, 2);
   const auto add = [&](const std::string& name, const std::string& value) {
     table.add({html_escaped(name), interval_cell(value)});
@@ -189,6 +190,7 @@ std::string figures(const DaylightPage& page) {
     add("sDA300,50%, blinds always open", per_cent_text(m.autonomy_of_space, 0));
     add("Points too near to 50 % autonomy to tell", fmt::format("{:.0f} %", 100.0 * m.too_near_to_tell));
     add("ASE1000,250h", per_cent_text(m.sun_exposure, 0));
+    add("Points too near to 250 h of sun to tell", fmt::format("{:.0f} %", 100.0 * m.sun_too_near_to_tell));
     add("Hours with closed blinds", fmt::format("{} h", m.hours_with_blinds));
     if (page.metrics.lighting.power > 0.0) {
       const auto energy = [](const Figure& f) {
@@ -202,7 +204,7 @@ std::string figures(const DaylightPage& page) {
                     scale_number(std::round(1e-3 * m.exposure.mean.low)),
                     scale_number(std::round(1e-3 * m.exposure.mean.high))));
   }
-  return "<div class=\"whole\">" + page_heading("Figures") + table.html() + "</div>\n";
+  return "<div class=\"whole\">" + page_heading(heading) + table.html() + "</div>\n";
 }
 
 std::string blinds_text(const DaylightPage& page) {
@@ -227,8 +229,8 @@ std::string blinds_text(const DaylightPage& page) {
   return text + " Only sDA with operated blinds and the energy of dimmed lamps have blinds.";
 }
 
-std::string assumptions(const DaylightPage& page) {
-  std::string html = "<div class=\"whole\">" + page_heading("What the numbers rest on") + "<ul>\n";
+std::string assumptions(const DaylightPage& page, const char* heading) {
+  std::string html = "<div class=\"whole\">" + page_heading(heading) + "<ul>\n";
   const auto item = [&](const std::string& text) { html += "<li>" + html_escaped(text) + "</li>\n"; };
   item(
       "Daylight factor: the illuminance over that of unobstructed ground under an overcast sky without sun; "
@@ -276,14 +278,23 @@ std::string origin(const DaylightPage& page) {
 
 }  // namespace
 
+std::string daylight_sections(const DaylightPage& page) {
+  return "<section class=\"daylight\">\n" + summary(page, "Daylight") +
+         verdicts(page, "Daylight: requirements") + plans(page, "Daylight: plans") +
+         heat_map(page, "Daylight: the year") + figures(page, "Daylight: figures") +
+         assumptions(page, "Daylight: what the numbers rest on") + "</section>\n";
+}
+
 std::string daylight_page(const DaylightPage& page) {
   auto html = page_begin(page.title, page.version,
                          {{"Scene", page.scene},
                           {"File of the scene of", page.scene_date},
                           {"Place", page.place},
                           {"Weather", page.weather}});
-  html += summary(page) + verdicts(page) + plans(page) + heat_map(page) + figures(page);
-  html += page_heading("Room") + room_tables(page.room) + assumptions(page) + origin(page);
+  html += summary(page, "Summary") + verdicts(page, "Requirements") + plans(page, "Plans") +
+          heat_map(page, "The year") + figures(page, "Figures");
+  html += page_heading("Room") + room_tables(page.room) + assumptions(page, "What the numbers rest on") +
+          origin(page);
   return html + "</body>\n</html>\n";
 }
 

@@ -36,6 +36,10 @@ struct DaylightPage {
   std::string heat_map;            // an <svg> element; empty: none
 };
 
+// The sections on daylight of another report: headings begin with "Daylight". HTML; without room, origin and
+// title.
+std::string daylight_sections(const DaylightPage& page);
+
 // The report as one HTML page, as report_page() makes those of lighting designs.
 std::string daylight_page(const DaylightPage& page);
 

@@ -11,6 +11,7 @@
 #include "luxel/lighting/maintenance.h"
 #include "luxel/lighting/plane_svg.h"
 #include "luxel/render/surface_measure.h"
+#include "luxel/report/daylight_page.h"
 #include "luxel/report/luminaire_list.h"
 #include "luxel/report/plan_svg.h"
 #include "luxel/report/room_data.h"
@@ -61,10 +62,11 @@ struct LightingReport {
   std::vector<ReportSurface> surfaces;
   UnfoldedRoom unfolded;  // may be empty
   std::vector<ReportObserver> observers;
-  std::optional<Verdict> ugr_verdict;  // of the highest UGR, where the working plane has a requirement
-  double hours = 0.0;                  // h per year at full power, for the estimate of energy; 0: none
-  std::string picture;                 // bytes of a PNG file; empty: none
-  std::vector<std::string> warnings;   // sentences
+  std::optional<Verdict> ugr_verdict;    // of the highest UGR, where the working plane has a requirement
+  double hours = 0.0;                    // h per year at full power, for the estimate of energy; 0: none
+  std::string picture;                   // bytes of a PNG file; empty: none
+  std::vector<std::string> warnings;     // sentences
+  std::optional<DaylightPage> daylight;  // its sections
 
   // W/m² of the floor, of the installed power; nothing where that is not known.
   std::optional<double> power_density() const;

@@ -27,7 +27,9 @@ std::string report_page(const LightingReport& report) {
                  {{"Project", report.project}, {"Author", report.author}, {report.date_label, report.date}});
   html += summary_section(report) + picture_of(report) + room_section(report) + surface_section(report);
   html += plan_section(report) + luminaire_section(report) + plane_section(report) + glare_section(report);
-  html += ugr_table_section(report) + assumption_section(report) + origin_section(report);
+  html += ugr_table_section(report);
+  if (report.daylight) html += daylight_sections(*report.daylight);
+  html += assumption_section(report) + origin_section(report);
   return html + "</body>\n</html>\n";
 }
 

@@ -31,7 +31,6 @@ std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::s
   if (on_patches) on_patches(t.patches);
   t.options.error = options.error;
   t.options.seed = options.seed;
-  Solution solution;
   t.tracer.emplace(t.patches, context);
   const SolveHooks hooks{
       .from = {},
@@ -39,10 +38,10 @@ std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::s
       .on_light = {}};
   place.record.stage("light", [&](auto& stage) {
     stage.rays =
-        solve_sampled(t.patches, *t.tracer, solution, t.options, hooks, reporter.reporting(context)).rays;
+        solve_sampled(t.patches, *t.tracer, t.solution, t.options, hooks, reporter.reporting(context)).rays;
   });
   if (reporter.is_interrupted() || !t.samples) return std::nullopt;
-  t.error = solution.seen_error;
+  t.error = t.solution.seen_error;
   reporter.say("light", fmt::format("error {:.2g} % of the mean sky's light", 100.0 * t.error));
   return t;
 }

@@ -26,9 +26,11 @@ struct DaylightTransport {
   std::optional<Tracer> tracer;  // of the patches
   std::shared_ptr<const SampleState> samples;
   SampledOptions options;
+  Solution solution;  // the light of the run's sky
   double error = 0.0;
+  bool traces_again = false;  // the patches have other panes than the run
 
-  DaylightRun run() const { return {patches, *samples, options, openings}; }
+  DaylightRun run() const { return {patches, *samples, options, openings, traces_again}; }
 };
 
 struct DaylightSolveOptions {

@@ -60,6 +60,10 @@ void RelightChanges::declare(OptionSet& set) {
                    "lumens",
                    tints_));
   set.add_texts("off", "GROUP", off_, "switch off a light group");
+  declare_reflectance(set);
+}
+
+void RelightChanges::declare_reflectance(OptionSet& set) {
   set.add(named_values(
       "reflectance", "MATERIAL=COLOUR", "MATERIAL=COLOUR, such as wall=0.5,0.2,0.2",
       "new reflectance of a material, at most 0.98: #rrggbb, linear red,green,blue or one number",

@@ -14,6 +14,11 @@ namespace luxel {
 class RelightChanges {
  public:
   void declare(OptionSet& set);
+  // --reflectance alone.
+  void declare_reflectance(OptionSet& set);
+  bool has_reflectance() const { return !reflectances_.empty(); }
+  // Of all materials, with the changes: [material * bands + band]. Throws as apply() does.
+  std::vector<float> new_reflectances(const std::string& file, const PatchSet& patches) const;
   // resets: whether the relighter had other changes before. Throws UsageError where a value is wrong,
   // InputError, beginning with the file, where a name matches nothing.
   void apply(const std::string& file, const PatchSet& patches, Relighter& relighter,
@@ -27,7 +32,6 @@ class RelightChanges {
   static Declaration named_values(const char* name, const char* unit, const char* expected, const char* help,
                                   std::vector<NamedValue>& values);
   std::vector<float> lamp_weights(const std::string& file, const PatchSet& patches) const;
-  std::vector<float> new_reflectances(const std::string& file, const PatchSet& patches) const;
 
   std::vector<NamedValue> lights_, tints_, reflectances_;
   std::vector<std::string> off_;

@@ -58,5 +58,11 @@ TEST(Rating, en_17037_needs_half_and_95_per_cent) {
   EXPECT_EQ(breeam_compliance(year), Compliance::not_met);
 }
 
+TEST(Rating, leed_needs_an_explanation_where_the_whole_interval_is_above_10_per_cent) {
+  EXPECT_EQ(leed_exposure_compliance({0.1, 0.1, 0.1}), Compliance::met);
+  EXPECT_EQ(leed_exposure_compliance({0.11, 0.105, 0.115}), Compliance::not_met);
+  EXPECT_EQ(leed_exposure_compliance({0.11, 0.1, 0.12}), Compliance::cannot_be_told);
+}
+
 }  // namespace
 }  // namespace luxel
