@@ -83,7 +83,8 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
   const auto status = fs::status(path_, error);
   const bool is_link = fs::is_symlink(path_, error);
   if (fs::is_directory(status)) refuse(path_, "it is a folder, expected the name of a file");
-  if (is_link && !is_of_system(path_))
+  const bool holds_nothing = fs::is_character_file(status) || fs::is_fifo(status);
+  if (is_link && !is_of_system(path_) && !holds_nothing)
     refuse(path_,
            "it is a symbolic link, and these are not followed; name the file itself, or remove the link");
   if (fs::exists(status) && ::access(path_.c_str(), W_OK) != 0)

@@ -15,7 +15,7 @@ class Descriptor;
 // then named. Until commit() the old file, if any, is unchanged; without commit() nothing of it stays, even
 // where the process is killed. File systems without unnamed files get a hidden one, `.STEM.*.tmp.EXTENSION`,
 // which is locked as long as its writer lives. Special files (/dev/stdout, a pipe) cannot be replaced and are
-// written in place. Links are not followed: one that someone else put there would choose what is overwritten.
+// written in place. Links to files are not followed: who put one there would choose what is overwritten.
 class OutputFile {
  public:
   // Throws DeviceError, naming the folder, where the folder does not exist or cannot be written, and where

@@ -233,7 +233,8 @@ void PictureSettings::declare_camera(OptionSet& set) {
 
 void PictureSettings::declare_view(OptionSet& set) {
   declare_camera(set);
-  set.add_number("width", "pixels", render.width, 1, 32768, "width of the picture");
+  set.add_number("width", "pixels", render.width, 1, 32768,
+                 "width of the picture; width times height at most 268 million");
   set.add_number("height", "pixels", render.height, 1, 32768, "height of the picture");
 }
 
@@ -264,6 +265,11 @@ void PictureSettings::check() const {
       throw UsageError(fmt::format("--eye and --target: expected points within {:g} m of the origin", far));
   if (eye && target && *eye == *target)
     throw UsageError("--eye and --target are the same point: the camera has no direction");
+  constexpr std::int64_t max_pixels = 1 << 28;
+  if (std::int64_t{render.width} * render.height > max_pixels)
+    throw UsageError(
+        fmt::format("--width {} --height {}: expected at most {} pixels, which take 4 GB of memory",
+                    render.width, render.height, max_pixels));
 }
 
 void LookSettings::declare_up(OptionSet& set) { set.add_choice("up", {"auto", "y", "z"}, up, "the up axis"); }
