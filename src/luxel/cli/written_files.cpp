@@ -6,15 +6,11 @@
 #include <fmt/format.h>
 
 #include "luxel/core/output_file.h"
+#include "luxel/core/real_path.h"
 
 namespace luxel {
 namespace fs = std::filesystem;
 namespace {
-
-bool is_plain_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
 
 // The values of an option, one a line.
 std::vector<std::string> values_of(const Declaration& declaration) {

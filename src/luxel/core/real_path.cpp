@@ -18,4 +18,9 @@ std::optional<fs::path> real_path(const fs::path& path) {
   return error ? std::nullopt : std::optional(place);
 }
 
+bool is_plain_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
 }  // namespace luxel

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/real_path.h"
 #include "luxel/import/converter_status.h"
 
 namespace luxel {
@@ -17,11 +18,6 @@ namespace {
 
 constexpr const char* advice = "convert it to glTF (.glb), for example with Blender";
 constexpr const char* program_name = "luxel-import";
-
-bool is_program(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
-}
 
 // alternative: another thing to do, which ends in "or ".
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what,
@@ -104,7 +100,7 @@ std::optional<std::filesystem::path> find_converter() {
 #ifdef LUXEL_LIBEXEC
   places.push_back(std::filesystem::path(LUXEL_LIBEXEC) / program_name);
 #endif
-  const auto found = std::find_if(places.begin(), places.end(), is_program);
+  const auto found = std::find_if(places.begin(), places.end(), is_plain_file);
   return found == places.end() ? std::nullopt : std::optional(*found);
 }
 

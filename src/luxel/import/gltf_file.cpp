@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
-#include "luxel/core/hint.h"
 #include "luxel/core/output_file.h"
 #include "luxel/import/gltf_decompress.h"
 #include "luxel/import/uri.h"
@@ -155,11 +154,7 @@ std::string GltfFile::resource(const JsonValue& uri) {
   if (!found.file && !found.is_outside)
     uri.refuse(fmt::format("there is no file '{}'", (folder_ / *name).string()));
   if (!found.file)
-    throw with_hints(
-        InputError(fmt::format("{}: {}: the file '{}' lies outside the scene's folder; copy it there, or "
-                               "allow files outside",
-                               source_, uri.path(), name->string())),
-        {{Setting::allow_outside}});
+    refuse_outside(fmt::format("{}: {}", source_, uri.path()), fmt::format("the file '{}'", name->string()));
   add_file(files_, *found.file);
   return read_file(*found.file);
 }

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "luxel/core/error.h"
-#include "luxel/core/hint.h"
 #include "luxel/import/text.h"
 
 namespace luxel {
@@ -33,12 +31,8 @@ MaterialLibrary read_libraries(std::span<const NamedLine> statements, const std:
       const auto found = folder.find(obj_path.parent_path(), name);
       if (found.file) add_library(*found.file, library);
       if (!found.file && found.is_outside)
-        throw with_hints(
-            InputError(obj_path.string(), where,
-                       fmt::format("the material file '{}' lies outside the scene's folder; copy "
-                                   "it there, or allow files outside",
-                                   name)),
-            {{Setting::allow_outside}});
+        refuse_outside(fmt::format("{}:{}", obj_path.string(), where),
+                       fmt::format("the material file '{}'", name));
       return found.file.has_value();
     };
     // The operands may be one name with blanks or several names; existing files decide.

@@ -11,7 +11,6 @@
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
-#include "luxel/core/hint.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/trig.h"
 #include "luxel/import/luminaires.h"
@@ -133,10 +132,7 @@ void replace_by_luminaires(const std::filesystem::path& scene_file, const Vec3& 
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) continue;
     if (!SceneFolder(scene_file, scene.allows_outside).permits(file))
-      throw with_hints(InputError(file.string(),
-                                  "this link leads outside the scene's folder; copy the file there, or "
-                                  "allow files outside"),
-                       {{Setting::allow_outside}});
+      refuse_outside(scene_file.string(), fmt::format("the file '{}'", material.name));
     add_file(scene.files, file);
     DisjointSets sets(scene.positions.size());
     std::vector<std::size_t> triangles;

@@ -3,18 +3,12 @@
 
 #include <algorithm>
 
+#include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/real_path.h"
 
 namespace luxel {
 namespace fs = std::filesystem;
-namespace {
-
-bool is_plain_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
-
-}  // namespace
 
 SceneFolder::SceneFolder(const fs::path& scene_file, bool allow_outside) : allow_outside_(allow_outside) {
   const auto folder = scene_file.parent_path();
@@ -41,6 +35,12 @@ SceneFolder::Found SceneFolder::find(const fs::path& folder, const std::string& 
     found.is_outside = true;
   }
   return found;
+}
+
+void refuse_outside(const std::string& place, const std::string& what) {
+  throw with_hints(
+      InputError(place, what + " lies outside the scene's folder; copy it there, or allow files outside"),
+      {{Setting::allow_outside}});
 }
 
 void add_file(std::vector<fs::path>& files, const fs::path& file) {

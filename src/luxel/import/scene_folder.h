@@ -31,6 +31,10 @@ class SceneFolder {
   bool allow_outside_;
 };
 
+// Throws the InputError of a file outside the folder. place: where it is named, "room.obj:1"; what: "the file
+// 'x.bin'".
+[[noreturn]] void refuse_outside(const std::string& place, const std::string& what);
+
 // Files that were read for a scene, each once, in their order.
 void add_file(std::vector<std::filesystem::path>& files, const std::filesystem::path& file);
 
