@@ -18,33 +18,33 @@ namespace fs = std::filesystem;
 class FailingWrites : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fresh_folder("failing_writes");
-    ASSERT_EQ(
-        cli::run(folder_, "$LUXEL bake cornell-box.obj --max-edge 0.5 --error 20% -o light.vtkhdf").code, 0);
-    ASSERT_EQ(cli::run(folder_, command_).code, 0);
-    whole_ = read_file(folder_ / "out.glb");
+    folder = fresh_folder("failing_writes");
+    ASSERT_EQ(cli::run(folder, "$LUXEL bake cornell-box.obj --max-edge 0.5 --error 20% -o light.vtkhdf").code,
+              0);
+    ASSERT_EQ(cli::run(folder, command).code, 0);
+    whole = read_file(folder / "out.glb");
   }
 
   // Runs the command with planned failures over an old file, and checks what is there then.
   static void expect_old_or_new(const std::string& plan) {
-    std::ofstream(folder_ / "out.glb", std::ios::trunc) << "old";
-    const auto run = cli::run(
-        folder_, fmt::format("LD_PRELOAD='{}' FAIL_CALL={} {}", LUXEL_FAILING_CALLS, plan, command_));
-    const auto found = read_file(folder_ / "out.glb");
+    std::ofstream(folder / "out.glb", std::ios::trunc) << "old";
+    const auto run =
+        cli::run(folder, fmt::format("LD_PRELOAD='{}' FAIL_CALL={} {}", LUXEL_FAILING_CALLS, plan, command));
+    const auto found = read_file(folder / "out.glb");
     if (run.code == 0) {
-      EXPECT_EQ(found, whole_) << plan;
+      EXPECT_EQ(found, whole) << plan;
     } else {
       EXPECT_EQ(run.code, 1) << plan << ": " << run.err;
       EXPECT_EQ(found, "old") << plan;
       EXPECT_NE(run.err.find("out.glb: "), std::string::npos) << plan << ": " << run.err;
     }
-    for (const auto& entry : fs::directory_iterator(folder_))
+    for (const auto& entry : fs::directory_iterator(folder))
       EXPECT_EQ(entry.path().filename().string().find(".tmp"), std::string::npos) << plan << entry.path();
   }
 
-  inline static fs::path folder_;
-  inline static const std::string command_ = "$LUXEL export light.vtkhdf -o out.glb";
-  inline static std::string whole_;
+  inline static fs::path folder;
+  inline static const std::string command = "$LUXEL export light.vtkhdf -o out.glb";
+  inline static std::string whole;
 };
 
 TEST_F(FailingWrites, leave_the_old_file_or_the_new_one) {
