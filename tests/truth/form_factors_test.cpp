@@ -34,7 +34,7 @@ Rows make_rows(KnownRoom room, std::vector<ConvexPolygon> screens) {
   Rows rows{std::move(room), std::move(screens), {}, {}};
   const auto& patches = rows.room.patches;
   const Tracer tracer(patches, context);
-  const FormFactors factors(patches, tracer, context);
+  const FormFactors factors(patches, tracer);
   for (std::size_t p = 3; p < patches.size(); p += 1 + patches.size() / 3) {
     rows.sides.emplace_back(p, false);
     auto& row = rows.exact.emplace_back();

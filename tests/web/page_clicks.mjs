@@ -297,9 +297,30 @@ async function phone(browser) {
   await without.context().browser().close();
 }
 
+// Its policy lets no script run but its own, whatever a name in the scene holds, and no address be asked.
+async function refusal(browser) {
+  const page = await open(browser, { viewport: { width: 640, height: 480 } });
+  const before = complaints.splice(0);
+  const found = await page.evaluate(async () => {
+    const script = document.createElement('script');
+    script.textContent = 'window.intruder = true';
+    document.body.append(script);
+    document.body.insertAdjacentHTML('beforeend', '<b id="bait" onclick="window.intruder = true">x</b>');
+    document.getElementById('bait').click();
+    const refused = [];
+    document.addEventListener('securitypolicyviolation', (event) => refused.push(event.effectiveDirective));
+    await fetch('http://127.0.0.1:9/').catch(() => {});
+    return { intruder: window.intruder ?? false, refused };
+  });
+  assert.deepEqual(found, { intruder: false, refused: ['connect-src'] });
+  complaints.splice(0, complaints.length, ...before);
+  await page.context().close();
+}
+
 const browser = await launch(['--force-color-profile=srgb']);
 try {
   await (screen === 'desk' ? desk : phone)(browser);
+  if (screen === 'desk') await refusal(browser);
   assert.deepEqual(complaints, []);
 } catch (error) {
   console.error(error.message, complaints);

@@ -49,7 +49,7 @@ DenseOperator::DenseOperator(const PatchSet& patches, const Context& context)
 std::optional<DenseOperator> DenseOperator::make(const PatchSet& patches, const Tracer& tracer,
                                                  const DenseOptions& options, const Context& context) {
   DenseOperator transport(patches, context);
-  const FormFactors form_factors(patches, tracer, context);
+  const FormFactors form_factors(patches, tracer);
   const auto n = transport.size();
   const auto side = [&](std::size_t receiver) { return transport.sides().side[receiver]; };
   const auto area = [&](std::size_t receiver) {

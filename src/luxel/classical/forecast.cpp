@@ -71,7 +71,7 @@ Forecast forecast_dense(const PatchSet& patches, const Tracer& tracer, const Den
   Forecast forecast;
   forecast.sides = gathering_sides(patches);
   const auto n = static_cast<double>(forecast.sides);
-  const FormFactors form_factors(patches, tracer, context);
+  const FormFactors form_factors(patches, tracer);
   double integrated = 0.0;
   std::uint64_t tried = 0;
   const auto a_pair = seconds_each(2000, [&](std::uint64_t k) {

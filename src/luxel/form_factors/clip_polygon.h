@@ -33,4 +33,25 @@ inline void clip_polygon(std::span<const Vec3d> polygon, const Plane& plane, std
   }
 }
 
+// Likewise, with the part on the lower side. heights: of the corners above the plane.
+inline void split_polygon(std::span<const Vec3d> polygon, std::span<const double> heights,
+                          std::vector<Vec3d>& above, std::vector<Vec3d>& below) {
+  above.clear();
+  below.clear();
+  auto p = polygon.back();
+  auto hp = heights.back();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto& q = polygon[k];
+    const auto hq = heights[k];
+    if ((hp > 0.0 && hq < 0.0) || (hp < 0.0 && hq > 0.0)) {
+      above.push_back(p + hp / (hp - hq) * (q - p));
+      below.push_back(above.back());
+    }
+    if (hq >= 0.0) above.push_back(q);
+    if (hq <= 0.0) below.push_back(q);
+    p = q;
+    hp = hq;
+  }
+}
+
 }  // namespace luxel

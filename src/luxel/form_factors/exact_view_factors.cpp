@@ -54,7 +54,7 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
   const auto sides = sides_of(elements);
   const auto n = sides.size();
   report.pairs = std::uint64_t{n} * (n - 1) / 2;
-  const FormFactors form_factors(patches, tracer, context);
+  const FormFactors form_factors(patches, tracer);
   report.predicted_seconds = seconds_per_pair(form_factors, sides, options.tolerance) *
                              static_cast<double>(report.pairs) / context.threads();
   if (options.seconds > 0.0 && report.predicted_seconds > options.seconds)

@@ -41,26 +41,34 @@ double rounding_of(const PatchSet& patches) {
 
 }  // namespace
 
-FormFactors::FormFactors(const PatchSet& patches, const Tracer& tracer, const Context& context)
-    : patches_(patches), tracer_(tracer), search_(patches, context), slack_(rounding_of(patches)) {}
+FormFactors::FormFactors(const PatchSet& patches, const Tracer& tracer)
+    : patches_(patches),
+      tracer_(tracer),
+      slack_(rounding_of(patches)),
+      occluders_(patches, slack_),
+      search_(occluders_) {}
 
 FormFactor FormFactors::between(SideId from, SideId to, double tolerance) const {
   const auto a = polygon_of(patches_, from), b = polygon_of(patches_, to);
   const auto parts = facing_parts(a, b);
   if (parts.a.empty()) return {};
-  const auto area = glm::length(polygon_area_vector(a));
-  const auto open = polygon_exchange_area(a, b);
 
   std::vector<std::uint32_t> found;
   const bool all_found = search_.find(Shaft(parts.a, parts.b, slack_), max_screens, found);
+  if (std::any_of(found.begin(), found.end(), [&](std::uint32_t k) {
+        return hides_all(occluders_.polygon(k), parts.a, parts.b, slack_);
+      }))
+    return {0.0, closed_form_error, true};
+  const auto area = glm::length(polygon_area_vector(a));
+  const auto open = polygon_exchange_area(a, b);
   if (found.empty()) return {open / area, closed_form_error, true};
   // The open part is below the tolerance: return the middle of [0, open].
   if (open <= 0.1 * tolerance * area) return {0.5 * open / area, 0.5 * open / area, false};
 
   Estimate exchange;
   if (all_found) {
-    std::vector<std::array<Vec3d, 3>> screens;
-    for (const auto p : found) screens.push_back(corners_of(patches_, p));
+    std::vector<Screen> screens;
+    for (const auto k : found) screens.push_back(occluders_.polygon(k));
     exchange = obstructed_exchange(parts.a, parts.b, screens, open,
                                    {.tolerance = tolerance * area, .slack = slack_});
   } else {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "luxel/form_factors/polygon_form_factor.h"
 
 namespace luxel {
 namespace {
@@ -18,6 +21,9 @@ void add_face(std::vector<Plane>& faces, const Plane& face) {
 }  // namespace
 
 Shaft::Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack) : slack_(slack) {
+  corners_.reserve(a.size() + b.size());
+  faces_.reserve(2 * (a.size() + b.size()));
+  edges_.reserve(3 * (a.size() + b.size()));
   corners_.assign(a.begin(), a.end());
   corners_.insert(corners_.end(), b.begin(), b.end());
   low_ = high_ = corners_[0];
@@ -27,6 +33,7 @@ Shaft::Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack) :
   }
   // A plane through three corners is a face if all other corners lie on one side. There are few corners, so
   // all triples are tested.
+  std::vector<bool> is_edge(corners_.size() * corners_.size(), false);
   for (std::size_t i = 0; i < corners_.size(); ++i)
     for (std::size_t j = i + 1; j < corners_.size(); ++j)
       for (std::size_t k = j + 1; k < corners_.size(); ++k) {
@@ -42,6 +49,12 @@ Shaft::Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack) :
         }
         if (highest <= slack_) add_face(faces_, face);
         if (lowest >= -slack_) add_face(faces_, {face.point, -face.normal});
+        if (highest > slack_ && lowest < -slack_) continue;
+        for (const auto& [from, to] : {std::pair(i, j), std::pair(j, k), std::pair(i, k)}) {
+          if (is_edge[from * corners_.size() + to]) continue;
+          is_edge[from * corners_.size() + to] = true;
+          edges_.push_back(corners_[to] - corners_[from]);
+        }
       }
 }
 
@@ -59,39 +72,57 @@ bool Shaft::misses(const Bounds& box) const {
   });
 }
 
-bool Shaft::parted(const Vec3d& axis, const std::array<Vec3d, 3>& triangle) const {
-  const auto [first, last] =
-      std::minmax({glm::dot(axis, triangle[0]), glm::dot(axis, triangle[1]), glm::dot(axis, triangle[2])});
-  auto low = 1e300, high = -1e300;
+bool Shaft::is_parted(const Vec3d& axis, std::span<const Vec3d> polygon) const {
+  const auto slack = slack_ * glm::length(axis);
+  auto low = glm::dot(axis, corners_[0]), high = low;
   for (const auto& p : corners_) {
     const auto at = glm::dot(axis, p);
     low = std::min(low, at);
     high = std::max(high, at);
   }
-  return first >= high - slack_ || last <= low + slack_;
+  auto first = glm::dot(axis, polygon[0]), last = first;
+  for (const auto& p : polygon) {
+    const auto at = glm::dot(axis, p);
+    first = std::min(first, at);
+    last = std::max(last, at);
+  }
+  return first >= high - slack || last <= low + slack;
 }
 
-bool Shaft::misses(const std::array<Vec3d, 3>& triangle) const {
+bool Shaft::misses(std::span<const Vec3d> polygon) const {
   for (const auto& face : faces_)
-    if (std::all_of(triangle.begin(), triangle.end(),
+    if (std::all_of(polygon.begin(), polygon.end(),
                     [&](const Vec3d& p) { return face.height(p) >= -slack_; }))
       return true;
-  const std::array<Vec3d, 3> edges = {triangle[1] - triangle[0], triangle[2] - triangle[1],
-                                      triangle[0] - triangle[2]};
-  const auto normal = glm::cross(edges[0], edges[1]);
-  const auto area2 = glm::length(normal);
-  if (!(area2 > 0.0) || parted(normal / area2, triangle)) return true;
-  for (std::size_t i = 0; i < corners_.size(); ++i)
-    for (std::size_t j = i + 1; j < corners_.size(); ++j)
-      for (const auto& edge : edges) {
-        const auto along = corners_[j] - corners_[i];
-        const auto axis = glm::cross(edge, along);
-        const auto length = glm::length(axis);
-        if (length > same_direction * glm::length(edge) * glm::length(along) &&
-            parted(axis / length, triangle))
-          return true;
-      }
+  const auto normal = polygon_area_vector(polygon);
+  if (!(glm::length(normal) > 0.0) || is_parted(normal, polygon)) return true;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+    for (const auto& along : edges_) {
+      const auto axis = glm::cross(edge, along);
+      const bool is_axis = glm::length(axis) > same_direction * glm::length(edge) * glm::length(along);
+      if (is_axis && is_parted(axis, polygon)) return true;
+    }
+  }
   return false;
+}
+
+bool hides_all(std::span<const Vec3d> screen, std::span<const Vec3d> a, std::span<const Vec3d> b,
+               double slack) {
+  const auto front = polygon_area_vector(screen);
+  const Plane plane{screen[0], front / glm::length(front)};
+  const auto side = plane.height(a[0]) > 0.0 ? 1.0 : -1.0;
+  const auto stands_before = [&](const Vec3d& p) { return side * plane.height(p) > slack; };
+  const auto stands_behind = [&](const Vec3d& p) { return side * plane.height(p) < -slack; };
+  if (!std::all_of(a.begin(), a.end(), stands_before) || !std::all_of(b.begin(), b.end(), stands_behind))
+    return false;
+  for (std::size_t k = 0; k < screen.size(); ++k) {
+    const auto edge = screen[(k + 1) % screen.size()] - screen[k];
+    for (const auto& p : a)
+      for (const auto& q : b)
+        if (side * glm::dot(glm::cross(edge, p - screen[k]), q - screen[k]) > 0.0) return false;
+  }
+  return true;
 }
 
 }  // namespace luxel

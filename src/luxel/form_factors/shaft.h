@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -19,17 +18,23 @@ class Shaft {
 
   // Returns whether a box is outside. Conservative: may return false for a box that is.
   bool misses(const Bounds& box) const;
-  // Whether a triangle is outside, or hides nothing of either polygon from the other since it is seen edge
-  // on. By separating axes: no answer is wrong by more than the slack.
-  bool misses(const std::array<Vec3d, 3>& triangle) const;
+  // Whether a flat convex polygon is outside, or hides nothing of either polygon from the other since it is
+  // seen edge on. By separating axes: no answer is wrong by more than the slack.
+  bool misses(std::span<const Vec3d> polygon) const;
 
  private:
-  bool parted(const Vec3d& axis, const std::array<Vec3d, 3>& triangle) const;
+  bool is_parted(const Vec3d& axis, std::span<const Vec3d> polygon) const;
 
   double slack_;
   std::vector<Vec3d> corners_;
+  std::vector<Vec3d> edges_;  // of the hull, as vectors, and some more between corners of one face
   std::vector<Plane> faces_;  // upper side outside
   Vec3d low_, high_;
 };
+
+// Whether a flat convex polygon stands in every line between two polygons: in those between their corners, of
+// which all others are mixtures. slack, m: how far a and b are from its plane at least.
+bool hides_all(std::span<const Vec3d> screen, std::span<const Vec3d> a, std::span<const Vec3d> b,
+               double slack);
 
 }  // namespace luxel

@@ -6,26 +6,31 @@
 #include <vector>
 
 #include "luxel/core/bounds.h"
-#include "luxel/core/context.h"
+#include "luxel/form_factors/occluders.h"
 #include "luxel/form_factors/shaft.h"
-#include "luxel/patch/patch_set.h"
-#include "luxel/patch/patch_tree.h"
 
 namespace luxel {
 
-// Finds the patches that reach into a shaft. Read-only after it was made.
+// Finds the occluders that reach into a shaft, by a binary tree of boxes. Read-only after construction.
 class ShaftSearch {
  public:
-  // Keeps a reference to patches. 0.3 s and 75 MB per million patches.
-  ShaftSearch(const PatchSet& patches, const Context& context);
+  // Keeps a reference to the occluders. 1 us per occluder.
+  explicit ShaftSearch(const Occluders& occluders);
 
-  // Replaces `found` by those patches, but not more than `most`: beyond that it stops and returns false.
-  bool find(const Shaft& shaft, std::size_t most, std::vector<std::uint32_t>& found) const;
+  // Replaces `found` by those occluders, but not more than `max_found`: beyond that it stops and returns
+  // false.
+  bool find(const Shaft& shaft, std::size_t max_found, std::vector<std::uint32_t>& found) const;
 
  private:
-  const PatchSet& patches_;
-  PatchTree tree_;
-  std::vector<Bounds> boxes_;  // [node]
+  struct Node {
+    Bounds box;
+    std::uint32_t first = 0, count = 0;  // its occluders: order_[first .. first + count)
+    std::uint32_t child = 0;             // its two children are nodes child and child + 1; 0: a leaf
+  };
+
+  const Occluders& occluders_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
 };
 
 }  // namespace luxel

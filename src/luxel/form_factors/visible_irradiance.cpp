@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/form_factors/visible_irradiance.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "luxel/form_factors/clip_polygon.h"
+#include "luxel/form_factors/polygon_form_factor.h"
 #include "luxel/lamps/polygon_irradiance.h"
 
 namespace luxel {
@@ -14,41 +15,50 @@ void VisibleIrradiance::keep(const Polygon& fragment) {
   visible_[visible_count_++].assign(fragment.begin(), fragment.end());
 }
 
-void VisibleIrradiance::hide(const Vec3d& x, const std::array<Vec3d, 3>& screen) {
+void VisibleIrradiance::hide(const Vec3d& x, Screen screen) {
   // Above the far plane lies the part behind the screen; above the side planes lies the inside of the
   // pyramid.
-  auto normal = glm::cross(screen[1] - screen[0], screen[2] - screen[0]);
+  auto normal = polygon_area_vector(screen);
   const auto height = glm::dot(normal, x - screen[0]);
   if (std::fabs(height) <= slack_ * glm::length(normal)) return;
   if (height > 0.0) normal = -normal;
   const auto sign = height > 0.0 ? -1.0 : 1.0;
-  std::array<Plane, 4> planes;
-  planes[0] = {screen[0], normal};
-  for (std::size_t k = 0; k < 3; ++k)
-    planes[k + 1] = {x, sign * glm::cross(screen[k] - x, screen[(k + 1) % 3] - x)};
+  planes_.assign({{screen[0], normal}});
+  for (std::size_t k = 0; k < screen.size(); ++k)
+    planes_.push_back({x, sign * glm::cross(screen[k] - x, screen[(k + 1) % screen.size()] - x)});
 
-  cut_off_.resize(4);
+  if (cut_off_.size() < planes_.size()) cut_off_.resize(planes_.size());
   visible_count_ = 0;
   for (std::size_t i = 0; i < fragment_count_; ++i) {
-    behind_ = fragments_[i];
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      clip_polygon(behind_, planes[k], rest_);
-      clip_polygon(behind_, {planes[k].point, -planes[k].normal}, cut_off_[k]);
-      behind_.swap(rest_);
-      if (behind_.size() < 3) break;
-    }
-    if (behind_.size() < 3) {
-      keep(fragments_[i]);  // not clipped
+    const auto pieces = cut(fragments_[i]);
+    if (pieces == none_behind) {
+      keep(fragments_[i]);
     } else {
-      for (const auto& fragment : cut_off_) keep(fragment);
+      for (std::size_t k = 0; k < pieces; ++k) keep(cut_off_[k]);
     }
   }
   fragments_.swap(visible_);
   fragment_count_ = visible_count_;
 }
 
+std::size_t VisibleIrradiance::cut(const Polygon& fragment) {
+  std::size_t pieces = 0;
+  behind_ = fragment;
+  for (const auto& plane : planes_) {
+    heights_.clear();
+    for (const auto& p : behind_) heights_.push_back(plane.height(p));
+    const auto [lowest, highest] = std::minmax_element(heights_.begin(), heights_.end());
+    if (!(*highest > 0.0)) return none_behind;
+    if (*lowest >= 0.0) continue;
+    split_polygon(behind_, heights_, rest_, cut_off_[pieces++]);
+    if (rest_.size() < 3) return none_behind;
+    behind_.swap(rest_);
+  }
+  return pieces;
+}
+
 double VisibleIrradiance::at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
-                             std::span<const std::array<Vec3d, 3>> screens) {
+                             std::span<const Screen> screens) {
   if (fragments_.empty()) fragments_.emplace_back();
   fragments_[0].assign(polygon.begin(), polygon.end());
   fragment_count_ = 1;

@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "luxel/core/vector.h"
+#include "luxel/form_factors/clip_polygon.h"
 
 namespace luxel {
 
-// Irradiance at a point from a polygon behind opaque triangles, in closed form: the polygon is clipped by the
-// pyramid that the point and a triangle span, beyond the triangle. Scratch memory for one thread.
+// A flat convex polygon that hides what lies behind it; its corners belong to somebody else.
+using Screen = std::span<const Vec3d>;
+
+// Irradiance at a point from a polygon behind opaque polygons (screens), in closed form: the polygon is
+// clipped by the pyramid that the point and a screen span, beyond the screen. Scratch memory for one thread.
 class VisibleIrradiance {
  public:
-  // slack, m: a triangle in whose plane the point lies so nearly hides nothing.
+  // slack, m: a screen in whose plane the point lies so nearly hides nothing.
   explicit VisibleIrradiance(double slack) : slack_(slack) {}
 
   // As unit_irradiance(polygon, x, n), in [0, pi]: of what x sees past all screens. About 0.3 us a screen,
   // more where they cut it into many fragments.
-  double at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
-            std::span<const std::array<Vec3d, 3>> screens);
+  double at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon, std::span<const Screen> screens);
 
  private:
   using Polygon = std::vector<Vec3d>;
-  void hide(const Vec3d& x, const std::array<Vec3d, 3>& screen);
+  void hide(const Vec3d& x, Screen screen);
   void keep(const Polygon& fragment);
+  // Cuts off what the planes leave visible: the first entries of cut_off_, as many as are returned.
+  std::size_t cut(const Polygon& fragment);
+  static constexpr auto none_behind = std::numeric_limits<std::size_t>::max();
 
   double slack_;
   std::vector<Polygon> fragments_, visible_, cut_off_;
   std::size_t fragment_count_ = 0, visible_count_ = 0;
+  std::vector<Plane> planes_;    // of a screen: its own, then those through the point and an edge
+  std::vector<double> heights_;  // of a fragment's corners above a plane
   Polygon behind_, rest_;
 };
 
