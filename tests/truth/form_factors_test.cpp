@@ -21,7 +21,7 @@
 namespace luxel::truth {
 namespace {
 
-// Some rows of a room by exact integrals, to 1e-4 each.
+// Some rows of a room by exact integrals, to 5e-5 each.
 struct Rows {
   KnownRoom room;
   std::vector<ConvexPolygon> screens;
@@ -39,7 +39,7 @@ Rows make_rows(KnownRoom room, std::vector<ConvexPolygon> screens) {
     rows.sides.emplace_back(p, false);
     auto& row = rows.exact.emplace_back();
     for (std::size_t to = 0; to < side_count(patches.size()); ++to)
-      row.push_back(factors.between(SideId(p, false), SideId::at(to), 1e-4));
+      row.push_back(factors.between(SideId(p, false), SideId::at(to), 5e-5));
   }
   return rows;
 }
