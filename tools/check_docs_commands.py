@@ -15,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 TIMEOUT = 600  # s a command
 PYTHON_FILE = re.compile(r"^```python\n# (\w+\.py)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -83,8 +84,9 @@ def check_page(page, root, programs, verbs):
                     yield number, f"`{command}`: ./dev has no verb {verb}"
             elif (word in ("luxel", "printf") or word.startswith("build/release/bin/")
                   or word == "python3" and command.split()[-1] in scripts):
-                print(f"  {command}", flush=True)
+                begin = time.monotonic()
                 failure = run(command, folder, programs)
+                print(f"  {time.monotonic() - begin:5.1f} s  {command}", flush=True)
                 if failure:
                     yield number, f"`{command}` {failure}"
 
