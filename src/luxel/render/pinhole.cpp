@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -35,6 +36,15 @@ void check(const Camera& camera, int width, int height) {
   if (camera.eye == camera.target)
     throw InputError(fmt::format("a camera must look away from its eye, but eye and target are both {}",
                                  as_text(camera.eye)));
+}
+
+constexpr std::uint64_t of_orders = ~std::uint64_t{0};  // number of the random numbers that all cells share
+
+// The place of a number below `side` in an order of these numbers that u1 and u2 choose.
+int place(int number, int side, float u1, float u2) {
+  auto factor = 1 + static_cast<int>(u1 * static_cast<float>(side));
+  while (std::gcd(factor, side) != 1) factor = factor % side + 1;
+  return (factor * number + static_cast<int>(u2 * static_cast<float>(side))) % side;
 }
 
 // Sine and cosine of at most an eighth of a turn, in double: Taylor series to the 13th and 12th power, error
@@ -69,9 +79,13 @@ Ray Pinhole::ray(double x, double y) const {
 }
 
 Ray Pinhole::ray_in_cell(double x, double y, std::uint64_t key, int cell, int side) const {
+  const auto column = cell % side, row = cell / side;
   const auto jitter = uniform4(key, static_cast<std::uint64_t>(cell));
-  return ray(x + (cell % side + static_cast<double>(jitter[0])) / side,
-             y + (cell / side + static_cast<double>(jitter[1])) / side);
+  const auto orders = uniform4(key, of_orders);
+  const auto across = place(row, side, orders[0], orders[1]),
+             down = place(column, side, orders[2], orders[3]);
+  return ray(x + (column + (across + static_cast<double>(jitter[0])) / side) / side,
+             y + (row + (down + static_cast<double>(jitter[1])) / side) / side);
 }
 
 double tangent_of_degrees(double degrees) {

@@ -20,8 +20,10 @@ class Pinhole {
   // x in [0, width] from the left, y in [0, height] from the top; the middle of the top left pixel is (0.5,
   // 0.5).
   Ray ray(double x, double y) const;
-  // A ray at random in each cell of a grid of side x side over the pixel in column x and row y. key: of the
-  // pixel, see address.h; cell: 0 to side² - 1, by rows.
+  // A ray at random in each cell of a grid of side x side over the pixel in column x and row y. No two of the
+  // side² rays lie in the same of side² columns, or rows, so that upright and level edges are smooth
+  // (correlated multi-jittered sampling; Kensler 2013). key: of the pixel, see address.h; cell: 0 to side² -
+  // 1, by rows.
   Ray ray_in_cell(double x, double y, std::uint64_t key, int cell, int side) const;
 
  private:

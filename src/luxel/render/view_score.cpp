@@ -106,6 +106,25 @@ double near_count(const Subject& subject, std::span<const Hit> hits, float depth
   }));
 }
 
+// Of rays along the very outline of the picture, closer than pixels are: a strip past the edge of a wall may
+// be narrower.
+double gap_at_outline(const Subject& subject, const Pinhole& pinhole, int columns, int rows) {
+  if (subject.patches.has_sky()) return 0.0;
+  double missed = 0.0;
+  const auto test = [&](double x, double y) {
+    missed += subject.tracer.nearest(pinhole.ray(x, y)) ? 0.0 : 1.0;
+  };
+  for (int x = 0; x < columns; ++x) {
+    test(x + 0.5, 0.0);
+    test(x + 0.5, rows);
+  }
+  for (int y = 0; y < rows; ++y) {
+    test(0.0, y + 0.5);
+    test(columns, y + 0.5);
+  }
+  return missed / (2.0 * (columns + rows));
+}
+
 }  // namespace
 
 ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
@@ -135,6 +154,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
   facts.depth = geometric_mean_distance(hits);
   facts.near = near_count(subject, hits, facts.depth) / pixels;
   facts.border /= 2.0 * (rows + columns) - 4.0;
+  facts.gap = gap_at_outline(subject, pinhole, columns, rows);
   facts.lopsided = std::abs(facts.lopsided) / pixels;
   facts.rise = static_cast<double>(glm::dot(forward, subject.up));
   facts.empty = 1.0 - static_cast<double>(hits.size()) / pixels;
@@ -152,10 +172,11 @@ double score(const ViewFacts& f, double openness) {
   // In the open, an object cut off at the border lowers the score; in a room the picture always ends on
   // walls.
   const auto cut_off = beyond(openness, 0.5) * f.border;
+  const auto gap = std::max(0.0, 1.0 - 2.0 * openness) * f.gap;
   return 0.5 * std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
          1.5 * std::min(f.detail, 0.4) - 3.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
-         2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - 1.5 * beyond(f.rise, 0.02) -
-         1.0 * beyond(-f.rise, 0.13);
+         2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - gap -
+         1.5 * beyond(f.rise, 0.02) - 1.0 * beyond(-f.rise, 0.13);
 }
 
 }  // namespace luxel
