@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <sstream>
+#include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
@@ -26,8 +27,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A signal handler can access nothing but globals; this is the only one.
+// A signal handler can access nothing but globals; these are the only ones.
 volatile std::sig_atomic_t interrupt_requested = 0;
+volatile std::sig_atomic_t light_has_begun = 0;  // a solve has begun: an interrupt is to write what it has
+
+constexpr unsigned grace_seconds = 1;  // for a stage to notice an interrupt, where no light would be lost
 
 bool is_silent = false;  // the same for all consoles, set once before any exists
 
@@ -38,6 +42,14 @@ void note(const std::string& text) {
 void on_interrupt(int signal) {
   interrupt_requested = 1;
   std::signal(signal, SIG_DFL);  // the next signal ends the program
+  if (!light_has_begun) ::alarm(grace_seconds);
+}
+
+// No stage has noticed the interrupt in time. Files are whole or not there, whenever the program ends.
+void on_overdue(int) {
+  constexpr std::string_view sentence = "stopped: no further file is written\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+  ::_exit(exit_stopped_early);
 }
 
 constexpr int bar_width = 28;
@@ -60,13 +72,18 @@ std::string numbers_of(const Progress& progress, double seconds) {
 void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGALRM, on_overdue);
 }
 void keep_silent() {
   is_silent = true;
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
 }
-bool interrupted() { return interrupt_requested != 0; }
+bool interrupted() {
+  if (interrupt_requested == 0) return false;
+  ::alarm(0);  // noticed: what follows is the end
+  return true;
+}
 
 Console::Console() : Console(RunSettings()) {}
 Console::Console(const RunSettings& run)
@@ -116,6 +133,7 @@ LogSink Console::log_as(Notes notes) {
 
 Monitor Console::monitor_that(bool heeds_interrupt) {
   return [this, heeds_interrupt](const Progress& progress) {
+    if (progress.stage == "light") light_has_begun = 1;
     if (as_json_)
       tell_program(progress);
     else if (!quiet_)

@@ -67,7 +67,7 @@ void keep_silent();
 int stopped_before_light(Console& console);
 
 // Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() answers; a second one ends the program at
-// once.
+// once. So does the first, with a sentence, where no stage asks within a second and no solve has begun.
 void catch_interrupts();
 bool interrupted();
 

@@ -67,7 +67,7 @@ FormFactor FormFactors::between(SideId from, SideId to, double tolerance) const 
 
   Estimate exchange;
   if (all_found) {
-    std::vector<Screen> screens;
+    std::vector<OccludingPolygon> screens;
     for (const auto k : found) screens.push_back(occluders_.polygon(k));
     exchange = obstructed_exchange(parts.a, parts.b, screens, open,
                                    {.tolerance = tolerance * area, .slack = slack_});

@@ -66,8 +66,8 @@ struct Cell {
 
 class Integral {
  public:
-  Integral(std::span<const Vec3d> outer, std::span<const Vec3d> inner, std::span<const Screen> screens,
-           double slack)
+  Integral(std::span<const Vec3d> outer, std::span<const Vec3d> inner,
+           std::span<const OccludingPolygon> screens, double slack)
       : inner_(inner), screens_(screens), slack_(slack), visible_(slack) {
     const auto front = polygon_area_vector(outer);
     whole_ = glm::length(front);
@@ -171,12 +171,12 @@ class Integral {
   }
 
   std::span<const Vec3d> inner_;
-  std::span<const Screen> screens_;
+  std::span<const OccludingPolygon> screens_;
   double slack_, whole_ = 0.0;
   bool hidden_ = true;
   Vec3d normal_;
   VisibleIrradiance visible_;
-  std::vector<Screen> near_;
+  std::vector<OccludingPolygon> near_;
 };
 
 bool less_wrong(const Cell& a, const Cell& b) { return a.error < b.error; }
@@ -184,7 +184,8 @@ bool less_wrong(const Cell& a, const Cell& b) { return a.error < b.error; }
 }  // namespace
 
 Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
-                             std::span<const Screen> screens, double open, const ObstructedOptions& options) {
+                             std::span<const OccludingPolygon> screens, double open,
+                             const ObstructedOptions& options) {
   const bool swap = glm::length(polygon_area_vector(b)) < glm::length(polygon_area_vector(a));
   const auto outer = swap ? b : a;
   Integral integral(outer, swap ? a : b, screens, options.slack);

@@ -30,6 +30,7 @@ struct ObstructedOptions {
 // error: twice the sum over cells of the change by the last cut, and, where all points of a cell are in the
 // light (or dark) though an occluder reaches in, an estimate of what they miss. 10 us per cell and occluder.
 Estimate obstructed_exchange(std::span<const Vec3d> a, std::span<const Vec3d> b,
-                             std::span<const Screen> screens, double open, const ObstructedOptions& options);
+                             std::span<const OccludingPolygon> screens, double open,
+                             const ObstructedOptions& options);
 
 }  // namespace luxel

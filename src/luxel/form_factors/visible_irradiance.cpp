@@ -15,7 +15,7 @@ void VisibleIrradiance::keep(const Polygon& fragment) {
   visible_[visible_count_++].assign(fragment.begin(), fragment.end());
 }
 
-void VisibleIrradiance::hide(const Vec3d& x, Screen screen) {
+void VisibleIrradiance::hide(const Vec3d& x, OccludingPolygon screen) {
   // Above the far plane lies the part behind the screen; above the side planes lies the inside of the
   // pyramid.
   auto normal = polygon_area_vector(screen);
@@ -58,7 +58,7 @@ std::size_t VisibleIrradiance::cut(const Polygon& fragment) {
 }
 
 double VisibleIrradiance::at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
-                             std::span<const Screen> screens) {
+                             std::span<const OccludingPolygon> screens) {
   if (fragments_.empty()) fragments_.emplace_back();
   fragments_[0].assign(polygon.begin(), polygon.end());
   fragment_count_ = 1;

@@ -12,7 +12,7 @@
 namespace luxel {
 
 // A flat convex polygon that hides what lies behind it; its corners belong to somebody else.
-using Screen = std::span<const Vec3d>;
+using OccludingPolygon = std::span<const Vec3d>;
 
 // Irradiance at a point from a polygon behind opaque polygons (screens), in closed form: the polygon is
 // clipped by the pyramid that the point and a screen span, beyond the screen. Scratch memory for one thread.
@@ -23,11 +23,12 @@ class VisibleIrradiance {
 
   // As unit_irradiance(polygon, x, n), in [0, pi]: of what x sees past all screens. About 0.3 us a screen,
   // more where they cut it into many fragments.
-  double at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon, std::span<const Screen> screens);
+  double at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
+            std::span<const OccludingPolygon> screens);
 
  private:
   using Polygon = std::vector<Vec3d>;
-  void hide(const Vec3d& x, Screen screen);
+  void hide(const Vec3d& x, OccludingPolygon screen);
   void keep(const Polygon& fragment);
   // Cuts off what the planes leave visible: the first entries of cut_off_, as many as are returned.
   std::size_t cut(const Polygon& fragment);

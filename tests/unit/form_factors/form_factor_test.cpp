@@ -23,7 +23,7 @@ namespace luxel {
 namespace {
 
 using Triangle = std::array<Vec3d, 3>;
-using Screens = std::vector<Screen>;
+using Screens = std::vector<OccludingPolygon>;
 
 // A scene as it comes, with all that asks for its factors.
 struct Asked {
