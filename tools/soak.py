@@ -7,6 +7,7 @@ build/soak/totals.json; what was found is kept in build/soak/findings, with the 
 """
 
 import argparse
+import atexit
 import json
 import os
 import random
@@ -84,6 +85,59 @@ class Kills:
         if left:
             raise Finding(f"left behind after {attempt} kills: {left} in {folder}")
         shutil.rmtree(folder)
+
+
+# ---- Signals ----
+
+class Signals:
+    """SIGINT or SIGTERM at a random moment of many commands: each ends soon, with a code that says so."""
+
+    seconds = 1.0  # promised; ten times that is a finding, and the longest is kept in the totals
+    bake = ["bake", "cornell-box.obj", "--max-edge", "0.01"]
+    commands = (
+        (*bake, "-o", "a.vtkhdf", "-o", "a.glb", "-o", "a.html", "-o", "a.png"),
+        (*bake, "--mesh-error", "1%", "--checkpoint", "run.vtkhdf", "-o", "a.glb"),
+        (*bake, "--method", "hemicube", "--force", "-o", "a.glb"),
+        ("bake", "cornell-box.obj", "--max-edge", "0.06", "--method", "dense", "--force", "-o", "a.glb"),
+        ("reference", "cornell-box.obj", "-o", "a.png"),
+        ("viewfactors", "cornell-box.obj", "--max-edge", "0.02", "-o", "a.h5"),
+        ("check", "cornell-box.obj", "--max-edge", "0.003"),
+        ("export", "light.vtkhdf", "-o", "a.html", "-o", "a.glb"),
+        ("render", "light.vtkhdf", "-o", "a.png", "--width", "4000", "--height", "3000"),
+        ("lightmap", "light.vtkhdf", "-o", "a.png"),
+        ("resume", "light.vtkhdf", "--error", "0.1%", "-o", "a.vtkhdf"),
+    )
+
+    def __init__(self, luxel):
+        self.luxel, self.longest = luxel, 0.0
+        self.folder = Path(tempfile.mkdtemp(prefix="signals-", dir=STATE))
+        atexit.register(shutil.rmtree, self.folder, ignore_errors=True)
+        for name in ("cornell-box.obj", "cornell-box.mtl"):
+            shutil.copy(ROOT / "scenes" / name, self.folder)
+
+    def attempt(self, chance):
+        if not (self.folder / "light.vtkhdf").exists():
+            run([self.luxel, *self.bake, "--error", "5%", "--store-transport", "-o", "light.vtkhdf"], self.folder)
+        command = [self.luxel, *chance.choice(self.commands), "--quiet"]
+        number = chance.choice((signal.SIGINT, signal.SIGTERM))
+        with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as child:
+            try:
+                child.wait(chance.uniform(0.02, 10.0))
+                return  # ended by itself
+            except subprocess.TimeoutExpired:
+                child.send_signal(number)
+            begin = time.monotonic()
+            try:
+                child.wait(10.0 * self.seconds)
+            except subprocess.TimeoutExpired:
+                child.kill()
+                raise Finding(f"`{' '.join(command)}` goes on 10 s after {number.name}") from None
+        took = time.monotonic() - begin
+        if took > max(self.longest, self.seconds):
+            print(f"signals: {took:.2f} s after {number.name}: {' '.join(command)}", flush=True)
+        self.longest = max(self.longest, took)
+        if child.returncode not in (0, 3, -number):
+            raise Finding(f"`{' '.join(command)}` ends with {child.returncode} after {number.name}")
 
 
 # ---- Random scenes against the path tracer ----
@@ -167,7 +221,7 @@ class Scenes:
             raise Finding(f"bias {bias:.4f}, standard error {error:.4f}: {folder}")
 
 
-ATTACKS = {"kills": Kills, "scenes": Scenes}
+ATTACKS = {"kills": Kills, "signals": Signals, "scenes": Scenes}
 
 
 def cpu_seconds():
@@ -204,12 +258,15 @@ def main():
                 (STATE / "findings" / f"{name}-{total['tries']}.txt").write_text(f"{finding}\n")
                 print(f"FOUND by {name}, try {total['tries']}: {finding}", flush=True)
             total["tries"] += 1
+            if name == "signals":
+                total["longest_seconds"] = round(max(total.get("longest_seconds", 0.0), attacks[name].longest), 2)
             total["cpu_seconds"] += cpu_seconds() - before
             totals_file.write_text(json.dumps(totals, indent=2))
             if time.monotonic() >= end:
                 break
     for name, total in totals.items():
-        print(f"{name:8} {total['tries']:6} tries {total['findings']:3} findings {total['cpu_seconds']:8.0f} CPU s in all")
+        longest = f", the longest took {total['longest_seconds']} s" if "longest_seconds" in total else ""
+        print(f"{name:8} {total['tries']:6} tries {total['findings']:3} findings {total['cpu_seconds']:8.0f} CPU s in all{longest}")
     return 1 if found else 0
 
 
