@@ -32,6 +32,14 @@ def run(command, folder, **options):
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", **options)
 
 
+def folder_of_box(prefix):
+    """A new folder with the Cornell box in it."""
+    folder = Path(tempfile.mkdtemp(prefix=prefix, dir=STATE))
+    for name in ("cornell-box.obj", "cornell-box.mtl"):
+        shutil.copy(ROOT / "scenes" / name, folder)
+    return folder
+
+
 # ---- Killed runs ----
 
 BAKE = ["--max-edge", "0.08", "--rays", "3M", "--seed", "5", "--every", "0", "--mesh-error", "none"]
@@ -46,14 +54,8 @@ class Kills:
     def command(self):
         return [self.luxel, "bake", "cornell-box.obj", *BAKE, "--checkpoint", "run.vtkhdf", "-o", "light.ply"]
 
-    def folder(self):
-        folder = Path(tempfile.mkdtemp(prefix="kills-", dir=STATE))
-        for name in ("cornell-box.obj", "cornell-box.mtl"):
-            shutil.copy(ROOT / "scenes" / name, folder)
-        return folder
-
     def prepare(self):
-        folder = self.folder()
+        folder = folder_of_box("kills-")
         begin = time.monotonic()
         result = run(self.command(), folder)
         if result.returncode != 0:
@@ -65,7 +67,7 @@ class Kills:
     def attempt(self, chance):
         if self.expected is None:
             self.prepare()
-        folder = self.folder()
+        folder = folder_of_box("kills-")
         for attempt in range(100):
             process = subprocess.Popen(self.command(), cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             try:
@@ -110,10 +112,8 @@ class Signals:
 
     def __init__(self, luxel):
         self.luxel, self.longest = luxel, 0.0
-        self.folder = Path(tempfile.mkdtemp(prefix="signals-", dir=STATE))
+        self.folder = folder_of_box("signals-")
         atexit.register(shutil.rmtree, self.folder, ignore_errors=True)
-        for name in ("cornell-box.obj", "cornell-box.mtl"):
-            shutil.copy(ROOT / "scenes" / name, self.folder)
 
     def attempt(self, chance):
         if not (self.folder / "light.vtkhdf").exists():

@@ -53,8 +53,8 @@ TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
 // A pipe that nobody fills is a file that comes slowly: no stage asks whether to stop.
 TEST(Interrupt, where_no_stage_heeds_it_ends_the_program) {
   const auto folder = fresh_folder("interrupt_overdue");
-  const auto run =
-      run_interrupted(folder, "mkfifo slow.obj; exec $LUXEL bake slow.obj -o a.glb", "test -p slow.obj", "0.5");
+  const auto run = run_interrupted(folder, "mkfifo slow.obj; exec $LUXEL bake slow.obj -o a.glb",
+                                   "test -p slow.obj", "0.5");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_EQ(run.err, "stopped: no further file is written\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.glb"));

@@ -31,7 +31,7 @@ struct FormFactor {
 // alone.
 class FormFactors {
  public:
-  // Keeps references to patches and tracer. 10 s per million patches.
+  // Keeps references to patches and tracer. 20 s per million patches.
   FormFactors(const PatchSet& patches, const Tracer& tracer);
 
   // Returns the share of the power leaving `from` that arrives at `to`. tolerance: absolute, above 0; where

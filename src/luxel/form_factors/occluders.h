@@ -16,7 +16,7 @@ namespace luxel {
 // plane, as long as the union stays convex. Read-only after construction.
 class Occluders {
  public:
-  // slack, m: how far a polygon may depart from its patches. 10 us per patch.
+  // slack, m: how far a polygon may depart from its patches. 20 us per patch.
   Occluders(const PatchSet& patches, double slack);
 
   std::size_t size() const { return begin_.size() - 1; }
