@@ -258,8 +258,8 @@ def main():
                 (STATE / "findings" / f"{name}-{total['tries']}.txt").write_text(f"{finding}\n")
                 print(f"FOUND by {name}, try {total['tries']}: {finding}", flush=True)
             total["tries"] += 1
-            if name == "signals":
-                total["longest_seconds"] = round(max(total.get("longest_seconds", 0.0), attacks[name].longest), 2)
+            if longest := getattr(attacks[name], "longest", 0.0):
+                total["longest_seconds"] = round(max(total.get("longest_seconds", 0.0), longest), 2)
             total["cpu_seconds"] += cpu_seconds() - before
             totals_file.write_text(json.dumps(totals, indent=2))
             if time.monotonic() >= end:

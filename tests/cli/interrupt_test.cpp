@@ -50,7 +50,7 @@ TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
-// A pipe that nobody fills is a file that comes slowly: no stage asks whether to stop.
+// Opening a pipe that nobody writes to waits for ever, and does not ask whether to stop.
 TEST(Interrupt, where_no_stage_heeds_it_ends_the_program) {
   const auto folder = fresh_folder("interrupt_overdue");
   const auto run = run_interrupted(folder, "mkfifo slow.obj; exec $LUXEL bake slow.obj -o a.glb",

@@ -155,7 +155,7 @@ class Equations {
     return matrix;
   }
 
-  // Whether the matrix of these rows is the same in both bands.
+  // Returns whether these rows have the same matrix in both bands.
   bool are_alike(std::span<const std::uint32_t> rows, std::size_t a, std::size_t b) const {
     return std::all_of(rows.begin(), rows.end(), [&](std::uint32_t i) {
       const auto same = [&](std::span<const float> values) {
@@ -189,25 +189,23 @@ bool solve_directly(std::span<const float> factors, std::span<const float> emitt
   for (const auto& rows : systems) all += static_cast<double>(bands) * cost(rows);
   for (const auto& rows : systems) {
     std::vector<bool> is_solved(bands, false);
-    for (std::size_t band = 0; band < bands; ++band) {
-      if (!is_solved[band]) {
-        Elimination elimination(rows.size(), equations.matrix(rows, band, context), context);
-        const auto report = [&](double fraction) {
-          return context.report({"light", (done + fraction * cost(rows)) / all});
-        };
-        if (!elimination.run(report)) return false;
-        // Solves all bands that have the same reflectances.
-        for (auto other = band; other < bands; ++other) {
-          if (!equations.are_alike(rows, band, other)) continue;
-          std::vector<double> right;
-          for (const auto i : rows) right.push_back(double{emittance[i * bands + other]});
-          const auto solved = elimination.solve(right);
-          for (std::size_t i = 0; i < rows.size(); ++i)
-            result[rows[i] * bands + other] = static_cast<float>(solved[i]);
-          is_solved[other] = true;
-        }
+    for (std::size_t band = 0; band < bands; ++band, done += cost(rows)) {
+      if (is_solved[band]) continue;
+      Elimination elimination(rows.size(), equations.matrix(rows, band, context), context);
+      const auto report = [&](double fraction) {
+        return context.report({"light", (done + fraction * cost(rows)) / all});
+      };
+      if (!elimination.run(report)) return false;
+      // Solves all bands that have the same reflectances.
+      for (auto other = band; other < bands; ++other) {
+        if (!equations.are_alike(rows, band, other)) continue;
+        std::vector<double> right;
+        for (const auto i : rows) right.push_back(double{emittance[i * bands + other]});
+        const auto solved = elimination.solve(right);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          result[rows[i] * bands + other] = static_cast<float>(solved[i]);
+        is_solved[other] = true;
       }
-      done += cost(rows);
     }
   }
   std::copy(result.begin(), result.end(), radiosity.begin());

@@ -10,7 +10,8 @@ namespace luxel {
 // reached. Where /proc is mounted, folders above the working folder need not be readable.
 std::optional<std::filesystem::path> real_path(const std::filesystem::path& path);
 
-// Whether it is a file with contents, or a link to one: no folder, device or pipe.
+// Returns whether the path leads to a regular file, through links or not. Folders, devices and pipes are
+// none.
 bool is_plain_file(const std::filesystem::path& path);
 
 }  // namespace luxel

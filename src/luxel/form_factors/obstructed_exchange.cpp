@@ -9,6 +9,7 @@
 #include "luxel/form_factors/polygon_form_factor.h"
 #include "luxel/form_factors/shaft.h"
 #include "luxel/lamps/polygon_irradiance.h"
+
 namespace luxel {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "luxel/core/convex_hull.h"
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/form_factors/polygon_form_factor.h"
 
@@ -26,7 +27,7 @@ double perimeter(const Polygon& polygon) {
 }
 
 // The convex hull of points in a plane of this unit normal, counter-clockwise about it, without corners that
-// lie within `tolerance`, m, of the line of their neighbours (monotone chain; Andrew 1979).
+// lie within `tolerance`, m, of the line of their neighbours.
 Polygon convex_hull(Polygon points, const Vec3d& normal, double tolerance) {
   const auto across = glm::normalize(
       glm::cross(normal, std::fabs(normal.x) < 0.6 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0)));
@@ -35,21 +36,9 @@ Polygon convex_hull(Polygon points, const Vec3d& normal, double tolerance) {
     return std::pair(glm::dot(across, a), glm::dot(along, a)) <
            std::pair(glm::dot(across, b), glm::dot(along, b));
   });
-  Polygon hull;
-  const auto is_corner = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return hull_of_sorted(points, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return glm::dot(normal, glm::cross(b - a, c - a)) > tolerance * glm::length(c - a);
-  };
-  const auto chain = [&](auto first, auto last) {
-    const auto before = hull.size();
-    for (auto p = first; p != last; ++p) {
-      while (hull.size() >= before + 2 && !is_corner(hull[hull.size() - 2], hull.back(), *p)) hull.pop_back();
-      hull.push_back(*p);
-    }
-    hull.pop_back();  // begins the other chain
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
+  });
 }
 
 // Patches that are joined, and the polygon they fill.
@@ -149,12 +138,13 @@ class Joiner {
       const auto number = sets_.of(own.beside[i]);
       if (number == sets_.of(piece)) continue;
       auto& other = pieces_[number];
-      auto whole = own;
-      add(other, whole);
-      whole.corners =
-          joint(std::move(whole.corners), (own.area < other.area ? other : own).corners, whole.area);
-      if (whole.corners.empty()) continue;
-      own = std::move(whole);
+      auto points = own.corners;
+      points.insert(points.end(), other.corners.begin(), other.corners.end());
+      const auto& larger = own.area < other.area ? other : own;
+      auto corners = joint(std::move(points), larger.corners, own.area + other.area);
+      if (corners.empty()) continue;
+      add(other, own);
+      own.corners = std::move(corners);
       other = {};
       sets_.join(piece, number);
       has_grown = true;

@@ -18,8 +18,8 @@ class Shaft {
 
   // Returns whether a box is outside. Conservative: may return false for a box that is.
   bool misses(const Bounds& box) const;
-  // Whether a flat convex polygon is outside, or hides nothing of either polygon from the other since it is
-  // seen edge on. By separating axes: no answer is wrong by more than the slack.
+  // Returns whether a flat convex polygon blocks no line between a and b: it is outside, or is seen edge on.
+  // By separating axes: no answer is wrong by more than the slack.
   bool misses(std::span<const Vec3d> polygon) const;
 
  private:
@@ -32,8 +32,9 @@ class Shaft {
   Vec3d low_, high_;
 };
 
-// Whether a flat convex polygon stands in every line between two polygons: in those between their corners, of
-// which all others are mixtures. slack, m: how far a and b are from its plane at least.
+// Returns whether a flat convex polygon, the screen, blocks every line between a and b. Only the lines
+// between their corners are tested: all others cross the screen's plane within the hull of where these do.
+// False where a or b comes nearer to that plane than slack, m.
 bool hides_all(std::span<const Vec3d> screen, std::span<const Vec3d> a, std::span<const Vec3d> b,
                double slack);
 

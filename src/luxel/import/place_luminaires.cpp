@@ -11,6 +11,7 @@
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
+#include "luxel/core/real_path.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/trig.h"
 #include "luxel/import/luminaires.h"
@@ -129,8 +130,7 @@ void replace_by_luminaires(const std::filesystem::path& scene_file, const Vec3& 
     auto& material = scene.materials[m];
     if (!names_photometry(material.name)) continue;
     const auto file = scene_file.parent_path() / std::filesystem::path(material.name).filename();
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) continue;
+    if (!is_plain_file(file)) continue;
     if (!SceneFolder(scene_file, scene.allows_outside).permits(file))
       refuse_outside(scene_file.string(), fmt::format("the file '{}'", material.name));
     add_file(scene.files, file);

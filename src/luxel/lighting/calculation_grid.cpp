@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/bounds.h"
+#include "luxel/core/convex_hull.h"
 #include "luxel/core/error.h"
 #include "luxel/lighting/grid_rule.h"
 #include "luxel/patch/focus.h"
@@ -66,22 +67,12 @@ struct Shape {
   }
 };
 
-// Convex hull, anticlockwise (Andrew 1979).
+// Convex hull, anticlockwise.
 std::vector<Vec2d> hull_of(std::vector<Vec2d> points) {
   std::sort(points.begin(), points.end(),
             [](const Vec2d& a, const Vec2d& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Vec2d> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const auto begin = hull.size();
-    for (const auto& p : points) {
-      while (hull.size() >= begin + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
+  return hull_of_sorted(
+      points, [](const Vec2d& a, const Vec2d& b, const Vec2d& c) { return !(cross(b - a, c - b) <= 0.0); });
 }
 
 // The rectangle of smallest area around points, among those along the axes and along edges of the hull.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "luxel/core/convex_hull.h"
 #include "luxel/core/triangle.h"
 
 namespace luxel {
@@ -100,23 +101,14 @@ FlatFrame frame_of(std::span<const Triangle3> triangles, std::span<const std::ui
   return frame;
 }
 
-// Andrew's monotone chain.
 std::vector<std::array<double, 2>> convex_hull(std::vector<std::array<double, 2>> points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   const auto extent = std::max(points.back()[0] - points.front()[0], 1e-30);
   const auto least = 1e-9 * extent * extent;
-  std::vector<std::array<double, 2>> hull;
-  const auto add = [&](const std::array<double, 2>& p, std::size_t keep) {
-    while (hull.size() > keep && cross(hull[hull.size() - 2], hull.back(), p) <= least) hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const auto& p : points) add(p, 1);
-  const auto lower = hull.size();
-  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
-  hull.pop_back();
-  return hull;
+  return hull_of_sorted(
+      points, [&](const auto& a, const auto& b, const auto& c) { return !(cross(a, b, c) <= least); });
 }
 
 double area_of(std::span<const std::array<double, 2>> polygon) {

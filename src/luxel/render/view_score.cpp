@@ -106,10 +106,13 @@ double near_count(const Subject& subject, std::span<const Hit> hits, float depth
   }));
 }
 
-// Of rays along the very outline of the picture, closer than pixels are: a strip past the edge of a wall may
-// be narrower.
+// Of black beside the walls of a room; in the open there is nothing else.
+double gap_weight(double openness) { return std::max(0.0, 1.0 - 2.0 * openness); }
+
+// The fraction of rays through the outline of the picture that meet nothing. A thumbnail's pixels have their
+// centres further inside, and would not show a narrow black strip beside a wall.
 double gap_at_outline(const Subject& subject, const Pinhole& pinhole, int columns, int rows) {
-  if (subject.patches.has_sky()) return 0.0;
+  if (subject.patches.has_sky() || gap_weight(subject.openness) == 0.0) return 0.0;
   double missed = 0.0;
   const auto test = [&](double x, double y) {
     missed += subject.tracer.nearest(pinhole.ray(x, y)) ? 0.0 : 1.0;
@@ -172,10 +175,9 @@ double score(const ViewFacts& f, double openness) {
   // In the open, an object cut off at the border lowers the score; in a room the picture always ends on
   // walls.
   const auto cut_off = beyond(openness, 0.5) * f.border;
-  const auto gap = std::max(0.0, 1.0 - 2.0 * openness) * f.gap;
   return 0.5 * std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
          1.5 * std::min(f.detail, 0.4) - 3.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
-         2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - gap -
+         2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - gap_weight(openness) * f.gap -
          1.5 * beyond(f.rise, 0.02) - 1.0 * beyond(-f.rise, 0.13);
 }
 

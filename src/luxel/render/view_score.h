@@ -34,8 +34,7 @@ struct ViewFacts {
   double variety = 0.0;   // of directions, depths and materials, 0 to 1
   double detail = 0.0;    // share of neighbouring pixels that show different surfaces
   double border = 0.0;    // share of the picture's border that shows something
-  double gap =
-      0.0;  // share of the picture's outline where it is black: rays there meet nothing, not even a sky
+  double gap = 0.0;       // share of the picture's outline that is black, where that counts
   double lopsided = 0.0;  // emptiness of the left half less that of the right, without sign
   double rise = 0.0;      // sine of the angle the view points above level
   float depth = 0.0f;     // geometric mean distance of what is seen, m; 0: nothing

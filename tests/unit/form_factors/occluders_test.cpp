@@ -32,7 +32,7 @@ double area_of(const PatchSet& patches) {
   return sum;
 }
 
-// Whether a point in the plane of the polygon lies in it, at least this far from its boundary.
+// Returns whether a point lies in the polygon, at least `margin`, m, inside its boundary.
 bool is_inside(std::span<const Vec3d> polygon, const Vec3d& p, double margin) {
   const auto normal = glm::normalize(polygon_area_vector(polygon));
   if (std::fabs(glm::dot(normal, p - polygon[0])) > slack) return false;
