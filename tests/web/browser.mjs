@@ -19,6 +19,12 @@ export function launch(more = []) {
   });
 }
 
+// Waits until Luxel's page has said how it is. Not page.waitForFunction, which evaluates a string in the page: its content
+// security policy refuses that.
+export function settled(page, state = 'html[data-state]') {
+  return page.waitForSelector(state, { state: 'attached', timeout: 60_000 });
+}
+
 // Mean difference of two pictures of one size, all channels alike, as a share of the display's range; computed by the
 // browser, which can read every picture. a, b: bytes of PNG files; covered: count only the pixels that surfaces cover
 // on the page's transparent canvas.

@@ -7,7 +7,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { argv, exit } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { difference, launch } from './browser.mjs';
+import { difference, launch, settled } from './browser.mjs';
 
 const [screen, folder, photographs, title, ...pictures] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'box.html')).href;
@@ -21,7 +21,7 @@ async function open(browser, options, hash = '', file = address) {
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   page.on('request', (asked) => /^(file|data|blob):/.test(asked.url()) || complaints.push(`the page asked for ${asked.url()}`));
   await page.goto(file + (hash && `#${hash}`));
-  await page.waitForFunction('document.documentElement.dataset.state', null, { timeout: 60_000 });
+  await settled(page);
   return page;
 }
 
@@ -214,7 +214,7 @@ async function clickCamera(page) {
   const shot = await photograph(page, 'linked');
   await page.goto('about:blank');
   await page.goto(link);
-  await page.waitForFunction('document.documentElement.dataset.state');
+  await settled(page);
   assert.equal(await page.locator('input[name=mode]:checked').inputValue(), 'walk');
   await page.getByLabel('Exposure, stops').focus();
   const again = await photograph(page, 'from-link');

@@ -6,7 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { argv, exit } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { difference, launch } from './browser.mjs';
+import { difference, launch, settled } from './browser.mjs';
 
 const [folder, photographs] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'luminaires.html')).href;
@@ -18,7 +18,7 @@ async function open(browser, hash, viewport = { width: 640, height: 480 }) {
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   await page.goto(`${address}#${hash}`);
-  await page.waitForFunction('document.documentElement.dataset.state', null, { timeout: 60_000 });
+  await settled(page);
   return page;
 }
 

@@ -4,7 +4,7 @@
 import { join, resolve } from 'node:path';
 import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { launch } from './browser.mjs';
+import { launch, settled } from './browser.mjs';
 
 const [html, folder] = argv.slice(2);
 const desk = { viewport: { width: 1120, height: 800 } };
@@ -24,7 +24,7 @@ for (const [name, { screen, hash = '', clicks }] of Object.entries(pictures)) {
   const context = await browser.newContext(screen);
   const page = await context.newPage();
   await page.goto(`${pathToFileURL(resolve(html)).href}#${hash}`);
-  await page.waitForFunction('document.documentElement.dataset.state === "ready"', null, { timeout: 60_000 });
+  await settled(page, 'html[data-state=ready]');
   await clicks?.(page);
   await page.waitForTimeout(500);
   await page.screenshot({ path: join(folder, `${name}.png`) });
