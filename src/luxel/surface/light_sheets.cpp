@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 #include "luxel/core/disjoint_sets.h"
@@ -16,6 +17,10 @@ namespace {
 
 // Sides that meet at a sharper angle belong to different surfaces: 30 degrees, as in SmoothOptions.
 constexpr float min_edge_cosine = 0.866f;
+// Of a plane's patches, those above a wider gap are a layer of their own: tiles over the mortar that they
+// hide, a panel before a wall. Relative to the largest coordinate; wide enough for coordinates written with
+// five digits.
+constexpr double max_layer_gap = 1e-5;
 // A sheet is flat where normals are within 2.5 degrees of their mean and it is this thin.
 constexpr float min_flat_cosine = 0.999f;
 constexpr float max_flat_thickness = 0.01f;  // relative to the distance of its farthest point from its middle
@@ -59,12 +64,43 @@ void join_across_edges(const PatchSet& patches, DisjointSets& sheets) {
   }
 }
 
-void join_planes(const PatchTree& tree, DisjointSets& sheets) {
+// Patches of a region at one height above its plane, nearly.
+struct Height {
+  double height = 0.0;  // m
+  std::uint32_t patch = 0;
+
+  friend bool operator<(const Height& a, const Height& b) {
+    return std::tie(a.height, a.patch) < std::tie(b.height, b.patch);
+  }
+};
+
+// The patches of a region, the lowest first; all at one height where the region bends.
+std::vector<Height> heights_of(const PatchSet& patches, std::span<const std::uint32_t> region) {
+  Vec3d normals(0.0);
+  for (const auto p : region) normals += Vec3d(patches.normal[p]) * static_cast<double>(patches.area[p]);
+  const auto length = glm::length(normals);
+  const auto mean = length > 0.0 ? normals / length : Vec3d(0.0);
+  const auto is_plane = std::all_of(region.begin(), region.end(), [&](std::uint32_t p) {
+    return glm::dot(Vec3d(patches.normal[p]), mean) > static_cast<double>(min_flat_cosine);
+  });
+  std::vector<Height> heights;
+  for (const auto p : region)
+    heights.push_back({is_plane ? glm::dot(Vec3d(patches.centroid(p)), mean) : 0.0, p});
+  std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
+void join_planes(const PatchSet& patches, const PatchTree& tree, DisjointSets& sheets) {
+  float size = 0.0f;
+  for (const auto& v : patches.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const auto max_gap = max_layer_gap * static_cast<double>(size);
   for (const auto region : tree.regions) {
     const auto& node = tree.nodes[region];
-    for (auto i = node.first + 1; i < node.first + node.count; ++i)
-      for (const bool back : {false, true})
-        sheets.join(SideId(tree.order[node.first], back).index(), SideId(tree.order[i], back).index());
+    const auto heights = heights_of(patches, std::span(tree.order).subspan(node.first, node.count));
+    for (std::size_t i = 1; i < heights.size(); ++i)
+      if (heights[i].height - heights[i - 1].height <= max_gap)
+        for (const bool back : {false, true})
+          sheets.join(SideId(heights[i - 1].patch, back).index(), SideId(heights[i].patch, back).index());
   }
 }
 
@@ -117,7 +153,7 @@ void place_sheet(const PatchSet& patches, const GatherSides& sides, LightSheet& 
 std::vector<LightSheet> make_light_sheets(const PatchSet& patches, const PatchTree& tree,
                                           const GatherSides& sides) {
   DisjointSets joined(side_count(patches.size()));
-  join_planes(tree, joined);
+  join_planes(patches, tree, joined);
   join_across_edges(patches, joined);
   std::vector<std::uint32_t> sheet_of(side_count(patches.size()), none);
   std::vector<LightSheet> sheets;

@@ -11,8 +11,9 @@
 
 namespace luxel {
 
-// The sides of one smooth surface: those on one plane, and those joined across edges that bend by less than
-// 30 degrees. Light may run smoothly over a sheet, never from one sheet to another.
+// The sides of one smooth surface: those on one plane, without gaps in their heights (tiles and the mortar
+// below them are two), and those joined across edges that bend by less than 30 degrees. Light may run
+// smoothly over a sheet, never from one sheet to another.
 struct LightSheet {
   std::vector<std::uint32_t> receivers;  // ascending
   // Centroids of the patches, m, in a frame of the sheet's own. On a flat sheet the third coordinate is 0.
