@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "luxel/patch/side.h"
+#include "luxel/surface/needle_nodes.h"
 #include "luxel/surface/side_slopes.h"
 
 namespace luxel {
@@ -17,10 +18,12 @@ constexpr double reach = 1.5;
 
 class NodeFit {
  public:
-  NodeFit(const SideLight& light, const SideNodes& nodes, const SideSlopes& slopes, const Context& context)
+  NodeFit(const SideLight& light, const SideNodes& nodes, const SideSlopes& slopes,
+          const NeedleNodes& needles, const Context& context)
       : light_(light),
         nodes_(nodes),
         slopes_(slopes),
+        needles_(needles),
         context_(context),
         bands_(light.bands()),
         value_(nodes.size() * bands_, 0.0f),
@@ -28,8 +31,8 @@ class NodeFit {
 
   void begin() {
     for_nodes([this](std::size_t node, std::vector<double>& mean) {
-      mean_over_members(node, mean, [this](const SideNodes::Member& m, std::size_t b) {
-        return static_cast<double>(light_.at(m.side)[b]) + rise_at(m, b);
+      mean_over_sides(node, mean, [this](const auto& at_node, std::size_t b) {
+        return static_cast<double>(light_.at(at_node.side)[b]) + rise_at(at_node, b);
       });
       for (std::size_t b = 0; b < bands_; ++b) value_[node * bands_ + b] = static_cast<float>(mean[b]);
     });
@@ -41,8 +44,8 @@ class NodeFit {
                           for (auto i = first; i < last; ++i) find_lack(SideId::at(i));
                         });
     for_nodes([this](std::size_t node, std::vector<double>& mean) {
-      mean_over_members(node, mean, [this](const SideNodes::Member& m, std::size_t b) {
-        return static_cast<double>(lack_[m.side.index() * bands_ + b]);
+      mean_over_sides(node, mean, [this](const auto& at_node, std::size_t b) {
+        return static_cast<double>(lack_[at_node.side.index() * bands_ + b]);
       });
       for (std::size_t b = 0; b < bands_; ++b)
         value_[node * bands_ + b] += static_cast<float>(reach * mean[b]);
@@ -53,13 +56,12 @@ class NodeFit {
     for_nodes([this](std::size_t node, std::vector<double>&) {
       for (std::size_t b = 0; b < bands_; ++b) {
         auto low = std::numeric_limits<double>::infinity(), high = 0.0;
-        for (const auto& m : nodes_.at(node)) {
-          if (!(light_.weight(m.side) > 0.0)) continue;
-          const auto mean = static_cast<double>(light_.at(m.side)[b]);
-          const auto here = mean + rise_at(m, b);
+        for_sides(node, [&](const auto& at_node, double) {
+          const auto mean = static_cast<double>(light_.at(at_node.side)[b]);
+          const auto here = mean + rise_at(at_node, b);
           low = std::max(0.0, std::min({low, mean, here}));
           high = std::max({high, mean, here});
-        }
+        });
         auto& value = value_[node * bands_ + b];
         value = static_cast<float>(std::clamp(static_cast<double>(value), std::min(low, high), high));
       }
@@ -78,22 +80,36 @@ class NodeFit {
     });
   }
 
-  // The mean weighted by area; unchanged from 0 where no member has a weight.
+  // body(at_node, weight) for the sides with a weight: members of the node, and far ones.
+  template <typename Body>
+  void for_sides(std::size_t node, Body body) const {
+    const auto visit = [&](const auto& at_node) {
+      if (const auto weight = light_.weight(at_node.side); weight > 0.0) body(at_node, weight);
+    };
+    for (const auto& m : nodes_.at(node)) visit(m);
+    for (const auto& f : needles_.at(static_cast<std::uint32_t>(node))) visit(f);
+  }
+
+  // The mean weighted by area; unchanged from 0 where no side has a weight.
   template <typename Value>
-  void mean_over_members(std::size_t node, std::vector<double>& mean, Value value) const {
+  void mean_over_sides(std::size_t node, std::vector<double>& mean, Value value) const {
     std::fill(mean.begin(), mean.end(), 0.0);
     double whole = 0.0;
-    for (const auto& m : nodes_.at(node)) {
-      const auto weight = light_.weight(m.side);
-      if (!(weight > 0.0)) continue;
+    for_sides(node, [&](const auto& at_node, double weight) {
       whole += weight;
-      for (std::size_t b = 0; b < bands_; ++b) mean[b] += weight * value(m, b);
-    }
+      for (std::size_t b = 0; b < bands_; ++b) mean[b] += weight * value(at_node, b);
+    });
     if (whole > 0.0)
       for (auto& x : mean) x /= whole;
   }
 
-  // The side's linear function at the member's place, minus the side's mean.
+  // The side's linear function at the node, minus the side's mean.
+  double rise_at(const NeedleNodes::FarSide& far, std::size_t b) const {
+    double sum = 0.0;
+    for (std::uint32_t k = 0; k < 3; ++k)
+      sum += far.weights[static_cast<int>(k)] * slopes_.rise(far.side, k, b);
+    return sum;
+  }
   double rise_at(const SideNodes::Member& m, std::size_t b) const {
     if (m.place < 3) return slopes_.rise(m.side, m.place, b);
     const auto& h = nodes_.hanging[m.place - 3];
@@ -116,6 +132,7 @@ class NodeFit {
   const SideLight& light_;
   const SideNodes& nodes_;
   const SideSlopes& slopes_;
+  const NeedleNodes& needles_;
   const Context& context_;
   std::size_t bands_;
   std::vector<float> value_;  // [node][band]
@@ -147,7 +164,8 @@ void close_seams(const PatchSet& patches, const SideNodes& nodes, std::size_t ba
 std::vector<float> light_of_nodes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes,
                                   const Context& context) {
   const SideSlopes slopes(patches, light, nodes, context);
-  NodeFit fit(light, nodes, slopes, context);
+  const NeedleNodes needles(patches, nodes);
+  NodeFit fit(light, nodes, slopes, needles, context);
   fit.begin();
   for (int i = 0; i < sweeps; ++i) fit.sweep();
   fit.limit();
