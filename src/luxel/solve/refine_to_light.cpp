@@ -35,8 +35,9 @@ constexpr double min_level = 1.02;
 // of each of the two solutions, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
-constexpr double large_patch =
-    5e-4;                      // fraction of the whole area above which a patch is cut before the first solve
+// Above these fractions a patch is cut before the first solve: of the whole area; and of what the views of a
+// place see, by an equilateral triangle on its longest edge, which has 1.7 times the area of a half square.
+constexpr double large_in_scene = 5e-4, large_in_views = 1e-3;
 constexpr double parts = 4.0;  // made of a marked patch; neighbours are cut too, other patches are not
 
 void check(const RefineOptions& options) {
@@ -62,20 +63,19 @@ class Refinement {
   }
 
   PatchSet go() {
-    const auto first =
-        refine_within_limit(large_ones(), {now_.patches.area.begin(), now_.patches.area.end()});
+    const auto first = cut_large_ones();
     if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) return end(RefineStop::mesh_error_reached);
-      const auto marks = marked_by_difference();
+      const bool is_last = !is_within_cost();
+      const auto marks = marked_by_difference(is_last);
       if (!is_worth_a_level(marks)) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
-      if (!is_within_cost()) return end(RefineStop::cost_limit);
       auto refined = refine_within_limit(marks, squared_);
       if (!refined) return end(RefineStop::patch_limit);
-      if (options_.max_cost > 0.0 &&
-          static_cast<double>(refined->patches.size()) < min_level * static_cast<double>(now_.patches.size()))
-        return end(RefineStop::cost_limit);
+      if (is_last || (options_.max_cost > 0.0 && static_cast<double>(refined->patches.size()) <
+                                                     min_level * static_cast<double>(now_.patches.size())))
+        return end_unseen(std::move(*refined));
       if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
     }
   }
@@ -84,8 +84,20 @@ class Refinement {
   PatchSet end(RefineStop stop) {
     report_.stop = stop;
     report_.mesh_error = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
-    if (!report_.levels.empty()) report_.light = std::move(now_.answers[0].solution);
+    if (stop == RefineStop::stopped_by_user) report_.light = std::move(now_.answers[0].solution);
     return std::move(now_.patches);
+  }
+
+  // Ends with a mesh on which no light is solved: its error is the forecast that it was cut by.
+  PatchSet end_unseen(RefinedPatches refined) {
+    std::vector<std::size_t> parts_of(squared_.size(), 0);
+    for (const auto parent : refined.parent) ++parts_of[parent];
+    for (std::size_t p = 0; p < squared_.size(); ++p)
+      if (parts_of[p] > 1) squared_[p] *= ratio;
+    const auto sampling_error = report_.levels.back().sampling_error;
+    report_.levels.push_back({refined.patches.size(), mesh_error(), sampling_error, 0});
+    now_ = {std::move(refined.patches), {}, 0};
+    return end(RefineStop::cost_limit);
   }
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
@@ -231,9 +243,12 @@ class Refinement {
   }
 
   // Parts inherit what is left of the error found by cutting.
-  void note_level() {
+  double mesh_error() const {
     const auto sum = std::accumulate(squared_.begin(), squared_.end(), 0.0);
-    const auto squared_error = (std::max(0.0, sum) + error_of_sum()) * ratio / (1.0 - ratio);
+    return std::sqrt((std::max(0.0, sum) + error_of_sum()) * ratio / (1.0 - ratio));
+  }
+
+  void note_level() {
     double squared_noise = 0.0;  // of the mean of both solutions
     for (const auto& [solution, smooth] : now_.answers) {
       const auto error = options_.light.error_measure == ErrorMeasure::seen && solution.seen_error > 0.0
@@ -241,8 +256,7 @@ class Refinement {
                              : solution.predicted_error;
       squared_noise += 0.25 * error * error;
     }
-    report_.levels.push_back(
-        {now_.patches.size(), std::sqrt(squared_error), std::sqrt(squared_noise), now_.rays});
+    report_.levels.push_back({now_.patches.size(), mesh_error(), std::sqrt(squared_noise), now_.rays});
   }
 
   // Standard error of the sum of squared differences. A product of two differences of noise σ has the
@@ -255,8 +269,8 @@ class Refinement {
 
   // The fewest patches that reduce the error to about the target. Where that would require cutting patches
   // with nearly all of the error, part of it is left to the next mesh, whose estimate is better. Differences
-  // that noise can explain are no reason to cut.
-  std::vector<std::uint8_t> marked_by_difference() const {
+  // that noise can explain are no reason to cut. is_last: no mesh follows the next one.
+  std::vector<std::uint8_t> marked_by_difference(bool is_last) const {
     std::vector<std::uint32_t> order;
     double left = 0.0;
     for (std::uint32_t p = 0; p < now_.patches.size(); ++p) {
@@ -266,7 +280,7 @@ class Refinement {
     }
     sort_by(squared_, order);
     const auto aimed = aim * options_.mesh_error * options_.mesh_error * (1.0 - ratio) / ratio;
-    const auto least = max_unrefined_fraction * left;
+    const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto few = static_cast<std::size_t>(min_growth * static_cast<double>(now_.patches.size()));
     std::size_t count = 0;
     double cut = 0.0;
@@ -287,13 +301,68 @@ class Refinement {
     });
   }
 
-  std::vector<std::uint8_t> large_ones() const {
+  // Cuts what is large in the eyes of the views, as walls are beside a thousand small things, and once what
+  // is large in the scene. The last of the cuts is the result, so that its light tells what halving a patch
+  // changes.
+  std::optional<RefinedPatches> cut_large_ones() {
+    auto density = densities();
+    for (;;) {
+      std::vector<double> size(density.size());
+      for (std::size_t p = 0; p < size.size(); ++p)
+        size[p] = density[p] * equilateral_area(now_.patches.points(p));
+      std::vector<std::uint8_t> marks(size.size());
+      std::transform(size.begin(), size.end(), marks.begin(),
+                     [](double s) { return s > parts * large_in_views ? 1 : 0; });
+      if (std::none_of(marks.begin(), marks.end(), [](auto mark) { return mark != 0; }))
+        return last_cut(size);
+      auto refined = refine_within_limit(marks, size);
+      if (!refined || refined->patches.size() == size.size()) return last_cut(size);
+      std::vector<double> of_parts;
+      for (const auto parent : refined->parent) of_parts.push_back(density[parent]);
+      density = std::move(of_parts);
+      now_.patches = std::move(refined->patches);
+    }
+  }
+
+  // size: [patch], the fraction of what the views see.
+  std::optional<RefinedPatches> last_cut(std::vector<double> size) const {
     const auto& area = now_.patches.area;
-    const auto least = large_patch * std::accumulate(area.begin(), area.end(), 0.0);
-    std::vector<std::uint8_t> marks(area.size(), 0);
-    for (std::size_t p = 0; p < area.size(); ++p)
-      if (static_cast<double>(area[p]) > least) marks[p] = 1;
-    return marks;
+    const auto whole = std::accumulate(area.begin(), area.end(), 0.0);
+    std::vector<std::uint8_t> marks(size.size());
+    for (std::size_t p = 0; p < size.size(); ++p) {
+      const auto in_scene = static_cast<double>(area[p]) / whole;
+      marks[p] = size[p] > large_in_views || in_scene > large_in_scene ? 1 : 0;
+      size[p] = std::max(size[p], in_scene);
+    }
+    return refine_within_limit(marks, size);
+  }
+
+  // [patch], 1/m²: the fraction of what the views of a place see that a square metre there takes up.
+  std::vector<double> densities() const {
+    std::vector<double> density;
+    if (options_.light.error_measure == ErrorMeasure::seen)
+      density = seen_densities(now_.patches, Tracer(now_.patches, context_), context_);
+    density.resize(now_.patches.size(), 0.0);
+    return density;
+  }
+
+  // Of a triangle whose edges are as long as the longest one here: needles are to be as short as the patches
+  // beside them.
+  static double equilateral_area(const std::array<Vec3, 3>& points) {
+    float longest = 0.0f;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, glm::length(points[(k + 1) % 3] - points[k]));
+    return std::sqrt(3.0) / 4.0 * static_cast<double>(longest * longest);
+  }
+
+  std::vector<double> sizes_of_parts(const std::vector<double>& size, const RefinedPatches& refined) const {
+    std::vector<double> of_parts;
+    for (std::size_t p = 0; p < refined.parent.size(); ++p) {
+      const auto parent = refined.parent[p];
+      of_parts.push_back(size[parent] *
+                         static_cast<double>(refined.patches.area[p] / now_.patches.area[parent]));
+    }
+    return of_parts;
   }
 
   static RefinedPatches whole(const PatchSet& patches) {

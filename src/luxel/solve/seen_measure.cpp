@@ -226,6 +226,36 @@ SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideVa
   return result;
 }
 
+std::vector<double> seen_densities(const PatchSet& patches, const Tracer& tracer, const Context& context) {
+  const auto sets = place_views(patches, tracer, context);
+  if (sets.empty()) return {};
+  std::vector<double> density(patches.size(), 0.0);  // first the fractions
+  for (const auto* views : {&sets.dealing, &sets.stating})
+    for (std::size_t v = 0; v < views->size(); ++v) {
+      const auto seen = views->seen_by(v);
+      const auto of_one =
+          0.5 * sets.places * static_cast<double>(views->weight[v]) / static_cast<double>(seen.size());
+      for (const auto code : seen)
+        if ((code & Views::unfocused) == 0 && code != Views::sky)
+          density[views->sides[code].patch()] += of_one;
+    }
+  const auto tree = make_patch_tree(patches, context);
+  for (const auto region : tree.regions) {
+    const auto places = std::span(tree.order).subspan(tree.nodes[region].first, tree.nodes[region].count);
+    for (std::size_t begin = 0; begin < places.size(); begin += sequence_positions) {
+      const auto unit =
+          places.subspan(begin, std::min<std::size_t>(sequence_positions, places.size() - begin));
+      double fraction = 0.0, area = 0.0;
+      for (const auto p : unit) {
+        fraction += density[p];
+        area += static_cast<double>(patches.area[p]);
+      }
+      for (const auto p : unit) density[p] = fraction / area;
+    }
+  }
+  return density;
+}
+
 double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
                      const Context& context) {
   if (solution.standard_error.front.empty()) return 0.0;

@@ -78,6 +78,11 @@ struct SeenSides {
 SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideValues& irradiance,
                      const FrontAndBack<double>& squared_error, const Context& context);
 
+// [patch], 1/m²: the fraction of what the views of a place see that a square metre of the patch and its
+// neighbours takes up, both sides together, summed over the places that see it; empty: no open space was
+// found. Cost: that of place_views() and of a patch tree.
+std::vector<double> seen_densities(const PatchSet& patches, const Tracer& tracer, const Context& context);
+
 // The seen error of a solution (Solution::seen_error) from its light and the standard errors of its sides,
 // with the same views as a solve of these patches has. widening: of the standard errors, see Solution; from
 // error_degrees_of_freedom where that is above 0, else 1. 0 where the solution states no standard errors, or

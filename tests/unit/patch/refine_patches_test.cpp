@@ -77,6 +77,24 @@ TEST(RefinePatches, a_closed_room_stays_closed_keeps_its_area_and_its_angles) {
   EXPECT_GT(patches.size(), 3000u);
 }
 
+TEST(RefinePatches, needles_are_cut_across_in_three) {
+  truth::SceneBuilder b;
+  b.material("m", 0.5f, 1.0f).triangle({0, 0, 0}, {1, 0, 0}, {1, 0.05f, 0});
+  auto patches = make_patches(b.scene(), {.max_edge = no_max_edge});
+  const auto angle = smallest_angle(patches);
+  float longest = glm::distance(patches.points(0)[2], patches.points(0)[0]);
+  for (const std::size_t expected : {3u, 9u, 27u}) {
+    patches = refine_patches(patches, std::vector<std::uint8_t>(patches.size(), 1)).patches;
+    EXPECT_EQ(patches.size(), expected);
+    longest *= 0.5f;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_LT(glm::distance(patches.points(p)[k], patches.points(p)[(k + 1) % 3]), 1.04f * longest);
+    EXPECT_GE(smallest_angle(patches), 0.5 * angle);
+    EXPECT_NEAR(total_area(patches), 0.025, 1e-8);
+  }
+}
+
 TEST(RefinePatches, without_marks_it_is_the_same_set) {
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.6f});
   const auto same = refine_patches(patches, std::vector<std::uint8_t>(patches.size(), 0)).patches;

@@ -125,9 +125,42 @@ TEST(RefineToLight, it_begins_no_level_beyond_the_cost_allowed) {
   const auto patches = refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
                                        {.mesh_error = 0.001, .max_cost = 1e-6, .free_rays = 0}, report);
   EXPECT_EQ(report.stop, RefineStop::cost_limit);
-  ASSERT_EQ(report.levels.size(), 1u);
-  EXPECT_EQ(report.light.irradiance.front.size(), patches.size() * patches.band_count());
-  EXPECT_FALSE(report.light.standard_error.front.empty());
+  // One mesh with light, and one whose error is a forecast.
+  ASSERT_EQ(report.levels.size(), 2u);
+  EXPECT_GT(report.levels[0].rays, 0u);
+  EXPECT_EQ(report.levels[1].rays, 0u);
+  EXPECT_GT(report.levels[1].patches, report.levels[0].patches);
+  EXPECT_LT(report.levels[1].mesh_error, report.levels[0].mesh_error);
+  EXPECT_EQ(report.levels[1].patches, patches.size());
+  EXPECT_EQ(report.mesh_error, report.levels[1].mesh_error);
+}
+
+// A black plate far below has nearly all the area; the views are in the room.
+TEST(RefineToLight, walls_are_cut_before_the_first_light_by_what_the_views_see_of_them) {
+  auto b = truth::SceneBuilder();
+  b.material("plate", 0.0f, 0.0f).quad({-50, -50, -5}, {50, -50, -5}, {50, 50, -5}, {-50, 50, -5});
+  b.material("wall", 0.5f, 0.5f)
+      .quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0})
+      .quad({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1})
+      .quad({0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0})
+      .quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1})
+      .quad({0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1})
+      .quad({1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0});
+  const auto longest_of_walls = [&](ErrorMeasure measure) {
+    RefineReport report;
+    const auto patches =
+        refine_to_light(make_patches(b.scene(), {.max_edge = no_max_edge}),
+                        {.mesh_error = 0.9, .max_levels = 1, .light = {.error_measure = measure}}, report);
+    float longest = 0.0f;
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      for (std::size_t k = 0; k < 3 && patches.material_of(p).name == "wall"; ++k)
+        longest = std::max(longest, glm::distance(patches.points(p)[k], patches.points(p)[(k + 1) % 3]));
+    return longest;
+  };
+  // An equilateral triangle on the edge is at most a thousandth of what is seen: 6 m², or half of the 12 m²
+  // where the outside is a place too.
+  EXPECT_LT(longest_of_walls(ErrorMeasure::seen), 0.2f);
+  EXPECT_GT(longest_of_walls(ErrorMeasure::power), 0.9f);
 }
 
 TEST(RefineToLight, the_same_patches_on_any_number_of_threads) {
