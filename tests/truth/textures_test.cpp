@@ -5,6 +5,7 @@
 // Risk. Seeds are fixed. With other random numbers the root mean square of some thousand errors of two rooms
 // lies above 1.3 of the predicted with a chance below one in a thousand; the sheet with holes is held to six
 // standard errors, one in a hundred million.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -15,8 +16,12 @@
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/refine_patches.h"
+#include "luxel/render/final_gather.h"
+#include "luxel/render/path_picture.h"
+#include "luxel/render/render.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/sampled.h"
+#include "luxel/surface/smooth_light.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -131,6 +136,34 @@ TEST(Textures, AreColouredAnewWhenPatchesAreCut) {
       sums[fine.parent[p] * 3 + b] += double{fine.patches.area[p]} * double{fine.patches.reflectance(p, b)};
   for (std::size_t i = 0; i < sums.size(); ++i)
     EXPECT_NEAR(sums[i] / double{coarse.area[i / 3]}, coarse.reflectance(i / 3, i % 3), 1e-4);
+}
+
+// The ratio of red to blue that one pixel in twenty exceeds, over that which nineteen exceed.
+double contrast_of(const Image& picture) {
+  std::vector<double> ratio;
+  for (const auto& pixel : picture.pixels) ratio.push_back(double{pixel.r} / double{pixel.b});
+  std::sort(ratio.begin(), ratio.end());
+  return ratio[ratio.size() * 19 / 20] / ratio[ratio.size() / 20];
+}
+
+// The floor changes its colour within each patch, as the picture of the patches' light shows it.
+TEST(Textures, AreSeenInPathTracedAndGatheredPictures) {
+  auto scene = chequered_box(true);
+  scene.materials[1].textures.reflectance = TextureUse{0, 0, {8, 0, 0, 0, 8, 0}};
+  const auto patches = make_patches(scene, {.max_edge = 1.0f, .contacts = false});
+  const Context context(2);
+  const Tracer tracer(patches, context);
+  const Camera camera{.eye = {0.5f, 0.7f, 0.5f}, .target = {0.5f, 0.0f, 0.5f}, .up = {0, 0, 1}};
+  const auto light = solved(patches);
+  const auto smooth = make_smooth_light(patches, light);
+  const auto expected =
+      contrast_of(render(patches, smooth, tracer, camera, {.width = 48, .height = 48}, context));
+  EXPECT_GT(expected, 3.0);
+  const auto paths = trace_picture(patches, tracer, camera, {48, 48}, {.limits = {.samples = 64}}, context);
+  EXPECT_NEAR(contrast_of(paths.radiance), expected, 0.1 * expected);
+  const auto gathered =
+      gather_picture(patches, light, tracer, camera, {.width = 48, .height = 48, .rays = 64}, context);
+  EXPECT_NEAR(contrast_of(gathered), expected, 0.1 * expected);
 }
 
 TEST(Textures, ComeBackFromASolutionFile) {

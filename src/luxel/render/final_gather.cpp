@@ -39,7 +39,7 @@ std::uint32_t gather_grid(int rays) {
 Image gather_picture(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
                      const Camera& camera, const GatherOptions& options, const Context& context) {
   check(patches, solution, options);
-  const SeenPoints seen(patches, tracer, camera, options.width, options.height);
+  const SeenPoints seen(patches, tracer, camera, options.width, options.height, context);
   const LightPaths paths(patches, tracer);
   const auto side = gather_grid(options.rays);
   const auto samples = side * side;

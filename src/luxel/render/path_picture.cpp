@@ -30,7 +30,7 @@ double whole_error(const BatchMeans& means) {
 
 PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
                           const PictureSize& size, const PathOptions& options, const Context& context) {
-  const SeenPoints seen(patches, tracer, camera, size.width, size.height);
+  const SeenPoints seen(patches, tracer, camera, size.width, size.height, context);
   const LightPaths paths(patches, tracer);
   BatchMeans means(seen.pixels(), values);
   // With bounces from patches, the light of a patch does not depend on the point.

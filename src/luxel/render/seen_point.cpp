@@ -16,11 +16,12 @@ SeenPoints::Batch::Batch(std::uint64_t batch_key, std::uint32_t side)
 std::uint64_t SeenPoints::Batch::path_key(std::uint32_t i) const { return luxel::path_key(key, i); }
 
 SeenPoints::SeenPoints(const PatchSet& patches, const Tracer& tracer, const Camera& camera, int width,
-                       int height)
+                       int height, const Context& context)
     : patches_(patches),
       tracer_(tracer),
       pinhole_(camera, width, height),
       colours_(patches.colours()),
+      fine_(patches, context),
       luminaires_(patches, colours_),
       sky_(patches, colours_),
       panes_(patches, colours_),

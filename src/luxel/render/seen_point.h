@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "luxel/core/address.h"
+#include "luxel/core/context.h"
+#include "luxel/patch/colour_patches.h"
 #include "luxel/render/light_paths.h"
 #include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
@@ -23,7 +25,8 @@ class SeenPoints {
  public:
   // Keeps references. Throws MismatchError where the bands have no colour (PatchSet::colours), and what
   // Pinhole throws.
-  SeenPoints(const PatchSet& patches, const Tracer& tracer, const Camera& camera, int width, int height);
+  SeenPoints(const PatchSet& patches, const Tracer& tracer, const Camera& camera, int width, int height,
+             const Context& context);
 
   std::size_t pixels() const { return width_ * height_; }
   std::size_t bands() const { return colours_.bands(); }
@@ -45,7 +48,7 @@ class SeenPoints {
 
   // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
   // surface, and on the other side of a diffuser; H: [band], 0 at first. Adds the colour of what leaves
-  // towards the eye, or the sky's, to the sums.
+  // towards the eye, with the textures' detail there, or the sky's, to the sums.
   template <typename Irradiance>
   void look(std::size_t pixel, const Batch& batch, std::uint32_t i, Sums& sums,
             const Irradiance& irradiance) const {
@@ -68,15 +71,18 @@ class SeenPoints {
     if (patches_.material_of(hit.patch).is_diffuser())
       irradiance(surface_point(patches_, hit.patch, !hit.back, {hit.u, hit.v}), numbers.vertex,
                  nth_key(path_key, 1), std::span<double>(scratch).last(bands()));
+    Vec3d reflected(0.0), transmitted(0.0), emitted(0.0);
     for (std::size_t b = 0; b < bands(); ++b) {
-      const auto back_to_eye =
-          (static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] +
-           static_cast<double>(patches_.diffuse_transmittance(hit.patch, b)) * scratch[bands() + b]) *
-          per_pi;
-      const auto own = hit.back ? 0.0 : static_cast<double>(patches_.emittance(hit.patch, b)) * per_pi;
-      sums.radiance += (own + back_to_eye) * through * colours_.of(b);
-      sums.reflected += back_to_eye * through * colours_.of(b);
+      const auto colour = per_pi * colours_.of(b);
+      reflected += static_cast<double>(patches_.reflectance(hit.patch, b)) * scratch[b] * colour;
+      transmitted +=
+          static_cast<double>(patches_.diffuse_transmittance(hit.patch, b)) * scratch[bands() + b] * colour;
+      if (!hit.back) emitted += static_cast<double>(patches_.emittance(hit.patch, b)) * colour;
     }
+    reflected *= Vec3d(fine_.reflectance(hit.patch, hit.u, hit.v));
+    emitted *= Vec3d(fine_.emittance(hit.patch, hit.u, hit.v));
+    sums.radiance += through * (emitted + reflected + transmitted);
+    sums.reflected += through * (reflected + transmitted);
   }
 
  private:
@@ -92,6 +98,7 @@ class SeenPoints {
   const Tracer& tracer_;
   Pinhole pinhole_;
   BandColours colours_;
+  FineColours fine_;
   VisibleLuminaires luminaires_;
   SkyColours sky_;
   PaneColours panes_;
