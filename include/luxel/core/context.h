@@ -54,8 +54,8 @@ class Context {
   /// Reports progress to the monitor and returns its answer; Next::go_on where there is none.
   Next report(const Progress& progress) const { return tell(monitor_, progress); }
 
-  /// Calls body(begin, end, thread) for [0, count) cut at multiples of grain. thread is in [0, threads());
-  /// two calls that run at the same time never share one. An exception thrown by a body is rethrown here.
+  /// Calls body(begin, end, thread) for [0, count) cut at multiples of grain; a body may call it too. thread:
+  /// in [0, threads()), never the same for two calls at one time. Rethrows an exception of a body.
   void for_chunks(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t begin, std::size_t end, int thread)>& body) const;
 

@@ -68,9 +68,12 @@ void Context::for_chunks(std::size_t count, std::size_t grain,
     for (auto chunk = range.begin(); chunk != range.end(); ++chunk)
       body(chunk * grain, std::min(count, (chunk + 1) * grain), tbb::this_task_arena::current_thread_index());
   };
-  // simple_partitioner: the automatic one hands out long ranges and reacts late to a stop.
+  // simple_partitioner: the automatic one hands out long ranges and reacts late to a stop. isolate: a thread
+  // that waits for an inner loop starts no other chunk of the outer one.
   threads_->arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1), run_chunks, tbb::simple_partitioner());
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1), run_chunks, tbb::simple_partitioner());
+    });
   });
 }
 

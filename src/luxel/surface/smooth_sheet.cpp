@@ -8,15 +8,10 @@
 
 #include "luxel/core/none.h"
 #include "luxel/core/warp.h"
-#include "luxel/surface/window_grid.h"
 
 namespace luxel {
 namespace {
 
-constexpr std::size_t min_sheet = 4;  // receivers; fewer keep their own values
-// Spacing of the finest windows, in edges of a median patch: about 9 patches count in one. Measured on the
-// Cornell box and the reading room: 1 to 2 are within 2 % of the best error, 3 is 7 % worse.
-constexpr double finest_spacing = 1.5;
 // Weight of the bias in the choice, and the fraction of the variance that is subtracted from it: about the
 // bias that noise alone produces where it is above 0. Measured on the Cornell box and the reading room:
 // weights of 2 to 8 and fractions of 0 to 0.5 are within 5 % of the best error.
@@ -35,7 +30,7 @@ constexpr float min_mean_normal = 0.3f;  // below it a window holds sides of all
 // The first scale whose bias is estimated locally. Changes of the finest two carry nearly all the noise of
 // single receivers, which hides their bias: with one scale more the stated error of a Cornell box of 53,000
 // patches is up to 1.8 times too large. See FineChange.
-constexpr int first_seen_scale = 2;
+constexpr std::size_t first_seen_scale = 2;
 
 // Data of one window that are reused when its receivers get their values.
 struct Window {
@@ -48,15 +43,12 @@ struct Window {
 // Windows of one scale.
 class Scale {
  public:
-  Scale(const LightSheet& sheet, WindowColumns columns, double spacing, int number)
+  // number: from 0, the finest.
+  Scale(const LightSheet& sheet, const WindowGrid& grid, WindowColumns columns, std::size_t number)
       : sheet_(sheet),
+        grid_(grid),
         columns_(columns),
         degree_(number == 0 ? 1 : 2),
-        // Different positions at every scale: irrational steps.
-        grid_(sheet, static_cast<float>(spacing),
-              {std::fmod(0.31f + 0.37f * static_cast<float>(number), 1.0f),
-               std::fmod(0.77f + 0.59f * static_cast<float>(number), 1.0f),
-               std::fmod(0.53f + 0.71f * static_cast<float>(number), 1.0f)}),
         max_terms_(degree_ == 1 ? 3 : WindowFit::max_terms),
         windows_(grid_.nodes()),
         coefficients_(grid_.nodes() * max_terms_ * columns.size()) {}
@@ -251,20 +243,13 @@ class Scale {
   }
 
   const LightSheet& sheet_;
+  const WindowGrid& grid_;
   WindowColumns columns_;
   int degree_;
-  WindowGrid grid_;
   std::size_t max_terms_;
   std::vector<Window> windows_;
   std::vector<float> coefficients_;  // [node][term][column]
 };
-
-double median_edge(const LightSheet& sheet) {
-  auto areas = sheet.area;
-  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-  std::nth_element(areas.begin(), middle, areas.end());
-  return std::sqrt(static_cast<double>(*middle));
-}
 
 // Sums over two changes a and b of one receiver in one band.
 struct ChangeSums {
@@ -353,8 +338,8 @@ void write_fine_change(const std::vector<float>& now, const std::vector<float>& 
 
 }  // namespace
 
-void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
-                  const SheetLight& light, const LoopRunner& run) {
+void smooth_sheet(const LightSheet& sheet, std::span<const WindowGrid> grids, WindowColumns columns,
+                  const SmoothingWeights& weights, const SheetLight& light, const LoopRunner& run) {
   auto& values = light.values;
   auto& squared_bias = light.squared_bias;
   auto* const fine = light.fine;
@@ -366,15 +351,14 @@ void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const Smoothin
     fine->product.assign(squared_bias.size(), 0.0f);
     fine->variance.assign(squared_bias.size(), 0.0f);
   }
-  if (sheet.size() < min_sheet) return;
+  if (sheet.size() < min_smoothed_sheet) return;
   auto before = values;
   std::vector<float> moved(values.size());
   std::vector<float> added(squared_bias.size());
   std::vector<float> moved_by(sheet.size(), 1.0f);
-  auto spacing = finest_spacing * median_edge(sheet);
-  for (int number = 0;; ++number, spacing *= 2.0) {
-    const bool is_last = spacing > 2.0 * static_cast<double>(sheet.extent);
-    Scale scale(sheet, columns, spacing, number);
+  for (std::size_t number = 0; number < grids.size(); ++number) {
+    const bool is_last = number + 1 == grids.size();
+    Scale scale(sheet, grids[number], columns, number);
     scale.fit(values, weights, moved_by, run);
     scale.move(values, moved, run);
     if (!is_last) scale.find_moved(moved_by, run);
@@ -388,7 +372,6 @@ void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const Smoothin
     }
     before.swap(values);
     values.swap(moved);
-    if (is_last) return;
   }
 }
 

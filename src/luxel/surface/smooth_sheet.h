@@ -3,16 +3,21 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "luxel/surface/light_sheets.h"
 #include "luxel/surface/window_fit.h"
+#include "luxel/surface/window_grid.h"
 
 namespace luxel {
 
 // Runs body(begin, end) over [0, count): on one thread or on many, in chunks that do not depend on it.
 using LoopRunner =
     std::function<void(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)>;
+
+// Receivers; sheets of fewer keep their own values.
+inline constexpr std::size_t min_smoothed_sheet = 4;
 
 // The input of the choices of smooth_sheet(). [index]
 struct SmoothingWeights {
@@ -61,7 +66,9 @@ struct SheetLight {
 // At least 4 replicates. squared_bias: an estimate of what all but the two finest scales get wrong, smoothed
 // over the same windows; it may be below 0. Cost: 1 to 3 us per receiver of 8 replicates and 3 bands; about
 // 500 bytes per receiver at a time.
-void smooth_sheet(const LightSheet& sheet, WindowColumns columns, const SmoothingWeights& weights,
-                  const SheetLight& light, const LoopRunner& run);
+//
+// grids: see make_window_grids(), the finest first.
+void smooth_sheet(const LightSheet& sheet, std::span<const WindowGrid> grids, WindowColumns columns,
+                  const SmoothingWeights& weights, const SheetLight& light, const LoopRunner& run);
 
 }  // namespace luxel

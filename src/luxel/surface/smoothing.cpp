@@ -11,9 +11,10 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t receiver_grain = 4096;
-// The threads share one sheet larger than this; a smaller one is the work of one thread.
-constexpr std::size_t large_sheet = 8192;
-constexpr std::size_t sheet_grain = 8;    // small sheets per chunk
+// Threads that have nothing else to do help with a sheet larger than this; a smaller one is the work of one
+// thread.
+constexpr std::size_t large_sheet = 4096;
+constexpr std::size_t job_receivers = 512;
 constexpr std::size_t window_grain = 64;  // windows or cells of a large sheet per chunk
 // Noise of direct or gathered light below which a fit is not worth its cost, over the variance of both: a
 // hundredth of the noise that smoothing leaves at best.
@@ -24,17 +25,24 @@ constexpr double dim_part = 0.05;
 using Replicates = std::span<std::vector<float>>;
 
 // Variances over replicates, summed over bands: [i] of sheet.receivers[i].
-std::vector<float> noise_of(const LightSheet& sheet, Replicates replicates, std::size_t bands) {
+std::vector<float> noise_of(const LightSheet& sheet, Replicates replicates, std::size_t bands,
+                            const LoopRunner& run) {
   std::vector<float> noise(sheet.size(), 0.0f);
   const auto all_gather = 1.0f / static_cast<float>(replicates.size());
-  for (std::size_t i = 0; i < sheet.size(); ++i)
-    for (std::size_t b = 0; b < bands; ++b) {
-      const auto at = sheet.receivers[i] * bands + b;
-      float mean = 0.0f;
-      for (const auto& values : replicates) mean += all_gather * values[at];
-      for (const auto& values : replicates) noise[i] += (values[at] - mean) * (values[at] - mean);
-    }
+  run(sheet.size(), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i)
+      for (std::size_t b = 0; b < bands; ++b) {
+        const auto at = sheet.receivers[i] * bands + b;
+        float mean = 0.0f;
+        for (const auto& values : replicates) mean += all_gather * values[at];
+        for (const auto& values : replicates) noise[i] += (values[at] - mean) * (values[at] - mean);
+      }
+  });
   return noise;
+}
+
+bool has_noise(const std::vector<float>& noise) {
+  return std::any_of(noise.begin(), noise.end(), [](float x) { return x > 0.0f; });
 }
 
 // Bias of all receivers, [receiver * bands + band].
@@ -43,23 +51,26 @@ struct BiasOfAll {
   FineChange* fine;  // null where replicates are not independent
 };
 
-void smooth_values(const LightSheet& sheet, Replicates replicates, std::size_t bands,
-                   const SmoothingWeights& weights, const BiasOfAll& of_all, const LoopRunner& run) {
+void smooth_values(const LightSheet& sheet, std::span<const WindowGrid> grids, Replicates replicates,
+                   std::size_t bands, const SmoothingWeights& weights, const BiasOfAll& of_all,
+                   const LoopRunner& run) {
   auto* const fine = of_all.fine;
-  if (std::none_of(weights.noise.begin(), weights.noise.end(), [](float x) { return x > 0.0f; })) return;
+  if (!has_noise(weights.noise)) return;
   const WindowColumns columns{replicates.size(), bands};
   std::vector<float> values(sheet.size() * columns.size(), 0.0f);
   const auto for_values = [&](auto body) {
-    for (std::size_t i = 0; i < sheet.size(); ++i)
-      for (std::size_t r = 0; r < replicates.size(); ++r)
-        for (std::size_t b = 0; b < bands; ++b)
-          body(values[i * columns.size() + r * columns.stride() + b],
-               replicates[r][sheet.receivers[i] * bands + b]);
+    run(sheet.size(), [&](std::size_t begin, std::size_t end) {
+      for (auto i = begin; i < end; ++i)
+        for (std::size_t r = 0; r < replicates.size(); ++r)
+          for (std::size_t b = 0; b < bands; ++b)
+            body(values[i * columns.size() + r * columns.stride() + b],
+                 replicates[r][sheet.receivers[i] * bands + b]);
+    });
   };
   for_values([](float& value, const float& of_receiver) { value = of_receiver; });
   std::vector<float> bias(sheet.size() * bands);
   FineChange change;
-  smooth_sheet(sheet, columns, weights, {values, bias, fine ? &change : nullptr}, run);
+  smooth_sheet(sheet, grids, columns, weights, {values, bias, fine ? &change : nullptr}, run);
   for_values([](const float& value, float& of_receiver) { of_receiver = value; });
   for (std::size_t i = 0; i < bias.size(); ++i) {
     const auto at = sheet.receivers[i / bands] * bands + i % bands;
@@ -101,8 +112,8 @@ struct LightOfAll {
 void smooth_both(const LightSheet& sheet, const LightOfAll& light, const BiasOfAll& bias,
                  const LoopRunner& run) {
   const auto& [direct, gathered, bands, risk_weight] = light;
-  auto direct_noise = noise_of(sheet, direct, bands);
-  auto gathered_noise = noise_of(sheet, gathered, bands);
+  auto direct_noise = noise_of(sheet, direct, bands, run);
+  auto gathered_noise = noise_of(sheet, gathered, bands, run);
   SmoothingWeights weights;
   for (std::size_t i = 0; i < sheet.size(); ++i) {
     const auto risk = risk_weight[sheet.receivers[i]];
@@ -111,10 +122,24 @@ void smooth_both(const LightSheet& sheet, const LightOfAll& light, const BiasOfA
     direct_noise[i] = risk * (direct_noise[i] - quiet);
     gathered_noise[i] = risk * (gathered_noise[i] - quiet);
   }
+  std::vector<WindowGrid> grids;
+  if (sheet.size() >= min_smoothed_sheet && (has_noise(direct_noise) || has_noise(gathered_noise)))
+    grids = make_window_grids(sheet);
   weights.noise = std::move(direct_noise);
-  smooth_values(sheet, direct, bands, weights, bias, run);
+  smooth_values(sheet, grids, direct, bands, weights, bias, run);
   weights.noise = std::move(gathered_noise);
-  smooth_values(sheet, gathered, bands, weights, {bias.squared, nullptr}, run);
+  smooth_values(sheet, grids, gathered, bands, weights, {bias.squared, nullptr}, run);
+}
+
+// One sheet each, largest first, so that no thread starts a large one at the end; many tiny ones together.
+std::vector<std::span<const LightSheet* const>> jobs_of(const std::vector<const LightSheet*>& sheets) {
+  std::vector<std::span<const LightSheet* const>> jobs;
+  for (std::size_t begin = 0, end = 0; begin < sheets.size(); begin = end) {
+    std::size_t receivers = 0;
+    while (end < sheets.size() && receivers < job_receivers) receivers += sheets[end++]->size();
+    jobs.push_back(std::span(sheets).subspan(begin, end - begin));
+  }
+  return jobs;
 }
 
 }  // namespace
@@ -144,25 +169,15 @@ void Smoothing::smooth(std::span<std::vector<float>> direct, std::span<std::vect
                        [&](std::size_t begin, std::size_t end, int) { body(begin, end); });
   };
   const LoopRunner on_this_thread = [](std::size_t count, const auto& body) { body(0, count); };
-  std::vector<const LightSheet*> small;
-  for (const auto& sheet : sheets_) {
-    if (!is_needed(sheet)) continue;
-    if (sheet.size() < large_sheet) {
-      small.push_back(&sheet);
-    } else {
-      smooth_one(sheet, on_all_threads);
-    }
-  }
-  // Large ones first, so that no thread starts one at the end.
-  std::stable_sort(small.begin(), small.end(),
+  std::vector<const LightSheet*> needed;
+  for (const auto& sheet : sheets_)
+    if (is_needed(sheet)) needed.push_back(&sheet);
+  std::stable_sort(needed.begin(), needed.end(),
                    [](const auto* a, const auto* b) { return a->size() > b->size(); });
-  std::size_t tiny = 0;
-  while (tiny < small.size() && small[tiny]->size() >= receiver_grain / sheet_grain) ++tiny;
-  const auto several = std::span(small).subspan(tiny);
-  context.for_chunks(tiny, 1,
-                     [&](std::size_t i, std::size_t, int) { smooth_one(*small[i], on_this_thread); });
-  context.for_chunks(several.size(), sheet_grain, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = begin; i < end; ++i) smooth_one(*several[i], on_this_thread);
+  const auto jobs = jobs_of(needed);
+  context.for_chunks(jobs.size(), 1, [&](std::size_t job, std::size_t, int) {
+    for (const auto* sheet : jobs[job])
+      smooth_one(*sheet, sheet->size() < large_sheet ? on_this_thread : on_all_threads);
   });
   std::vector<float> area_weight;
   for (std::size_t s = 0; s < sides_.size(); ++s)

@@ -63,4 +63,8 @@ class WindowGrid {
   std::vector<Vec3> node_place_;
 };
 
+// The grids of all scales, from windows of about 9 patches, each scale twice as wide as the one before, to
+// one that holds the whole sheet; each at another position. They keep references to the sheet.
+std::vector<WindowGrid> make_window_grids(const LightSheet& sheet);
+
 }  // namespace luxel
