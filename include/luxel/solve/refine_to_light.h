@@ -20,9 +20,9 @@ struct RefineOptions {
   double mesh_error = 0.02;
   std::size_t max_patches = 1'000'000;
   int max_levels = 12;
-  /// Rays of the refinement over those of a later solve to light.error, as the levels so far forecast them,
+  /// Rays of the refinement over those of a later solve to light.error, as the levels so far predict them,
   /// at most light.ray_budget. Where a level would need more, or would cut few patches, the mesh is cut once
-  /// more and not looked at: its error is a forecast.
+  /// more and not looked at: its error is a prediction.
   /// 0: no bound.
   double max_cost = 0.0;
   std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
@@ -46,7 +46,7 @@ struct RefineLevel {
   std::size_t patches = 0;
   double mesh_error = 0.0;      ///< as estimated for this mesh
   double sampling_error = 0.0;  ///< of the light that decided, both answers together
-  std::uint64_t rays = 0;       ///< traced for it; 0: its error is a forecast
+  std::uint64_t rays = 0;       ///< traced for it; 0: its error is a prediction
 };
 
 struct RefineReport {

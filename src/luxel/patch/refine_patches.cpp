@@ -18,7 +18,8 @@ namespace {
 using Edge = std::array<std::uint32_t, 2>;  // the lower vertex first
 
 constexpr double shortest = 0x1p-18;  // of an edge's largest coordinate
-// Of a marked patch's longest edge: shorter edges stay, so that the parts of a needle are less needles than it was.
+// Of a marked patch's longest edge: shorter edges stay, so that the parts of a needle are less needles than
+// it was.
 constexpr double min_halved = 0.4;
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -52,8 +53,8 @@ class EdgeCuts {
     middle_.assign(edges_.size(), none);
   }
 
-  // Halves the long edges of the marked patches; where an edge of a patch is halved, its longest edge is halved
-  // too.
+  // Halves the long edges of the marked patches; where an edge of a patch is halved, its longest edge is
+  // halved too.
   void mark(std::span<const std::uint8_t> is_marked) {
     for (std::uint32_t p = 0; p < patches_.size(); ++p)
       if (is_marked[p] != 0) {

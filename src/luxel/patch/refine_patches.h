@@ -17,8 +17,8 @@ struct RefinedPatches {
 
 // Cuts the marked patches in four: all three edges are halved, the longest one first (Rivara 1984, the
 // four-triangle partition), so that angles do not degrade over any number of refinements. Edges shorter than
-// 0.4 of the longest stay: needles are cut in three, and their parts are wider for their length. A neighbour at a
-// halved edge is cut there too, and at its own longest edge, so that refinement adds no T-junctions: no
+// 0.4 of the longest stay: needles are cut in three, and their parts are wider for their length. A neighbour
+// at a halved edge is cut there too, and at its own longest edge, so that refinement adds no T-junctions: no
 // vertex lies within another patch's edge that did not before. Edges at the resolution of floats are not cut.
 //
 // is_marked: [patch]. Unaffected patches keep their place in the order; parts take the place of the whole

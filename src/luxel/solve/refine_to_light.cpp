@@ -12,6 +12,7 @@
 #include "luxel/core/address.h"
 #include "luxel/core/error.h"
 #include "luxel/patch/refine_patches.h"
+#include "luxel/solve/cut_patches.h"
 #include "luxel/solve/level_difference.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/trace/tracer.h"
@@ -35,10 +36,6 @@ constexpr double min_level = 1.02;
 // of each of the two solutions, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
-// Above these fractions a patch is cut before the first solve: of the whole area; and of what the views of a
-// place see, by an equilateral triangle on its longest edge, which has 1.7 times the area of a half square.
-constexpr double large_in_scene = 5e-4, large_in_views = 1e-3;
-constexpr double parts = 4.0;  // made of a marked patch; neighbours are cut too, other patches are not
 
 void check(const RefineOptions& options) {
   if (!(options.mesh_error > 0.0))
@@ -63,7 +60,8 @@ class Refinement {
   }
 
   PatchSet go() {
-    const auto first = cut_large_ones();
+    const auto first =
+        cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_);
     if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) return end(RefineStop::mesh_error_reached);
@@ -71,7 +69,7 @@ class Refinement {
       const auto marks = marked_by_difference(is_last);
       if (!is_worth_a_level(marks)) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
-      auto refined = refine_within_limit(marks, squared_);
+      auto refined = cut_marked(marks);
       if (!refined) return end(RefineStop::patch_limit);
       if (is_last || (options_.max_cost > 0.0 && static_cast<double>(refined->patches.size()) <
                                                      min_level * static_cast<double>(now_.patches.size())))
@@ -88,7 +86,7 @@ class Refinement {
     return std::move(now_.patches);
   }
 
-  // Ends with a mesh on which no light is solved: its error is the forecast that it was cut by.
+  // Ends with a mesh on which no light is solved: its error is the prediction that it was cut by.
   PatchSet end_unseen(RefinedPatches refined) {
     std::vector<std::size_t> parts_of(squared_.size(), 0);
     for (const auto parent : refined.parent) ++parts_of[parent];
@@ -278,7 +276,7 @@ class Refinement {
       order.push_back(p);
       left += squared_[p];
     }
-    sort_by(squared_, order);
+    sort_by_weight(squared_, order);
     const auto aimed = aim * options_.mesh_error * options_.mesh_error * (1.0 - ratio) / ratio;
     const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto few = static_cast<std::size_t>(min_growth * static_cast<double>(now_.patches.size()));
@@ -295,99 +293,14 @@ class Refinement {
     return marks;
   }
 
-  static void sort_by(const std::vector<double>& weight, std::vector<std::uint32_t>& order) {
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return weight[a] != weight[b] ? weight[a] > weight[b] : a < b;
-    });
-  }
-
-  // Cuts what is large in the eyes of the views, as walls are beside a thousand small things, and once what
-  // is large in the scene. The last of the cuts is the result, so that its light tells what halving a patch
-  // changes.
-  std::optional<RefinedPatches> cut_large_ones() {
-    auto density = densities();
-    for (;;) {
-      std::vector<double> size(density.size());
-      for (std::size_t p = 0; p < size.size(); ++p)
-        size[p] = density[p] * equilateral_area(now_.patches.points(p));
-      std::vector<std::uint8_t> marks(size.size());
-      std::transform(size.begin(), size.end(), marks.begin(),
-                     [](double s) { return s > parts * large_in_views ? 1 : 0; });
-      if (std::none_of(marks.begin(), marks.end(), [](auto mark) { return mark != 0; }))
-        return last_cut(size);
-      auto refined = refine_within_limit(marks, size);
-      if (!refined || refined->patches.size() == size.size()) return last_cut(size);
-      std::vector<double> of_parts;
-      for (const auto parent : refined->parent) of_parts.push_back(density[parent]);
-      density = std::move(of_parts);
-      now_.patches = std::move(refined->patches);
-    }
-  }
-
-  // size: [patch], the fraction of what the views see.
-  std::optional<RefinedPatches> last_cut(std::vector<double> size) const {
-    const auto& area = now_.patches.area;
-    const auto whole = std::accumulate(area.begin(), area.end(), 0.0);
-    std::vector<std::uint8_t> marks(size.size());
-    for (std::size_t p = 0; p < size.size(); ++p) {
-      const auto in_scene = static_cast<double>(area[p]) / whole;
-      marks[p] = size[p] > large_in_views || in_scene > large_in_scene ? 1 : 0;
-      size[p] = std::max(size[p], in_scene);
-    }
-    return refine_within_limit(marks, size);
-  }
-
-  // [patch], 1/m²: the fraction of what the views of a place see that a square metre there takes up.
-  std::vector<double> densities() const {
-    std::vector<double> density;
-    if (options_.light.error_measure == ErrorMeasure::seen)
-      density = seen_densities(now_.patches, Tracer(now_.patches, context_), context_);
-    density.resize(now_.patches.size(), 0.0);
-    return density;
-  }
-
-  // Of a triangle whose edges are as long as the longest one here: needles are to be as short as the patches
-  // beside them.
-  static double equilateral_area(const std::array<Vec3, 3>& points) {
-    float longest = 0.0f;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, glm::length(points[(k + 1) % 3] - points[k]));
-    return std::sqrt(3.0) / 4.0 * static_cast<double>(longest * longest);
-  }
-
-  std::vector<double> sizes_of_parts(const std::vector<double>& size, const RefinedPatches& refined) const {
-    std::vector<double> of_parts;
-    for (std::size_t p = 0; p < refined.parent.size(); ++p) {
-      const auto parent = refined.parent[p];
-      of_parts.push_back(size[parent] *
-                         static_cast<double>(refined.patches.area[p] / now_.patches.area[parent]));
-    }
-    return of_parts;
-  }
-
   static RefinedPatches whole(const PatchSet& patches) {
     RefinedPatches result{patches, std::vector<std::uint32_t>(patches.size())};
     std::iota(result.parent.begin(), result.parent.end(), 0u);
     return result;
   }
 
-  // Limits their number to those of the greatest weight. weight: [patch].
-  std::optional<RefinedPatches> refine_within_limit(const std::vector<std::uint8_t>& marks,
-                                                    const std::vector<double>& weight) const {
-    const auto size = now_.patches.size();
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t p = 0; p < size; ++p)
-      if (marks[p] != 0) order.push_back(p);
-    sort_by(weight, order);
-    const auto room = options_.max_patches > size ? options_.max_patches - size : 0;
-    auto count = std::min(order.size(), static_cast<std::size_t>(static_cast<double>(room) / (parts - 1.0)));
-    for (; count > 0; count = count * 3 / 4) {
-      std::vector<std::uint8_t> chosen(size, 0);
-      for (std::size_t i = 0; i < count; ++i) chosen[order[i]] = 1;
-      auto refined = refine_patches(now_.patches, chosen, context_);
-      if (refined.patches.size() <= options_.max_patches) return refined;
-    }
-    return std::nullopt;
+  std::optional<RefinedPatches> cut_marked(std::span<const std::uint8_t> marks) const {
+    return cut_within_limit(now_.patches, marks, squared_, options_.max_patches, context_);
   }
 
   RefineOptions options_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "luxel/surface/smooth_sheet.h"
+#include "luxel/surface/spread_outliers.h"
 
 namespace luxel {
 namespace {
@@ -51,9 +52,16 @@ struct BiasOfAll {
   FineChange* fine;  // null where replicates are not independent
 };
 
-void smooth_values(const LightSheet& sheet, std::span<const WindowGrid> grids, Replicates replicates,
-                   std::size_t bands, const SmoothingWeights& weights, const BiasOfAll& of_all,
-                   const LoopRunner& run) {
+// A sheet with its windows, and what runs its loops.
+struct SheetWork {
+  const LightSheet& sheet;
+  std::span<const WindowGrid> grids;
+  const LoopRunner& run;
+};
+
+void smooth_values(const SheetWork& work, Replicates replicates, std::size_t bands,
+                   const SmoothingWeights& weights, const BiasOfAll& of_all) {
+  const auto& [sheet, grids, run] = work;
   auto* const fine = of_all.fine;
   if (!has_noise(weights.noise)) return;
   const WindowColumns columns{replicates.size(), bands};
@@ -68,6 +76,7 @@ void smooth_values(const LightSheet& sheet, std::span<const WindowGrid> grids, R
     });
   };
   for_values([](float& value, const float& of_receiver) { value = of_receiver; });
+  if (!grids.empty()) spread_outliers(sheet, grids[0], columns, values, run);
   std::vector<float> bias(sheet.size() * bands);
   FineChange change;
   smooth_sheet(sheet, grids, columns, weights, {values, bias, fine ? &change : nullptr}, run);
@@ -126,9 +135,10 @@ void smooth_both(const LightSheet& sheet, const LightOfAll& light, const BiasOfA
   if (sheet.size() >= min_smoothed_sheet && (has_noise(direct_noise) || has_noise(gathered_noise)))
     grids = make_window_grids(sheet);
   weights.noise = std::move(direct_noise);
-  smooth_values(sheet, grids, direct, bands, weights, bias, run);
+  const SheetWork work{sheet, grids, run};
+  smooth_values(work, direct, bands, weights, bias);
   weights.noise = std::move(gathered_noise);
-  smooth_values(sheet, grids, gathered, bands, weights, {bias.squared, nullptr}, run);
+  smooth_values(work, gathered, bands, weights, {bias.squared, nullptr});
 }
 
 // One sheet each, largest first, so that no thread starts a large one at the end; many tiny ones together.

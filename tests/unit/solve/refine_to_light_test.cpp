@@ -125,7 +125,7 @@ TEST(RefineToLight, it_begins_no_level_beyond_the_cost_allowed) {
   const auto patches = refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
                                        {.mesh_error = 0.001, .max_cost = 1e-6, .free_rays = 0}, report);
   EXPECT_EQ(report.stop, RefineStop::cost_limit);
-  // One mesh with light, and one whose error is a forecast.
+  // One mesh with light, and one whose error is a prediction.
   ASSERT_EQ(report.levels.size(), 2u);
   EXPECT_GT(report.levels[0].rays, 0u);
   EXPECT_EQ(report.levels[1].rays, 0u);
