@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces on the graphics card.
 import {
-  BufferAttribute, BufferGeometry, ClampToEdgeWrapping, DataArrayTexture, DataTexture, DoubleSide, Float16BufferAttribute, FrontSide, GLSL3,
+  BackSide, BufferAttribute, BufferGeometry, ClampToEdgeWrapping, DataArrayTexture, DataTexture, Float16BufferAttribute, GLSL3,
   HalfFloatType, LinearFilter, LinearMipmapLinearFilter, Mesh, MirroredRepeatWrapping, NearestFilter, NoBlending, RawShaderMaterial,
   RepeatWrapping, RGBAFormat, SRGBColorSpace, Texture, UnsignedByteType, Vector3, WebGLRenderTarget,
 } from 'three';
@@ -36,6 +36,8 @@ function lightTexture({ light, vertexCount, components, groupCount }) {
   return texture;
 }
 
+const shaders = { glslVersion: GLSL3, vertexShader, fragmentShader, blending: NoBlending };
+
 // Whether no surface is drawn at a pixel of codes of the radiance.
 const isUncovered = (pixels, i) => pixels[i] === 0 && pixels[i + 1] === 0 && pixels[i + 3] === 0;
 
@@ -57,8 +59,16 @@ export class Surfaces {
       measure: { value: [0, 0, 0, 0] },
       colours: { value: heatTexture() },
     };
-    this.mesh = new Mesh(this.#geometry(), scene.about.parts.map((part) => this.#material(part)));
-    this.mesh.frustumCulled = false;
+    // Backs are drawn a little farther away: where a round thing's surface turns from the eye, what lies behind its outline
+    // is dark, and depths of few bits do not always tell that it is behind.
+    const geometry = this.#geometry();
+    const fronts = scene.about.parts.map((part) => this.#material(part));
+    const backs = fronts.map((front) => new RawShaderMaterial({
+      ...shaders, defines: front.defines, uniforms: front.uniforms,
+      side: BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8,
+    }));
+    this.meshes = [fronts, backs].map((materials) => new Mesh(geometry, materials));
+    for (const mesh of this.meshes) mesh.frustumCulled = false;
     this.target = new WebGLRenderTarget(1, 1, { minFilter: NearestFilter, magFilter: NearestFilter });
   }
 
@@ -108,7 +118,7 @@ export class Surfaces {
       uniforms[`${name}_scale`] = { value: use.scale };
       if (name === 'cutout') uniforms.threshold = { value: use.threshold };
     }
-    return new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, defines, blending: NoBlending, uniforms });
+    return new RawShaderMaterial({ ...shaders, defines, uniforms });
   }
 
   // The lamps' weights, and what one sees through.
@@ -117,9 +127,9 @@ export class Surfaces {
     weights.forEach((w, g) => this.shared.weights.value[g].set(...w));
     about.parts.forEach(({ material, backLit }, i) => {
       const { emittance, group } = about.materials[material];
-      const drawn = this.mesh.material[i];
-      drawn.uniforms.emittance.value.set(...emittance.map((e, c) => e * weights[group][c]));
-      drawn.side = backLit || !seesThrough ? DoubleSide : FrontSide;
+      const [front, back] = this.meshes.map((mesh) => mesh.material[i]);
+      front.uniforms.emittance.value.set(...emittance.map((e, c) => e * weights[group][c])); // the back's too
+      back.visible = backLit || !seesThrough;
     });
   }
 

@@ -21,7 +21,7 @@ export class View {
     this.world = new Scene();
     this.sky = new Sky(this.surfaces.shared);
     this.luminaires = new Luminaires(scene, this.surfaces.shared);
-    this.world.add(this.surfaces.mesh, this.sky.mesh, this.luminaires.bodies, this.luminaires.wires);
+    this.world.add(...this.surfaces.meshes, this.sky.mesh, this.luminaires.bodies, this.luminaires.wires);
     this.covered = () => [0, 0]; // how far the panel pushes the middle of the scene to the left and upwards, pixels
     this.fitted = null; // the light that the curve was fitted to
     this.scale = { low: 0, high: 1 };
