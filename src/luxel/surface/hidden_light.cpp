@@ -15,9 +15,10 @@ namespace {
 
 constexpr float same_plane = 0.9f;  // cosine between normals
 
-// Irradiance over the mean of all sides, below which a side counts as hidden: a few rays slip past the edge
-// on which one solid stands on another. Their light is mostly below a ten-thousandth.
-constexpr double dark = 1e-3;
+// Irradiance below which a side counts as hidden, over the mean of all sides, and over that of the brightest
+// side at the vertex: a few rays slip past the edge on which one solid stands on another, more where a gap of
+// a millimetre is left between them.
+constexpr double dark = 1e-3, dark_here = 5e-3;
 
 double sum_of(const Solution& solution, std::size_t patch, bool back, std::size_t bands) {
   const auto* values = &solution.irradiance.of(back)[patch * bands];
@@ -36,21 +37,21 @@ double dark_irradiance(const PatchSet& patches, const Solution& solution) {
   return area > 0.0 ? dark * sum / area : 0.0;
 }
 
-// [side][smooth vertex]: whether lit sides use it, or only hidden ones.
-enum Use : char { unused = 0, hidden = 1, lit = 2 };
-
-FrontAndBack<char> uses(const PatchSet& patches, const Solution& solution, const SmoothLight& light) {
-  FrontAndBack<char> use;
-  const auto least = dark_irradiance(patches, solution);
+// [side][smooth vertex]: the greatest irradiance of the sides that use it, summed over bands; below 0: none
+// does.
+FrontAndBack<double> brightest_at(const PatchSet& patches, const Solution& solution,
+                                  const SmoothLight& light) {
+  FrontAndBack<double> brightest;
   for (const bool back : {false, true}) {
-    use.of(back).assign(light.size(), unused);
+    auto& at = brightest.of(back);
+    at.assign(light.size(), -1.0);
     for (std::size_t p = 0; p < patches.size(); ++p) {
       if (back && !patches.material_of(p).two_sided) continue;
-      const char own = sum_of(solution, p, back, patches.band_count()) > least ? lit : hidden;
-      for (const auto corner : light.corners[p]) use.of(back)[corner] = std::max(use.of(back)[corner], own);
+      const auto own = sum_of(solution, p, back, patches.band_count());
+      for (const auto corner : light.corners[p]) at[corner] = std::max(at[corner], own);
     }
   }
-  return use;
+  return brightest;
 }
 
 // The mean of some values of several bands.
@@ -75,20 +76,25 @@ class MeanValue {
 
 void light_hidden_vertices(const PatchSet& patches, const Solution& solution, SmoothLight& light) {
   const auto bands = patches.band_count();
-  const auto use = uses(patches, solution, light);
+  const auto brightest = brightest_at(patches, solution, light);
+  const auto dark_anywhere = dark_irradiance(patches, solution);
   // Smooth vertices at one vertex follow each other.
   for (std::uint32_t first = 0, end = 0; first < light.size(); first = end) {
     while (end < light.size() && light.vertex[end] == light.vertex[first]) ++end;
+    double of_vertex = 0.0;
+    for (const bool back : {false, true})
+      for (auto s = first; s < end; ++s) of_vertex = std::max(of_vertex, brightest.of(back)[s]);
+    const auto least = std::max(dark_anywhere, dark_here * of_vertex);
     for (const bool back : {false, true})
       for (auto s = first; s < end; ++s) {
-        if (use.of(back)[s] != hidden) continue;
+        if (brightest.of(back)[s] < 0.0 || brightest.of(back)[s] > least) continue;
         MeanValue in_plane(bands), around(bands);
         bool is_corner = false;
         for (auto other = first; other < end; ++other) {
           const auto cosine = glm::dot(light.normal[s], light.normal[other]);
           is_corner |= std::abs(cosine) < same_plane;
           for (const bool side : {false, true}) {
-            if (use.of(side)[other] != lit) continue;
+            if (!(brightest.of(side)[other] > least)) continue;
             const auto* value = &light.irradiance.of(side)[other * bands];
             around.add(value);
             // One that is wound the other way goes on with its back.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/surface/spread_outliers.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "luxel/core/none.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::size_t min_near = 8;  // receivers by which to judge
+constexpr float reach = 4.0f;        // deciles above the median; of Gaussian noise 5 standard deviations
+constexpr float above_own = 4.0f;    // over the median of a bright side's own replicates
+constexpr float min_facing = 0.5f;   // cosine between the normals of who gives and who takes
+
+// A value above its bound.
+struct Outlier {
+  std::uint32_t receiver = 0;
+  std::size_t replicate = 0;
+  float factor = 1.0f;  // that takes it to the bound
+};
+
+class Cells {
+ public:
+  Cells(const LightSheet& sheet, const WindowGrid& grid, WindowColumns columns, std::vector<float>& values)
+      : sheet_(sheet), grid_(grid), columns_(columns), values_(values), outliers_(grid.cells()) {}
+
+  // Finds the outliers of a cell. Any number of threads may call, for different cells.
+  void judge(std::size_t cell) {
+    const auto near = receivers_near(cell);
+    if (near.size() < min_near) return;
+    std::vector<float> all;
+    for (const auto i : near)
+      for (std::size_t r = 0; r < columns_.replicates; ++r) all.push_back(sum_of(i, r));
+    const auto median = quantile(all, 0.5);
+    const auto above = reach * (quantile(all, 0.9) - median);
+    if (!(above > 0.0f)) return;
+    std::vector<float> own(columns_.replicates);
+    for (const auto i : grid_.in_cell(cell)) {
+      for (std::size_t r = 0; r < own.size(); ++r) own[r] = sum_of(i, r);
+      const auto largest = *std::max_element(own.begin(), own.end());
+      if (!(largest > median + above)) continue;
+      const auto own_median = quantile(own, 0.5);
+      const auto bound = own_median > median + above ? above_own * own_median : median + above;
+      for (std::size_t r = 0; r < own.size(); ++r)
+        if (const auto value = sum_of(i, r); value > bound) outliers_[cell].push_back({i, r, bound / value});
+    }
+  }
+
+  // In the order of cells, for a receiver takes from several.
+  void spread() {
+    for (std::size_t cell = 0; cell < outliers_.size(); ++cell) {
+      if (outliers_[cell].empty()) continue;
+      const auto near = receivers_near(cell);
+      for (const auto& outlier : outliers_[cell]) spread(outlier, near);
+    }
+  }
+
+ private:
+  float sum_of(std::uint32_t receiver, std::size_t replicate) const {
+    const auto* value = value_of(receiver, replicate);
+    float sum = 0.0f;
+    for (std::size_t b = 0; b < columns_.bands; ++b) sum += value[b];
+    return sum;
+  }
+  float* value_of(std::uint32_t receiver, std::size_t replicate) const {
+    return values_.data() + receiver * columns_.size() + replicate * columns_.stride();
+  }
+
+  static float quantile(std::vector<float>& numbers, double fraction) {
+    const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(numbers.size()));
+    std::nth_element(numbers.begin(), numbers.begin() + at, numbers.end());
+    return numbers[static_cast<std::size_t>(at)];
+  }
+
+  // Of the cell and of those that share a node with it, ascending.
+  std::vector<std::uint32_t> receivers_near(std::size_t cell) const {
+    std::vector<std::uint32_t> cells;
+    for (std::size_t corner = 0; corner < grid_.corners(); ++corner)
+      for (std::size_t k = 0; k < grid_.corners(); ++k)
+        if (const auto other = grid_.cells_of_node(grid_.nodes_of_cell(cell)[corner])[k]; other != none)
+          cells.push_back(other);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    std::vector<std::uint32_t> receivers;
+    for (const auto c : cells)
+      receivers.insert(receivers.end(), grid_.in_cell(c).begin(), grid_.in_cell(c).end());
+    return receivers;
+  }
+
+  bool takes_part(std::uint32_t a, std::uint32_t b) const {
+    return a != b && (sheet_.is_flat() || glm::dot(sheet_.normal[a], sheet_.normal[b]) > min_facing);
+  }
+
+  void spread(const Outlier& outlier, const std::vector<std::uint32_t>& near) {
+    float area = 0.0f;
+    for (const auto i : near)
+      if (takes_part(outlier.receiver, i)) area += sheet_.area[i];
+    if (!(area > 0.0f)) return;
+    auto* from = value_of(outlier.receiver, outlier.replicate);
+    const auto given = (1.0f - outlier.factor) * sheet_.area[outlier.receiver] / area;
+    for (const auto i : near) {
+      if (!takes_part(outlier.receiver, i)) continue;
+      auto* to = value_of(i, outlier.replicate);
+      for (std::size_t b = 0; b < columns_.bands; ++b) to[b] += given * from[b];
+    }
+    for (std::size_t b = 0; b < columns_.bands; ++b) from[b] *= outlier.factor;
+  }
+
+  const LightSheet& sheet_;
+  const WindowGrid& grid_;
+  WindowColumns columns_;
+  std::vector<float>& values_;
+  std::vector<std::vector<Outlier>> outliers_;  // [cell]
+};
+
+}  // namespace
+
+void spread_outliers(const LightSheet& sheet, const WindowGrid& finest, WindowColumns columns,
+                     std::vector<float>& values, const LoopRunner& run) {
+  Cells cells(sheet, finest, columns, values);
+  run(finest.cells(), [&](std::size_t begin, std::size_t end) {
+    for (auto cell = begin; cell < end; ++cell) cells.judge(cell);
+  });
+  cells.spread();
+}
+
+}  // namespace luxel
