@@ -61,7 +61,8 @@ struct SheetWork {
 
 void smooth_values(const SheetWork& work, Replicates replicates, std::size_t bands,
                    const SmoothingWeights& weights, const BiasOfAll& of_all) {
-  const auto& [sheet, grids, run] = work;
+  const auto& sheet = work.sheet;
+  const auto& run = work.run;
   auto* const fine = of_all.fine;
   if (!has_noise(weights.noise)) return;
   const WindowColumns columns{replicates.size(), bands};
@@ -76,10 +77,10 @@ void smooth_values(const SheetWork& work, Replicates replicates, std::size_t ban
     });
   };
   for_values([](float& value, const float& of_receiver) { value = of_receiver; });
-  if (!grids.empty()) spread_outliers(sheet, grids[0], columns, values, run);
+  if (!work.grids.empty()) spread_outliers(sheet, work.grids[0], columns, values, run);
   std::vector<float> bias(sheet.size() * bands);
   FineChange change;
-  smooth_sheet(sheet, grids, columns, weights, {values, bias, fine ? &change : nullptr}, run);
+  smooth_sheet(sheet, work.grids, columns, weights, {values, bias, fine ? &change : nullptr}, run);
   for_values([](const float& value, float& of_receiver) { of_receiver = value; });
   for (std::size_t i = 0; i < bias.size(); ++i) {
     const auto at = sheet.receivers[i / bands] * bands + i % bands;
