@@ -64,18 +64,17 @@ void join_across_edges(const PatchSet& patches, DisjointSets& sheets) {
   }
 }
 
-// Patches of a region at one height above its plane, nearly.
-struct Height {
-  double height = 0.0;  // m
+struct PatchHeight {
+  double height = 0.0;  // m, of the centroid along the region's mean normal
   std::uint32_t patch = 0;
 
-  friend bool operator<(const Height& a, const Height& b) {
+  friend bool operator<(const PatchHeight& a, const PatchHeight& b) {
     return std::tie(a.height, a.patch) < std::tie(b.height, b.patch);
   }
 };
 
 // The patches of a region, the lowest first; all at one height where the region bends.
-std::vector<Height> heights_of(const PatchSet& patches, std::span<const std::uint32_t> region) {
+std::vector<PatchHeight> heights_of(const PatchSet& patches, std::span<const std::uint32_t> region) {
   Vec3d normals(0.0);
   for (const auto p : region) normals += Vec3d(patches.normal[p]) * static_cast<double>(patches.area[p]);
   const auto length = glm::length(normals);
@@ -83,7 +82,7 @@ std::vector<Height> heights_of(const PatchSet& patches, std::span<const std::uin
   const auto is_plane = std::all_of(region.begin(), region.end(), [&](std::uint32_t p) {
     return glm::dot(Vec3d(patches.normal[p]), mean) > static_cast<double>(min_flat_cosine);
   });
-  std::vector<Height> heights;
+  std::vector<PatchHeight> heights;
   for (const auto p : region)
     heights.push_back({is_plane ? glm::dot(Vec3d(patches.centroid(p)), mean) : 0.0, p});
   std::sort(heights.begin(), heights.end());
