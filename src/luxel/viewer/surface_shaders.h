@@ -15,7 +15,7 @@ layout(location = 2) in vec3 back_value;
 uniform mat4 projection;
 uniform vec3 eye;
 #if defined(LIGHT) || defined(SMOOTH)
-out vec3 front, back;
+centroid out vec3 front, back;  // narrow triangles are not read beyond their borders
 #elif !defined(WIRES)
 out vec3 at;
 #endif
@@ -70,7 +70,7 @@ vec4 toned(vec3 radiance) {
 inline constexpr std::string_view surface_fragment_shader = R"(
 out vec4 pixel;
 #ifdef LIGHT
-in vec3 front, back;
+centroid in vec3 front, back;
 void main() { pixel = toned(max(gl_FrontFacing ? front : back, vec3(0.0))); }
 #elif defined(SMOOTH) || defined(PATCHES)
 uniform float low, high;
@@ -93,7 +93,7 @@ vec3 false_colour(float value) {
   return colour;
 }
 #ifdef SMOOTH
-in vec3 front, back;
+centroid in vec3 front, back;
 void main() { pixel = vec4(false_colour(gl_FrontFacing ? front.x : back.x), 1.0); }
 #else
 uniform sampler2D values;
