@@ -59,13 +59,14 @@ export class Surfaces {
       measure: { value: [0, 0, 0, 0] },
       colours: { value: heatTexture() },
     };
-    // Backs are drawn a little farther away: where a round thing's surface turns from the eye, what lies behind its outline
-    // is dark, and depths of few bits do not always tell that it is behind.
+    // Backs, and fronts that other things hide, are drawn a little farther away: they are dark, and where they lie just behind
+    // what is lit, as at the outlines of round things, depths of few bits do not always tell that they are behind.
     const geometry = this.#geometry();
+    const farther = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 };
     const fronts = scene.about.parts.map((part) => this.#material(part));
+    scene.about.parts.forEach(({ frontHidden }, i) => frontHidden && fronts[i].setValues(farther));
     const backs = fronts.map((front) => new RawShaderMaterial({
-      ...shaders, defines: front.defines, uniforms: front.uniforms,
-      side: BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8,
+      ...shaders, ...farther, defines: front.defines, uniforms: front.uniforms, side: BackSide,
     }));
     this.meshes = [fronts, backs].map((materials) => new Mesh(geometry, materials));
     for (const mesh of this.meshes) mesh.frustumCulled = false;

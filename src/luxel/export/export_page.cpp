@@ -64,7 +64,11 @@ Json materials_of(const PatchSet& patches, const BandColours& colours, const Pag
 
 Json parts_of(const PageMesh& mesh) {
   return list_of(mesh.parts, [](const PagePart& p) -> Json {
-    return {{"material", p.material}, {"backLit", p.back_is_lit}, {"first", p.first}, {"count", p.count}};
+    return {{"material", p.material},
+            {"frontHidden", p.front_is_hidden},
+            {"backLit", p.back_is_lit},
+            {"first", p.first},
+            {"count", p.count}};
   });
 }
 

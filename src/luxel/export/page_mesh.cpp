@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/page_mesh.h"
 
+#include <array>
 #include <map>
 #include <tuple>
 
 #include "luxel/solution/back_is_lit.h"
+#include "luxel/surface/hidden_light.h"
 
 namespace luxel {
 namespace {
@@ -50,20 +52,30 @@ class MeshMaker {
 
 PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
                         const PageTextures& textures) {
-  std::vector<std::vector<std::uint32_t>> of_part(2 * patches.materials.size());
+  const auto hidden = hidden_irradiance(patches, solution);
+  const auto front_is_hidden = [&](std::uint32_t p) {
+    double sum = 0.0;
+    for (std::size_t b = 0; b < patches.band_count(); ++b)
+      sum += static_cast<double>(solution.irradiance.front[p * patches.band_count() + b]) +
+             static_cast<double>(patches.emittance(p, b));
+    return sum <= hidden;
+  };
+  // [material][front is hidden, back is lit]
+  std::vector<std::array<std::vector<std::uint32_t>, 4>> of_part(patches.materials.size());
   for (std::uint32_t p = 0; p < patches.size(); ++p)
-    of_part[2 * static_cast<std::size_t>(patches.material[p]) + (back_is_lit(solution, p) ? 1 : 0)].push_back(
-        p);
+    of_part[static_cast<std::size_t>(patches.material[p])]
+           [(front_is_hidden(p) ? 2u : 0u) + (back_is_lit(solution, p) ? 1u : 0u)]
+               .push_back(p);
   PageMesh mesh;
   MeshMaker maker(patches, light, textures, mesh);
   for (std::size_t m = 0; m < patches.materials.size(); ++m) {
     maker.start_material(m);
-    for (const bool back : {false, true}) {
-      const auto& members = of_part[2 * m + (back ? 1 : 0)];
+    for (std::size_t part = 0; part < of_part[m].size(); ++part) {
+      const auto& members = of_part[m][part];
       const auto first = mesh.triangles.size();
       for (const auto p : members) maker.add(p);
       if (const auto count = mesh.triangles.size() - first; count > 0)
-        mesh.parts.push_back({m, back, first, count});
+        mesh.parts.push_back({m, part >= 2, part % 2 != 0, first, count});
     }
   }
   return mesh;

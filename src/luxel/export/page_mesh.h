@@ -17,7 +17,8 @@ namespace luxel {
 // Patches of one material that are drawn together.
 struct PagePart {
   std::size_t material = 0;
-  bool back_is_lit = false;  // light fell on their backs; else there is nothing to be seen from behind
+  bool front_is_hidden = false;  // next to no light fell on their fronts, nor do they emit
+  bool back_is_lit = false;      // light fell on their backs; else there is nothing to be seen from behind
   std::size_t first = 0, count = 0;  // triangles
 };
 
@@ -32,7 +33,7 @@ struct PageMesh {
   std::vector<Vertex> vertices;                         // in the order in which triangles use them
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into vertices
   std::vector<std::uint32_t> patch;                     // [triangle]
-  std::vector<PagePart> parts;                          // by material, lit backs last
+  std::vector<PagePart> parts;  // by material, lit fronts first, of each lit backs last
 };
 
 PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,

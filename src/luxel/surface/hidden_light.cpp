@@ -25,18 +25,6 @@ double sum_of(const Solution& solution, std::size_t patch, bool back, std::size_
   return std::accumulate(values, values + bands, 0.0);
 }
 
-double dark_irradiance(const PatchSet& patches, const Solution& solution) {
-  double sum = 0.0, area = 0.0;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    for (const bool back : {false, true}) {
-      const auto irradiance = sum_of(solution, p, back, patches.band_count());
-      if (!(irradiance > 0.0)) continue;
-      sum += static_cast<double>(patches.area[p]) * irradiance;
-      area += static_cast<double>(patches.area[p]);
-    }
-  return area > 0.0 ? dark * sum / area : 0.0;
-}
-
 // [side][smooth vertex]: the greatest irradiance of the sides that use it, summed over bands; below 0: none
 // does.
 FrontAndBack<double> brightest_at(const PatchSet& patches, const Solution& solution,
@@ -74,10 +62,22 @@ class MeanValue {
 
 }  // namespace
 
+double hidden_irradiance(const PatchSet& patches, const Solution& solution) {
+  double sum = 0.0, area = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (const bool back : {false, true}) {
+      const auto irradiance = sum_of(solution, p, back, patches.band_count());
+      if (!(irradiance > 0.0)) continue;
+      sum += static_cast<double>(patches.area[p]) * irradiance;
+      area += static_cast<double>(patches.area[p]);
+    }
+  return area > 0.0 ? dark * sum / area : 0.0;
+}
+
 void light_hidden_vertices(const PatchSet& patches, const Solution& solution, SmoothLight& light) {
   const auto bands = patches.band_count();
   const auto brightest = brightest_at(patches, solution, light);
-  const auto dark_anywhere = dark_irradiance(patches, solution);
+  const auto dark_anywhere = hidden_irradiance(patches, solution);
   // Smooth vertices at one vertex follow each other.
   for (std::uint32_t first = 0, end = 0; first < light.size(); first = end) {
     while (end < light.size() && light.vertex[end] == light.vertex[first]) ++end;

@@ -7,6 +7,10 @@
 
 namespace luxel {
 
+// The irradiance, summed over bands, W/m², up to which a side counts as hidden: a thousandth of the mean of
+// all lit sides.
+double hidden_irradiance(const PatchSet& patches, const Solution& solution);
+
 // Gives the vertices of sides that next to no light reaches, such as a floor below a cupboard, the light of
 // the lit sides at the same vertex: of those that go on in the plane, else of all. The edge between them is
 // where the cupboard stands: a rasteriser, or a ray that slips past the edge, may show a pixel of what it
