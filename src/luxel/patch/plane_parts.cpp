@@ -16,8 +16,7 @@ constexpr float plane_step = 1e-3f;  // of a normal's components, and of the sce
 
 // The plane of each patch's input triangle, rounded so that triangles modelled on one plane agree.
 std::vector<std::uint64_t> planes_of(const PatchSet& patches) {
-  float size = 0.0f;
-  for (const auto& v : patches.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const auto size = largest_coordinate(patches);
   const auto rounded = [](float x, float step) {
     return static_cast<std::int64_t>(std::floor(x / step + 0.5f));
   };
@@ -107,6 +106,13 @@ class Parts {
 };
 
 }  // namespace
+
+float largest_coordinate(const PatchSet& patches) {
+  float largest = 0.0f;
+  for (const auto& v : patches.vertices)
+    largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest;
+}
 
 std::vector<std::uint64_t> plane_parts(const PatchSet& patches) {
   auto planes = planes_of(patches);

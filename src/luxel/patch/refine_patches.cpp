@@ -18,8 +18,8 @@ namespace {
 using Edge = std::array<std::uint32_t, 2>;  // the lower vertex first
 
 constexpr double shortest = 0x1p-18;  // of an edge's largest coordinate
-// Of a marked patch's longest edge: shorter edges stay, so that the parts of a needle are less needles than
-// it was.
+// Edges of a marked patch below this fraction of its longest edge are not halved, so that the parts of a
+// needle are wider for their length than the needle.
 constexpr double min_halved = 0.4;
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }

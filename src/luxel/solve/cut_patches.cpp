@@ -18,8 +18,8 @@ namespace {
 constexpr double large_in_scene = 5e-4, large_in_views = 1e-3;
 constexpr double parts = 4.0;  // made of a marked patch; neighbours are cut too, other patches are not
 
-// Of a triangle whose edges are as long as the longest one here, m²: needles are to be as short as the
-// patches beside them.
+// Returns the area of an equilateral triangle on the longest edge, m². By this measure a needle is as large
+// as a compact patch of its length.
 double equilateral_area(const std::array<Vec3, 3>& points) {
   float longest = 0.0f;
   for (std::size_t k = 0; k < 3; ++k)
@@ -76,7 +76,6 @@ std::optional<RefinedPatches> cut_large_patches(PatchSet& patches, ErrorMeasure 
   for (;;) {
     const auto size = sizes_in_views(patches, density);
     const auto marks = larger_than(parts * large_in_views, size);
-    if (std::none_of(marks.begin(), marks.end(), [](auto mark) { return mark != 0; })) break;
     auto refined = cut_within_limit(patches, marks, size, max_patches, context);
     if (!refined || refined->patches.size() == patches.size()) break;
     std::vector<double> of_parts;

@@ -10,6 +10,7 @@
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/core/none.h"
 #include "luxel/core/warp.h"
+#include "luxel/patch/plane_parts.h"
 #include "luxel/patch/side.h"
 
 namespace luxel {
@@ -17,9 +18,9 @@ namespace {
 
 // Sides that meet at a sharper angle belong to different surfaces: 30 degrees, as in SmoothOptions.
 constexpr float min_edge_cosine = 0.866f;
-// Of a plane's patches, those above a wider gap are a layer of their own: tiles over the mortar that they
-// hide, a panel before a wall. Relative to the largest coordinate; wide enough for coordinates written with
-// five digits.
+// Where the heights of a plane's patches have a wider gap, the patches above it are another layer, such as
+// tiles over the mortar that they hide. Relative to the largest coordinate; wide enough for coordinates
+// written with five digits.
 constexpr double max_layer_gap = 1e-5;
 // A sheet is flat where normals are within 2.5 degrees of their mean and it is this thin.
 constexpr float min_flat_cosine = 0.999f;
@@ -90,9 +91,7 @@ std::vector<PatchHeight> heights_of(const PatchSet& patches, std::span<const std
 }
 
 void join_planes(const PatchSet& patches, const PatchTree& tree, DisjointSets& sheets) {
-  float size = 0.0f;
-  for (const auto& v : patches.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const auto max_gap = max_layer_gap * static_cast<double>(size);
+  const auto max_gap = max_layer_gap * static_cast<double>(largest_coordinate(patches));
   for (const auto region : tree.regions) {
     const auto& node = tree.nodes[region];
     const auto heights = heights_of(patches, std::span(tree.order).subspan(node.first, node.count));

@@ -75,7 +75,7 @@ class Cells {
     return numbers[static_cast<std::size_t>(at)];
   }
 
-  // Of the cell and of those that share a node with it, ascending.
+  // Returns the receivers in the cell and in the cells that share a node with it.
   std::vector<std::uint32_t> receivers_near(std::size_t cell) const {
     std::vector<std::uint32_t> cells;
     for (std::size_t corner = 0; corner < grid_.corners(); ++corner)
