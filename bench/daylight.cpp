@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/daylight/hour_products.h"
+#include "luxel/lighting/hour_products.h"
 
 #include "bench/sections.h"
 #include "bench/timing.h"

@@ -20,9 +20,10 @@ def read_libraries():
 
 LIBRARIES = read_libraries()
 # The program and the Python module are no luxel_module(...): each links these in its own CMakeLists.txt and may include
-# all modules. JSON has two homes: the library's core/json.h, and the program.
+# all modules. JSON has two homes: the library's core/json.h, and the program. Assimp is linked by the program luxel-import,
+# a folder of module import.
 TOPMOST = ("cli", "python")
-HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli", "pybind11": "python"}
+HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli", "pybind11": "python", "assimp": "import"}
 # What signs results with the program's version.
 USES_VERSION = TOPMOST + ("runs",)
 EVERYWHERE = r"fmt/"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "luxel/image/image_file.h"
-#include "luxel/sky/sun_position.h"
+#include "luxel/photometry/sun_position.h"
 
 #include "cli/run_program.h"
 #include "support/weather_file.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "luxel/sky/sky_integrals.h"
-#include "luxel/sky/weather.h"
-#include "luxel/sky/weather_figures.h"
+#include "luxel/photometry/sky_integrals.h"
+#include "luxel/photometry/weather.h"
+#include "luxel/photometry/weather_figures.h"
 
 #include "fuzz/answered.h"
 

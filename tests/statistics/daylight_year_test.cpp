@@ -13,10 +13,10 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/student.h"
-#include "luxel/daylight/daylight_factor.h"
-#include "luxel/daylight/daylight_scene.h"
-#include "luxel/daylight/metrics.h"
-#include "luxel/daylight/year.h"
+#include "luxel/lighting/daylight_factor.h"
+#include "luxel/lighting/daylight_scene.h"
+#include "luxel/lighting/metrics.h"
+#include "luxel/lighting/year.h"
 #include "luxel/patch/make_patches.h"
 
 #include "support/stored_run.h"

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "luxel/daylight/coefficients.h"
+#include "luxel/lighting/coefficients.h"
 
 #include "support/truth_scenes.h"
 

@@ -16,12 +16,12 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/student.h"
-#include "luxel/daylight/coefficients.h"
-#include "luxel/daylight/daylight_scene.h"
 #include "luxel/lamps/choose_portals.h"
+#include "luxel/lighting/coefficients.h"
+#include "luxel/lighting/daylight_scene.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/photometry/sky_integrals.h"
 #include "luxel/render/probe_light.h"
-#include "luxel/sky/sky_integrals.h"
 #include "luxel/solve/relight.h"
 #include "luxel/solve/sampled.h"
 

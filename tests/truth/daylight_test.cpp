@@ -11,11 +11,11 @@
 #include "luxel/core/error.h"
 #include "luxel/import/set_daylight.h"
 #include "luxel/lamps/choose_portals.h"
+#include "luxel/photometry/sky_integrals.h"
 #include "luxel/render/compare.h"
 #include "luxel/render/path_traced.h"
 #include "luxel/render/probe_light.h"
 #include "luxel/scene/luminous_efficacy.h"
-#include "luxel/sky/sky_integrals.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/probe_rig.h"

@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "luxel/daylight/daylight_factor.h"
-#include "luxel/daylight/daylight_scene.h"
-#include "luxel/daylight/metrics.h"
-#include "luxel/daylight/year.h"
 #include "luxel/import/set_daylight.h"
+#include "luxel/lighting/daylight_factor.h"
+#include "luxel/lighting/daylight_scene.h"
+#include "luxel/lighting/metrics.h"
+#include "luxel/lighting/year.h"
 #include "luxel/patch/make_patches.h"
+#include "luxel/photometry/sky_integrals.h"
 #include "luxel/render/probe_light.h"
-#include "luxel/sky/sky_integrals.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/stored_run.h"

@@ -3,7 +3,7 @@
 //
 // Risk. Seeds are fixed. Numbers with noise are compared within six of their standard errors; with other
 // random numbers one of the some twenty would fail with a chance below one in a thousand.
-#include "luxel/daylight/window_groups.h"
+#include "luxel/lighting/window_groups.h"
 
 #include <cmath>
 #include <numbers>
@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/error.h"
-#include "luxel/daylight/daylight_factor.h"
-#include "luxel/daylight/daylight_scene.h"
+#include "luxel/lighting/daylight_factor.h"
+#include "luxel/lighting/daylight_scene.h"
 #include "luxel/patch/make_patches.h"
-#include "luxel/sky/sky_integrals.h"
+#include "luxel/photometry/sky_integrals.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/glass_panes.h"

@@ -18,7 +18,7 @@ python3 tools/make_validation.py --daylight build/release/bin docs/validation-da
 
 measures every figure of this page with the program, as a user runs it (`luxel bake`, `luxel probe`, `luxel sky`), and writes the
 page. The same cases are tests: `tests/truth/cie171_daylight_test.cpp`, `cie171_masks_test.cpp`, `daylight_test.cpp`,
-`glass_test.cpp`, `tests/unit/sky`. The masks' test also compares sky component and externally reflected component apart, from
+`glass_test.cpp`, `tests/unit/photometry`. The masks' test also compares sky component and externally reflected component apart, from
 daylight coefficients.
 
 - **Cases.** CIE 171:2006 is a paid document. Geometry and skies are those of published validation reports; materials that they

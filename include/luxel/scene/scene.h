@@ -9,11 +9,11 @@
 
 #include "luxel/core/bounds.h"
 #include "luxel/core/vector.h"
+#include "luxel/photometry/sky_patches.h"
 #include "luxel/scene/camera.h"
 #include "luxel/scene/material.h"
 #include "luxel/scene/point_light.h"
 #include "luxel/scene/texture.h"
-#include "luxel/sky/sky_patches.h"
 
 namespace luxel {
 

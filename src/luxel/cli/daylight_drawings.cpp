@@ -10,8 +10,8 @@
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/core/utf8.h"
-#include "luxel/daylight/daylight_plans.h"
-#include "luxel/daylight/heat_map.h"
+#include "luxel/lighting/daylight_plans.h"
+#include "luxel/lighting/heat_map.h"
 
 namespace luxel {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "luxel/cli/daylight_report.h"
 #include "luxel/cli/probe_settings.h"
-#include "luxel/daylight/daylight_plans.h"
-#include "luxel/daylight/metric_plan.h"
-#include "luxel/report/daylight_page.h"
+#include "luxel/export/daylight_page.h"
+#include "luxel/lighting/daylight_plans.h"
+#include "luxel/lighting/metric_plan.h"
 #include "luxel/runs/daylight_study.h"
 #include "luxel/runs/option_set.h"
 #include "luxel/runs/outputs.h"

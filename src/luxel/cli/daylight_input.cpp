@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
-#include "luxel/sky/weather_figures.h"
+#include "luxel/photometry/weather_figures.h"
 #include "luxel/version.h"
 
 namespace luxel {

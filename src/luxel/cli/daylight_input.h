@@ -7,7 +7,7 @@
 #include "luxel/cli/probe_settings.h"
 #include "luxel/cli/year_settings.h"
 #include "luxel/core/log.h"
-#include "luxel/report/daylight_page.h"
+#include "luxel/export/daylight_page.h"
 #include "luxel/runs/daylight_study.h"
 #include "luxel/runs/option_set.h"
 

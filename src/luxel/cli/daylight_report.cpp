@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "luxel/cli/verdict_json.h"
-#include "luxel/daylight/rating.h"
+#include "luxel/lighting/rating.h"
 
 namespace luxel {
 namespace {

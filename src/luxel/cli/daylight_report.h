@@ -8,9 +8,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "luxel/cli/probe_points.h"
-#include "luxel/daylight/daylight_factor.h"
-#include "luxel/daylight/metrics.h"
-#include "luxel/sky/weather_figures.h"
+#include "luxel/lighting/daylight_factor.h"
+#include "luxel/lighting/metrics.h"
+#include "luxel/photometry/weather_figures.h"
 
 namespace luxel {
 

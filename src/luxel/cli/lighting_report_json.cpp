@@ -7,7 +7,7 @@
 
 #include "luxel/cli/verdict_json.h"
 #include "luxel/core/none.h"
-#include "luxel/report/number_text.h"
+#include "luxel/export/number_text.h"
 
 namespace luxel {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "luxel/cli/daylight_report.h"
-#include "luxel/report/lighting_report.h"
+#include "luxel/export/lighting_report.h"
 
 namespace luxel {
 

@@ -6,7 +6,7 @@
 
 #include "luxel/cli/daylight_input.h"
 #include "luxel/cli/workplace.h"
-#include "luxel/report/lighting_report.h"
+#include "luxel/export/lighting_report.h"
 #include "luxel/runs/option_set.h"
 #include "luxel/scene/scene.h"
 

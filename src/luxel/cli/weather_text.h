@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "luxel/sky/weather_figures.h"
+#include "luxel/photometry/weather_figures.h"
 
 namespace luxel {
 

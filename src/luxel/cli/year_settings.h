@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "luxel/daylight/metrics.h"
-#include "luxel/daylight/window_groups.h"
+#include "luxel/lighting/metrics.h"
+#include "luxel/lighting/window_groups.h"
 #include "luxel/runs/option_set.h"
 
 namespace luxel {

@@ -9,11 +9,11 @@
 #include "luxel/core/error.h"
 #include "luxel/core/trig.h"
 #include "luxel/import/sky_picture.h"
+#include "luxel/photometry/perez_sky.h"
+#include "luxel/photometry/sky_integrals.h"
+#include "luxel/photometry/sky_model.h"
 #include "luxel/scene/luminous_efficacy.h"
 #include "luxel/scene/up_axis.h"
-#include "luxel/sky/perez_sky.h"
-#include "luxel/sky/sky_integrals.h"
-#include "luxel/sky/sky_model.h"
 
 namespace luxel {
 namespace {

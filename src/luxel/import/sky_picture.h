@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "luxel/core/vector.h"
-#include "luxel/sky/sky_patches.h"
+#include "luxel/photometry/sky_patches.h"
 
 namespace luxel {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
-#include "luxel/sky/sky_model.h"
+#include "luxel/photometry/sky_model.h"
 
 namespace luxel {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "luxel/core/error.h"
-#include "luxel/daylight/daylight_scene.h"
 #include "luxel/import/set_daylight.h"
+#include "luxel/lighting/daylight_scene.h"
 
 namespace luxel {
 namespace {

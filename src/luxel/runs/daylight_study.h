@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "luxel/daylight/daylight_factor.h"
-#include "luxel/daylight/metrics.h"
-#include "luxel/daylight/window_groups.h"
-#include "luxel/daylight/year.h"
+#include "luxel/lighting/daylight_factor.h"
+#include "luxel/lighting/metrics.h"
+#include "luxel/lighting/window_groups.h"
+#include "luxel/lighting/year.h"
+#include "luxel/photometry/weather.h"
 #include "luxel/runs/daylight_transport.h"
 #include "luxel/runs/run_place.h"
-#include "luxel/sky/weather.h"
 
 namespace luxel {
 

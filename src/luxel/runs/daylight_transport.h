@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "luxel/daylight/coefficients.h"
-#include "luxel/daylight/window_groups.h"
+#include "luxel/lighting/coefficients.h"
+#include "luxel/lighting/window_groups.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/runs/run_place.h"

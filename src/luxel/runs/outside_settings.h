@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "luxel/photometry/perez_sky.h"
+#include "luxel/photometry/sky_integrals.h"
+#include "luxel/photometry/sun_position.h"
+#include "luxel/photometry/weather.h"
 #include "luxel/runs/option_set.h"
-#include "luxel/sky/perez_sky.h"
-#include "luxel/sky/sky_integrals.h"
-#include "luxel/sky/sun_position.h"
-#include "luxel/sky/weather.h"
 
 namespace luxel {
 

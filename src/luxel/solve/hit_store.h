@@ -12,7 +12,7 @@
 #include "luxel/lamps/portals.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/sample_state.h"
-#include "luxel/solve/escape_tints.h"
+#include "luxel/trace/escape_tints.h"
 #include "luxel/trace/gather_rays.h"
 #include "luxel/trace/gather_sides.h"
 #include "luxel/trace/panes.h"

@@ -33,14 +33,6 @@ constexpr std::uint32_t unit_positions = sequence_positions;
 
 }  // namespace first_samples
 
-// ---- Direct light, direct_samples.cpp ----
-
-namespace direct {
-
-constexpr std::size_t grain = 32;  // receivers per chunk
-
-}  // namespace direct
-
 // ---- Hits, hit_store.cpp ----
 
 namespace hits {
@@ -73,7 +65,7 @@ constexpr std::size_t reach_grain = 4096;  // receivers per chunk
 
 }  // namespace unreached
 
-// ---- Rows of the operator, sampled_operator.cpp and sampled_rows.h ----
+// ---- Rows of the operator, sampled_operator.cpp and sampled_operator_rows.cpp ----
 
 namespace rows {
 
@@ -196,17 +188,6 @@ constexpr double first_exponent = 1.9;
 constexpr double later_exponent = 0.95;
 
 }  // namespace rounds
-
-// ---- Work of several processes, work_units.cpp ----
-
-namespace work {
-
-constexpr std::uint32_t positions_per_unit = 64;
-constexpr double second_part = 0.5,
-                 last_part = 0.75;  // fractions of a process's work where these parts begin
-constexpr double guess = 1e-5;      // s per sample before any is measured; only ratios matter
-
-}  // namespace work
 
 // ---- Time left, run_progress.cpp ----
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "luxel/sky/weather_figures.h"
+#include "luxel/photometry/weather_figures.h"
 
 namespace luxel::scenes {
 namespace {

@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "luxel/classical/shooting.h"
+#include "luxel/lamps/work_units.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/patch/side.h"
 #include "luxel/solve/sampled_operator.h"
-#include "luxel/solve/work_units.h"
 
 #include "support/thread_ranks.h"
 #include "support/truth_scenes.h"

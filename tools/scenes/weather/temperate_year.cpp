@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "luxel/sky/sun_position.h"
+#include "luxel/photometry/sun_position.h"
 
 namespace luxel::scenes {
 namespace {
