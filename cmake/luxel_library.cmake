@@ -9,8 +9,8 @@ if(NOT version_of_header STREQUAL PROJECT_VERSION)
   message(FATAL_ERROR "include/luxel/version.h is of version ${version_of_header}, the project of ${PROJECT_VERSION}")
 endif()
 
-# Modules of programs alone, so that users of the library need neither a display nor Assimp nor options as text.
-set(LUXEL_PROGRAM_MODULES viewer conversion runs)
+# Modules of programs alone, so that users of the library need neither a display nor options as text.
+set(LUXEL_PROGRAM_MODULES viewer runs)
 # Libraries that are headers alone: built in, and not linked by users.
 set(LUXEL_HEADER_LIBRARIES nlohmann_json::nlohmann_json)
 

@@ -51,7 +51,7 @@ TEST(Help, is_short_first_and_whole_on_request) {
   EXPECT_EQ(bake.find("--replicates"), std::string::npos);
   const auto whole = cli::run(folder, "$LUXEL bake --help-all").out;
   EXPECT_NE(whole.find("--replicates <count> [8]"), std::string::npos);
-  EXPECT_NE(whole.find("What --quality sets"), std::string::npos);
+  EXPECT_NE(whole.find("Settings of --quality"), std::string::npos);
 }
 
 TEST(Help, names_the_exit_codes) {

@@ -50,6 +50,20 @@ TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
+// The solution is there first; the second mesh takes longer than an interrupt.
+TEST(Interrupt, while_it_writes_meshes_keeps_the_solution_and_ends) {
+  const auto folder = fresh_folder("interrupt_outputs");
+  const auto run =
+      run_interrupted(folder,
+                      "$LUXEL bake cornell-box.obj --error 0 --rays 100k --mesh-error none --max-edge 0.01 "
+                      "-o a.vtkhdf -o a.glb -o b.glb -o c.glb",
+                      "test -e a.vtkhdf");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("stopped: "), std::string::npos) << run.err;
+  EXPECT_EQ(cli::run(folder, "$LUXEL info a.vtkhdf").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "c.glb"));
+}
+
 // Opening a pipe that nobody writes to waits for ever, and does not ask whether to stop.
 TEST(Interrupt, where_no_stage_heeds_it_ends_the_program) {
   const auto folder = fresh_folder("interrupt_overdue");

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""page_test.py LUXEL NODE desk|phone|luminaires|glb|babylon|blender: what Luxel writes for other programs, in these.
+"""page_test.py LUXEL NODE desk|phone|luminaires|report|glb|babylon|blender: what Luxel writes for other programs, in these.
 
 desk, phone: makes a page, and has a browser click through it and compare it with Luxel's pictures. luminaires: the same of a
-room with luminaires. glb: exports a GLB for
+room with luminaires. report: opens the report of a lighting design on a phone, on a desk and on paper. glb: exports a GLB for
 each program and in each form of light, validates them, and compares what three.js shows with Luxel's picture; babylon and
 blender compare what these programs show. Ends with 77, and a line that says why, where there is no browser, no npm
 package, no Blender, or no page.
@@ -158,8 +158,7 @@ linear-pendant.ies,4,2,2,pendant
 """
 
 
-def show_luminaires(place, node, photographs):
-    view = ("--eye", "3,0.3,1.2", "--target", "3,2.5,2.3", "--fov", "80")
+def bake_luminaires(place):
     for name in ("led-panel.ies", "linear-pendant.ies"):
         shutil.copy(os.path.join(ROOT, "scenes", "luminaires", name), place.at(name))
     with open(place.at("list.csv"), "w", encoding="ascii") as file:
@@ -167,6 +166,17 @@ def show_luminaires(place, node, photographs):
     subprocess.run([place.luxel, "room", "6x4x2.8", "-o", "room.obj"], cwd=place.folder, capture_output=True, check=True)
     place.run("bake", "room.obj", "--luminaires", "list.csv", "--max-edge", "0.4", "--mesh-error", "none", "--error", "8%",
               "--store-transport", "-o", "room.vtkhdf")
+
+
+def show_report(place, node, photographs):
+    bake_luminaires(place)
+    place.run("report", "room.vtkhdf", "--require-mean", "300", "--require-uniformity", "0.6", "--require-ugr", "19", "-o", "report.html")
+    return subprocess.run([node, os.path.join(HERE, "report.mjs"), place.folder, photographs], check=False).returncode
+
+
+def show_luminaires(place, node, photographs):
+    bake_luminaires(place)
+    view = ("--eye", "3,0.3,1.2", "--target", "3,2.5,2.3", "--fov", "80")
     place.run("export", "room.vtkhdf", *view, "-o", "luminaires.html")
     size = ("--width", "640", "--height", "480")
     dark = ("--tone", "clamp", "--exposure", "-6")
@@ -262,6 +272,8 @@ def main(luxel, node, what):
         os.makedirs(photographs, exist_ok=True)
         if what == "luminaires":
             return show_luminaires(place, node, photographs)
+        if what == "report":
+            return show_report(place, node, photographs)
         if what == "glb":
             return show_glb(place, node, photographs)
         if what == "babylon":

@@ -22,6 +22,7 @@ enum class Setting {
   focus,
   force,
   glass,
+  layout,
   light_group,
   max_contacts,
   max_edge,

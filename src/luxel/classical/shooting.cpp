@@ -8,6 +8,7 @@
 #include "luxel/classical/deposits.h"
 #include "luxel/classical/ray_plan.h"
 #include "luxel/core/address.h"
+#include "luxel/core/none.h"
 #include "luxel/core/work_partition.h"
 #include "luxel/patch/side.h"
 #include "luxel/trace/patch_emitter.h"
@@ -15,10 +16,9 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t offset_element =
-    0xffffffffu;                     // the address of the random offset; no side has this index
-constexpr std::size_t block = 64;    // rays generated, then traced, then deposited
-constexpr std::size_t grain = 4096;  // rays per chunk
+constexpr std::uint32_t offset_element = none;  // the address of the random offset; no side has this index
+constexpr std::size_t block = 64;               // rays generated, then traced, then deposited
+constexpr std::size_t grain = 4096;             // rays per chunk
 
 // Counters for the power of the rays.
 struct Ledger {

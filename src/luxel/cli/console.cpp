@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 // A signal handler can access nothing but globals; these are the only ones.
 volatile std::sig_atomic_t interrupt_requested = 0;
-volatile std::sig_atomic_t light_has_begun = 0;  // a solve has begun: an interrupt is to write what it has
+volatile std::sig_atomic_t has_unsaved_light = 0;  // a solve has begun: an interrupt is to write what it has
 
 constexpr unsigned grace_seconds = 1;  // for a stage to notice an interrupt, where no light would be lost
 
@@ -42,7 +42,7 @@ void note(const std::string& text) {
 void on_interrupt(int signal) {
   interrupt_requested = 1;
   std::signal(signal, SIG_DFL);  // the next signal ends the program
-  if (!light_has_begun) ::alarm(grace_seconds);
+  if (!has_unsaved_light) ::alarm(grace_seconds);
 }
 
 // No stage has noticed the interrupt in time. Files are whole or not there, whenever the program ends.
@@ -133,7 +133,7 @@ LogSink Console::log_as(Notes notes) {
 
 Monitor Console::monitor_that(bool heeds_interrupt) {
   return [this, heeds_interrupt](const Progress& progress) {
-    if (progress.stage == "light") light_has_begun = 1;
+    if (progress.stage == "light") has_unsaved_light = 1;
     if (as_json_)
       tell_program(progress);
     else if (!quiet_)
@@ -146,6 +146,7 @@ std::string Console::worded(const std::string& sentence, const std::vector<Hint>
   return with_flags(sentence, hints);
 }
 
+void Console::light_is_safe() { has_unsaved_light = 0; }
 bool Console::is_interrupted() const { return interrupted(); }
 
 void Console::announce(const std::string& stage) {

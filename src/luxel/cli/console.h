@@ -35,6 +35,7 @@ class Console final : public Reporter {
   // The sentence, with the options that may help.
   std::string worded(const std::string& sentence, const std::vector<Hint>& hints) const override;
   bool is_interrupted() const override;
+  void light_is_safe() override;
   // Warnings and errors; notes are lines, or details.
   LogSink log_as(Notes notes) override;
   // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
@@ -67,7 +68,7 @@ void keep_silent();
 int stopped_before_light(Console& console);
 
 // Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() answers; a second one ends the program at
-// once. So does the first, with a sentence, where no stage asks within a second and no solve has begun.
+// once. So does the first, with a sentence, where no stage asks within a second and no light would be lost.
 void catch_interrupts();
 bool interrupted();
 

@@ -74,7 +74,7 @@ std::string all_options(const OptionSet& set, const HelpStyle& style) {
   text += title("Help and configuration", style);
   for (const auto& o : common_options) text += option_item(o, style);
   const auto table = quality_table(set);
-  if (!table.empty()) text += title("What --quality sets", style) + table;
+  if (!table.empty()) text += title("Settings of --quality", style) + table;
   return text;
 }
 

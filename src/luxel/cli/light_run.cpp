@@ -55,10 +55,10 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
   // The requested files, written by this process alone.
   const auto samples = stage.samples_to_store(baked);
   budget.reserve(end_of_texels * budget.left());
+  stage.checkpoint().finish(baked);
   auto written = write_outputs(baked, &stage.tracer(), outputs, place, {samples.get(), samples});
   for (const auto& file : steps.write(baked, stage.tracer(), written.camera, outputs, place))
     written.files.push_back(file);
-  stage.checkpoint().finish(baked);
   finish({.command = options_.name(),
           .baked = &baked,
           .solve = &solved,

@@ -32,7 +32,7 @@ class UgrCommand final : public Command {
         {"output", "observer", "observers", "grid", "view", "require-ugr", "areas", "error", "json"});
     options.set_examples(
         {{"luxel ugr office.vtkhdf --observer 3,0.2,1.2:0,1,0", "UGR of a person who looks along +y."},
-         {"luxel ugr office.vtkhdf --observers seats.csv -o ugr.csv", "Of many, as a table."}});
+         {"luxel ugr office.vtkhdf --observers seats.csv -o ugr.csv", "Many observers, as a table."}});
   }
 
   int run() override {

@@ -262,8 +262,7 @@ std::string assumptions(const DaylightPage& page, const char* heading) {
       "size of the patches of sky and surfaces, and places between the points.");
   item(
       "Verdicts: met, if the whole interval meets the requirement; not met, if none of it does; cannot be "
-      "told "
-      "yet, if the requirement is within the interval: a smaller --error or more --rays tell.");
+      "told yet, if the requirement is within the interval: a solve with a smaller error decides.");
   return html + "</ul>\n</div>\n";
 }
 
@@ -282,7 +281,7 @@ std::string daylight_sections(const DaylightPage& page) {
   return "<section class=\"daylight\">\n" + summary(page, "Daylight") +
          verdicts(page, "Daylight: requirements") + plans(page, "Daylight: plans") +
          heat_map(page, "Daylight: the year") + figures(page, "Daylight: figures") +
-         assumptions(page, "Daylight: what the numbers rest on") + "</section>\n";
+         assumptions(page, "Daylight: assumptions and limits") + "</section>\n";
 }
 
 std::string daylight_page(const DaylightPage& page) {
@@ -293,7 +292,7 @@ std::string daylight_page(const DaylightPage& page) {
                           {"Weather", page.weather}});
   html += summary(page, "Summary") + verdicts(page, "Requirements") + plans(page, "Plans") +
           heat_map(page, "The year") + figures(page, "Figures");
-  html += page_heading("Room") + room_tables(page.room) + assumptions(page, "What the numbers rest on") +
+  html += page_heading("Room") + room_tables(page.room) + assumptions(page, "Assumptions and limits") +
           origin(page);
   return html + "</body>\n</html>\n";
 }

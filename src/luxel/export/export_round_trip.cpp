@@ -13,6 +13,7 @@
 
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/core/none.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/light_metadata.h"
@@ -386,9 +387,10 @@ bool export_unwrapped(const std::filesystem::path& path, const RoundTripInput& i
     return output.write(path, context);
   }
   if (pages.as_file_has_it)
-    throw InputError(
-        fmt::format("{}: the coordinates are those of {}: take --layout new for new ones, or write a .glb",
-                    path.string(), input.scene.source));
+    throw with_hints(
+        InputError(fmt::format("{}: the coordinates are those of {}: make new ones, or write a .glb",
+                               path.string(), input.scene.source)),
+        {{Setting::layout, "new"}});
   if (context.report({"write", 0.0}) == Next::stop) return false;
   write_file(path, output.obj(pages));
   return true;

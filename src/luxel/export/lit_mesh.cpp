@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/lit_mesh.h"
 
-#include <limits>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/none.h"
 #include "luxel/solution/back_is_lit.h"
 
 namespace luxel {
@@ -43,9 +43,7 @@ std::vector<std::vector<std::uint32_t>> patches_by_side(const PatchSet& patches,
   return sides;
 }
 
-// number: [smooth vertex]; its vertex in the current part, or unnumbered; unchanged on return.
-constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
-
+// number: [smooth vertex]; its vertex in the current part, or none; unchanged on return.
 LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, const SmoothLight& light,
                 std::size_t material, bool back, std::vector<std::uint32_t>& number) {
   LitPart part{material, back, {}, {}, VertexTextureRatios(all)};
@@ -54,7 +52,7 @@ LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, 
     auto corners = light.corners[p];
     for (auto& corner : corners) {
       auto& n = number[corner];
-      if (n == unnumbered) {
+      if (n == none) {
         n = static_cast<std::uint32_t>(part.smooth.size());
         part.smooth.push_back(corner);
       }
@@ -64,7 +62,7 @@ LitPart part_of(const PatchSet& all, const std::vector<std::uint32_t>& patches, 
     if (back) std::swap(corners[1], corners[2]);
     part.triangles.push_back(corners);
   }
-  for (const auto s : part.smooth) number[s] = unnumbered;
+  for (const auto s : part.smooth) number[s] = none;
   return part;
 }
 
@@ -90,7 +88,7 @@ LitMesh::LitMesh(const PatchSet& patches, const Solution& solution, const Smooth
     : patches_(patches), light_(light), colours_(patches.colours()) {
   check(patches, solution, light);
   curve_ = curve_for(patches, solution, tone);
-  std::vector<std::uint32_t> number(light.size(), unnumbered);
+  std::vector<std::uint32_t> number(light.size(), none);
   const auto sides = patches_by_side(patches, solution);
   for (std::size_t m = 0; m < patches.materials.size(); ++m)
     for (const bool back : {false, true})

@@ -16,8 +16,7 @@ const char* errors_text(SolutionErrors errors) {
       return "The error of the solution comes from the spread of its stored replicates.";
     case SolutionErrors::patches:
       return "The error of the solution is an upper bound from the standard errors of its patches; a "
-             "solution of "
-             "<code>bake --store-transport</code> has narrower intervals.";
+             "solution with stored transport has narrower intervals.";
     case SolutionErrors::not_stated:
       break;
   }
@@ -43,7 +42,7 @@ std::string maintenance_text(const LightingReport& report) {
 }  // namespace
 
 std::string assumption_section(const LightingReport& report) {
-  std::string html = "<div class=\"whole\"><h2>What the numbers rest on</h2>\n<ul>\n";
+  std::string html = "<div class=\"whole\"><h2>Assumptions and limits</h2>\n<ul>\n";
   const auto item = [&](const std::string& text) { html += "<li>" + text + "</li>\n"; };
   item(
       "Intervals contain the true value of this model with a probability of at least 95 %. They contain the "

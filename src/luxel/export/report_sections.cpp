@@ -186,7 +186,7 @@ std::string summary_section(const LightingReport& report) {
     html += page_box("Installed power", fmt::format("{:.4g} W", *report.luminaires.watts),
                      fmt::format("{:.2f} W/m²", *density));
   html += fmt::format(
-      "</div>\n<p class=\"note\">Of the {}, {:g} m above the floor, {}; below each number its 95 % "
+      "</div>\n<p class=\"note\">Values on the {}, {:g} m above the floor, {}; below each number its 95 % "
       "interval.</p>\n",
       html_escaped(plane.area.name), height_of(report, plane), plane.maintenance().text());
   html += all_verdicts(report);
@@ -246,7 +246,7 @@ std::string surface_section(const LightingReport& report) {
                interval_cell(ratio_text(figure_of(m.min_over_mean)))});
   if (report.surfaces.empty()) return "";
   auto html = "<div class=\"whole\">" + page_heading("Illuminance of the surfaces") + table.html() +
-              "<p class=\"note\">Of the means of the patches of the solution, " + report.maintenance.text() +
+              "<p class=\"note\">Means over the patches of the solution, " + report.maintenance.text() +
               "; in brackets 95 % intervals.</p>\n</div>\n";
   if (report.unfolded.empty()) return html;
   return html + page_figure(

@@ -16,7 +16,7 @@ std::string plane_section(const LightingReport& report);       // figures, isolu
 std::string surface_section(const LightingReport& report);     // illuminance of floor, walls, ceiling
 std::string glare_section(const LightingReport& report);       // observers
 std::string ugr_table_section(const LightingReport& report);   // of each type of luminaires
-std::string assumption_section(const LightingReport& report);  // what the numbers rest on
+std::string assumption_section(const LightingReport& report);  // assumptions and limits
 std::string origin_section(const LightingReport& report);      // program, seed, errors, commands
 
 }  // namespace luxel

@@ -8,8 +8,11 @@
 #include <cstdint>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "luxel/core/percentile.h"
 
 namespace luxel {
 namespace {
@@ -115,11 +118,10 @@ FalseColourScale automatic_scale(const std::vector<double>& values, const std::s
   std::copy_if(values.begin(), values.end(), std::back_inserter(lit),
                [](double v) { return v > 0.0 && std::isfinite(v); });
   if (lit.empty()) return {1.0, unit};
-  const auto at = lit.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(lit.size() - 1));
-  std::nth_element(lit.begin(), at, lit.end());
-  const auto power = std::pow(10.0, std::floor(std::log10(*at)));
+  const auto high = percentile(std::move(lit), 0.98);
+  const auto power = std::pow(10.0, std::floor(std::log10(high)));
   for (const double step : {1.0, 2.0, 5.0})
-    if (step * power >= *at) return {step * power, unit};
+    if (step * power >= high) return {step * power, unit};
   return {10.0 * power, unit};
 }
 

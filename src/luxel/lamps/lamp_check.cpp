@@ -70,10 +70,10 @@ std::vector<LampView> view_from_lamps(const PatchSet& patches, const Tracer& tra
       view.power.push_back(lamp.by_area.total() * static_cast<double>(emittance));
     views.push_back(std::move(view));
   }
-  context.for_chunks(2 * lamps.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+  context.for_chunks(lamps.size(), 1, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) {
-      const bool back = i % 2 == 1;
-      (back ? views[i / 2].back : views[i / 2].front) = look(patches, tracer, lamps[i / 2], back);
+      views[i].front = look(patches, tracer, lamps[i], false);
+      views[i].back = look(patches, tracer, lamps[i], true);
     }
   });
   return views;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/import/name_list.h"
 #include "luxel/patch/make_panes.h"
 #include "luxel/scene/name_pattern.h"
@@ -37,11 +38,12 @@ bool fits(const WindowGroup& group, const Scene& scene, std::size_t triangle) {
     for (const auto& name : names_of(scene, glass.triangle))
       if (!name.empty()) names.insert(name);
   if (names.empty())
-    throw InputError(
-        scene.source,
-        fmt::format("blinds: no window is called '{}': the scene has no glass; name the material "
-                    "that is glass with --glass NAME=TAU",
-                    group.name));
+    throw with_hints(
+        InputError(scene.source,
+                   fmt::format("blinds: no window is called '{}': the scene has no glass; name the "
+                               "material that is glass",
+                               group.name)),
+        {{Setting::glass, "NAME=TAU"}});
   throw InputError(scene.source,
                    fmt::format("blinds: no window is called '{}', or it belongs to a group before; the names "
                                "of glass are {}",

@@ -7,10 +7,12 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "luxel/core/percentile.h"
 #include "luxel/render/pinhole.h"
 
 namespace luxel {
@@ -98,9 +100,7 @@ float automatic_scale(std::span<const float> fractions) {
   for (const auto s : fractions)
     if (!std::isnan(s)) sizes.push_back(std::fabs(s));
   if (sizes.empty()) return 0.01f;
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
-  std::nth_element(sizes.begin(), at, sizes.end());
-  const auto size = std::clamp(static_cast<double>(*at), least, 1e6);
+  const auto size = std::clamp(static_cast<double>(percentile(std::move(sizes), 0.95)), least, 1e6);
   double power = least;
   while (10.0 * power <= size) power *= 10.0;
   for (const double step : {1.0, 2.0, 5.0})

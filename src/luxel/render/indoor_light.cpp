@@ -5,6 +5,7 @@
 #include <span>
 
 #include "luxel/core/address.h"
+#include "luxel/core/none.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/patch/side.h"
 #include "luxel/render/side_point.h"
@@ -25,7 +26,7 @@ constexpr float dim = 0.1f;
 // The sides of neighbouring patches: the fronts of group g are face 2 g, the backs face 2 g + 1.
 class Faces {
  public:
-  static constexpr std::uint32_t sky = 0xffffffffu;
+  static constexpr std::uint32_t sky = none;
 
   Faces(const PatchSet& patches, const Context& context)
       : patches_(patches), tree_(make_patch_tree(patches, context)), group_of_(patches.size()) {

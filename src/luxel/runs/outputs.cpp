@@ -125,6 +125,11 @@ class OutputWriter {
   Written write_all() {
     std::exception_ptr failure;
     for (const auto& output : in_order()) {
+      if (!is_solution(output)) place_.reporter.light_is_safe();
+      if (is_interrupted_here()) {
+        skip(output, "another file was being written");
+        continue;
+      }
       try {
         write(output);
       } catch (const DeviceError& error) {
@@ -139,7 +144,7 @@ class OutputWriter {
   }
 
  private:
-  // The solution first, for hours went into it; pictures last, for they take a while.
+  // The solution first, because its light may have taken hours; pictures last, because they take a while.
   std::vector<std::string> in_order() const {
     auto outputs = settings_.run.outputs;
     const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : is_solution(o) ? 0 : 1; };
@@ -151,6 +156,7 @@ class OutputWriter {
     prepare(output);
     place_.reporter.clear_bar();
     if (is_picture(output) && written_.stopped) return skip(output, "the picture was not finished");
+    if (is_interrupted_here()) return skip(output, "it was being prepared");
     const auto stage = "write " + ending_of(output).substr(1);
     place_.reporter.announce(stage);
     const bool is_written = place_.record.stage(stage, [&](auto&) { return write_by_kind(output); });
@@ -159,7 +165,11 @@ class OutputWriter {
     written_.files.push_back(output);
   }
 
+  // After an interrupt of the solve, outputs are written all the same.
+  bool is_interrupted_here() const { return !was_interrupted_ && place_.reporter.is_interrupted(); }
+
   void skip(const std::string& output, const std::string& why) {
+    written_.stopped = true;
     warn(place_.reporter.log(), fmt::format("stopped: {}, and {} is not written", why, output));
   }
 
@@ -277,7 +287,7 @@ class OutputWriter {
   void draw() {
     if (picture_) return;
     picture_ = place_.record.stage("picture", [&](auto& stage) { return drawn(stage); });
-    written_.stopped |= !was_interrupted_ && place_.reporter.is_interrupted();
+    written_.stopped |= is_interrupted_here();
   }
   Picture drawn(RunRecord::Stage& stage) {
     const auto& picture = settings_.picture;

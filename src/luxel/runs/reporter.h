@@ -29,6 +29,8 @@ class Reporter {
   virtual std::string worded(const std::string& sentence, const std::vector<Hint>& hints) const = 0;
   // Whether a person wants the run to end.
   virtual bool is_interrupted() const = 0;
+  // From here on nothing is lost that took long to compute: an interrupt may end the program at once.
+  virtual void light_is_safe() {}
 
   enum class Notes { shown, detailed };
   // Warnings and errors; notes are sentences, or details.

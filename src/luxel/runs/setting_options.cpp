@@ -21,6 +21,7 @@ constexpr SettingOption options[] = {
     {Setting::focus, "focus"},
     {Setting::force, "force"},
     {Setting::glass, "glass"},
+    {Setting::layout, "layout"},
     {Setting::light_group, "light-group"},
     {Setting::max_contacts, "max-contacts"},
     {Setting::max_edge, "max-edge"},

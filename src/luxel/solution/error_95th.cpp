@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "luxel/core/percentile.h"
 
 namespace luxel {
 namespace {
@@ -43,10 +46,7 @@ double error_95th_of(const Solution& solution) {
   add(front, solution.standard_error.front);
   add(back, solution.standard_error.back);
   if (relative.empty()) return 0.0;
-  const auto at =
-      relative.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(relative.size() - 1));
-  std::nth_element(relative.begin(), at, relative.end());
-  return static_cast<double>(*at);
+  return static_cast<double>(percentile(std::move(relative), 0.95));
 }
 
 }  // namespace luxel
