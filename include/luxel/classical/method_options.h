@@ -11,8 +11,8 @@ namespace luxel {
 /// methods.
 
 struct StochasticJacobiOptions {
-  /// That carry the power of lamps and sky once; reflected light adds its own in proportion, and so do rays
-  /// of the sky that meet nothing. 0: automatic.
+  /// Rays that carry the power of lamps and sky once. Reflected light adds rays in proportion to its power,
+  /// and so do rays of the sky that meet nothing. 0: automatic.
   std::uint64_t rays = 0;
   double tolerance = 1e-4;  ///< fraction of the power of lamps and sky left unshot, (0, 1): the stated bias
   std::uint64_t seed = 1;   ///< another seed, another independent answer
@@ -59,7 +59,7 @@ struct LinesSolveOptions {
   JacobiOptions iteration = {};
 };
 
-/// What a solve is likely to take.
+/// Estimated time and memory of a solve.
 struct Forecast {
   std::uint64_t sides = 0;  ///< that gather light
   double seconds = 0.0;

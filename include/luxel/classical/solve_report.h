@@ -38,14 +38,14 @@ enum class ErrorKind {
   unknown       ///< hemicube: none is stated
 };
 
-/// Where the power of lamps and sky went. Arrays are [band], W. emitted + from_sky = absorbed + escaped +
-/// lost_at_backs + in_panes + unshot, to rounding (see docs/json.md); shooting assigns each ray to lamps or
-/// sky.
+/// Energy balance of the power of lamps and sky. Arrays are [band], W. emitted + from_sky = absorbed +
+/// escaped + lost_at_backs + in_panes + unshot, to rounding (see docs/json.md); shooting assigns each ray to
+/// lamps or sky.
 struct EnergyBalance {
   std::vector<double> emitted;  ///< by lamps
-  /// From the sky and from directional lamps, onto sides that take part: all fronts, and backs of two-sided
-  /// materials. Light that misses the scene, meets an absorbing back directly or is absorbed by panes of
-  /// glass on its way is not counted.
+  /// Power from the sky and from directional lamps onto sides that take part: all fronts, and backs of
+  /// two-sided materials. Light that misses the scene, meets an absorbing back directly or is absorbed by
+  /// panes of glass on its way is not counted.
   std::vector<double> from_sky;
   std::vector<double> absorbed;       ///< taken up by surfaces that received it
   std::vector<double> escaped;        ///< left the scene
@@ -62,8 +62,8 @@ struct SurfaceMean {
   bool is_back = false;
   double area = 0.0;  ///< m², of the sides that light reaches
   /// [band], W/m². The standard error is that of the mean, which does not follow from those of the sides,
-  /// because their errors are correlated; widened by student_widening(), so that 1.96 of it hold the truth on
-  /// these patches 95 times in 100.
+  /// because their errors are correlated; widened by student_widening(), so that 1.96 of it contain the true
+  /// value on these patches in 95 of 100 cases.
   std::vector<double> irradiance, standard_error;
 };
 
@@ -102,7 +102,7 @@ struct SolveReport {
   Traffic traffic;                    ///< of this one
 };
 
-/// The error that a person reads first: the seen one where there is one.
+/// Returns the main error of a report: the seen error where it is estimated, else predicted_error.
 inline double error_of(const SolveReport& report) {
   return report.seen_error > 0.0 ? report.seen_error : report.predicted_error;
 }

@@ -20,7 +20,7 @@ struct ContextOptions {
   Monitor monitor = {};          ///< receives progress and may stop the work; may be empty
 };
 
-/// Where a call runs and reports: a fixed number of threads, the processes that share the work, a log for
+/// Execution context of a call: a fixed number of threads, the processes that share the work, a log for
 /// warnings and a monitor for progress. Results depend neither on the number of threads nor of processes:
 /// loops are cut into the same chunks for one thread and for sixty-four.
 ///
@@ -31,7 +31,7 @@ class Context {
   Context() : Context(ContextOptions{}) {}  ///< every core, alone, quiet
   /// threads: 0 takes every core the process may use.
   explicit Context(int threads) : Context(ContextOptions{.threads = threads}) {}
-  /// Processes call the same functions with the same values, and share the work of those that say so.
+  /// All processes call the same functions with the same values, and divide the work of those documented so.
   explicit Context(ContextOptions options);
 
   int threads() const;
@@ -51,7 +51,7 @@ class Context {
   void note(std::string text) const {
     if (log_) log_({.severity = Severity::note, .text = std::move(text)});
   }
-  /// Reports progress to the monitor and returns its answer; Next::go_on where there is none.
+  /// Reports progress to the monitor and returns its reply; Next::go_on without a monitor.
   Next report(const Progress& progress) const { return tell(monitor_, progress); }
 
   /// Calls body(begin, end, thread) for [0, count) cut at multiples of grain; a body may call it too. thread:

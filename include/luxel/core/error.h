@@ -9,8 +9,8 @@
 namespace luxel {
 
 /// \file
-/// The four ways the world can be wrong. Each message is one sentence: what was expected, what was found,
-/// what to try. The library throws; only a program prints, and only a program exits.
+/// The four kinds of errors. Each message is one sentence: the expected value, the value found, and a remedy.
+/// The library throws; only programs print and exit.
 
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -21,8 +21,8 @@ struct Error : std::runtime_error {
   std::size_t line = 0;  // from 1; 0: unknown
 };
 
-/// A file or option a person wrote is wrong. what() begins with "FILE:LINE: " or "FILE: " where they are
-/// known.
+/// A file or option that the user provides is invalid. what() begins with "FILE:LINE: " or "FILE: " where
+/// they are known.
 struct InputError : Error {
   explicit InputError(const std::string& message) : Error(message) {}
   InputError(const std::string& of_file, const std::string& message)
@@ -31,18 +31,18 @@ struct InputError : Error {
       : Error(of_file + ":" + std::to_string(of_line) + ": " + message, of_file, of_line) {}
 };
 
-/// A file of ours is damaged, is not what its name says, or was written by a newer version.
+/// A file that Luxel wrote is damaged, has another type than its name, or is of a newer version.
 struct FormatError : Error {
   FormatError(const std::string& of_file, const std::string& message)
       : Error(of_file + ": " + message, of_file) {}
 };
 
-/// Two things that must belong together do not: this solution is not of this scene.
+/// Two inputs that must belong together do not, for example a solution and a scene.
 struct MismatchError : Error {
   using Error::Error;
 };
 
-/// A disk, a device or the operating system failed us.
+/// A disk, a device or the operating system failed.
 struct DeviceError : Error {
   using Error::Error;
 };

@@ -5,7 +5,7 @@
 
 namespace luxel {
 
-/// The index of nothing, in every array of indices. No array holds so many elements.
+/// Index that refers to no element, in every array of indices. No array has this many elements.
 inline constexpr std::uint32_t none = 0xffffffffu;
 
 }  // namespace luxel

@@ -9,7 +9,7 @@ namespace luxel {
 
 enum class Next { go_on, stop };
 
-/// How far a long call has come.
+/// Progress of a long call.
 struct Progress {
   std::string_view stage;  ///< "load", "patches", "hierarchy", "light", "picture", ...
   double done = 0.0;       ///< fraction of this stage, 0 to 1: of its time where it forecasts that
@@ -17,8 +17,8 @@ struct Progress {
   double error = 0.0;      ///< standard error so far, by the measure that ends the run; 0: not known yet
 };
 
-/// Called from the calling thread, a few times per second while work goes on. Answering stop ends the call as
-/// soon as it can (well under a second) with the result so far, which is still a result. May be empty.
+/// Called from the calling thread, a few times per second while work goes on. Returning stop ends the call as
+/// soon as possible (well under a second) with the result so far, which is valid. May be empty.
 using Monitor = std::function<Next(const Progress&)>;
 
 inline Next tell(const Monitor& monitor, const Progress& progress) {

@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-/// What enforcement did.
+/// Report of enforce_laws().
 struct Enforcement {
   /// Root mean square and largest change of a listed factor, and the root mean square of the second step's
   /// change in standard errors of the exchange areas: near 1 or below where these are honest.

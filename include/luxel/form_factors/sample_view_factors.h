@@ -40,7 +40,7 @@ struct SampleFactorsReport {
   /// too. It is the uncertainty of the power that a patch receives, in units of the spread of the radiosities
   /// around it: about 1 / sqrt(rays) for any number of patches.
   double row_error = 0.0;
-  /// Of the factors, while they are made and used; and how many will be listed, enforced if they are to be.
+  /// Memory of the factors while they are computed and used; number of listed factors, after any enforcement.
   std::uint64_t predicted_bytes = 0;
   std::uint64_t predicted_factors = 0;
   StopReason stop = StopReason::nothing_to_do;  ///< error_reached, ray_limit or stopped_by_user
@@ -49,7 +49,7 @@ struct SampleFactorsReport {
 /// View factors by counting: cosine rays from every side of a row's element, F_ij the fraction that meets
 /// element j first (Sbert 1997's local lines; points as in trace/gather_rays.h). So factors, environment,
 /// backs and dropped of a row sum to 1. Standard errors are those of the replicates' mean, from their spread.
-/// Rays double until the error is small enough, of groups only those of rows that are not good enough yet.
+/// Rays are doubled until the error is small enough; between groups, only in rows that need it.
 ///
 /// Throws InputError, with figures, where the memory that the factors would take is beyond options.memory: it
 /// is predicted from some rows before most rays are traced, within a few per cent. Empty if the monitor

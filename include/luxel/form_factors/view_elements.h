@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-/// What one element is: all triangles of a group (OBJ g or o, whichever was last), of an object (OBJ o) or of
+/// Kind of an element: all triangles of a group (OBJ g or o, whichever was last), of an object (OBJ o) or of
 /// a material; or a single patch.
 enum class Between { groups, objects, materials, patches };
 
@@ -18,7 +18,7 @@ enum class Between { groups, objects, materials, patches };
 /// elements of their own.
 enum class ElementSides { front, both };
 
-/// The surfaces between which view factors are asked for. Front elements stand first, in the order of the
+/// The surfaces between which view factors are computed. Front elements stand first, in the order of the
 /// scene (patches: of the patch set), then the backs in the same order; those without a patch are left out.
 struct ViewElements {
   Between kind = Between::groups;
@@ -30,7 +30,7 @@ struct ViewElements {
   std::size_t size() const { return name.size(); }
 };
 
-/// Throws InputError where the scene names no objects and they are asked for. patches: of this scene.
+/// Throws InputError where objects are requested but the scene names none. patches: of this scene.
 ViewElements make_view_elements(const Scene& scene, const PatchSet& patches, Between kind,
                                 ElementSides sides);
 

@@ -35,8 +35,8 @@ struct Image {
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
 
-/// 255 srgb_encode(linear), rounded: the code of an 8-bit file. The same on every host, and many times
-/// faster.
+/// Returns 255 srgb_encode(linear), rounded: the code of an 8-bit file. The same on every host, and many
+/// times faster.
 std::uint8_t srgb_code(float linear);
 
 /// The mean of all pixels (double sums), linear; black where there are none.

@@ -17,16 +17,16 @@ namespace luxel {
 /// where there is no pixel to write. NaN is written as 0. The same pixels give the same bytes. The file is
 /// made in memory first.
 
-/// 8-bit sRGB PNG of a display-referred image: clamped to [0, 1], sRGB encoded, rounded, with an sRGB chunk.
-/// notes: keywords of up to 79 Latin letters with their texts, as text chunks of the file.
+/// Writes an 8-bit sRGB PNG of a display-referred image: clamped to [0, 1], sRGB encoded, rounded, with an
+/// sRGB chunk. notes: keywords of up to 79 Latin letters with their texts, as text chunks of the file.
 using PictureNotes = std::vector<std::pair<std::string, std::string>>;
 void write_png(const std::filesystem::path& path, const Image& display, const PictureNotes& notes = {});
-/// The same file in memory. After the monitor's stop it is empty.
+/// Returns the same file in memory; empty after the monitor's stop.
 std::string png_of(const Image& display, const PictureNotes& notes = {}, const Context& context = {});
-/// Of the raster's codes, with their alpha; linear values are clamped to [0, 1] first.
+/// Encodes the raster's codes with their alpha; linear values are clamped to [0, 1] first.
 std::string png_of(const Raster& raster);
-/// Scene-referred linear values as they are: OpenEXR (half floats, ZIP; within ±65504) and Radiance RGBE (0
-/// to 1e38).
+/// Writes scene-referred linear values unchanged: OpenEXR (half floats, ZIP; within ±65504) and Radiance RGBE
+/// (0 to 1e38).
 void write_exr(const std::filesystem::path& path, const Image& linear);
 std::string exr_of(const Image& linear, const Context& context = {});  ///< as png_of()
 void write_hdr(const std::filesystem::path& path, const Image& linear);

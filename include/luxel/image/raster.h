@@ -24,7 +24,7 @@ struct Raster {
   std::vector<Vec3> linear;  ///< width * height: of EXR and HDR files, finite, opaque
 
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
-  /// Linear sRGB; of the file's colour, whatever its alpha.
+  /// Linear sRGB of the file's colour, regardless of alpha.
   Vec3 colour(std::size_t pixel) const;
   /// [0, 1]
   float alpha(std::size_t pixel) const {
@@ -39,10 +39,10 @@ struct Raster {
 /// side, or claims more than max(2^24, 64 per byte) pixels.
 Raster read_raster(const std::filesystem::path& path);
 
-/// The same from a file in memory, which errors call `name`; TGA is recognised by its extension.
+/// Decodes a file in memory like read_raster(); errors call it `name`, whose extension identifies TGA.
 Raster decode_raster(std::string_view bytes, const std::string& name);
 
-/// All of it, without alpha.
+/// Returns the whole raster without alpha.
 Image as_image(const Raster& raster);
 
 }  // namespace luxel

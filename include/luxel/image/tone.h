@@ -47,9 +47,9 @@ struct ToneOptions {
   bool operator==(const ToneOptions&) const = default;
 };
 
-/// A tone curve fitted to what is to be shown; then applied colour by colour. Display-referred results are
+/// A tone curve fitted to the colours to display; then applied to each colour. Display-referred results are
 /// linear RGB in [0, 1], not yet sRGB encoded. Hue is kept: luminance is mapped, colour scaled with it, then
-/// clamped; neutral maps the largest channel, and mixes what is brighter than the display with white.
+/// clamped; neutral maps the largest channel, and mixes colours brighter than the display with white.
 struct ToneCurve {
   ToneOptions options;
   float scale = 1.0f;  ///< radiance to curve input, exposure included
@@ -59,8 +59,8 @@ struct ToneCurve {
 };
 
 /// weights: the visible area (m², or pixels) behind each colour; the log-average is over area, not over
-/// patches. Colours without light are left out of it, and so is what is not finite or has no positive weight.
-/// radiance.size() == weights.size(). The scale is
+/// patches. It excludes colours without light, not finite, or without a positive weight. radiance.size() ==
+/// weights.size(). The scale is
 ///   maximum: 2^exposure / largest channel    clamp: 2^exposure    others: 2^exposure key / log-average
 /// An empty or black input gives scale 1. reinhard_local is fitted like reinhard. Throws InputError where an
 /// option is out of its range.

@@ -46,20 +46,20 @@ struct Daylight {
 
   Sky sky = Sky::uniform;
   int cie_type = 16;  ///< 1 to 16
-  /// Horizontal illuminance of open ground by the sky, without the sun, lx. A Perez sky has its own from the
-  /// irradiances where this is 0. With a picture: by all of its upper half, its sun included.
+  /// Horizontal illuminance of open ground by the sky, without the sun, lx. If 0, a Perez sky takes it from
+  /// the irradiances. With a picture: by its whole upper half, including its sun.
   double illuminance = 10'000.0;
   std::filesystem::path picture = {};  ///< left edge north, centre south, left half the east, top the zenith
   std::optional<Sun> sun = {};         ///< skies of most types depend on it; pictures have their own
-  /// Illuminance by the sun of a plane that faces it, lx. None given: of a Perez sky by the irradiance; under
-  /// a CIE sky 127,500 exp(-c m) lx with the air mass m = 1 / sin(elevation) (Kasten and Young near the
+  /// Illuminance by the sun on a plane that faces it, lx. Default: under a Perez sky from the irradiance;
+  /// under a CIE sky 127,500 exp(-c m) lx with the air mass m = 1 / sin(elevation) (Kasten and Young near the
   /// horizon) and c = 0.21 for types 11 to 15 (clear), 0.80 for 7 to 10 (partly cloudy); none under others.
   std::optional<double> sun_illuminance = {};
   double direct_normal = 0.0, diffuse_horizontal = 0.0;  ///< W/m², of a Perez sky
   double dew_point = 11.0;                               ///< °C, for the luminous efficacy of a Perez sky
   double orbit_factor = 1.0;  ///< (mean distance of the sun / its distance)², of a Perez sky
   double albedo = 0.2;        ///< diffuse reflectance of the ground, [0, 1]
-  /// Where north is: clockwise seen from above, from +Y where +Z is up, from -Z where +Y is up.
+  /// Direction of north: clockwise seen from above, from +Y where +Z is up, from -Z where +Y is up.
   double north = 0.0;
 };
 
@@ -79,7 +79,7 @@ struct LoadOptions {
   std::vector<std::filesystem::path> luminaires =
       {};  ///< lists of luminaires: CSV files, see docs/luminaires.md
   std::vector<LuminaireGrid> luminaire_grids = {};
-  /// Which way is up for these: (0, 1, 0) or (0, 0, 1); 0: as the file defines it, else estimated.
+  /// Up axis for the sky and the luminaires: (0, 1, 0) or (0, 0, 1); 0: that of the file, else estimated.
   Vec3 up = Vec3(0.0f);
   /// with spectra: number of evenly spaced wavelengths; 0: those of the file, see apply_spectra()
   int bands = 0;

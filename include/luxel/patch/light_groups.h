@@ -21,13 +21,13 @@ inline constexpr const char* sky_group = "sky";  // the name of the sky's own gr
 
 /// Puts every lamp into a light group: that of the first rule that it matches, else one that has the name of
 /// its material. The sky is a group of its own, the last. A material whose lamps are in several groups
-/// becomes several of one name. Where there is no light, there is no group.
+/// becomes several of one name. Without light there are no groups.
 ///
-/// Throws InputError where a rule matches no lamp, or there are more than max_light_groups: the light is kept
-/// for each apart, so memory and the cost of what is summed up grow with them.
+/// Throws InputError where a rule matches no lamp, or there are more than max_light_groups: the light of each
+/// is stored separately, so memory and the cost of sums grow with their number.
 void set_light_groups(const Scene& scene, std::span<const LightGroupRule> rules, PatchSet& patches);
 
-/// All light is one again: for a file that keeps the light of none apart.
+/// Joins all light in one group, for files that do not store the light of groups.
 void join_light_groups(PatchSet& patches);
 
 }  // namespace luxel

@@ -16,7 +16,7 @@ namespace luxel {
 inline constexpr float no_max_edge = 0.0f;      ///< triangles as they come
 inline constexpr float automatic_edge = -1.0f;  ///< from the scene: about PatchOptions::target_count patches
 
-/// A straight part of the edge of a hard shadow, that of a punctual light.
+/// A straight segment of the edge of a hard shadow, cast by a punctual light.
 struct ShadowLine {
   std::uint32_t triangle = 0;   ///< that it lies on: an index into Scene::triangles
   std::array<Vec3d, 2> ends{};  ///< m, in the plane of the triangle, on it or on its boundary
@@ -45,20 +45,20 @@ struct PatchOptions {
 /// coincide the lamp, else the first, stays, two-sided if they face opposite ways.
 ///
 /// Then the patches are cut along the lines where other surfaces touch or pass through theirs
-/// (contact_lines.h) and along the outlines of things close before them, nearer than 0.35 of max_edge
-/// and a hundredth of the scene's diagonal (near_lines.h). These become edges and PatchSet::contacts; see
-/// cut_contacts.h. PatchOptions::shadow_lines are cut likewise: light may jump across them on their lit side.
-/// Patches that no such line meets stay as they are. About two seconds of processor time for
-/// a million triangles, most of it shared by the threads, and 20 us per line. The same bits for any number of
+/// (contact_lines.h) and along the outlines of things close before them, nearer than 0.35 of max_edge and a
+/// hundredth of the scene's diagonal (near_lines.h). These become edges and PatchSet::contacts; see
+/// cut_contacts.h. Patches are cut along PatchOptions::shadow_lines too: light may jump across them on their
+/// lit side. Patches that no such line meets stay as they are. About two seconds of processor time for a
+/// million triangles, most of it shared by the threads, and 20 us per line. The same bits for any number of
 /// threads.
 ///
 /// The monitor receives the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
 
-/// What PatchOptions::max_contacts stands for in a scene of so many triangles.
+/// Returns the limit that PatchOptions::max_contacts means in a scene of this many triangles.
 std::size_t contact_budget(const PatchOptions& options, std::size_t triangles);
 
-/// The edge that automatic_edge stands for in this scene, m.
+/// Returns the edge that automatic_edge means in this scene, m.
 float automatic_max_edge(const Scene& scene, std::size_t target_count);
 
 }  // namespace luxel

@@ -36,7 +36,7 @@ struct BandMaterial {
   MaterialTextures textures = {};
   /// [band], [0, 1]: of a pane of glass at normal incidence; empty: opaque, or light passes freely.
   std::vector<float> transmittance = {};
-  /// [band], [0, 1): of what a diffuser lets through, see Material; empty: none. Such a material is
+  /// [band], [0, 1): transmittance of a diffuser, see Material; empty: not a diffuser. Such a material is
   /// two-sided.
   std::vector<float> diffuse_transmittance = {};
 
@@ -51,8 +51,8 @@ struct BandPointLight {
   std::uint32_t light_group = 0;
 };
 
-/// Another surface touches this one along an edge of its patches, or passes through it there: on the side
-/// that the other one stands on, light may jump across the edge though the surface goes on.
+/// Contact with another surface that touches this one along an edge of its patches, or passes through it
+/// there: on the side of the other surface light may jump across the edge though the surface continues.
 struct Contact {
   std::array<std::uint32_t, 2> edge{};  ///< vertices, the lower first
   Vec3 into{0.0f};                      ///< unit, at right angles to the edge: where the other surface goes
@@ -105,27 +105,27 @@ struct PatchSet {
   std::vector<Portal> portals;
   std::vector<Pane> panes;  ///< of glass that absorbs light; rays of the tracer pass them
   /// Names of lamps that are dimmed together, see light_groups.h; the sky is the last one where there is a
-  /// sky. Empty: all light is one.
+  /// sky. Empty: one group for all light.
   std::vector<std::string> light_groups;
   std::uint64_t scene_fingerprint = 0;
   Vec3d origin = Vec3d(0.0);  ///< m, as in Scene
   Vec3 up = Vec3(0.0f);       ///< unit, as in Scene, or estimated by make_patches(); 0: unknown
 
-  /// Where textures, or the colours of corners, colour surfaces; else all of these are empty.
+  /// Textures and corner colours of the surfaces; all of these are empty where there are none.
   std::vector<Texture> textures;
   std::vector<UvSet> uv_sets;                       ///< [set], of the patches' corners
   std::vector<std::array<Vec3, 3>> corner_colours;  ///< [patch][corner], linear
-  /// Over what the patch's material reflects, and emits: in the mean over the patch, of what holes leave of
-  /// it. `area` is that of what they leave.
+  /// Ratios of the patch to its material in reflectance and emittance: means over the part that holes leave
+  /// of the patch. `area` is the area of that part.
   std::vector<float> reflectance_ratio, emittance_ratio;  ///< [patch][band]
 
-  /// Where the error of the light matters beside the open space, see trace/place_views.h. None of these
-  /// changes what the light converges to.
+  /// Where the error of the light matters in addition to the open space, see trace/place_views.h. None of
+  /// these changes what the light converges to.
   std::vector<Camera> cameras;      ///< as in Scene, or those that a person gave; often none
   bool focuses_on_cameras = false;  ///< what these see is all that matters
   std::vector<std::uint8_t> focus;  ///< [patch], 1 where it matters; empty: everywhere
-  /// A view that shows the scene well, for pictures of 4 to 3 that name no camera: found once per scene, so
-  /// that pictures of all its meshes are alike.
+  /// A view that shows the scene well, for pictures of 4 to 3 that name no camera: computed once per scene,
+  /// so that pictures of all its meshes show the same view.
   std::optional<Camera> view;
 
   std::size_t size() const { return corners.size(); }
@@ -135,8 +135,8 @@ struct PatchSet {
   bool has_sky() const;
   bool has_even_sky() const { return sky_patches.is_one(); }
   bool has_diffusers() const;
-  /// Irradiance of what sees nothing but this patch of the sky, W/m²: pi times its radiance, as if it were a
-  /// surface.
+  /// Irradiance of a receiver that sees only this patch of the sky, W/m²: pi times its radiance, like the
+  /// radiosity of a surface.
   double sky_radiosity(std::size_t sky_patch, std::size_t band) const {
     const auto at = sky_patch * bands.size() + band;
     assert(sky.empty() || at < sky.size());
@@ -145,13 +145,13 @@ struct PatchSet {
   /// Radiance in the mean over the directions above the horizon, or over all where the lower half mirrors
   /// it: [band], W/(m² sr); empty where it is dark.
   std::vector<float> mean_sky() const;
-  /// Irradiance of open ground by the sky, W/m²: [band]; empty where it is dark. Not by suns.
+  /// Irradiance of open ground by the sky, W/m²: [band]; empty where it is dark. Suns are not included.
   std::vector<double> open_irradiance() const;
   const BandMaterial& material_of(std::size_t patch) const {
     assert(patch < material.size());
     return materials[static_cast<std::size_t>(material[patch])];
   }
-  /// Of a patch, in the mean over its area: [0, 1).
+  /// Mean reflectance over the area of a patch: [0, 1).
   float reflectance(std::size_t patch, std::size_t band) const {
     const auto& m = material_of(patch);
     assert(band < m.reflectance.size());
@@ -169,7 +169,7 @@ struct PatchSet {
   float albedo(std::size_t patch, std::size_t band) const {
     return reflectance(patch, band) + diffuse_transmittance(patch, band);
   }
-  /// Likewise, W/m² in the band, of its front.
+  /// Mean emittance of the front of a patch, W/m² in the band.
   float emittance(std::size_t patch, std::size_t band) const {
     assert(band < material_of(patch).emittance.size());
     const auto of_material = material_of(patch).emittance[band];
@@ -185,10 +185,10 @@ struct PatchSet {
     const auto p = points(patch);
     return (p[0] + p[1] + p[2]) / 3.0f;
   }
-  /// Whether they are plain colour, or wavebands.
+  /// Whether the bands are plain colour, or wavebands.
   bool has_colours() const;
-  /// What light of these bands looks like. Throws MismatchError where they are neither plain colour (red,
-  /// green and blue in this order) nor wavebands.
+  /// Returns the conversion of the bands to colour. Throws MismatchError where they are neither plain colour
+  /// (red, green and blue in this order) nor wavebands.
   BandColours colours() const;
   /// A point in the file's coordinates, for a person to read.
   Vec3d in_file(const Vec3& point) const { return origin + Vec3d(point); }

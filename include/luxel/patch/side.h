@@ -43,7 +43,7 @@ class SideId {
 
 constexpr std::size_t side_count(std::size_t patches) { return 2 * patches; }
 
-/// As indices, for files.
+/// Returns the sides as indices, for files.
 inline std::vector<std::uint32_t> indices_of(std::span<const SideId> sides) {
   std::vector<std::uint32_t> indices;
   indices.reserve(sides.size());

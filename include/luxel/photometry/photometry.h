@@ -44,8 +44,8 @@ class IntensityDistribution {
   const std::vector<double>& horizontal() const { return horizontal_; }  ///< degrees
   const std::vector<double>& candela() const { return candela_; }        ///< [horizontal][vertical]
 
-  /// cd in a direction in local axes; direction: of any length above 0, away from the luminaire. Costs some
-  /// 50 ns.
+  /// Returns the intensity in a direction in local axes, cd; direction: of any length above 0, away from the
+  /// luminaire. Cost: about 50 ns.
   double at(const Vec3d& direction) const;
   /// cd at angles of the distribution's own type, degrees.
   double at_angles(double vertical, double horizontal) const;
@@ -57,7 +57,7 @@ class IntensityDistribution {
     return zone_maxima_[std::min<std::size_t>(zone, zones - 1)];
   }
 
-  /// lm of the interpolated distribution, which is what a scene receives; error below 1e-6 of it.
+  /// Flux of the interpolated distribution, lm, which is what a scene receives; relative error below 1e-6.
   double linear_flux() const { return linear_flux_; }
   /// lm by the zonal rule of the trade: over the file's own intervals, the mean intensity of two neighbouring
   /// angles times the solid angle between them. This is the number that photometric tools print.
@@ -88,7 +88,7 @@ enum class OpeningShape : std::uint8_t {
   vertical_disk       ///< in the plane of Z and of the horizontal axis along which it has an extent
 };
 
-/// The luminous opening: what of a luminaire shines, centred on its photometric centre.
+/// The luminous opening: the part of a luminaire that emits light, centred on its photometric centre.
 struct LuminousOpening {
   OpeningShape shape = OpeningShape::point;
   Vec3d size = Vec3d(0.0);  ///< m, extents along the local axes

@@ -25,7 +25,7 @@ enum class LowerHalf : std::uint8_t {
 /// With LowerHalf::mirrored the images of patches 1, 2, ... below the horizon follow, without a patch 0 of
 /// any extent.
 ///
-/// A default one has a single patch, all directions. Immutable but for assignment; safe for any number of
+/// By default a single patch covers all directions. Immutable except for assignment; safe for any number of
 /// threads.
 class SkyPatches {
  public:
@@ -42,11 +42,11 @@ class SkyPatches {
   /// Number of patches that are not below the horizon, the ground not counted; they begin at patch 1.
   std::size_t upper() const { return is_one() ? 1 : row_begins_.back(); }
 
-  /// The patch that a unit direction of the scene lies in. Cost: 30 ns.
+  /// Returns the patch that contains a unit direction of the scene. Cost: 30 ns.
   std::size_t patch_of(const Vec3d& direction) const;
-  /// The patches whose centres lie around a unit direction, with weights that add up to 1: bilinear between
-  /// rows and columns. Those of the sky, where it is above the horizon; below it those of the lower half. For
-  /// pictures: in the mean over a patch it is only nearly the patch's own value.
+  /// Patches whose centres lie around a unit direction, with weights that add up to 1: bilinear between rows
+  /// and columns. Above the horizon they are patches of the sky, below it those of the lower half. For
+  /// pictures: the mean over a patch is only nearly the patch's own value.
   struct Weighted {
     std::size_t patch = 0;
     double weight = 0.0;
@@ -54,10 +54,10 @@ class SkyPatches {
   std::array<Weighted, 4> around(const Vec3d& direction) const;
   /// sr. 0 of a ground without extent.
   double solid_angle(std::size_t patch) const;
-  /// A direction in the patch, unit, in the scene's axes; u uniform in [0, 1)² gives uniform solid angle. Of
-  /// the ground's patch 0 of LowerHalf::mirrored: straight down.
+  /// A direction in the patch, unit, in the scene's axes; u uniform in [0, 1)² gives uniform solid angle.
+  /// Patch 0, the ground, of LowerHalf::mirrored gives straight down.
   Vec3d direction(std::size_t patch, const std::array<double, 2>& u) const;
-  /// The same at u = (0.5, 0.5).
+  /// Returns the direction at u = (0.5, 0.5).
   Vec3d centre(std::size_t patch) const { return direction(patch, {0.5, 0.5}); }
   /// Integral of the cosine to the zenith over a patch, sr: the irradiance of open ground by a patch of unit
   /// radiance; negative below the horizon.

@@ -19,13 +19,13 @@ struct PointLight {
   PointLightKind kind = PointLightKind::point;
   Vec3 position = Vec3(0.0f);  ///< m, counted from the scene's origin; of no use to directional ones
   Vec3 direction = Vec3(0.0f, -1.0f, 0.0f);  ///< unit, the way its light goes; of no use to points
-  /// Linear sRGB, by the luminous efficacy of the house: radiant intensity, W/sr, of points and spots (along
-  /// the axis); irradiance of what faces it, W/m², of directional ones. Of a luminaire: radiant intensity
-  /// where its distribution is largest, dimming, maintenance and colour included; the colour's relative
-  /// luminance is 1, so that colour never changes lumens.
+  /// Linear sRGB, by Luxel's luminous efficacy: radiant intensity, W/sr, of points and spots (along the
+  /// axis); for directional lights the irradiance of a surface that faces them, W/m²; for luminaires the
+  /// radiant intensity where the distribution is largest, dimming, maintenance and colour included; the
+  /// colour's relative luminance is 1, so that colour never changes lumens.
   Vec3 intensity = Vec3(1.0f);
-  /// Of a spot: cosines of the angles from its axis where it begins to fade and where it has ended; between
-  /// them its intensity is times ((cos - cos_outer) / (cos_inner - cos_outer))², as glTF has it.
+  /// Spots: cosines of the angles from the axis where the intensity begins to fade and where it reaches 0; in
+  /// between it is multiplied by ((cos - cos_outer) / (cos_inner - cos_outer))², as in glTF.
   float cos_inner = 1.0f, cos_outer = 0.70710678f;
   /// rad, [0, 0.5], of a directional one: its light comes evenly from a disc of this angular radius around
   /// -direction. 0: from one direction; its shadows are hard.

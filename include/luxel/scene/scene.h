@@ -17,13 +17,13 @@
 
 namespace luxel {
 
-/// m; no coordinate lies beyond. Areas, and the distances that rays travel, stay finite in floats.
+/// Maximum absolute coordinate, m. Areas, and the distances that rays travel, stay finite in floats.
 inline constexpr float farthest = 1e12f;
 
-/// A mesh with materials, as in the file. Parallel arrays: entry i of every triangle_* array is
-/// triangle i, and triangles stand in the order of the file, even those without area (so that an index is a
-/// promise); a polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite,
-/// no position is beyond `farthest`, and every index is in range: loading and check_scene() verify this.
+/// A mesh with materials, as in the file. Parallel arrays: entry i of every triangle_* array is triangle i,
+/// and triangles stand in the order of the file, even those without area (so that indices stay the same); a
+/// polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite, no position is
+/// beyond `farthest`, and every index is in range: loading and check_scene() verify this.
 struct Scene {
   std::string source;                        ///< the file, as the user named it
   std::vector<std::filesystem::path> files;  ///< read for it besides the source: those that it names
@@ -50,9 +50,9 @@ struct Scene {
   /// The last triangles, which are not in the file: luminaires of add_default_light().
   std::size_t added_triangles = 0;
 
-  /// m, in the file's coordinates: what positions and cameras are counted from. 0 but in a scene so far from
-  /// the file's zero that floats would round its surfaces, see load_scene(). What a person gives or reads
-  /// stays in the file's coordinates, origin + position.
+  /// Origin of positions and cameras in the file's coordinates, m. 0 except in a scene so far from the file's
+  /// zero that floats would round its surfaces, see load_scene(). Input and output for users stay in the
+  /// file's coordinates, origin + position.
   Vec3d origin = Vec3d(0.0);
 
   /// Unit; which way is up, where the file's format defines it (glTF: +Y). 0: it is estimated, see
@@ -65,28 +65,28 @@ struct Scene {
   SkyPatches sky_patches;
   std::vector<Vec3> sky_radiance;  ///< [sky patch]
 
-  /// Of a scene that is solved by wavelength; else there are none, and it is solved in plain colour.
-  /// Materials, and a sky, that were not measured get spectra that look like their colours (ColourSpectra).
+  /// Wavelengths of a scene that is solved by wavelength; empty if it is solved in plain colour. Materials
+  /// and skies without measured spectra get spectra of the same colour (ColourSpectra).
   std::vector<double> wavelengths;  ///< nm, ascending, first_visible to last_visible
   bool averages_spectra = false;    ///< around each wavelength, not read at it: where these are few
   Spectrum sky_spectrum;            ///< W/(m² sr nm), instead of `sky`; empty: nothing measured
 };
 
-/// Turns a triangle round: its front becomes its back; what belongs to its corners goes with them.
+/// Flips a triangle: its front becomes its back; the attributes of its corners move with them.
 void turn_triangle(Scene& scene, std::size_t triangle);
 
 /// The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
 
-/// Whether the scene has a lamp with a surface, a lamp without one, or a sky.
+/// Whether the scene has an emitting surface, a punctual light, or a sky.
 bool has_light(const Scene& scene);
 
 /// Throws InputError naming the source where an array's length, an index or a number breaks the promise
 /// above; reflectances must lie in [0, 1), light is not negative, and a scene has at least one triangle.
 void check_scene(const Scene& scene);
 
-/// 64 bits of what the light depends on: positions, triangles, materials, and the sky, the origin and the
-/// wavelengths with what was measured at them where there are such (not names, groups, objects, lines,
+/// 64-bit hash of the data that the light depends on: positions, triangles, materials, and where present the
+/// sky, the origin and the wavelengths with the values measured at them (not names, groups, objects, lines,
 /// cameras), in their order, -0 counted as +0. The same scene gives the same fingerprint on every host.
 std::uint64_t fingerprint(const Scene& scene);
 

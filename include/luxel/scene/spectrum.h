@@ -7,11 +7,11 @@
 
 namespace luxel {
 
-/// Values beyond the first and last sample: a reflectance keeps its last value; of light nobody
-/// measured there is none.
+/// Values beyond the first and last sample: `holds` continues the last value, for reflectances; `zero` gives
+/// 0, for light, which was not measured there.
 enum class Beyond { holds, zero };
 
-/// A quantity by wavelength: samples, and straight lines between them. Empty: not known.
+/// A quantity by wavelength: samples with linear interpolation. Empty: unknown.
 class Spectrum {
  public:
   struct Sample {
@@ -32,7 +32,7 @@ class Spectrum {
   const Sample& front() const { return samples_.front(); }
   const Sample& back() const { return samples_.back(); }
 
-  /// Not of an empty one. Cost: a binary search.
+  /// Returns the value at a wavelength, nm; the spectrum must not be empty. Cost: a binary search.
   double at(double wavelength, Beyond beyond) const;
   bool any_above_zero() const;
 
@@ -42,7 +42,7 @@ class Spectrum {
   std::vector<Sample> samples_;
 };
 
-/// One of the wavelengths that light is solved at, and how much of the spectrum it stands for.
+/// One of the wavelengths at which light is solved, and the width of the spectrum that it represents.
 struct Waveband {
   double wavelength = 0.0;  ///< nm
   double width = 0.0;       ///< nm, above 0: what the trapezoid rule gives the wavelength
@@ -54,8 +54,8 @@ struct Waveband {
 std::vector<Waveband> make_wavebands(const std::vector<double>& wavelengths);
 
 /// The mean of a spectrum around waveband i, weighed by the hat that is 1 at its wavelength and 0 at its
-/// neighbours': exact for what runs linearly between samples. The hats of all bands add up to 1, so that the
-/// means times the widths add up to the spectrum's whole.
+/// neighbours': exact for spectra that are linear between samples. The hats of all bands add up to 1, so that
+/// the means times the widths add up to the integral of the spectrum.
 double mean_around(const std::vector<Waveband>& wavebands, std::size_t i, const Spectrum& spectrum,
                    Beyond beyond);
 

@@ -20,14 +20,14 @@ struct Texture {
   std::shared_ptr<const Raster> raster;
 };
 
-/// What lies beyond the picture's border.
+/// Continuation of a picture beyond its border.
 enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 
-/// Where the corners of triangles lie in the plane of textures, before TextureUse::placement.
+/// Texture coordinates of the corners of triangles, before TextureUse::placement.
 using UvSet = std::vector<std::array<Vec2, 3>>;  ///< [triangle][corner]; finite
 
-/// How a texture lies on a surface. A place on the picture is (x, y), x from 0 at its left border to 1 at its
-/// right, y from 0 at its top to 1 at its bottom: glTF's convention; OBJ's v counts from the bottom.
+/// Placement of a texture on a surface. A place on the picture is (x, y), x from 0 at its left border to 1 at
+/// its right, y from 0 at its top to 1 at its bottom: glTF's convention; OBJ's v counts from the bottom.
 struct TextureUse {
   std::uint32_t texture = 0;  ///< index into the scene's textures
   std::uint32_t uv_set = 0;   ///< index into the scene's sets
@@ -42,10 +42,10 @@ struct TextureUse {
   bool operator==(const TextureUse&) const = default;
 };
 
-/// What textures a material has.
+/// Textures of a material.
 struct MaterialTextures {
-  /// A texture's linear colour times the factor: what the surface reflects there, and what it emits, W/m² a
-  /// band.
+  /// Reflectance of the surface, and its emittance, W/m² per band: the texture's linear colour times the
+  /// factor.
   std::optional<TextureUse> reflectance = {}, emittance = {};
   Vec3 reflectance_factor = Vec3(1.0f), emittance_factor = Vec3(1.0f);
   float max_reflectance = 0.98f;  ///< of the mean over a patch; higher means are lowered to it
@@ -60,7 +60,7 @@ struct MaterialTextures {
 /// The pixel of a column or a row counted without end, of `count` there are.
 std::int64_t wrapped(std::int64_t pixel, std::int64_t count, Wrap wrap);
 
-/// The pixel that covers a place on the picture (no interpolation); what is not finite is at 0.
+/// Returns the pixel that covers a place on the picture (no interpolation); a place not finite counts as 0.
 std::size_t pixel_at(const Raster& raster, const TextureUse& use, const Vec2& place);
 
 /// Colour between the middles of the four nearest pixels (bilinear), linear sRGB.

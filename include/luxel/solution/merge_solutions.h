@@ -14,14 +14,14 @@ struct NamedSolution {
   Baked baked;
 };
 
-/// One answer from several independent ones of the same patches: sampled runs with different seeds, or what
-/// was merged from such. Light is the mean weighted by rays; its variance is that of such a mean; the bias of
-/// sharing, which all runs may have alike, is not taken to cancel; and the widening of standard errors is
-/// that of all degrees of freedom together (Welch 1947). In any order the same bytes.
+/// Merges independent solutions of the same patches: sampled runs with different seeds, or solutions merged
+/// from such runs. Light is the mean weighted by rays; its variance is that of such a mean; the bias of
+/// sharing, which may be the same in all runs, is not assumed to cancel; and the widening of standard errors
+/// is that of all degrees of freedom together (Welch 1947). Any order gives the same bytes.
 ///
 /// Throws InputError naming the file where there are fewer than two, or one is of another scene, other
 /// patches or another method, has no standard errors, or is made with random numbers that another one is made
-/// with as well (a run merged with itself would be no better, but claim it).
+/// with as well (a run merged with itself would state a smaller error without having it).
 Baked merge_solutions(std::vector<NamedSolution> solutions);
 
 }  // namespace luxel

@@ -14,7 +14,7 @@
 
 namespace luxel {
 
-/// What random numbers a solution is made of.
+/// Random numbers that a solution was computed with.
 struct RandomStream {
   std::uint64_t seed = 0;
   std::uint64_t rays = 0;  ///< traced with them
@@ -22,7 +22,7 @@ struct RandomStream {
   bool operator==(const RandomStream&) const = default;
 };
 
-/// Where a solution came from: enough to make it again.
+/// Origin of a solution: all that is needed to reproduce it.
 struct Provenance {
   std::string program_version;
   std::string command_line;  ///< that makes it again; empty from a library call
@@ -41,10 +41,10 @@ struct Solution {
   std::vector<std::string> bands;
   SideValues irradiance;  ///< W/m²
   SideValues radiosity;   ///< W/m²
-  /// Standard error of the irradiance of each side, from the spread of independent replicates and what is
-  /// known of the bias of sharing; widened as Student's t is for so few replicates, so that 1.96 of them hold
-  /// the truth 95 times in 100. Dense: how far the errors of the form factors may take it. Empty where the
-  /// method gives none.
+  /// Standard error of the irradiance of each side, from the spread of independent replicates and the
+  /// estimated bias of sharing; widened like Student's t for few replicates, so that 1.96 of them contain the
+  /// true value in 95 of 100 cases. Dense: maximum deviation due to the errors of the form factors. Empty
+  /// where the method gives none.
   SideValues standard_error;  ///< W/m²
   /// The part of that which is bias of sharing, not widened: it stays when independent answers are merged.
   /// Empty where nothing was shared.
@@ -57,7 +57,7 @@ struct Solution {
   double predicted_bias = 0.0;  ///< the part of predicted_error that is bias of sharing
   /// degrees of freedom of the standard errors; 0: not from replicates
   double error_degrees_of_freedom = 0.0;
-  /// Likewise, what the size of the patches does to the light reconstructed from them; 0: not estimated.
+  /// Like seen_error, but due to the size of the patches in the reconstructed light; 0: not estimated.
   double mesh_error = 0.0;
   double error_95th = 0.0;  ///< see solution/error_95th.h; 0: not estimated
   StopReason stop = StopReason::nothing_to_do;

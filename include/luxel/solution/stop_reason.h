@@ -21,7 +21,7 @@ enum class StopReason {
 std::string_view name(StopReason reason);
 /// The reason as a phrase for people, such as "error reached".
 std::string_view description(StopReason reason);
-/// The reason of this name; nothing where there is none.
+/// Returns the reason with this name; nothing if there is none.
 std::optional<StopReason> stop_reason(std::string_view name);
 
 }  // namespace luxel

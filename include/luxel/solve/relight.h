@@ -41,11 +41,11 @@ class Relighter {
   /// The patches with the current emittances and reflectances, and the fingerprint of the changed scene.
   const PatchSet& patches() const;
 
-  /// How much brighter each light group is than in the run, at least 0: [group * bands + band]. Cost at
+  /// Sets the brightness of each light group relative to the run, at least 0: [group * bands + band]. Cost at
   /// 50,000 patches: tens of milliseconds.
   void set_lamps(std::vector<float> weight);
-  /// [material * bands + band], in [0, 1). Costs a solve for each light() from then on: as many look-ups as
-  /// there are rays, some ten times. The run's own cost nothing again.
+  /// [material * bands + band], in [0, 1). Each later light() costs a solve: about ten look-ups per ray. The
+  /// run's own reflectances cost nothing.
   void set_reflectance(const std::vector<float>& reflectance);
 
   /// The light as it is now, with its errors. method, options and command line are the caller's.

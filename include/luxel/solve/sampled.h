@@ -15,7 +15,7 @@ namespace luxel {
 
 struct SampleState;
 
-/// What SampledOptions::error is, and what deals the rays.
+/// Measure of SampledOptions::error, by which rays are also distributed.
 enum class ErrorMeasure {
   seen,  ///< 95 % of the views, spread over the open space, stay below it (trace/seen_error.h)
   power  ///< area-weighted relative RMS of the irradiance: bright surfaces own it
@@ -72,15 +72,15 @@ struct SolveHooks {
 /// added. Views come from PatchSet::cameras, focuses_on_cameras and focus. Without any view (no
 /// open space is found) the power-weighted error takes the place of the seen one.
 ///
-/// A side's standard error is widened as Student's t is for so few replicates, so that 1.96 of it hold the
-/// truth on these patches 95 times in 100; predicted_error, of the whole, is not. Neither contains
+/// A side's standard error is widened like Student's t for few replicates, so that 1.96 of it contain the
+/// true value on these patches in 95 of 100 cases; predicted_error, of the whole, is not. Neither contains
 /// the error from the size of patches. Sides that no light reaches, by the first rays, stay dark.
 ///
 /// Fills everything in `solution` but its command line and options. The same input, options and seed give the
 /// same bits on any number of threads, stored or streamed, as long as time does not end it. hooks.on_light
 /// gets a first picture of the whole scene after a fraction of a second, and one after every doubling; the
 /// monitor's stop ends the run with the last of them. Progress::done is the fraction of the solve's time that
-/// has passed, 0 until an answer allows a forecast; it never falls, and time inside the monitor does not
+/// has passed, 0 until an answer allows an estimate; it never decreases, and time inside the monitor does not
 /// count. Throws InputError if there is no light, MismatchError if the state is not of these patches and
 /// options. A run that was stopped and continued gives the same bits as one that was not.
 ///
@@ -91,7 +91,7 @@ struct SolveHooks {
 SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                           const SampledOptions& options, const SolveHooks& hooks, const Context& context);
 
-/// The same from nothing, without intermediate pictures.
+/// Solves from the beginning, without intermediate pictures.
 inline SolveReport solve_sampled(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                                  const SampledOptions& options, const Context& context = {}) {
   return solve_sampled(patches, tracer, solution, options, SolveHooks{}, context);

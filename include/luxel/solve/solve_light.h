@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-/// How the light is solved; docs/methods.md compares the methods.
+/// Solution methods; docs/methods.md compares them.
 enum class Method { sampled, shooting, dense, hemicube, lines };
 
 /// All methods, the default first.
@@ -35,7 +35,7 @@ struct LightOptions {
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LightOptions& options, const SolveHooks& hooks, const Context& context);
 
-/// The same from nothing, without intermediate pictures.
+/// Solves from the beginning, without intermediate pictures.
 inline SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                                const LightOptions& options, const Context& context = {}) {
   return solve_light(patches, tracer, solution, options, SolveHooks{}, context);
@@ -46,7 +46,7 @@ inline SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, So
 std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tracer,
                                        const LightOptions& options, const Context& context = {});
 
-/// More than an hour, or more than four fifths of the free memory.
+/// Whether an estimate exceeds an hour, or four fifths of the free memory.
 bool is_too_much(const Forecast& forecast);
 
 }  // namespace luxel

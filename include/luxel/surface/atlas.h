@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-/// Where each side of each patch lies on the pages of a lightmap. Pages are square; texel (x, y), counted
+/// Position of each side of each patch on the pages of a lightmap. Pages are square; texel (x, y), counted
 /// from the top left, has its middle at (x + 0.5, y + 0.5).
 struct Atlas {
   struct Place {  ///< of a chart
@@ -28,7 +28,7 @@ struct Atlas {
 
   bool has(SideId side) const { return chart_of[side.index()] != none; }
   std::uint32_t page_of(SideId side) const { return places[chart_of[side.index()]].page; }
-  /// In [0, 1] from the top left, as glTF counts. Corner 0 to 2 as in PatchSet::corners, of backs too.
+  /// UV in [0, 1] from the top left, as in glTF. Corners 0 to 2 as in PatchSet::corners, of backs too.
   Vec2 uv(SideId side, std::size_t corner) const {
     return corners[side.index()][corner] / static_cast<float>(page_size);
   }

@@ -25,17 +25,17 @@ struct SmoothOptions {
   bool lights_hidden = false;
 };
 
-/// Light that runs smoothly over each surface: values at the vertices such that what runs linearly between
-/// them comes near the patches' means (node_light.h), exactly so where light is linear, at borders too. Only
-/// patches of one smooth surface have a say in each other's light, so that a corner between walls does not
-/// smear. It is the irradiance, not the radiosity: surface colour and emission are put on afterwards, per
-/// patch, and stay sharp at material borders. One smooth vertex for each vertex and each smooth surface that
+/// Smooth light over each surface: values at the vertices whose linear interpolation approximates the
+/// patches' means (node_light.h), exactly where light is linear, at borders too. Only patches of one
+/// smooth surface influence each other's light, so that a corner between walls does not smear. The
+/// values are irradiance, not radiosity: surface colour and emission are applied afterwards, per patch,
+/// and stay sharp at material borders. One smooth vertex for each vertex and each smooth surface that
 /// meets there.
 ///
-/// Sides are joined, not patches: a neighbour that is wound the other way goes on with its back, and a wall
-/// that stands on a floor parts the light in front of the floor but not behind it. So where windings differ
-/// two smooth vertices mirror each other, each with the front of its own patches. The back of a one-sided
-/// material has no light of its own and no say in others'.
+/// Sides are joined, not patches: a neighbour with the opposite winding continues with its back, and a wall
+/// that stands on a floor separates the light in front of the floor but not behind it. Where windings differ,
+/// two smooth vertices therefore mirror each other, each with the front of its own patches. The back of a
+/// one-sided material has no light and does not influence others.
 struct SmoothLight {
   std::vector<std::uint32_t> vertex;  ///< [smooth vertex]: index into PatchSet::vertices, ascending
   std::vector<Vec3> normal;           ///< [smooth vertex]: unit, front side, area-weighted
@@ -50,18 +50,18 @@ struct SmoothLight {
 /// Throws MismatchError where the solution is not of these patches, InputError for a senseless crease angle.
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution, const SmoothOptions& options,
                               const Context& context);
-/// On the calling thread.
+/// Runs on the calling thread.
 SmoothLight make_smooth_light(const PatchSet& patches, const Solution& solution,
                               const SmoothOptions& options = {});
 
-/// How a place's surface differs from what its material is in the mean (PatchSet::reflectance_ratio).
+/// Ratio of the surface at a place to the mean of its material (PatchSet::reflectance_ratio).
 struct TextureRatio {
   const float* reflectance = nullptr;  ///< [band], of the patch; none: 1
   const float* emittance = nullptr;
   Vec3 fine_reflectance = Vec3(1.0f);  ///< of the place, over the patch (FineColours)
   Vec3 fine_emittance = Vec3(1.0f);
 };
-/// What a material reflects there in a band, in the mean over the patch: [0, 1).
+/// Reflectance of a material there in a band, averaged over the patch: [0, 1).
 inline float reflectance_at(const BandMaterial& material, const TextureRatio& ratio, std::size_t band) {
   const auto of_material = material.reflectance[band];
   if (!ratio.reflectance && !material.is_diffuser()) return of_material;
@@ -75,7 +75,7 @@ inline float albedo_at(const BandMaterial& material, const TextureRatio& ratio, 
   return material.is_diffuser() ? reflected + material.diffuse_transmittance[band] : reflected;
 }
 TextureRatio texture_ratio_of_patch(const PatchSet& patches, std::size_t patch);
-/// At (1-u-v) a + u b + v c of the patch.
+/// Returns the ratio at (1-u-v) a + u b + v c of the patch.
 TextureRatio texture_ratio_at(const PatchSet& patches, const FineColours& fine, std::size_t patch, float u,
                               float v);
 
@@ -85,19 +85,19 @@ struct SeenIrradiance {
   const float* here = nullptr;
   const float* behind = nullptr;
 };
-/// At a smooth vertex.
+/// Returns the irradiance at a smooth vertex.
 SeenIrradiance irradiance_at(const SmoothLight& light, std::size_t vertex, bool back, std::size_t bands);
 
-/// The colour, W/(m² sr) by linear sRGB, of what leaves a side of a patch where its irradiance is the given
-/// one: (E + rho H + tau H of the other side) / pi, band by band, and then what these look like. So a
-/// wavelength that a surface does not reflect has no say in its colour, however bright it arrives. A back
-/// does not emit, and the back of a one-sided material is black.
+/// Returns the radiance, W/(m² sr) in linear sRGB, that leaves a side of a patch at the given irradiance: (E
+/// + rho H + tau H of the other side) / pi in each band, converted to colour afterwards. A wavelength that a
+/// surface does not reflect does not affect its colour, however bright it arrives. A back does not emit, and
+/// the back of a one-sided material is black.
 Vec3d radiance_of(const BandMaterial& material, bool back, const SeenIrradiance& irradiance,
                   const BandColours& colours, const TextureRatio& ratio = {});
 
-/// The irradiance that would make a surface that reflects its whole albedo, rho + tau, look like this: the
-/// mean of both sides weighted by what of each leaves this side; H itself of what is no diffuser. What is
-/// shown as reflectance times irradiance, such as lightmaps and pages, takes it, with rho + tau.
+/// Returns the irradiance that would give the same appearance to a surface that reflects its whole albedo,
+/// rho + tau: the mean of both sides weighted by the fraction of each that leaves this side; without a
+/// diffuser H itself. Outputs shown as reflectance times irradiance, such as lightmaps and pages, use it.
 float effective_irradiance(const BandMaterial& material, const SeenIrradiance& irradiance,
                            const TextureRatio& ratio, std::size_t band);
 

@@ -23,15 +23,15 @@ namespace luxel {
 // last whole step; before the first, only the lamps emit, and all power counts as unshot. Throws InputError
 // where there is neither lamp nor sky; its text explains how to add one.
 
-// All form factors, stored (Goral et al. 1984). standard_error of the solution is no noise: it is how far the
-// light may be off by the errors of the integrated factors should they all lean the same way, and by a
-// millionth for the rounding of floats. Memory: see DenseOperator and solve_directly(). Cost: quadratic, and
-// cubic if solved directly.
+// All form factors, stored (Goral et al. 1984). standard_error of the solution is not noise: it is the
+// error of the light if the errors of all integrated factors have the same sign, plus a millionth for the
+// rounding of floats. Memory: see DenseOperator and solve_directly(). Cost: quadratic, and cubic if solved
+// directly.
 SolveReport solve_dense(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const DenseSolveOptions& options, const Context& context = {},
                         const LightSink& on_light = {});
 
-// A hemicube for each side in each step, nothing stored (Cohen and Greenberg 1985). No error is known, and
+// A hemicube for each side in each step, nothing stored (Cohen and Greenberg 1985). The error is unknown, and
 // none is stated. Cost: n hemicubes of n patches per step, and once before the first.
 SolveReport solve_hemicube(const PatchSet& patches, Solution& solution, const HemicubeSolveOptions& options,
                            const Context& context = {}, const LightSink& on_light = {});

@@ -28,12 +28,12 @@ class DenseOperator final : public RowOperator {
   std::span<const float> factors() const { return factors_; }
   // Pairs whose factor is integrated, not in closed form.
   std::size_t integrated_pairs() const { return integrated_.size(); }
-  // How far the irradiance F radiosity, and with it what the sky sends through what F leaves free, may be off
-  // by the errors of F, should all lean the same way: [receiver][band], W/m².
+  // Maximum error of the irradiance F radiosity, and of the sky's light through the remainders of the rows of
+  // F, if the errors of all factors have the same sign: [receiver][band], W/m².
   std::vector<double> irradiance_error(std::span<const float> radiosity) const;
 
-  // Makes sides of the same face receive alike: each row, and what it leaves free, becomes the mean of those
-  // of its face, weighted by area. The solution is then constant over each face, exactly as if faces were the
+  // Makes all sides of a face receive the same light: each row and its remainder become the mean of those of
+  // the face, weighted by area. The solution is then constant over each face, exactly as if faces were the
   // elements. face: [patch]. Patches of one face lie on one plane and have one material.
   void join_faces(std::span<const std::uint32_t> face);
 

@@ -8,12 +8,12 @@
 
 namespace luxel {
 
-// The balance of a solution, and which materials' backs took their part of it.
+// Energy balance of a solution, and the power lost at the backs of each material.
 struct EnergyAccount {
   EnergyBalance balance;
   std::vector<double> back_loss;  // [material], W summed over bands
 
-  // Nothing but the emitted power is accounted for yet.
+  // Accounts for the emitted power only.
   EnergyAccount(const std::vector<double>& emitted, std::size_t materials) : back_loss(materials, 0.0) {
     const std::vector<double> zeros(emitted.size(), 0.0);
     balance = {emitted, zeros, zeros, zeros, zeros, zeros, zeros};

@@ -6,8 +6,8 @@
 
 namespace luxel {
 
-// Power as 64-bit integers. Integer sums have no order, so any number of threads gets the same bits, and what
-// is shot is received, escaped or absorbed to the last unit.
+// Power as 64-bit integers. Integer sums do not depend on their order, so any number of threads gets the same
+// bits, and shot power equals received, escaped and absorbed power to the last unit.
 struct FixedPoint {
   double unit = 1.0;  // W, a power of two: conversions only move the exponent
 

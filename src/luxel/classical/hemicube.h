@@ -16,14 +16,14 @@ namespace luxel {
 
 // Rows of form factors by the hemicube (Cohen and Greenberg 1985): the scene is drawn on the five faces of
 // half a cube that stands on the patch, and each pixel gives its part of the cosine-weighted hemisphere to
-// the nearest patch in it. Pixels are worth their closed form, so a row and what escapes sum to 1.
+// the nearest patch in it. Pixels have closed-form weights, so a row and its escaped part sum to 1.
 //
-// What is wrong with a row: it is that of points, not of the whole patch (use more points where patches are
-// near each other), and a pixel belongs to one patch alone (use more resolution where patches are small: what
-// no pixel's centre sees, gets none).
+// Errors of a row: it is that of points, not of the whole patch (use more points where patches are near each
+// other), and a pixel belongs to one patch only (use a higher resolution where patches are small: a patch
+// that no pixel centre sees gets nothing).
 //
-// An object is scratch memory for one thread: make one a thread. A row depends on patches, options and side
-// alone. Cost at 10,000 patches and a resolution of 128: about 2 ms per point; memory 10 bytes per pixel and
+// An object is scratch memory for one thread: make one per thread. A row depends only on patches, options and
+// side. Cost at 10,000 patches and a resolution of 128: about 2 ms per point; memory 10 bytes per pixel and
 // 32 bytes per patch.
 class Hemicube {
  public:

@@ -20,7 +20,7 @@ struct JacobiStep {
   std::span<const float> radiosity;   // B = E + rho H
   double unshot_fraction = 1.0;       // what stands in B but not in `before`, over the power of E and D
 };
-// What the iteration is of, and where its light goes.
+// Input and output of the iteration.
 struct JacobiRows {
   std::span<const float> area;  // [row], m²
   // The others: [row][band].
@@ -47,13 +47,13 @@ struct JacobiReport {
 //
 //     H = D + F B,    B = E + rho H
 //
-// is done over and over. D comes from outside: the sky. One step is one bounce of light, all surfaces at
-// once: the first step brings direct light, each further one light that was reflected once more. It ends when
-// the power that was reflected last and not yet sent on falls below the tolerance. Converges where rows of F
-// sum to at most 1 and rho < 1; the unshot power falls by about the mean reflectance a step.
+// is repeated. D comes from outside: the sky. One step is one bounce of light, all surfaces at once: the
+// first step brings direct light, each further one light that was reflected once more. It ends when the power
+// that was reflected last and not yet sent on falls below the tolerance. Converges where rows of F sum to at
+// most 1 and rho < 1; the unshot power falls by about the mean reflectance per step.
 //
-// The same bits on any number of threads. The monitor hears of the stage "light" within each step,
-// and its stop drops the step that was begun. Cost: one apply() a step; memory: one more copy of the rows.
+// The same bits on any number of threads. The monitor receives the stage "light" within each step, and its
+// stop drops the unfinished step. Cost: one apply() per step; memory: one more copy of the rows.
 JacobiReport jacobi(const TransportOperator& transport, const JacobiRows& rows, const JacobiOptions& options,
                     const Context& context = {}, const EachStep& each_step = {});
 

@@ -24,8 +24,8 @@ struct LineCounts {
   std::uint32_t escaped = 0;   // that met nothing
 };
 
-// The form factor that a count stands for, and its standard error: that of a binomial share whose prior is
-// Jeffreys's, so that neither a single hit nor a full count claims to be exact.
+// Form factor estimated from a count, and its standard error: that of a binomial fraction with Jeffreys'
+// prior, so that neither a single hit nor a full count appears exact.
 double line_factor(std::uint32_t lines_met, std::uint32_t lines_shot);
 double line_standard_error(std::uint32_t lines_met, std::uint32_t lines_shot);
 

@@ -9,8 +9,8 @@
 
 namespace luxel {
 
-// Transport: given the radiosity of every element, what arrives at each? irradiance = F radiosity, F_ij the
-// form factor from i to j. The iterations (solve) know this and nothing else of where F comes from.
+// Transport operator: computes the irradiance of every element from the radiosities of all, irradiance = F
+// radiosity, with F_ij the form factor from i to j. The iterations (solve) depend on nothing else of F.
 class TransportOperator {
  public:
   virtual ~TransportOperator() = default;

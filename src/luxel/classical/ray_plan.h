@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// Who shoots how much: rays are numbered 0 to rays - 1, and entry e of the power (SidePower) shoots
+// Assignment of rays to sides: rays are numbered 0 to rays - 1, and entry e of the power (SidePower) shoots
 // [first_ray[e], first_ray[e + 1]). Every ray carries the same power, summed over bands; the bands of its
 // side share it.
 struct RayPlan {
@@ -28,8 +28,8 @@ struct RayPlan {
 };
 
 // Rays in proportion to power by systematic sampling (Madow and Madow 1944): ray k belongs to the side whose
-// stretch of the running sum holds (k + offset) / rays. So a side gets its fair number of rays rounded down
-// or up, and on average exactly that. offset in [0, 1). The same plan on any number of threads.
+// interval of the running sum contains (k + offset) / rays. A side thus gets its proportional number of rays
+// rounded down or up, and exactly that on average. offset in [0, 1). The same plan on any number of threads.
 RayPlan make_ray_plan(const SidePower& leaving, std::size_t bands, std::uint64_t rays, double offset,
                       const Context& context);
 

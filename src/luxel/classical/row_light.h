@@ -20,7 +20,7 @@ struct RowLight {
   std::vector<float> irradiance;  // H = D + F before; 0 where nothing was sent on yet
   std::vector<float> radiosity;   // B = E + rho H + tau H of the other side
 
-  // Nothing is lit yet: B is E.
+  // Starts without reflected light: B is E.
   explicit RowLight(const RowOperator& transport);
 };
 
@@ -29,9 +29,9 @@ struct RowLight {
 void write_light(const RowOperator& transport, const RowLight& light,
                  const std::vector<float>& standard_error, Solution& solution);
 
-// Where the power goes, each part from what it is: absorbed from the irradiance, escaped and lost at backs
-// from the losses of the rows, unshot from what the last step reflected. They add up to the power of lamps
-// and sky as well as the factors are reciprocal and their rows sum to one: to rounding for dense, within the
+// Energy balance, each part from its own quantity: absorbed from the irradiance, escaped and lost at backs
+// from the losses of the rows, unshot from what the last step reflected. The sum equals the power of lamps
+// and sky as far as the factors are reciprocal and their rows sum to one: to rounding for dense, within the
 // noise for lines, within the aliasing for hemicubes.
 EnergyAccount energy_of(const RowOperator& transport, const RowLight& light);
 

@@ -14,9 +14,9 @@
 
 namespace luxel {
 
-// Fractions of the light leaving a receiver that reach no other receiver. With the row of
-// factors they sum to one, to rounding; where factors are integrated, what is escaped may come out below zero
-// by their error.
+// Fractions of the light leaving a receiver that reach no other receiver. With the row of factors they sum
+// to one, to rounding; where factors are integrated, the escaped fraction may be below zero by their
+// error.
 struct RowLosses {
   std::vector<double> escaped;   // [receiver]: meets nothing
   std::vector<double> at_backs;  // [receiver][material]: meets the back of that one-sided material
@@ -50,7 +50,7 @@ class RowOperator : public TransportOperator {
   // Keeps a reference to patches.
   RowOperator(const PatchSet& patches, const Context& context);
 
-  // The factors of such a row to receivers; the rest of it becomes the receiver's losses.
+  // Returns the factors of such a row to receivers; the rest is stored as losses of the receiver.
   std::vector<Factor> factors_of(const FormFactorRow& row) const;
   void book_losses(std::size_t receiver, const FormFactorRow& row);
   RowLosses& losses() { return losses_; }

@@ -14,9 +14,9 @@
 
 namespace luxel {
 
-// How rows send on the light that arrives: R_i = rho_i H_i + tau_i H_j, with j the row of the other side of
-// the patch. A view; rows: [row * columns + column], columns bands or other quantities that are transported
-// alike.
+// Scattering of the light that arrives at rows: R_i = rho_i H_i + tau_i H_j, with j the row of the other side
+// of the patch. A view; rows: [row * columns + column], columns bands or other quantities that are
+// transported in the same way.
 struct Scattering {
   std::span<const float> reflectance;    // rho
   std::span<const float> transmittance;  // tau; empty where nothing transmits light diffusely
@@ -30,7 +30,7 @@ struct Scattering {
 
   bool transmits() const { return !transmittance.empty(); }
 
-  // The light that element i = row * columns + column sends on. irradiance(i): what arrives there.
+  // Light that element i = row * columns + column scatters. irradiance(i): irradiance of that element.
   template <std::invocable<std::size_t> Irradiance>
   float sent_on(const Irradiance& irradiance, std::size_t i, std::size_t columns) const {
     const auto reflected = reflectance[i] * irradiance(i);
@@ -59,7 +59,7 @@ struct ScatteringTable {
 // is no receiver, since no light reaches it.
 ScatteringTable scattering_of(const PatchSet& patches, const GatherSides& sides, const Context& context);
 
-// The same rows twice, one set after the other.
+// Returns the rows twice, one set after the other.
 ScatteringTable repeated_twice(const Scattering& scattering);
 
 }  // namespace luxel

@@ -48,7 +48,7 @@ Deposits::Sums take(Deposits& deposits, std::size_t bands, const Context& contex
   return deposits.take(context);
 }
 
-// What all chunks of a shot share.
+// Data that all chunks of a shot use.
 struct Shot {
   const PatchSet& patches;
   const Tracer& tracer;
@@ -115,7 +115,7 @@ class ChunkShooter {
     return {PatchEmitter(patches_, side), 0, key};
   }
 
-  // The power of the ray that was made last, by where in the sky it comes from.
+  // Scales the power of the latest ray by the radiance of the sky where the ray comes from.
   void scale_by_sky() {
     const auto sky_patch = patches_.sky_patches.patch_of(-Vec3d(rays_[waiting_].direction));
     for (std::size_t b = 0; b < bands_; ++b) {

@@ -72,7 +72,7 @@ class Iteration {
   void fill(Solution& solution);
 
  private:
-  // The sky is shot in the first step. How much of it arrives is estimated only to choose the number of rays.
+  // The sky is shot in the first step. The part that arrives is estimated only to choose the number of rays.
   void add_sky(const PatchSet& patches, const Tracer& tracer) {
     constexpr double min_fraction = 1.0 / 16.0;
     const SkyBox box(patches);

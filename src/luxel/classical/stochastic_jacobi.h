@@ -35,7 +35,7 @@ SolveReport solve_stochastic_jacobi(const PatchSet& patches, const Tracer& trace
 // A glance: few rays, enough to see the whole scene by, in a blink.
 StochasticJacobiOptions glance(const PatchSet& patches);
 
-// The rays that `rays = 0` stands for, but for those of the sky that meet nothing.
+// Returns the number of rays that `rays = 0` means, except for those of the sky that meet nothing.
 std::uint64_t automatic_rays(const PatchSet& patches, double rays_per_patch);
 
 // Power the lamps emit, W, [band].

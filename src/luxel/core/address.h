@@ -25,8 +25,8 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Who uses random numbers, each with streams of its own: the step of an address. The solvers count their
-// steps from 0; all others have numbers (four letters, mostly) that no solver counts up to.
+// Purposes of random numbers, each with streams of its own: the step of an address. The solvers count their
+// steps from 0; all others have numbers (four letters, mostly) that no solver reaches.
 enum class RandomPurpose : std::uint32_t {
   solver = 0,           // the first step of a solver, and the pixels of a picture of a solution
   view_candidates = 0,  // of seed 0: points in front of sides
@@ -51,7 +51,7 @@ enum class RandomPurpose : std::uint32_t {
   daylight_points = 0x6461796cu  // rays of points that daylight coefficients are found for
 };
 
-// Seeds of those who follow no seed of the user's, or one apart from it.
+// Seeds for code that does not use the user's seed, or uses one derived from it.
 enum class RandomSeed : std::uint64_t {
   views = 0x76696577u,       // places of views
   luminaires = 0x6c756d69u,  // places of default luminaires
@@ -62,7 +62,7 @@ enum class RandomSeed : std::uint64_t {
 };
 constexpr std::uint64_t seed_of(RandomSeed seed) { return static_cast<std::uint64_t>(seed); }
 
-// The step of an address: of a stream, or so many after it.
+// Returns the step of an address: the first one of a stream, or the one this many after it.
 constexpr std::uint32_t step_of(RandomPurpose stream, std::uint32_t after = 0) {
   return static_cast<std::uint32_t>(stream) + after;
 }

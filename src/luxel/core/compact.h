@@ -6,8 +6,8 @@
 
 namespace luxel {
 
-// The bytes made smaller: a zlib stream (RFC 1950), as browsers read it by the name "deflate". The same bytes
-// from the same version of zlib. Throws DeviceError where memory is short.
+// Compresses bytes to a zlib stream (RFC 1950), which browsers call "deflate". The same bytes from the same
+// version of zlib. Throws DeviceError where memory is short.
 std::string deflated(std::string_view bytes);
 
 // The bytes as text, five characters for four bytes: digits, letters and punctuation that HTML leaves as they

@@ -17,7 +17,7 @@
 namespace luxel {
 
 struct Context::Threads {
-  // As many of the wanted threads as can be started.
+  // Starts as many of the wanted threads as possible.
   explicit Threads(int wanted) : arena(startable_threads(wanted)) {
     const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const auto started = static_cast<std::size_t>(arena.max_concurrency());

@@ -14,7 +14,7 @@ namespace luxel {
 class DiscreteDistribution {
  public:
   void clear() { up_to_.clear(); }
-  // weight: not negative. Elements of weight 0 are never drawn, except where all have none.
+  // weight: not negative. Elements of weight 0 are never drawn, unless all weights are 0.
   void add(double weight) {
     assert(weight >= 0.0);
     up_to_.push_back(total() + weight);
@@ -40,8 +40,8 @@ class DiscreteDistribution {
                                     up_to_.begin());
   }
 
-  // Makes probabilities of the weights: the total becomes 1. `even` of it is spread evenly over all elements;
-  // all of it where the total was 0.
+  // Normalises the weights to probabilities of total 1. The fraction `even` is spread evenly over all
+  // elements; all of it where the total was 0.
   void normalise(double even = 0.0) {
     assert(even >= 0.0 && even <= 1.0);
     const auto sum = total();

@@ -9,8 +9,8 @@
 namespace luxel {
 
 // Numbered things in sets that grow together (union-find with path halving; Tarjan and van Leeuwen 1984). A
-// set is called by its lowest member, so names do not depend on the order of joining. Not for several threads
-// at once: of() shortens paths.
+// set is identified by its lowest member, which does not depend on the order of joining. Not for several
+// threads at once: of() shortens paths.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count = 0) { reset(count); }

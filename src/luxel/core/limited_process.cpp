@@ -126,7 +126,7 @@ class Child {
   bool is_lost_ = false;
 };
 
-// Reads what is there now.
+// Reads the output that is available now.
 Child::Reading Child::read_all(std::string& output) const {
   std::array<char, 1 << 16> buffer;
   for (;;) {
@@ -168,7 +168,7 @@ ProcessResult Child::wait(const std::function<bool()>& goes_on) {
   std::string output;
   auto reading = Reading::more;
   for (;;) {
-    // In this order: what the process wrote before its end is read.
+    // The order matters: output written before the process ended must be read.
     const bool is_last = has_ended();
     if (reading == Reading::more) reading = read_all(output);
     if (reading == Reading::too_much) return {ProcessEnd::too_much, 0, {}};

@@ -14,8 +14,8 @@ std::uint64_t free_memory(const std::filesystem::path& root = "/");
 // Returns the bytes of main memory that this process holds now; 0 where the system does not report it.
 std::uint64_t resident_memory();
 
-// Gives what was freed back to the system at once, so that it does not count as held: C libraries keep freed
-// memory for later. Does nothing where the library has no such call.
+// Returns freed memory to the system at once, so that it does not count as used: C libraries keep it for
+// later. Does nothing where the library has no such call.
 void return_freed_memory();
 
 }  // namespace luxel

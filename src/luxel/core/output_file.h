@@ -12,10 +12,10 @@ namespace luxel {
 class Descriptor;
 
 // A file that is replaced atomically: written without a name in the folder of its path, flushed to the disk,
-// then named. Until commit() the old file, if any, is unchanged; without commit() nothing of it stays, even
-// where the process is killed. File systems without unnamed files get a hidden one, `.STEM.*.tmp.EXTENSION`,
+// then named. Until commit() the old file, if any, is unchanged; without commit() no new file remains, even
+// if the process is killed. File systems without unnamed files get a hidden one, `.STEM.*.tmp.EXTENSION`,
 // which is locked as long as its writer lives. Special files (/dev/stdout, a pipe) cannot be replaced and are
-// written in place. Links to files are not followed: who put one there would choose what is overwritten.
+// written in place. Links to files are not followed: their author would choose which file is overwritten.
 class OutputFile {
  public:
   // Throws DeviceError, naming the folder, where the folder does not exist or cannot be written, and where
@@ -43,8 +43,8 @@ class OutputFile {
   bool in_place_ = false;
 };
 
-// Removes what killed writers of this file left beside it: hidden files that no process has locked. Returns
-// their bytes.
+// Removes hidden files beside this one that killed writers left and that no process has locked. Returns their
+// bytes.
 std::uint64_t remove_leftovers(const std::filesystem::path& path);
 
 // The whole of a buffer as a file, by the same road.

@@ -11,7 +11,7 @@ namespace luxel {
 std::optional<std::filesystem::path> real_path(const std::filesystem::path& path);
 
 // Returns whether the path leads to a regular file, through links or not. Folders, devices and pipes are
-// none.
+// not.
 bool is_plain_file(const std::filesystem::path& path);
 
 }  // namespace luxel

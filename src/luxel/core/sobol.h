@@ -76,7 +76,7 @@ inline constexpr SobolTable sobol_table = make_sobol_table();
 // Different keys give independent scramblings: replicates. Pairs (0, 1) are the best projections.
 //
 // Random access: `at` is a pure function of key, index and dimension. Scrambling by hashing (Laine and Karras
-// 2011; constants by Vegdahl 2021; Burley 2020). About 5 ns a number.
+// 2011; constants by Vegdahl 2021; Burley 2020). About 5 ns per number.
 class OwenSobol {
  public:
   static constexpr int dimensions = detail::sobol_dimensions;

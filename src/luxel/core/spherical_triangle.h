@@ -46,8 +46,8 @@ class SphericalTriangle {
   // Per steradian, within the triangle.
   double density() const { return 0.5 / half_solid_angle_; }
 
-  // A unit direction from two numbers in [0, 1). u1 cuts off the triangle a b c' of its share of the solid
-  // angle, u2 runs from b (0) to c' (1). Where the solid angle is zero: b.
+  // A unit direction from two numbers in [0, 1). u1 cuts off the triangle a b c' with this fraction of the
+  // solid angle, u2 runs from b (0) to c' (1). Where the solid angle is zero: b.
   Vec3d direction(double u1, double u2) const {
     assert(u1 >= 0.0 && u1 <= 1.0 && u2 >= 0.0 && u2 <= 1.0);
     const auto [s, c] = sin_cos(u1 * half_solid_angle_);

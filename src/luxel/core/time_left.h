@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// Seconds until a stage ends, of whose whole time the fraction `done` has passed in `seconds`. Nothing below
-// 1 %: no forecast is made yet, or it is too coarse.
+// Returns the seconds until the end of a stage whose fraction `done` took `seconds`. Nothing below 1 %: no
+// estimate exists yet, or it is too coarse.
 inline std::optional<double> time_left(double done, double seconds) {
   constexpr double min_done = 0.01;
   if (!(done >= min_done)) return std::nullopt;

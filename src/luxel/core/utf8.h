@@ -10,7 +10,7 @@ namespace luxel {
 // whatever bytes their author's machine had; JSON is UTF-8 alone.
 std::string valid_utf8(std::string_view text);
 
-// The text as a terminal may show it: names from files could hold sequences that move its cursor, change its
+// Makes a text safe for terminals: names from files could hold sequences that move its cursor, change its
 // title or turn the direction of writing. Bytes that are not UTF-8 and control characters (C0, C1, DEL, those
 // of direction) become \xNN or \u{NNNN}; ends of lines and tabs stay where `keeps_lines`.
 std::string printable(std::string_view text, bool keeps_lines = true);

@@ -26,7 +26,7 @@ inline Vec2 concentric_disk(float u1, float u2) {
   assert(u1 >= 0.0f && u1 <= 1.0f && u2 >= 0.0f && u2 <= 1.0f);
   const float a = 2.0f * u1 - 1.0f;
   const float b = 2.0f * u2 - 1.0f;
-  // No branches: which half it is, no processor can foresee.
+  // Without branches: processors cannot predict which half it is.
   const bool wide = std::abs(a) > std::abs(b);
   const float radius = wide ? a : b;
   const float across = wide ? b : a;

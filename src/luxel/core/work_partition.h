@@ -14,8 +14,8 @@
 
 namespace luxel {
 
-// Work that the processes of a run share: how many there are, which one this is, and what each of them has
-// found. Where this process is alone, it owns everything and nothing is exchanged.
+// Work that the processes of a run divide: number of processes, index of this one, and exchange of results. A
+// process that is alone owns everything and exchanges nothing.
 class SharedWork {
  public:
   SharedWork() = default;  // of one process
@@ -43,8 +43,8 @@ class SharedWork {
                          std::as_writable_bytes(std::span<T>(all)), std::vector(all.size(), sizeof(T)));
     return all;
   }
-  // The same without blocking: begun here and finished by wait(); until then `own` and `all` must stay where
-  // they are. Null where this process is alone.
+  // Starts all_gather_value() without blocking; wait() finishes it. Until then `own` and `all` must stay in
+  // place. Null where this process is alone.
   template <typename T>
   std::unique_ptr<Ranks::Pending> start_all_gather_value(const T& own, std::span<T> all) const {
     if (!ranks_) return nullptr;
@@ -98,7 +98,7 @@ class LoopPartition : public SharedWork {
   void all_gather(std::span<T> values, std::size_t width) const {
     gather(values, [&](std::size_t i) { return i * width; });
   }
-  // The same with one number for each chunk.
+  // Gathers one number for each chunk in all ranks.
   template <typename T>
   void all_gather_chunks(std::span<T> values) const {
     gather(values, [&](std::size_t i) { return (i + grain_ - 1) / grain_; });
@@ -122,9 +122,9 @@ class LoopPartition : public SharedWork {
   std::size_t count_, grain_;
 };
 
-// Which process does which rows: blocks of neighbouring positions. At first they are dealt in turn, up to
-// four together, so that each process has some of every part of the scene and of every part of a sweep; later
-// slow processes give some away. For one thread of each process.
+// Assignment of rows to processes, in blocks of neighbouring positions. At first they are dealt in turn, up
+// to four together, so that each process has some of every part of the scene and of every part of a sweep;
+// later, slow processes lose some. To be called from one thread of each process.
 class RowPartition : public SharedWork {
  public:
   // positions: of all rows there will ever be.
@@ -143,7 +143,7 @@ class RowPartition : public SharedWork {
   struct Run {
     std::size_t rank = 0, begin = 0, count = 0;
   };
-  // Each row's numbers, `width` of them, become known to all ranks. No row is in two runs.
+  // Gathers the numbers of each row, `width` of them, in all ranks. No row is in two runs.
   template <typename T>
   void all_gather_runs(std::span<T> values, std::size_t width, std::span<const Run> runs) const {
     if (!ranks_) return;
@@ -171,7 +171,7 @@ class RowPartition : public SharedWork {
       next[run.rank] += to.size();
     }
   }
-  // The same where row i of `rows` is row row_at(i) of the values, computed by rank_at(i).
+  // Gathers rows, where row i of `rows` is row row_at(i) of the values, computed by rank_at(i).
   template <typename T, typename RowAt, typename RankAt>
   void all_gather_rows(std::span<T> values, std::size_t width, std::size_t rows, RowAt row_at,
                        RankAt rank_at) const {
@@ -190,13 +190,13 @@ class RowPartition : public SharedWork {
     }
     return runs;
   }
-  // The same where the owner of position_at(i) computed row i.
+  // Gathers rows, where the owner of position_at(i) computed row i.
   template <typename T, typename RowAt, typename PositionAt>
   void all_gather(std::span<T> values, std::size_t width, std::size_t rows, RowAt row_at,
                   PositionAt position_at) const {
     all_gather_rows(values, width, rows, row_at, [&](std::size_t i) { return owner(position_at(i)); });
   }
-  // The same with one number for each block.
+  // Gathers one number for each block in all ranks.
   template <typename T>
   void all_gather_blocks(std::span<T> values) const {
     all_gather(
@@ -210,7 +210,7 @@ class RowPartition : public SharedWork {
   mutable std::vector<std::byte> room_;  // receive buffer; reused, since allocating pages again takes longer
 };
 
-// How fast each process works, and when it is done with what it has.
+// Speed of each process, and the time when it finishes its current work.
 struct ProcessTimes {
   std::vector<double> speed;  // [rank]: threads that are at work, above 0
   std::vector<double> ready;  // [rank], s
@@ -224,7 +224,7 @@ struct ProcessTimes {
 std::vector<std::uint32_t> balanced_owners(std::vector<std::uint32_t> owners, std::span<const double> load,
                                            std::span<const double> speed, double other = 0.0);
 
-// Indices of loads, the heaviest first; those of one weight in their order.
+// Returns the indices of loads, the heaviest first; equal loads keep their order.
 std::vector<std::uint32_t> heaviest_first(std::span<const double> load);
 
 // Assigns units of work that any rank can do: the largest first, each to the rank that would finish it first.

@@ -135,7 +135,7 @@ class Newton {
   ExchangeAreas& areas_;
   std::span<const double> area_;
   const Context& context_;
-  // At the point of the last residual.
+  // Values at the point of the last residual.
   Vector diagonal_, sinks_at_;
   double first_ = 0.0;  // the residual at the start
   int passes_ = 0;

@@ -18,12 +18,12 @@ struct Balance {
   bool is_stopped = false;         // by the monitor
 };
 
-// The multipliers with which x_ij = max(0, G_ij + variance_ij (m_i + m_j)), x_ii = max(0, G_ii + variance_ii
-// m_i) and sinks likewise fill every row: sum of x = area, m². That x is nearest to G, measured in variances,
-// of all that are nowhere below 0 and do so (the conditions of Karush, Kuhn and Tucker). Newton's method for
-// functions that are smooth in pieces (Qi and Sun 1993); its equations, sparse and positive, by conjugate
-// gradients with the diagonal as preconditioner. Which x are at 0 is noted in the variances' signs meanwhile,
-// so that a pass reads 8 bytes an exchange area; some tens of passes. The same bits on any number of threads.
+// Finds the multipliers m for which x_ij = max(0, G_ij + variance_ij (m_i + m_j)), x_ii = max(0, G_ii +
+// variance_ii m_i) and sinks of the same form fill every row: sum of x = area, m². Of all x >= 0 that do so,
+// this one is nearest to G, measured in variances (the conditions of Karush, Kuhn and Tucker). Newton's
+// method for functions that are smooth in pieces (Qi and Sun 1993); its sparse, positive equations by
+// conjugate gradients with the diagonal as preconditioner. The variances' signs mark the x at 0 meanwhile, so
+// that a pass reads 8 bytes per exchange area; some tens of passes. The same bits on any number of threads.
 Balance balance_rows(ExchangeAreas& areas, std::span<const double> area, const Context& context = {});
 
 // x of a listed exchange area in row i, and of a sink.

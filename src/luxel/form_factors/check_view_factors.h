@@ -19,11 +19,11 @@ struct FactorCheck {
   std::uint32_t worst_row = 0;
   double smallest = 0.0, largest = 0.0;  // listed factors
   // Root mean square over pairs of |A_i F_ij - A_j F_ji| / max(A_i, A_j), so the difference as a factor from
-  // the larger element; what the standard errors let expect of it; and the largest. 0 where no pair has both
-  // rows known.
+  // the larger element; its value expected from the standard errors; and the largest. 0 where no pair has
+  // both rows known.
   double reciprocity = 0.0, expected_reciprocity = 0.0, worst_reciprocity = 0.0;
   std::array<std::uint32_t, 2> worst_pair = {0, 0};  // where that is
-  // Shares of what leaves all rows, by area.
+  // Fractions of the power leaving all rows, by area.
   double environment = 0.0, backs = 0.0, dropped = 0.0;
 };
 

@@ -33,7 +33,7 @@ inline void clip_polygon(std::span<const Vec3d> polygon, const Plane& plane, std
   }
 }
 
-// Likewise, with the part on the lower side. heights: of the corners above the plane.
+// Like clip_polygon(), but also gives the part on the lower side. heights: of the corners above the plane.
 inline void split_polygon(std::span<const Vec3d> polygon, std::span<const double> heights,
                           std::vector<Vec3d>& above, std::vector<Vec3d>& below) {
   above.clear();

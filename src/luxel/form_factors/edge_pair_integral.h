@@ -18,8 +18,8 @@ struct Edge {
 // lose digits, as it does for edges all but parallel, edge_pair_quadrature(). 0.5 us, or 3 to 60 us.
 double edge_pair_integral(const Edge& p, const Edge& q);
 
-// The same, the inner integral in closed form, the outer by Gauss's rule on pieces that shrink towards the
-// points of the edge where the integrand bends. Absolute error about 1e-14, for any two edges.
+// The same with the inner integral in closed form, the outer by Gauss's rule on intervals that shrink towards
+// the points of the edge where the integrand bends. Absolute error about 1e-14, for any two edges.
 double edge_pair_quadrature(const Edge& p, const Edge& q);
 
 }  // namespace luxel

@@ -11,15 +11,15 @@
 
 namespace luxel {
 
-// Exchange areas G_ij = A_i F_ij = A_j F_ji, m², with both halves of the symmetric table listed, alike to
+// Exchange areas G_ij = A_i F_ij = A_j F_ji, m², with both halves of the symmetric table listed, identical to
 // the bit.
 struct ExchangeAreas {
   std::vector<std::uint64_t> row_begin;  // [element + 1]
   std::vector<std::uint32_t> column;
   std::vector<double> value;          // m²
   std::vector<float> standard_error;  // measured, of the factor: value / area of the row
-  // m⁴, what weights are made of, see enforce_laws(). balance_rows() notes by a minus which areas it holds at
-  // 0.
+  // m⁴, for the weights, see enforce_laws(). balance_rows() marks areas that it holds at 0 by a negative
+  // sign.
   std::vector<float> variance;
   struct SinkColumn {
     std::vector<double> value;     // [element], m²

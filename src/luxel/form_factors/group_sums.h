@@ -19,7 +19,7 @@ class GroupSums {
   void add(std::uint32_t from, std::uint32_t met, std::uint32_t replicate, double amount) {
     sums_[place_of(from, met) * replicates_ + replicate] += amount;
   }
-  // In the order in which the other met its pairs.
+  // Adds pairs in the order in which `other` met them.
   void add(const GroupSums& other);
 
   std::size_t pairs() const { return keys_.size(); }

@@ -43,7 +43,7 @@ constexpr double centre_weight = 0.225, centre_difference = 0.96825;
 constexpr std::array<Orbit, 2> orbits = {{{0.10128650732345633, 0.12593918054482717, 0.17195},
                                           {0.47014206410511505, 0.13239415278850616, -0.49470}}};
 
-// Integrals over a cell: of all that its points would see of the inner polygon, and of what they see.
+// Integrals over a cell: of the whole inner polygon as its points would see it, and of the visible part.
 struct Light {
   double open = 0.0, seen = 0.0;
 
@@ -143,8 +143,8 @@ class Integral {
     for (const auto& [at, weight, difference] : orbits)
       for (std::size_t k = 0; k < 3; ++k) add(point(k, at), weight, difference);
 
-    // The sample points are all but lit, or all but dark, though it is not known that the whole cell is:
-    // points on the boundary test it.
+    // The sample points are nearly fully lit, or nearly fully dark, but the whole cell may not be: points on
+    // the boundary test it.
     const auto [open, seen] = cell.light;
     const auto clear = cell.level == first_cuts ? clear_fraction * open : 0.0;
     const bool is_lit = open - seen <= clear, is_dim = seen <= clear;

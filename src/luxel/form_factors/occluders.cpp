@@ -57,8 +57,8 @@ class Joiner {
       pieces_[p].area = glm::length(polygon_area_vector(pieces_[p].corners));
     }
     find_neighbours(patches);
-    // Whole faces at once, or what a modeller made of one triangle; then piece by piece. What cannot be
-    // joined at first may be once both have grown: cells to strips, strips to walls.
+    // Joins whole faces, or all parts of one triangle, at once; then piece by piece. Pieces that do not fit
+    // at first may fit once both have grown: cells to strips, strips to walls.
     DisjointSets faces(patches.size()), triangles(patches.size());
     for (std::uint32_t p = 0; p < patches.size(); ++p)
       for (const auto q : pieces_[p].beside) {
@@ -130,7 +130,7 @@ class Joiner {
     whole.beside.insert(whole.beside.end(), part.beside.begin(), part.beside.end());
   }
 
-  // Joins to a piece what it can of what lies beside it. Returns whether there was any.
+  // Joins a piece with all neighbours that it can be joined with. Returns whether there was any.
   bool grow(std::uint32_t piece) {
     bool has_grown = false;
     auto own = std::exchange(pieces_[piece], {});
@@ -155,8 +155,8 @@ class Joiner {
     return has_grown;
   }
 
-  // The polygon that these points span, in the plane of one part of it; empty where they lie off the plane,
-  // or parts of this area, m², leave a notch.
+  // Returns the polygon that these points span, in the plane of one part of it; empty where they lie off the
+  // plane, or where parts of this area, m², leave a notch.
   Polygon joint(Polygon points, const Polygon& part, double area) const {
     const auto front = polygon_area_vector(part);
     const auto size = glm::length(front);

@@ -37,7 +37,7 @@ void append_patch_rows(const ElementRays& rays, std::span<const std::uint32_t> r
                        std::uint32_t per_receiver, double min_factor, PatchRowScratch& scratch,
                        PatchRows& rows);
 
-// Mean and standard error of replicates' shares from their counts out of per_replicate rays each.
+// Mean and standard error of the fractions of replicates, from their counts out of per_replicate rays each.
 struct CountedFraction {
   std::uint32_t hits = 0;
   double fraction = 0.0;

@@ -8,8 +8,8 @@
 
 namespace luxel {
 
-// Returns the form factor from polygon a to polygon b: the share of the diffuse power leaving the front of a
-// that arrives at the front of b, in [0, 1], without occlusion. Corners in metres, counter-clockwise seen
+// Returns the form factor from polygon a to polygon b: the fraction of the diffuse power leaving the front of
+// a that arrives at the front of b, in [0, 1], without occlusion. Corners in metres, counter-clockwise seen
 // from the front; flat, convex, at least three, else 0. Parts of either behind the plane of the other do not
 // contribute. The polygons may touch, share edges, and be arbitrarily near.
 //
@@ -19,10 +19,10 @@ namespace luxel {
 // the same when apart. 1 to 15 us for two triangles, 300 us at worst.
 double polygon_form_factor(std::span<const Vec3d> a, std::span<const Vec3d> b);
 
-// The same times the area of a, m²: what both directions have in common.
+// Returns the form factor times the area of a, m², which is the same in both directions.
 double polygon_exchange_area(std::span<const Vec3d> a, std::span<const Vec3d> b);
 
-// The parts of two polygons that lie before each other's plane: what can see each other. Empty where there is
+// The parts of two polygons in front of each other's plane, which can see each other. Empty if there are
 // none. Corners in the other's plane but for rounding stay as they are.
 struct FacingParts {
   std::vector<Vec3d> a, b;

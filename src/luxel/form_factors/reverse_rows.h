@@ -10,8 +10,8 @@
 
 namespace luxel {
 
-// Who sees a run of elements: the columns [begin, end) of the factors turned to rows. The whole turned round
-// would need as much memory again; a run at a time needs one run's, and runs can be made side by side.
+// Factors towards a run of elements: the columns [begin, end) transposed to rows. The whole transpose would
+// need as much memory again; one run at a time needs that of a run, and runs can be made in parallel.
 class ReverseRows {
  public:
   // Rows of one run; the last run has fewer. At most some hundred runs whatever the size, since each run

@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// The two ways of sample_view_factors(), which has the promises.
+// The two algorithms of sample_view_factors(), which documents them.
 
 // For factors between patches: rows are computed once, with a number of rays that a trial on some of them
 // estimates.
@@ -20,7 +20,7 @@ std::optional<ViewFactors> sample_patch_factors(const ElementRays& rays, const S
 std::optional<ViewFactors> sample_group_factors(const ElementRays& rays, const SampleFactorsOptions& options,
                                                 SampleFactorsReport& report, const Context& context);
 
-// Rays a side and replicate that a limit allows, a power of two; where there is none, the most there can be.
+// Returns the rays per side and replicate that a limit allows, a power of two; without a limit, the maximum.
 std::uint32_t max_per_replicate(const SampleFactorsOptions& options);
 
 // Receivers [begin, end) as a list.

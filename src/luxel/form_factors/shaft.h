@@ -10,16 +10,16 @@
 
 namespace luxel {
 
-// All that can stand between two flat convex polygons: the convex hull of both (Haines and Wallace 1991).
+// The region between two flat convex polygons: the convex hull of both (Haines and Wallace 1991).
 class Shaft {
  public:
-  // slack, m: what reaches less than that into the shaft is outside.
+  // slack, m: polygons that reach less than this into the shaft count as outside.
   Shaft(std::span<const Vec3d> a, std::span<const Vec3d> b, double slack);
 
   // Returns whether a box is outside. Conservative: may return false for a box that is.
   bool misses(const Bounds& box) const;
   // Returns whether a flat convex polygon blocks no line between a and b: it is outside, or is seen edge on.
-  // By separating axes: no answer is wrong by more than the slack.
+  // By separating axes: no result is wrong by more than the slack.
   bool misses(std::span<const Vec3d> polygon) const;
 
  private:

@@ -11,18 +11,18 @@
 
 namespace luxel {
 
-// A flat convex polygon that hides what lies behind it; its corners belong to somebody else.
+// A flat convex polygon that hides the surfaces behind it; its corners are stored elsewhere.
 using OccludingPolygon = std::span<const Vec3d>;
 
 // Irradiance at a point from a polygon behind opaque polygons (screens), in closed form: the polygon is
 // clipped by the pyramid that the point and a screen span, beyond the screen. Scratch memory for one thread.
 class VisibleIrradiance {
  public:
-  // slack, m: a screen in whose plane the point lies so nearly hides nothing.
+  // slack, m: a screen whose plane is this near to the point hides nothing.
   explicit VisibleIrradiance(double slack) : slack_(slack) {}
 
-  // As unit_irradiance(polygon, x, n), in [0, pi]: of what x sees past all screens. About 0.3 us a screen,
-  // more where they cut it into many fragments.
+  // Like unit_irradiance(polygon, x, n), in [0, pi], for the part that x sees past all screens. About 0.3 us
+  // per screen, more where they cut it into many fragments.
   double at(const Vec3d& x, const Vec3d& n, std::span<const Vec3d> polygon,
             std::span<const OccludingPolygon> screens);
 

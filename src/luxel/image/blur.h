@@ -13,8 +13,8 @@ struct GreyPicture {
 };
 
 // The mean around each pixel with Gaussian weights of standard deviation sigma (pixels), cut at 3 sigma. Near
-// an edge the weights inside the picture are brought back to a sum of 1, so a constant stays what it is. Two
-// passes of 6 sigma + 1 taps a pixel. Up to rounding, the result lies between the smallest and the largest
+// an edge the weights inside the picture are brought back to a sum of 1, so a constant does not change. Two
+// passes of 6 sigma + 1 taps per pixel. Up to rounding, the result lies between the smallest and the largest
 // value.
 GreyPicture gaussian_blur(const GreyPicture& plane, float sigma);
 

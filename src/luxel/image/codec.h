@@ -26,11 +26,11 @@ struct CodecError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A file of n bytes may have max(2^24, 64 n) pixels: compression takes a plain colour farther, and a few
-// kilobytes would ask for gigabytes.
+// A file of n bytes may have max(2^24, 64 n) pixels: a plain colour compresses further, and a few kilobytes
+// could require gigabytes.
 inline constexpr std::int64_t always_allowed_pixels = 1 << 24, pixels_per_byte = 64;
 
-// Throws CodecError unless 1 <= width, height <= max_side, and a file of so many bytes may have the pixels.
+// Throws CodecError unless 1 <= width, height <= max_side, and a file of this size may have the pixels.
 void check_size(std::int64_t width, std::int64_t height, std::size_t bytes);
 
 // The pixels of a file of linear values.
@@ -40,7 +40,7 @@ inline Raster of_numbers(Image image) { return {image.width, image.height, {}, s
 std::string encode_png(const Image& display, const PictureNotes& notes = {}, const Context& context = {});
 std::string encode_png(const ScreenImage& image);
 std::string encode_png(const Raster& raster);  // of codes
-// Of codes, without alpha. quality: 1 to 100.
+// Encodes a raster's codes, without alpha. quality: 1 to 100.
 std::string encode_jpeg(const Raster& raster, int quality);
 std::string encode_exr(const Image& linear, const Context& context = {});
 std::string encode_hdr(const Image& linear);

@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// How values become colours: evenly from 0 to `high`, darker ones black, brighter ones the last colour.
+// Mapping of values to colours: evenly from 0 to `high`, darker ones black, brighter ones the last colour.
 struct FalseColourScale {
   double high = 1.0;  // above 0
   std::string unit;   // "lx" or "cd/m2"

@@ -33,7 +33,7 @@ class PixelShape {
   std::vector<std::uint64_t> words_;
 };
 
-// Where a place of a box from (0, 0) to (right, bottom) goes when the box is turned, 0 to 3 quarters.
+// Maps a place in a box from (0, 0) to (right, bottom) when the box is turned by 0 to 3 quarters.
 template <typename Number>
 std::pair<Number, Number> turned_place(int quarters, Number x, Number y, Number right, Number bottom) {
   switch (quarters) {
@@ -58,11 +58,11 @@ struct PackedShapes {
   int pages = 0;                    // 0: one is larger than a page
 };
 
-// Packs shapes on square pages, turned where they lie better so. Between pixels of two shapes, and to the
-// edge of the page, are at least `margin` pixels across, down and along diagonals. Large shapes come first;
-// each goes to the first page that has room, as far up as possible, then as far left (bottom-left placement
-// of bitmaps). With max_pages, stops and returns no pages where more would be needed. The same input gives
-// the same layout. Cost: about 1 us per shape and row of the page.
+// Packs shapes on square pages, turned where they fit better. Between pixels of two shapes, and to the edge
+// of the page, are at least `margin` pixels across, down and along diagonals. Large shapes come first; each
+// goes to the first page that has room, as far up as possible, then as far left (bottom-left placement of
+// bitmaps). With max_pages, stops and returns no pages where more would be needed. The same input gives the
+// same layout. Cost: about 1 us per shape and row of the page.
 PackedShapes pack_shapes(std::span<const PixelShape> shapes, int page_size, int margin, int max_pages);
 
 }  // namespace luxel

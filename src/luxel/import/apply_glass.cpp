@@ -34,7 +34,7 @@ void make_diffuser(Material& material, const Vec3& transmittance) {
   material.diffuse_transmittance = transmittance;
 }
 
-// Returns whether there is such a material. asked: [material], set where there is.
+// Returns whether any material matches. asked: [material], set for each that matches.
 bool apply(const GlassOption& option, Scene& scene, std::vector<bool>& asked) {
   bool any = false;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {

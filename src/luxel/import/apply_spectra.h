@@ -6,8 +6,8 @@
 
 namespace luxel {
 
-// Gives the materials and the sky of a scene what LoadOptions::spectra holds, and the scene the wavelengths
-// to be solved at: those of all spectra in the file that an eye sees, with even steps of max_band_step or
+// Applies the spectra of LoadOptions::spectra to the materials and the sky of a scene, and sets the
+// wavelengths to solve at: the visible ones of all spectra in the file, with even steps of max_band_step or
 // less put between any that lie farther apart; or LoadOptions::bands at even steps from the first to the
 // last. Throws InputError, with file and line, where the file is damaged or does not fit the scene.
 void apply_spectra(const LoadOptions& options, Scene& scene, const Context& context);

@@ -35,9 +35,9 @@ class CsvTable {
   std::size_t line() const { return line_; }  // of the row, from 1
   const std::string& source() const { return source_; }
   bool has_column(std::string_view name) const { return column_of(name).has_value(); }
-  // The field of a column; empty where there is no such column.
+  // Returns the field of a column; empty if there is no such column.
   std::string text(std::string_view name) const;
-  // Nothing where the field is empty or there is no such column; else it must be a finite number.
+  // Returns the number of a field, which must be finite; nothing if it is empty or there is no such column.
   std::optional<double> number(std::string_view name) const;
   double required_number(std::string_view name) const;
   // Three columns that are all given or all empty.

@@ -50,8 +50,8 @@ class EarClipper {
   bool are_ears_few_ = false;                   // in the last round
   std::uint32_t here_ = 0;                      // the corner looked at
   std::size_t work_ = 0;                        // corners and cells looked at so far
-  // About a second for a hundred thousand corners. Reached only by polygons made to be slow; what is left of
-  // them becomes a fan.
+  // About a second for a hundred thousand corners. Reached only by polygons made to be slow; their remainder
+  // becomes a fan.
   std::size_t max_work_;
 
   glm::dvec2 low_, cells_per_unit_;

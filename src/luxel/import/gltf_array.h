@@ -11,7 +11,7 @@
 namespace luxel {
 
 // An accessor of a glTF file: a typed array that lies in its bytes, with another one of replaced elements
-// where it is sparse. All ranges are checked when it is made, so that each element can be had without a look.
+// where it is sparse. All ranges are checked when it is made, so that elements are read without checks.
 // Nothing is copied; valid as long as the file.
 class GltfArray {
  public:

@@ -114,7 +114,7 @@ void Decompressor::decode_meshes() {
   }
 }
 
-// Accessors may be shared with primitives that other data stands for, so each primitive gets copies.
+// Accessors may be shared with primitives that have other compressed data, so each primitive gets copies.
 void Decompressor::decode_primitive(const JsonValue& primitive, SortedJson& changed) {
   const auto extension = primitive["extensions"][draco];
   erase_extension(changed, draco);
@@ -159,7 +159,7 @@ std::size_t Decompressor::add_accessor(const JsonValue& old, const std::string& 
   return root_["accessors"].size() - 1;
 }
 
-// Buffers that only stand for what programs without the extension read have no bytes of their own.
+// Fallback buffers, which only programs without the extension read, have no bytes of their own.
 void Decompressor::empty_fallbacks() {
   const auto buffers = file_.root()["buffers"];
   for (std::size_t i = 0; i < buffers.size(); ++i) {

@@ -14,10 +14,10 @@
 
 namespace luxel {
 
-// A glTF 2.0 file as it is written down: its JSON, and the bytes it refers to, inside it, in data URIs or in
-// files beside it. Meshes that Draco or meshoptimizer compressed are decoded when it is opened, so that what
-// it shows has none. Files are named relative to its folder; those that SceneFolder does not permit and
-// addresses of the net are refused.
+// A glTF 2.0 file as stored: its JSON, and the bytes it refers to, inside it, in data URIs or in files beside
+// it. Meshes that Draco or meshoptimizer compressed are decoded when it is opened, so that its contents have
+// no compressed ones. Files are named relative to its folder; those that SceneFolder does not permit and
+// internet addresses are refused.
 class GltfFile {
  public:
   // Reads a GLB (recognised by its first bytes) or the JSON of a .gltf. Throws InputError where it is
@@ -34,27 +34,27 @@ class GltfFile {
   const JsonValue& root() const { return root_; }
   const std::string& source() const { return source_; }
 
-  // The element of the root's array that an index means: object(primitive["material"], "materials"). Throws
-  // where the array has none such; the index must be there.
+  // Returns the element of the root's array that an index refers to: object(primitive["material"],
+  // "materials"). Throws where the array has no such element; the index must exist.
   JsonValue object(const JsonValue& index, std::string_view array) const;
 
   // Returns the bytes of the bufferView with this index; valid until the file is destroyed. Buffers are read
   // on first use. Not thread-safe.
   std::string_view view(const JsonValue& index);
 
-  // The same by its number, below how many there are.
+  // Returns the bytes of the bufferView with this number, which must exist.
   std::string_view view(std::size_t number);
 
-  // The bytes that an object with buffer, byteOffset and byteLength means, likewise.
+  // Returns the bytes of an object with buffer, byteOffset and byteLength; valid as those of view().
   std::string_view range(const JsonValue& of);
 
-  // The bytes of a buffer, by its number, likewise.
+  // Returns the bytes of the buffer with this number; valid as those of view().
   std::string_view buffer(std::size_t number);
 
-  // The JSON as it is written, but for what was decoded.
+  // Returns the JSON as stored, except for what was decoded.
   std::string_view text() const { return text_; }
 
-  // The bytes that a URI stands for. Throws InputError where there is no such file that may be read.
+  // Returns the bytes that a URI refers to. Throws InputError where there is no such file that may be read.
   std::string resource(const JsonValue& uri);
 
   // The files that were read besides this one.

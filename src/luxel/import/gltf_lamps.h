@@ -14,7 +14,7 @@ namespace luxel {
 // place.
 void add_lamps(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene);
 
-// The same for cameras, in the order of nodes. Cameras without perspective are skipped, with a warning.
+// Adds the cameras too, in the order of nodes. Cameras without perspective are skipped, with a warning.
 void add_cameras(const GltfFile& file, std::span<const PlacedNode> nodes, double scale, Scene& scene,
                  const Context& context);
 

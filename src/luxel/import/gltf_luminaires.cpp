@@ -107,7 +107,7 @@ class GltfLuminaires {
 
 }  // namespace
 
-// Extras may hold anything; those of other programs are theirs.
+// Extras may hold anything; those of other programs are ignored.
 bool has_luminaire(const JsonValue& node) {
   const auto extras = node["extras"];
   return extras.is_object() && extras["luminaire"].is_text();

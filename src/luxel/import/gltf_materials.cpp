@@ -242,7 +242,7 @@ void GltfMaterials::let_through(const Surface& surface, Material& material) {
   material.opaque = material.is_lamp() || !(has_hole || surface.passes > half_solid);
   if (material.opaque) return;
   if (!has_hole) material.transmittance = transmittance_of(surface);
-  if (is_glass_of(options_.glass, surface.name)) return;  // told by apply_glass()
+  if (is_glass_of(options_.glass, surface.name)) return;  // reported by apply_glass()
   (material.transmittance == Vec3(1.0f) ? transparent_ : panes_).push_back(surface.name);
 }
 

@@ -19,8 +19,8 @@ class GltfMaterials {
  public:
   GltfMaterials(GltfFile& file, const LoadOptions& options);
 
-  // The material of a primitive. One that lacks the texture coordinates that its material wants is given the
-  // mean colours instead, as a material of its own.
+  // Returns the material of a primitive. A primitive without the texture coordinates that its material needs
+  // gets the mean colours instead, as a material of its own.
   MaterialId of(const JsonValue& primitive);
 
   // The n of TEXCOORD_n of each set that uses name.
@@ -57,7 +57,7 @@ class GltfMaterials {
   const LoadOptions& options_;
   GltfTextures textures_;
   std::vector<Material> materials_;
-  // By the number in the file, and which pictures the primitive has no coordinates for.
+  // Key: number in the file, and the pictures for which the primitive has no coordinates.
   std::map<std::pair<std::size_t, std::vector<bool>>, MaterialId> made_;
   std::vector<std::size_t> texture_coordinates_;
   std::optional<MaterialId> default_;  // of primitives without material

@@ -12,8 +12,8 @@
 
 namespace luxel {
 
-// Those extensions that a file may require: what Luxel reads, and what only changes reflections, which it has
-// none of.
+// Extensions that a file may require: those that Luxel reads, and those that only change specular
+// reflections, which Luxel does not compute.
 const std::vector<std::string_view>& known_extensions();
 
 // A primitive that draws triangles, where a node puts it.
@@ -40,7 +40,7 @@ GltfParts drawn_parts(const GltfFile& file, const std::vector<PlacedNode>& nodes
 std::vector<std::array<std::uint32_t, 3>> triangle_corners(GltfFile& file, const JsonValue& primitive,
                                                            std::size_t vertices);
 
-// Whether a node turns what is counter-clockwise into clockwise.
+// Whether the transform of a node reverses the winding of triangles.
 bool mirrors(const glm::dmat4& world);
 
 }  // namespace luxel

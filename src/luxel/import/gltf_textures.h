@@ -15,7 +15,7 @@
 
 namespace luxel {
 
-// The pictures of a glTF file that materials ask for, each decoded once, and where they lie on surfaces.
+// The pictures of a glTF file that materials use, each decoded once, and their placement on surfaces.
 class GltfTextures {
  public:
   // A picture where a material names one. Its texture lacks where it cannot be had.

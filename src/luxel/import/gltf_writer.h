@@ -40,8 +40,8 @@ class GltfWriter {
   void put(const std::string& path, const Json& value);
   void put_copy(const std::string& path, const std::string& of);
   void erase(const std::string& path);  // if it is there; of an array those behind it move up
-  // Appends a value, or a copy of what stands at another place, to an array that is made where it is missing;
-  // gives its index.
+  // Appends a value, or a copy of the value at another place, to an array, which is made if missing; returns
+  // its index.
   std::size_t append(const std::string& array, const Json& value);
   std::size_t append_copy(const std::string& array, const std::string& of);
   // Adds the name to extensionsUsed if it is not among them.

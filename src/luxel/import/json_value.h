@@ -25,7 +25,7 @@ class JsonValue {
   bool is_text() const;
   bool is_truth() const;
 
-  // A member of an object; nothing where there is none, or where this itself is not there.
+  // Returns a member of an object; a missing value if there is none, or if this value itself is missing.
   JsonValue operator[](std::string_view key) const;
   // An element of an array, below size().
   JsonValue operator[](std::size_t index) const;

@@ -34,7 +34,7 @@ class PhotometryStore {
  public:
   explicit PhotometryStore(const Context& context) : context_(context) {}
   std::shared_ptr<const Photometry> load(const std::filesystem::path& path, const PhotometryOptions& options);
-  // The same of bytes in memory; name: for errors and for the user.
+  // Reads bytes in memory; name: for errors and for the user.
   std::shared_ptr<const Photometry> parse(const std::string& bytes, const std::string& name,
                                           const PhotometryOptions& options);
 

@@ -85,7 +85,7 @@ void MaterialMaker::let_through(const MtlMaterial& mtl, Material& material) {
   if (material.opaque) return;
   material.transmittance = stated_transmittance(mtl).value_or(Vec3(1.0f));
   const bool absorbs = material.transmittance != Vec3(1.0f);
-  if (is_glass_of(options_.glass, mtl.name)) return;  // told by apply_glass()
+  if (is_glass_of(options_.glass, mtl.name)) return;  // reported by apply_glass()
   (absorbs ? panes_ : is_clear ? transparent_ : glasses_).push_back(mtl.name);
 }
 

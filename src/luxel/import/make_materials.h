@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// The reflectance of what no file describes: a middle grey.
+// Reflectance of surfaces that no file describes: a middle grey.
 inline constexpr float default_reflectance = 0.5f;
 
 // Limit of the reflectance that a mirror or metal gets instead of its reflections: that of aluminium and

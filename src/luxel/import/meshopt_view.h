@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// What EXT_meshopt_compression says of a bufferView.
+// Parameters of a bufferView by EXT_meshopt_compression.
 struct MeshoptView {
   std::size_t count = 0;   // elements
   std::size_t stride = 0;  // bytes per element, decoded
@@ -15,8 +15,8 @@ struct MeshoptView {
   std::string filter;      // NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
 };
 
-// Returns the count * stride bytes that the compressed ones stand for. Throws CompressionError where they are
-// damaged or declare more elements than so many bytes can hold, and where Luxel was built without
+// Returns the count * stride decompressed bytes. Throws CompressionError where the data are damaged
+// or declare more elements than their bytes can hold, and where Luxel was built without
 // meshoptimizer.
 std::string decode_meshopt(std::string_view bytes, const MeshoptView& view);
 

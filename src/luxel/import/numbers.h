@@ -12,7 +12,7 @@ namespace luxel {
 // Anything else ("3.1+e2", "nan", "1e99") is nothing.
 std::optional<double> read_precise_number(std::string_view word);
 
-// The same rounded to the nearest float; one too small for a float is 0.
+// Reads a number rounded to the nearest float; a number too small for a float is 0.
 std::optional<float> read_number(std::string_view word);
 
 // The first three words of a text as numbers, or nothing.

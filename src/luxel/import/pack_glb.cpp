@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t triangle_list = 4;  // glTF's mode
 constexpr int f32 = 5126;
 
-// All that a primitive's arrays hold can be read and belongs together.
+// Whether all arrays of a primitive can be read and belong together.
 bool is_readable(GltfFile& file, const JsonValue& primitive) {
   try {
     const auto attributes = primitive["attributes"];
@@ -233,7 +233,7 @@ std::string packed_glb(std::string glb, const std::string& source, const GltfPac
     auto packed = packer.bytes(source);
     if (packed.size() < glb.size()) return packed;
   }
-  // Of very small meshes the JSON of the extensions takes more than they save.
+  // For very small meshes the JSON of the extensions takes more bytes than they save.
   if (packing.compression == GltfCompression::quantised) return glb;
   auto uncompressed = packing;
   uncompressed.compression = GltfCompression::quantised;

@@ -31,7 +31,7 @@ void append(std::string& bytes, T value) {
   bytes.append(raw.data(), raw.size());
 }
 
-// The number that stands for a value.
+// Returns the stored number for a value.
 double stored(float value, const Form& form) {
   if (form.component == f32) return value;
   if (!form.is_normalised) return std::round(value);

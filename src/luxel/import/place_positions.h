@@ -13,7 +13,7 @@ namespace luxel {
 // of the scene's size.
 inline constexpr double far_in_sizes = 8.0;
 
-// The box of what faces use, in the file's coordinates.
+// Bounding box of the vertices that faces use, in the file's coordinates.
 struct Reach {
   Vec3d low = Vec3d(std::numeric_limits<double>::infinity());
   Vec3d high = Vec3d(-std::numeric_limits<double>::infinity());

@@ -13,7 +13,7 @@ namespace luxel {
 // own.
 class PlyNumbers {
  public:
-  // All must outlive it.
+  // All arguments must outlive the object.
   PlyNumbers(std::string_view bytes, const PlyHeader& header, const std::string& source)
       : header_(header),
         all_(bytes),

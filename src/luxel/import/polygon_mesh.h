@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// How often something happened, and where it did first: what a warning needs.
+// Number of occurrences and the place of the first one, for a warning.
 struct Tally {
   std::size_t count = 0;
   std::size_t first_line = 0;
@@ -49,9 +49,9 @@ struct PolygonMesh {
   std::vector<Corner> corners;
   std::vector<Face> faces;
   std::vector<Vec3> vertex_colours;  // by position, linear, [0, 1]; empty where there are none
-  std::vector<Vec3> face_colours;    // by face, likewise; these take precedence
+  std::vector<Vec3> face_colours;    // by face, linear, [0, 1]; these take precedence
   std::vector<std::string> groups;   // those that hold faces
-  std::vector<std::string> objects;  // likewise; empty where the file has no o
+  std::vector<std::string> objects;  // that hold faces; empty where the file has no o
   std::vector<NamedLine>
       materials;  // those that faces use, with the first usemtl; line 0 where there is none
   std::vector<NamedLine> libraries;  // the operands of each mtllib

@@ -108,7 +108,7 @@ MtlTexture read_texture(std::string_view operands) {
   return texture;
 }
 
-// These are hints: what cannot be read does without.
+// These are hints: values that cannot be read are ignored.
 void read_hints(const std::string& key, std::string_view operands, MtlMaterial& material) {
   auto words = operands;
   const auto number = read_number(take_word(words));

@@ -40,7 +40,7 @@ bool is_glass(const MtlMaterial& material);
 // opacity, which some writers put there.
 std::optional<Vec3> stated_transmittance(const MtlMaterial& material);
 
-// Whether illum asks for reflections of other surfaces, as metal and mirrors have them.
+// Whether illum selects reflections of other surfaces, as metal and mirrors have them.
 bool is_polished(const MtlMaterial& material);
 
 // Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ks, Ke or d that is not

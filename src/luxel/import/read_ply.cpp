@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t elements_per_report = 1 << 14;
 
-// What a property means. Those of three and of two numbers follow each other.
+// Meaning of a property. Components of vectors of three and of two numbers are consecutive.
 enum Role : std::size_t { x, y, z, nx, ny, nz, red, green, blue, u, v, texture, unused };
 
 struct RoleName {

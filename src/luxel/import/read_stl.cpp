@@ -165,7 +165,7 @@ std::optional<PolygonMesh> StlReader::read() {
   const auto first = bytes_.find_first_not_of(" \t\r\n");
   const bool is_text = first != std::string_view::npos && lower_case(bytes_.substr(first, 5)) == "solid" &&
                        bytes_.find('\0') == std::string_view::npos;
-  // Binary files may begin with "solid" too; their size tells, and some writers append to it.
+  // Binary files may begin with "solid" too; their size identifies them, and some writers append to it.
   const bool is_binary = has_header && (bytes_.size() == needed || (!is_text && bytes_.size() > needed));
   if (!is_binary && !is_text)
     throw InputError(

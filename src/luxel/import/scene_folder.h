@@ -9,7 +9,7 @@
 namespace luxel {
 
 // The folder of a scene's file, and the files that this file names: buffers, materials, pictures, luminaires.
-// A scene may come from anywhere: what it names is read only where it lies in the folder or below, with all
+// A scene may be untrusted: files that it names are read only where they lie in the folder or below, with all
 // links followed, unless the user allows more (LoadOptions::allow_outside).
 class SceneFolder {
  public:

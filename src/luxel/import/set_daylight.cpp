@@ -62,7 +62,7 @@ void add_sun(const Vec3d& towards_sun, double lux, double radius, const SkyPatch
   scene.point_lights.push_back(std::move(sun));
 }
 
-// The luminances of a model's sky, and what the sun gives.
+// The luminances of a sky model, and the light of the sun.
 struct Outside {
   SkyModel model;
   double sky = 0.0;  // of the ground, lx

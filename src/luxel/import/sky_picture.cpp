@@ -71,7 +71,7 @@ struct Spot {
   double solid_angle = 0.0;
 };
 
-// Moves what is too bright for a patch into spots: the pixels keep the limit.
+// Moves radiance that is too bright for a patch into spots: the pixels keep the limit.
 std::vector<Spot> take_spots(const Panorama& panorama, Image& image) {
   const auto limit = spot_contrast * mean_luminance(panorama);
   std::vector<std::pair<float, std::size_t>> bright;

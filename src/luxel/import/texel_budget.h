@@ -7,8 +7,8 @@
 
 namespace luxel {
 
-// What the pictures of one scene may hold together: 2^26 texels, and 64 more per byte of their files. A few
-// kilobytes that are used a thousand times would otherwise ask for gigabytes.
+// Limit of all pictures of one scene together: 2^26 texels, and 64 more per byte of their files. Otherwise a
+// few kilobytes that are used a thousand times could require gigabytes.
 class TexelBudget {
  public:
   // Throws InputError where the budget is exceeded. bytes: of the picture's file.

@@ -12,7 +12,7 @@ namespace luxel {
 // cannot be read, is UTF-16 or UTF-32, or is binary (holds a zero byte).
 std::string read_text(const std::filesystem::path& path, const std::string& source);
 
-// The same from the bytes of a file.
+// Returns the text of a file's bytes.
 std::string text_of(std::string bytes, const std::string& source);
 
 // Walks a text statement by statement. Lines end with \n, \r\n or a lone \r and count from 1; a backslash at
@@ -42,7 +42,7 @@ class Statements {
 std::string_view trim(std::string_view text);
 // Removes the first word (blanks around it too) from text and returns it; empty where there is none.
 std::string_view take_word(std::string_view& text);
-// As much of a text as a person needs to recognise a line by.
+// Returns as much of a text as is needed to recognise a line.
 std::string excerpt(std::string_view text);
 std::string lower_case(std::string_view text);
 

@@ -17,8 +17,8 @@
 
 namespace luxel {
 
-// The pictures that MTL files name, each file read once. Those that cannot be had are remembered, for one
-// warning a purpose at the end.
+// The pictures that MTL files name, each file read once. Missing ones are recorded, for one warning per
+// purpose at the end.
 class TextureFiles {
  public:
   // The folder must outlive it.

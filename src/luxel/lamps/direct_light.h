@@ -32,8 +32,8 @@ struct DirectOptions {
   bool stratified = true;       // one sequence runs over neighbouring patches; else each has its own
   bool importance = true;       // lamps chosen by what they may give the patch; else by area
   bool control_variate = true;  // closed form of what comes without shadows
-  // Beside each shadow ray a cosine ray, which counts where it meets a lamp. In place of the control variate:
-  // what lamps give without shadows has no closed form any more once it is shared with the cosine rays.
+  // Adds a cosine ray to each shadow ray, which counts where it meets a lamp. Replaces the control variate:
+  // the unshadowed light of lamps has no closed form once it is divided between both kinds of rays.
   bool multiple_importance = false;
 };
 
@@ -44,26 +44,26 @@ struct DirectOptions {
 // their visibility is sampled. The estimator is
 //   sum over lamps of mean(c V) + beta (U - mean(c)),
 // with c the unshadowed sample, V its visibility, U the closed form of its mean, and beta the visibility met
-// by the other replicates (of that lamp, drawn to that of all lamps while samples are few). beta is thus
-// independent of its factor, and the estimate is unbiased but for the error of U, about 1e-3; a side that
-// sees all of its lamps has U without noise, and one that sees none has 0. A single replicate takes beta from
-// itself, which biases it by the order of 1 / samples. A replicate may come out slightly below zero where
-// little is seen; the mean over replicates is still an unbiased estimate. Where there are many lamps, those
-// that fill a sphere, the facets of a bulb, are sampled as one: a ray goes towards the sphere, uniform in
-// solid angle, and counts for the facet that it meets.
+// by the other replicates (of that lamp, shrunk towards that of all lamps while samples are few). beta is
+// thus independent of its factor, and the estimate is unbiased but for the error of U, about 1e-3; a side
+// that sees all of its lamps has U without noise, and one that sees none has 0. A single replicate takes beta
+// from itself, which biases it by the order of 1 / samples. A replicate may come out slightly below zero
+// where little is seen; the mean over replicates is still an unbiased estimate. Where there are many lamps,
+// those that fill a sphere, the facets of a bulb, are sampled as one: a ray goes towards the sphere, uniform
+// in solid angle, and counts for the facet that it meets.
 class DirectLight {
  public:
   // Keeps references to patches, tracer and lamps.
   DirectLight(const PatchSet& patches, const Tracer& tracer, const Lamps& lamps,
               const DirectOptions& options);
 
-  // Estimates W/m² from the lamps of each light group, each replicate apart:
-  // out[(replicate * groups + group) * bands + band]. Round `round` takes per_replicate new samples per
-  // replicate; rounds are independent. position: the patch's place in an order in which neighbours are near.
-  // Returns the number of shadow rays, at most replicates * per_replicate (twice that with multiple
-  // importance): none where no lamp is above the horizon. Any number of threads may call; the result depends
-  // on the arguments alone. Costs 0.1 to 0.4 us per sample beside its shadow ray, and 0.2 us (one lamp) to
-  // 8 us (thousands) per side.
+  // Estimates the irradiance by the lamps of each light group, W/m², for each replicate: out[(replicate *
+  // groups + group) * bands + band]. Round `round` takes per_replicate new samples per replicate; rounds are
+  // independent. position: the patch's place in an order in which neighbours are near. Returns the number of
+  // shadow rays, at most replicates * per_replicate (twice that with multiple importance): none where no
+  // lamp is above the horizon. Any number of threads may call; the result depends on the arguments alone.
+  // Costs 0.1 to 0.4 us per sample beside its shadow ray, and 0.2 us (one lamp) to 8 us (thousands) per
+  // side.
   std::uint64_t estimate(SideId side_id, std::uint32_t position, std::uint32_t round,
                          std::uint32_t per_replicate, std::span<float> out) const;
 
@@ -74,7 +74,7 @@ class DirectLight {
 
  private:
   struct Side;
-  // Which samples of a side, as in estimate().
+  // Samples of a side to take, as in estimate().
   struct Samples {
     std::uint32_t position, round, per_replicate;
   };

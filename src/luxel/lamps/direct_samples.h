@@ -23,12 +23,12 @@ class DirectSamples {
   DirectSamples(const DirectLight& light, const GatherSides& sides, std::uint32_t replicates,
                 std::size_t width, const RowPartition& partition);
 
-  // Doubles the samples of these receivers; where there are none yet, takes `first` a replicate. Returns the
-  // shadow rays that this process traced. The same bits on any number of threads.
+  // Doubles the samples of these receivers; where there are none yet, takes `first` per replicate. Returns
+  // the shadow rays that this process traced. The same bits on any number of threads.
   std::uint64_t double_samples(std::span<const std::uint32_t> receivers, std::uint32_t first,
                                const Context& context);
 
-  // Which process takes which samples.
+  // Assignment of samples to processes.
   WorkUnits& units() { return units_; }
   // After some calls of double_samples() together for these receivers: the light that each process found.
   // Returns the shadow rays of all, given one's own.
@@ -44,7 +44,7 @@ class DirectSamples {
   void restore(std::vector<std::vector<float>> irradiance, std::vector<std::uint32_t> samples,
                std::vector<std::uint32_t> doublings);
 
-  // Goes on with the receivers that are kept; they are those of `sides` now.
+  // Drops the receivers that are not kept; the others are those of `sides` now.
   void keep(const std::vector<std::uint8_t>& kept, const GatherSides& sides);
 
  private:

@@ -32,7 +32,7 @@ class LampChoices {
             const LampChoiceOptions& options);
 
   bool empty() const { return choices_.size() == 0; }
-  // Those that stand alone: choices 0, 1, ...; the branches follow.
+  // Lamps chosen individually: choices 0, 1, ...; the branches follow.
   const std::vector<SideLamp>& lamps() const { return lamps_; }
   double probability(std::size_t choice) const { return choices_.weight(choice); }
 
@@ -44,7 +44,7 @@ class LampChoices {
   // number of the point on the lamp, so that the two best dimensions cover all lamps at once. For a ball no
   // lamp is chosen (none); the probability is that of the choice.
   Lamp choose(const LightTree& tree, const Vec3& x, const Vec3& n, double u) const;
-  // The branch of a choice that does not stand alone.
+  // Returns the branch of a choice that is not an individual lamp.
   const LampBranch& branch(std::size_t choice) const { return branches_[choice - lamps_.size()]; }
   // The probability with which choose() gives this lamp at x, and the choice it hangs in. 0: never. Without
   // balls.

@@ -52,13 +52,13 @@ void LampRays::look_through_panes(const Ray& ray, float distance, LampTerm& term
   if (panes_.is_tinted()) term.of_band = through;
 }
 
-// Of several portals on a line only the first counts, so that each line counts once.
+// Only the first of several portals on a line counts, so that each line counts once.
 bool LampRays::sky_is_visible(const Ray& ray, std::uint32_t portal_side) const {
   return !tracer_.occluded(ray, std::numeric_limits<float>::infinity()) &&
          portals_.first_crossed(ray) == portal_side;
 }
 
-// What lies behind a portal in that direction; 0 for other lamps.
+// Returns the sky patch behind a portal in that direction; 0 for other lamps.
 std::uint32_t LampRays::sky_patch(std::uint32_t lamp, const Vec3d& direction) const {
   return lamps_.triangles()[lamp].is_portal() ? static_cast<std::uint32_t>(sky_patches_.patch_of(direction))
                                               : 0;

@@ -27,11 +27,11 @@ struct LampTerm {
   double given = 0.0;           // W/m² at unit radiance, were nothing between: the sample over its density
   double seen = 0.0;            // 0: hidden; 1: seen; between: luminous transmittance of the panes between
   std::uint64_t rays = 0;       // traced
-  // Where there are tinted panes, what is seen of each band, [band]; else empty. Valid until the next ray of
-  // the thread.
+  // Where there are tinted panes, the visible fraction of each band, [band]; else empty. Valid until the next
+  // ray of the thread.
   std::span<const double> of_band = {};
 
-  // What the sample gives at unit radiance, W/m²; of_band is a factor of it.
+  // Irradiance of the sample at unit radiance, W/m²; of_band is a factor of it.
   double value() const { return of_band.empty() ? given * seen : given; }
 };
 
@@ -40,7 +40,7 @@ struct LampRayEnds {
   Vec3 from{0.0f}, to{0.0f};
 };
 
-// Where such a ray starts.
+// Start of a lamp ray.
 struct LampRayOrigin {
   Vec3 position{0.0f};  // m, lifted off its surface
   Vec3 normal{0.0f};    // unit, of the side that is lit
@@ -64,8 +64,8 @@ class LampRays {
   const PunctualLights& punctual() const { return punctual_; }
 
   // One sample towards a lamp of the choices, which are those of the origin or of a patch around it. u:
-  // uniform in [0, 1): the lamp and a coordinate on it; the other coordinate. ends: are written there, if
-  // anywhere; only where given is above 0.
+  // uniform in [0, 1): the lamp and a coordinate on it; the other coordinate. ends: receives the ends of the
+  // ray unless null; only where given is above 0.
   LampTerm towards_lamp(const LampRayOrigin& from, const LampChoices& choices, const std::array<float, 2>& u,
                         LampRayEnds* ends) const;
   // A cosine ray, which counts where it meets a lamp.

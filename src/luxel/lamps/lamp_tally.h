@@ -31,9 +31,9 @@ void add_to_tally(const LampTerm& term, std::size_t place, std::span<LampTally> 
 
 // Adds value times the lamp's radiance to the sums of one replicate, [group][band].
 void add_radiance(double* sum, double value, const Lamps& lamps, std::uint32_t lamp);
-// The same for one sample: what panes let through of each band is in it.
+// Adds the value of one sample, including the transmittance of panes in each band.
 void add_sample(double* sum, const LampTerm& term, double per_sample, const Lamps& lamps);
-// What the patch of the sky behind a portal gives more than the mean of the sky, for which the lamp stands.
+// Adds the difference between the sky patch behind a portal and the mean of the sky, which the lamp has.
 // Nothing where the lamp is no portal or the sky is even.
 void add_sky_difference(double* sum, const LampTerm& term, double per_sample, const Lamps& lamps);
 
@@ -43,7 +43,7 @@ struct TalliedLamps {
   const Lamps& lamps;
   std::span<const double> irradiance;  // [lamp chosen individually]: W/m² at unit radiance, nothing between
   std::span<const LampTally> tally;    // [replicate][lamp chosen individually]
-  // Where there are tinted panes, LampTally::seen of each band: [replicate][lamp chosen individually][band].
+  // With tinted panes, LampTally::seen of each band: [replicate][lamp chosen individually][band].
   std::span<const double> seen_of_band = {};
   std::uint32_t replicates = 1;
   double per_sample = 1.0;  // 1 / samples per replicate

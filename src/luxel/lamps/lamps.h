@@ -27,9 +27,9 @@ struct LampTriangle {
 };
 
 // The lamps of a scene as they were before they were cut into patches and meshed: flat convex ones as a few
-// large triangles, so that little has to be chosen and what they give has a closed form. Read-only after it
-// was made; memory about 150 bytes per triangle and 4 a patch. Behind them stand the portals of the sky,
-// where there is a sky: lamps of its radiance and of its light group, the last.
+// large triangles, so that choices are few and their light has a closed form. Read-only after it was made;
+// memory about 150 bytes per triangle and 4 a patch. Behind them stand the portals of the sky, where there is
+// a sky: lamps of its radiance and of its light group, the last.
 class Lamps {
  public:
   // Joins the patches of each emitting input triangle, where they fill it, and what join_lamps() can.
@@ -41,7 +41,7 @@ class Lamps {
   std::size_t groups() const { return groups_; }
   // The triangle that a point of a patch is part of, or none.
   std::uint32_t lamp_at(std::size_t patch, const Vec3& point) const;
-  // The lamp that stands for this side of a portal, or none.
+  // Returns the lamp of this side of a portal, or none.
   std::uint32_t lamp_of_portal(std::uint32_t portal_side) const {
     return portal_side < lamp_of_portal_.size() ? lamp_of_portal_[portal_side] : none;
   }
@@ -49,14 +49,14 @@ class Lamps {
   std::span<const float> radiance(std::size_t triangle) const {
     return std::span(radiance_).subspan(triangle * bands_, bands_);
   }
-  // What a patch of the sky has more than that mean: [band], W/(m² sr); empty where the sky is even.
+  // Radiance of a patch of the sky minus that mean: [band], W/(m² sr); empty where the sky is even.
   std::span<const float> sky_difference(std::size_t sky_patch) const {
     return sky_difference_.empty() ? std::span<const float>()
                                    : std::span(sky_difference_).subspan(sky_patch * bands_, bands_);
   }
   // Its light group.
   std::size_t group(std::size_t triangle) const { return group_[triangle]; }
-  // Whether all shine in one colour: radiance = weight * colour, [band], but for the rounding of floats.
+  // Whether all lamps have one colour: radiance = weight * colour, [band], up to the rounding of floats.
   bool one_colour() const { return one_colour_; }
   std::span<const double> colour() const { return colour_; }
 

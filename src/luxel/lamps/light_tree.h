@@ -27,14 +27,14 @@ struct LampChoice {
 };
 
 // Chooses among many lamps at a cost that grows with the logarithm of their number: a binary tree whose nodes
-// know box, power and spread of normals (Conty Estevez and Kulla 2018). A lamp that may give light is never
+// store box, power and spread of normals (Conty Estevez and Kulla 2018). A lamp that may give light is never
 // left out. Read-only after it was made; 120 bytes per lamp.
 class LightTree {
  public:
   explicit LightTree(const Lamps& lamps);
 
-  // The lamps that may light something within `radius` of `centre`, which faces n, as at most `most`
-  // branches: those are opened first that are near for their size and strong, so that what matters stands
+  // Returns the lamps that may light something within `radius` of `centre`, which faces n, as at most `most`
+  // branches: strong nodes that are near for their size are opened first, so that important lamps stand
   // alone. balls: whether a bulb of many facets becomes one branch that is sampled by its bounding sphere.
   void cut(const Vec3& centre, float radius, const Vec3& n, std::size_t most, bool balls,
            std::vector<LampBranch>& branches) const;
@@ -47,11 +47,11 @@ class LightTree {
     return {nodes_[branch.index].centre, nodes_[branch.index].radius};
   }
 
-  // One lamp of a branch with many, in proportion to what it may give x; or, by_area, to its area. u: uniform
-  // in [0, 1); rescaled at each step down, so that even numbers make even choices.
+  // Chooses one lamp of a branch with many, in proportion to its bound at x or, by_area, to its area. u:
+  // uniform in [0, 1); rescaled at each step down, so that even numbers make even choices.
   LampChoice choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u, bool by_area) const;
-  // Whether the lamp is one of the branch's, and the probability with which choose() gives it. A branch with
-  // many.
+  // Whether the lamp is one of the branch's, and the probability with which choose() gives it. For a branch
+  // with many.
   bool holds(const LampBranch& branch, std::uint32_t lamp) const;
   double probability(const LampBranch& branch, std::uint32_t lamp, const Vec3& x, const Vec3& n,
                      bool by_area) const;

@@ -15,8 +15,8 @@
 
 namespace luxel {
 
-// The irradiance of one point straight from the lamps, replicate by replicate: DirectLight for a point. Area
-// lamps and portals are sampled by shadow rays, with their closed form as control variate, so that lamps
+// Estimates the direct irradiance of one point by lamps, replicate by replicate: DirectLight for a point.
+// Area lamps and portals are sampled by shadow rays, with their closed form as control variate, so that lamps
 // without shadows have no noise, however small they are. Punctual lights are traced once and exact;
 // luminaires with an opening are sampled by one more ray each time. The sky beside the portals is not part of
 // it. Unbiased.

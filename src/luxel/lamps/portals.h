@@ -9,10 +9,10 @@
 
 namespace luxel {
 
-// Which portal a ray crosses first. A ray that meets no surface and whose first portal it crosses on a side
-// that is lit gets its light from the shadow rays towards that portal; a gather ray on the same line then
-// counts as dark. All other rays that meet no surface see the sky. So each line counts once for any set of
-// portals: overlapping ones, coincident ones, one behind the other.
+// Finds the portal that a ray crosses first. A ray that meets no surface and whose first portal it crosses on
+// a side that is lit gets its light from the shadow rays towards that portal; a gather ray on the same line
+// then counts as dark. All other rays that meet no surface see the sky. So each line counts once for any set
+// of portals: overlapping ones, coincident ones, one behind the other.
 //
 // Side 2k of portal k is the one that it always lights, side 2k + 1 the one that it lights where it lights
 // both ways. Immutable; safe for any number of threads. A crossing costs a ray through the portals alone,
@@ -23,10 +23,10 @@ class Portals {
   explicit Portals(const PatchSet& patches);
 
   bool empty() const { return tracer_ == nullptr; }
-  // The side that the ray comes from, or none: it meets no portal, or first one that does not light this
-  // side.
+  // Returns the side that the ray comes from; none if it meets no portal, or first one that does not light
+  // this side.
   std::uint32_t first_crossed(const Ray& ray) const;
-  // To the first portal, m; infinite where there is none.
+  // Returns the distance to the first portal, m; infinite if there is none.
   float distance(const Ray& ray) const;
 
  private:

@@ -40,7 +40,7 @@ Interval covered(const EdgeShadow& part, const EdgeShadow& by, double distance) 
   return {std::min(begin, end), std::max(begin, end)};
 }
 
-// What the other lines leave of a part.
+// Returns the parts of a line that the other lines do not cover.
 std::vector<EdgeShadow> left_of(const EdgeShadow& part, const std::vector<EdgeShadow>& others,
                                 const std::vector<Box>& boxes, double reach) {
   std::vector<EdgeShadow> left{part};

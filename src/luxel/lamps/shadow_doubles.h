@@ -12,7 +12,7 @@ namespace luxel {
 EdgeShadow part_of(const EdgeShadow& shadow, const Interval& interval);
 
 // Returns the lines without those that lie on others: of two that are nearly parallel and nearer to each
-// other than twice `reach` (m) the one of more weight remains, and what the other has beyond its ends.
+// other than twice `reach` (m) the one of more weight remains, and the parts of the other beyond its ends.
 // parts: all on one triangle.
 std::vector<EdgeShadow> without_doubles(std::vector<EdgeShadow> parts, double reach);
 

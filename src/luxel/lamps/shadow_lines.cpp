@@ -136,7 +136,7 @@ class Finder {
   // The triangles with the lights that edges name.
   const PatchSet& lights() const { return with_rims_ ? *with_rims_ : triangles_; }
 
-  // Nothing after the monitor's stop.
+  // Returns nothing after the monitor's stop.
   std::optional<std::vector<EdgeShadow>> shadows_of(const std::vector<LitEdge>& edges) const {
     const ShadowReceivers receivers(lights(), neighbours_, tracer_, lengths_);
     std::vector<EdgeShadow> shadows;

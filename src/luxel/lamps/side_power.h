@@ -23,7 +23,7 @@ struct SidePower {
 // Returns the power emitted by the lamps: the fronts of all patches that emit.
 SidePower lamp_power(const PatchSet& patches);
 
-// Adds what the sky sends in through the faces of its box, which none of the sides may come after.
+// Adds the power of the sky through the faces of its box; all sides must have been added before.
 void add_sky_power(const PatchSet& patches, const SkyBox& box, SidePower& power);
 
 // The entries of a rising list of sides that lie in [begin, end).

@@ -35,8 +35,8 @@ inline bool takes_part(const PatchSet& patches, const Hit& hit) {
   return hit && (!hit.back || patches.material_of(hit.patch).two_sided);
 }
 
-// How much of that light meets a side that takes part, from a few thousand rays: good to a few per cent of
-// all, the same each time. Costs some milliseconds.
+// Estimates the fraction of that light that meets a side that takes part, by a few thousand rays: accurate to
+// a few per cent of all light, and reproducible. Costs some milliseconds.
 double sky_hit_fraction(const PatchSet& patches, const Tracer& tracer, const SkyBox& box);
 
 }  // namespace luxel

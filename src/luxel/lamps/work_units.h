@@ -26,14 +26,14 @@ class WorkUnits {
   }
   int part_of(std::size_t receiver) const { return partition_.is_shared() ? parts_[unit_of(receiver)] : 0; }
 
-  // What this process measured: [i], of receivers[i]; s of a thread for one sample, 0 where it took none.
+  // Records measured times: seconds[i], of receivers[i]; s of a thread for one sample, 0 where it took none.
   void learn(std::span<const std::uint32_t> receivers, std::span<const double> seconds);
   // s of a thread that more samples, [receiver], will take.
   double expected_seconds(std::span<const double> more) const;
 
-  // Who takes so many more samples of each receiver. times: when each process is free.
+  // Assigns this many more samples of each receiver. times: when each process is free.
   void deal(std::span<const double> more, const ProcessTimes& times);
-  // Who takes those of the last part; times: when each process was done with the first.
+  // Assigns the samples of the last part; times: when each process was done with the first.
   void deal_rest(ProcessTimes times);
 
   // Gathers the results of processes for these receivers in all processes: `width` numbers per receiver, of
@@ -51,7 +51,7 @@ class WorkUnits {
   std::vector<std::uint32_t> owners_;
   std::vector<std::uint8_t> parts_;
   std::vector<double> load_;                // s, as dealt
-  std::vector<double> seconds_per_sample_;  // of a receiver, as who took them measured; 0: not known
+  std::vector<double> seconds_per_sample_;  // of a receiver, as measured by their process; 0: unknown
 };
 
 }  // namespace luxel

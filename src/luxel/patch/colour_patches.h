@@ -17,19 +17,19 @@ namespace luxel {
 // per patch and texture (TexelSums). The same bits for any number of threads.
 void lay_textures(PatchSet& patches, const Scene& scene, const Context& context);
 
-// The same for patches that are parts of others, which `parent` names. Their areas are those of the whole
-// triangles still.
+// Does the same for patches that are parts of others, given by `parent`. Their areas are still those of the
+// whole triangles.
 void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent,
                       const Context& context);
 
-// How fine textures are within patches: what a point is over what its patch is in the mean, so that pictures
-// show more than patches. Immutable once made; memory 24 bytes per patch where there are textures, else none.
+// Texture detail within patches: colours of points over the mean of the patch, so that pictures show more
+// than patches. Immutable once made; memory 24 bytes per patch where there are textures, else none.
 class FineColours {
  public:
   // Keeps a reference to the patches. Cost: that of lay_textures().
   FineColours(const PatchSet& patches, const Context& context);
 
-  // Linear sRGB, of (1-u-v) a + u b + v c: times what the patch reflects, and emits. 1 without textures.
+  // Linear sRGB factor of reflectance and emittance at (1-u-v) a + u b + v c. 1 without textures.
   Vec3 reflectance(std::size_t patch, float u, float v) const;
   Vec3 emittance(std::size_t patch, float u, float v) const;
 

@@ -134,7 +134,7 @@ class Finder {
     const auto k = apex_of(a, b);
     if (k >= 3) return false;
     const auto l = apex_of(b, a);
-    // The cosine of the directions from the edge into each of them, at right angles to it: that of the
+    // Cosine between the directions from the edge into both triangles, at right angles to it: that of the
     // normals, or its negative.
     const auto cosine = glm::dot(shapes_[i].normal, shapes_[j].normal);
     return (a[(k + 1) % 3] == b[(l + 1) % 3] ? cosine : -cosine) < folded_cosine;

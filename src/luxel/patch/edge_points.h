@@ -22,16 +22,16 @@ class EdgePoints {
     std::uint32_t vertex;  // in the weld
   };
 
-  // Asks for a point at this share of the way from vertex a to vertex b. vertex: one that stands there
-  // already, or none. Returns the number of the request.
+  // Requests a point at this fraction of the way from vertex a to vertex b. vertex: an existing one there, or
+  // none. Returns the number of the request.
   std::uint32_t ask(std::uint32_t a, std::uint32_t b, double fraction, std::uint32_t vertex);
   // Cost: a sort of each edge's requests. Vertices are made in the order in which their edges were first
   // named.
   void settle(VertexWeld& weld);
 
-  // After settle(): what a request became: a station of its edge, or an end, whose share is 0 or 1.
+  // Result of a request after settle(): a station of its edge, or an end, whose fraction is 0 or 1.
   const Station& answer(std::uint32_t request) const { return answers_[request]; }
-  // The stations between the two ends of an edge, in the order of their shares; often none.
+  // The stations between the two ends of an edge, in the order of their fractions; often none.
   std::span<const Station> on(std::uint32_t a, std::uint32_t b) const;
   bool empty() const { return edges_.empty(); }
 

@@ -11,7 +11,7 @@ namespace luxel {
 // Half a unit in the last place of the largest coordinate, m: how far floats round a place near these.
 double coordinate_rounding(const std::array<Vec3, 3>& corners);
 
-// A triangle with its plane, in double, to ask where points near it lie. Edge k runs from corner k to the
+// A triangle with its plane, in double, for locating points near it. Edge k runs from corner k to the
 // next.
 struct FlatTriangle {
   // The normal, of any length but 0, need not be exactly that of the corners: theirs may be rounded.
@@ -26,7 +26,7 @@ struct FlatTriangle {
   // Distance from edge k's line, above 0 inside.
   double inside(std::size_t k, const Vec3d& p) const { return glm::dot(inward[k], p - corner[k]); }
   Vec3d foot_point(const Vec3d& p) const { return p - height(p) * normal; }
-  // Where p stands along edge k: 0 and 1 are its ends.
+  // Position of p along edge k: 0 and 1 are its ends.
   double along(std::size_t k, const Vec3d& p) const;
 };
 

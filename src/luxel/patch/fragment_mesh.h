@@ -11,7 +11,7 @@
 namespace luxel {
 
 // A triangle cut into fragments, as a mesh that can be changed step by step. Points stand on a grid of
-// integers, where it is decided exactly on which side of a line per point is; so the fragments are
+// integers, where the side of a line on which a point lies is decided exactly; so the fragments are
 // counter-clockwise and cover the triangle without overlap, whatever is done. Points 0, 1, 2 are the
 // triangle's corners, at (0, 0), (grid, 0) and (0, grid).
 class FragmentMesh {
@@ -41,7 +41,7 @@ class FragmentMesh {
   std::uint32_t from(Edge e) const { return fragments_[e.fragment].v[e.k]; }
   std::uint32_t to(Edge e) const { return fragments_[e.fragment].v[(e.k + 1) % 3]; }
   std::uint32_t apex(Edge e) const { return fragments_[e.fragment].v[(e.k + 2) % 3]; }
-  // The same edge as its other fragment has it; its fragment is none at the boundary.
+  // The same edge in its other fragment; that fragment is none at the boundary.
   Edge other_side(Edge e) const;
 
   // Above 0 where a, b, c turn to the left: twice the area in grid steps.

@@ -11,7 +11,7 @@
 namespace luxel {
 
 // Finds the outlines of things that hang close before a surface, a picture before a wall or a luminaire below
-// a ceiling: what they hide is dark, and patches that lie half behind them would carry that dark into the
+// a ceiling: the part they hide is dark, and patches half behind them would spread the darkness into the
 // light beside them. A line is an edge of a triangle, projected along the normal of the triangle `on` onto
 // it, where
 // - both ends are before the front of `on`, farther than contacts are and no farther than `distance`;

@@ -11,10 +11,10 @@ namespace luxel {
 // The largest absolute value of a vertex's coordinates, m: rounding errors of places are proportional to it.
 float largest_coordinate(const PatchSet& patches);
 
-// For each patch a number that those on one plane share: the plane of their input triangles, rounded, so that
-// triangles that a modeller put on one plane agree. Where contacts run all the way round a part of a plane,
-// the part has a number of its own: the floor in a hut that stands on a larger floor. Cost: linear, and a
-// sort of the edges of planes that have contacts.
+// Returns a number per patch, equal for those on one plane: the plane of their input triangles, rounded, so
+// that triangles that a modeller put on one plane agree. Where contacts run all the way round a part of a
+// plane, the part has a number of its own: the floor in a hut that stands on a larger floor. Cost: linear,
+// and a sort of the edges of planes that have contacts.
 std::vector<std::uint64_t> plane_parts(const PatchSet& patches);
 
 }  // namespace luxel

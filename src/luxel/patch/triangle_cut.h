@@ -17,8 +17,8 @@ namespace luxel {
 // no farther than `tolerance` from another point becomes that point, and a line bends by as much to run
 // through it.
 //
-// Points are known by numbers: 0, 1, 2 are the corners. Cost: about a microsecond per point, and what lines
-// cross.
+// Points are identified by numbers: 0, 1, 2 are the corners. Cost: about a microsecond per point, and what
+// lines cross.
 class TriangleCut {
  public:
   // tolerance: m, well below the triangle's height.
@@ -29,7 +29,7 @@ class TriangleCut {
   std::uint32_t add_on_edge(std::size_t k, double fraction);
   // A point inside; the number of the one that is there already, if there is one.
   std::uint32_t add_inside(const Vec3d& place);
-  // Makes the line from a to b a chain of edges that remember the tag.
+  // Makes the line from a to b a chain of edges that carry the tag.
   void add_line(std::uint32_t a, std::uint32_t b, std::uint32_t tag);
   // Flips edges that are no lines until no angle can be bettered (Delaunay).
   void improve();
@@ -64,7 +64,7 @@ class TriangleCut {
   // One step of a line from a to b: the point by way of which it must go, b itself once they share an edge;
   // none where there is no way.
   std::uint32_t advance(std::uint32_t a, std::uint32_t b);
-  // Where a line from a to b meets the line on edge e; may add a point there.
+  // Returns the point where a line from a to b meets the line on edge e; may add a point there.
   std::uint32_t cross(Edge e, std::uint32_t a, std::uint32_t b);
   // Flips the crossed edges until a and b share one.
   bool clear_way(std::uint32_t a, std::uint32_t b, std::vector<Ends> crossed);

@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// Which triangles meet at each vertex. Keeps a reference to them. 12 bytes per triangle and 8 a vertex.
+// The triangles that meet at each vertex. Keeps a reference to them. 12 bytes per triangle and 8 per vertex.
 // Thread-safe.
 class VertexTriangles {
  public:
@@ -24,13 +24,13 @@ class VertexTriangles {
       for (const auto v : triangles[i].corners) at_[next[v]++] = i;
   }
 
-  // Returns whether a triangle other than `but` that has both vertices fits; ask(its third vertex).
+  // Returns whether ask(third vertex) is true for a triangle other than `but` that has both vertices.
   template <typename Ask>
   bool any_across(std::uint32_t a, std::uint32_t b, std::uint32_t but, Ask ask) const {
     return any_at_edge(a, b, but, [&](std::uint32_t, std::uint32_t apex) { return ask(apex); });
   }
 
-  // The same; ask(triangle, its third vertex).
+  // The same with ask(triangle, third vertex).
   template <typename Ask>
   bool any_at_edge(std::uint32_t a, std::uint32_t b, std::uint32_t but, Ask ask) const {
     for (auto i = begin_[a]; i < begin_[a + 1]; ++i) {

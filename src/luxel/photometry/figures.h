@@ -30,7 +30,7 @@ struct PhotometricFigures {
   double vertical = 0.0, horizontal = 0.0;  // degrees: the file's angles of the maximum intensity
 };
 
-// What a luminaire's data sheet has beside its flux. Costs some milliseconds.
+// Computes the figures of a luminaire's data sheet except its flux. Costs some milliseconds.
 PhotometricFigures photometric_figures(const IntensityDistribution& intensity);
 
 }  // namespace luxel

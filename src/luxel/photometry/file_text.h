@@ -14,7 +14,7 @@ namespace luxel {
 // Maximum number of luminous intensities of a file. The finest goniometers give 0.5 degrees in both angles,
 // 361 x 720 values.
 inline constexpr std::size_t max_intensities = 1'000'000;
-// Maximum size of a file, bytes: of so many numbers of 16 characters.
+// Maximum size of a file, bytes: that of max_intensities numbers of 16 characters.
 inline constexpr std::size_t max_file_bytes = 16 * max_intensities;
 
 // The lines of a text, which must outlive them; they end with \n, \r\n or a lone \r. A byte order mark and
@@ -28,7 +28,7 @@ std::string upper_case(std::string_view text);           // ASCII letters only
 // UTF-8 are Latin-1 (Windows-1252).
 std::string name_of(std::string_view bytes);
 
-// As much of a text as a person needs to recognise it, UTF-8.
+// Returns as much of a text as is needed to recognise it, UTF-8.
 std::string excerpt_of(std::string_view text);
 
 // A word that is one whole number of at most 1e30, such as "1", "+2.", ".8e-1"; anything else is nothing.
@@ -37,7 +37,7 @@ std::optional<double> number_of(std::string_view word);
 // The first bytes of a word list: separated by blanks, and by commas and semicolons where `commas`.
 std::string_view take_word(std::string_view& text, bool commas);
 
-// A file that is being read: its name, its lines, and what was read of it.
+// A file being read: its name, its lines, and the data read so far.
 struct PhotometrySource {
   std::string file;
   std::vector<std::string_view> lines;

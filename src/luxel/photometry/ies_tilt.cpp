@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_tilt_angles = 10'000;
 constexpr std::uint64_t max_tilt_bytes = 1 << 20;
 
-// How the lamp stands in the luminaire.
+// Orientation of the lamp in the luminaire.
 enum class LampGeometry { vertical = 1, horizontal_staying = 2, horizontal_tilting = 3 };
 
 struct TiltFactors {
@@ -45,7 +45,7 @@ double untilted(const TiltFactors& tilt) {
   return tilt.factors[next - 1] + place * (tilt.factors[next] - tilt.factors[next - 1]);
 }
 
-// Says what is done with the factors. Returns the factor to apply.
+// Reports how the factors are used. Returns the factor to apply.
 double apply(PhotometrySource& source, std::size_t line, const TiltFactors& tilt) {
   auto factor = untilted(tilt);
   if (!(factor > 0.0)) factor = 1.0;

@@ -17,7 +17,7 @@ constexpr int seconds_per_day = 86400;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Reads a text from left to right; each step returns whether it found what it looks for.
+// Reads a text from left to right; each step returns whether it found the expected part.
 struct Reader {
   std::string_view rest;
 

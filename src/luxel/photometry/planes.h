@@ -17,8 +17,8 @@ struct Planes {
 
 // Brings the ranges of horizontal angles that files have to those that IntensityDistribution takes: a half or
 // a quadrant that begins elsewhere than at 0 is turned or mirrored, which changes no direction's intensity.
-// Returns a sentence where the range is none of the standard's and says what was assumed; empty: it is one.
-// Throws InputError where it makes no sense.
+// Returns a sentence with the assumption where the range is none of the standard's, else an empty one. Throws
+// InputError where it makes no sense.
 std::string standardise(Planes& planes);
 
 // The same distribution with planes all around, 0 to 360 degrees, turned by `turn` degrees anticlockwise seen

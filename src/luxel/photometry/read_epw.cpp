@@ -33,7 +33,7 @@ constexpr std::array<Quantity, 6> quantities = {
 constexpr std::size_t radiations = 3;
 constexpr double missing_dew_point = 99.9;  // °C
 
-// More than the sun gives outside the atmosphere, W/m².
+// Above the sun's irradiance outside the atmosphere, W/m².
 constexpr double impossible_irradiance = 1600.0;
 
 class Reader {
@@ -178,7 +178,7 @@ class Reader {
         if (auto& value = hour.*quantities[q].value) *value *= scale;
   }
 
-  // Programs that know no illuminances write one value everywhere.
+  // Programs without illuminances write one value everywhere.
   void drop_constant_illuminances() {
     double low = 1e30, high = -1.0;
     for (const auto& hour : weather_.hours)

@@ -36,7 +36,7 @@ struct SkyLevel {
 // where `patches` is one patch of all directions. Cost: 1.5 µs per patch, and 0.3 ms.
 std::vector<double> sky_patch_luminances(const SkyModel& model, const SkyPatches& patches,
                                          const SkyLevel& level);
-// The same without a sun.
+// Does the same without a sun.
 std::vector<double> sky_patch_luminances(const SkyModel& model, const SkyPatches& patches,
                                          double horizontal_illuminance, double ground_albedo);
 

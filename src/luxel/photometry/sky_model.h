@@ -13,7 +13,7 @@ namespace luxel {
 inline constexpr int sky_types =
     16;  // of the CIE: 15 of the standard general sky, and the overcast sky of 1955
 
-// How the luminance of a sky is distributed over its directions. A small value without state; safe for any
+// Distribution of the luminance of a sky over its directions. A small value without state; safe for any
 // number of threads.
 //
 // Standard general sky: ISO 15469:2004. Perez: R. Perez, R. Seals, J. Michalsky, "All-weather model for sky
@@ -35,7 +35,7 @@ class SkyModel {
   double relative_luminance(const Vec3d& direction) const;
   // Whether the sun's place changes the luminances.
   bool follows_sun() const { return kind_ == Kind::graded && (c_ != 0.0 || e_ != 0.0); }
-  // Where the model has the sun: not below the horizon.
+  // Direction of the sun in the model: not below the horizon.
   const Vec3d& sun() const { return sun_; }
 
  private:

@@ -26,9 +26,9 @@ struct Equatorial {
   double distance;                      // astronomical units
 };
 
-// What Venus (two terms), Jupiter, the moon and a slow inequality add to the sun's longitude, degrees. J.
-// Meeus, "Astronomical Formulae for Calculators", 1982, chapter 18. They reduce the error at 13 equinoxes and
-// solstices of the almanac from 0.008 to 0.003 degrees. t: Julian centuries since 2000.
+// Perturbation of the sun's longitude by Venus (two terms), Jupiter, the moon and a slow inequality, degrees.
+// J. Meeus, "Astronomical Formulae for Calculators", 1982, chapter 18. They reduce the error at 13 equinoxes
+// and solstices of the almanac from 0.008 to 0.003 degrees. t: Julian centuries since 2000.
 double perturbations(double t) {
   t += 1.0;  // since 1900
   return 0.00134 * of_degrees(153.23 + 22518.7541 * t).cosine +

@@ -14,13 +14,13 @@ struct Site {
   double longitude = 0.0;  // east of Greenwich
 };
 
-// What bends the sun's rays.
+// State of the atmosphere, which refracts the sun's rays.
 struct Atmosphere {
   double pressure = 1010.0;   // hPa; 0: no refraction
   double temperature = 10.0;  // °C
 };
 
-// Where the centre of the sun is seen.
+// Apparent position of the centre of the sun.
 struct SunPosition {
   double elevation = 0.0;                  // degrees above the horizon
   double azimuth = 0.0;                    // degrees from north to the east, [0, 360)

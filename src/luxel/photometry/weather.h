@@ -47,7 +47,7 @@ struct Weather {
 // means over the hour that ends at their stamp (EPW), or over an interval around it (WEA). Years are ignored:
 // the months of a typical year come from different ones. Throws InputError with file and line.
 Weather load_weather(const std::string& file);
-// The same of a file in memory, which errors call `file`.
+// Reads the weather from a file in memory, which errors call `file`.
 Weather read_weather(std::string_view bytes, const std::string& file);
 
 // The sun of an hour: at the middle of its interval. Where it is below the horizon then, but the hour has

@@ -18,7 +18,7 @@ struct BoundaryLoop {
   Vec3 centre{0.0f};                 // of its edges by length, m
 };
 
-// Those of the open edges that are not welded. By their first edge. Nearly linear.
+// Finds the loops of the open edges that are not welded, ordered by their first edge. Nearly linear.
 std::vector<BoundaryLoop> find_boundary_loops(std::span<const Vec3> places, const Edges& edges,
                                               const TJunctions& junctions);
 

@@ -18,7 +18,7 @@ class WordHash {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     state_ = z ^ (z >> 31);
   }
-  // -0 and +0 are the same light, so they hash alike.
+  // -0 and +0 are the same light, so they have the same hash.
   void add(float value) { add(value == 0.0f ? 0u : std::bit_cast<std::uint32_t>(value)); }
   void add(const Vec3& v) {
     add(v.x);

@@ -5,9 +5,9 @@
 
 namespace luxel {
 
-// How an eye answers to light of each wavelength: the colour-matching functions of the CIE 1931 standard
-// observer (2 degrees; ISO/CIE 11664-1), every 5 nm from 360 to 830 nm, zero beyond. y is the eye's
-// sensitivity, 1 at 555 nm; the integral of each is 106.86 to 106.89 nm.
+// Response of the eye to light by wavelength: the colour-matching functions of the CIE 1931 standard observer
+// (2 degrees; ISO/CIE 11664-1), every 5 nm from 360 to 830 nm, zero beyond. y is the eye's sensitivity, 1 at
+// 555 nm; the integral of each is 106.86 to 106.89 nm.
 struct Observer {
   Spectrum x, y, z;
 };

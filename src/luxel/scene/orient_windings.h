@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// Which triangles must be turned round so that each connected component faces one way.
+// Triangles that must be flipped so that each connected component faces one way.
 struct WindingPlan {
   std::vector<std::uint8_t> turn;     // [clean triangle]
   std::size_t turned = 0;             // triangles
@@ -24,9 +24,9 @@ struct WindingPlan {
 
 // A component that holds lamps follows them: its side is the one to which most of their area shines. Any
 // other closed component faces outwards, by its signed volume. Any other component faces where most of its
-// area faced before. Lamps are never turned, for their side is where they shine; those that face otherwise
-// than their component stay so and are counted. Where as much faces one way as the other, the component's
-// first triangle decides.
+// area faced before. Lamps are never flipped, because their side is where they emit; those that face against
+// their component stay so and are counted. Where equal areas face both ways, the component's first triangle
+// decides.
 WindingPlan plan_windings(const Scene& scene, std::span<const Vec3> places,
                           std::span<const CleanTriangle> triangles, const Components& components);
 
@@ -38,7 +38,7 @@ struct OrientReport {
   std::string as_text() const;
 };
 
-// Turns the scene's triangles as planned; those that lie exactly on a turned one are turned with it, unless
+// Flips the scene's triangles as planned; those that lie exactly on a flipped one are flipped with it, unless
 // they are lamps. About 2 s per million triangles.
 OrientReport orient_windings(Scene& scene);
 

@@ -21,13 +21,13 @@ struct TJunctions {
   std::vector<std::uint8_t> is_welded;  // [edge]: open, and another open edge runs along it
 };
 
-// How far apart places may lie that are meant to be the same: four roundings of the largest coordinate, and
-// what six decimal digits of the whole extent leave open. m.
+// Maximum distance of places that are meant to be the same, m: four roundings of the largest coordinate, plus
+// the resolution of six decimal digits of the whole extent.
 double rounding_distance(std::span<const Vec3> places);
 
-// Only open edges and their vertices are looked at: a table's leg on a floor is no T-junction. A tree of the
+// Only open edges and their vertices are tested: a table's leg on a floor is no T-junction. A tree of the
 // vertices finds those near an edge: n log n where edges pass few vertices that they do not touch, as in all
-// meshes we know. (No method is known to be that fast for every set of points and lines.)
+// known meshes. (No method is known to be that fast for every set of points and lines.)
 TJunctions find_t_junctions(std::span<const Vec3> places, const Edges& edges, double tolerance);
 
 }  // namespace luxel

@@ -18,7 +18,7 @@ namespace luxel {
 // windings (but of lamps) or the order of triangles. Cost: one pass over the triangles.
 Vec3 up_axis(const Scene& scene);
 
-// Which way is up: `given`, where it is not 0; else as the scene's file defines it, else estimated.
+// Returns the up axis: `given`, where it is not 0; else that of the scene's file, else an estimate.
 Vec3 up_of_scene(const Scene& scene, const Vec3& given = Vec3(0.0f));
 
 }  // namespace luxel

@@ -19,7 +19,7 @@ class VertexWeld {
 
  private:
   void grow();
-  // Open addressing, at most half full: where to look for an index, or `none`. A power of two long.
+  // Hash table with open addressing, at most half full: an index, or `none`. A power of two long.
   std::vector<std::uint32_t> receivers_;
   std::vector<Vec3> positions_;
 };

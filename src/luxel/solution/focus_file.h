@@ -8,7 +8,7 @@
 namespace luxel {
 
 // The cameras of the patches and where their error matters (PatchSet::cameras, focuses_on_cameras, focus), in
-// the group "Luxel/focus", and PatchSet::view in "Luxel/view"; nothing where there are none. A reader takes
+// the group "Luxel/focus", and PatchSet::view in "Luxel/view"; nothing where there are none. Readers accept
 // files without them.
 void add_focus(Hdf5Writer& file, const PatchSet& patches);
 void read_focus(const Hdf5Reader& file, PatchSet& patches);

@@ -62,7 +62,7 @@ inline Hdf5Array vectors(std::span<const Vec3> values) {
   return {Hdf5Element::float32, values.data(), values.size(), 3};
 }
 
-// The same of whole vectors: flat, and in rows of some columns.
+// Whole vectors as such arrays: flat, and in rows of some columns.
 template <typename T>
 Hdf5Array flat(const std::vector<T>& values) {
   return flat_array(std::span<const T>(values));

@@ -16,16 +16,16 @@ struct FreeHdf5Image {
 };
 using Hdf5Image = std::unique_ptr<void, FreeHdf5Image>;
 
-// Builds an HDF5 file in memory, so that what can go wrong with a disk goes wrong in one place, later. The
-// same calls give the same bytes: no time stamps, one fixed file format (that of HDF5 1.10). Every byte that
-// counts lies under a checksum: the 1.10 format has one over each header and index, small arrays stand inside
-// the headers, larger ones are cut into chunks with a Fletcher-32 each. Names are paths from the root:
-// "VTKHDF/CellData". Throws DeviceError where the library fails (no memory).
+// Builds an HDF5 file in memory, so that errors of the disk occur in one place, later. The same calls give
+// the same bytes: no time stamps, one fixed file format (that of HDF5 1.10). Every relevant byte is covered
+// by a checksum: the 1.10 format has one over each header and index, small arrays stand inside the headers,
+// larger ones are cut into chunks with a Fletcher-32 each. Names are paths from the root: "VTKHDF/CellData".
+// Throws DeviceError where the library fails (no memory).
 class Hdf5Writer {
  public:
   // deflate: 1 (fast) to 9 (small); 0 stores large arrays as they are, still with checksums.
   explicit Hdf5Writer(unsigned deflate = 4);
-  // For the arrays that follow.
+  // Sets the compression of the arrays that follow.
   void set_deflate(unsigned deflate) { deflate_ = deflate; }
 
   void add_group(const std::string& name);

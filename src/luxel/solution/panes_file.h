@@ -8,7 +8,7 @@
 namespace luxel {
 
 // The panes of glass that absorb light, and the transmittance of each material: the group Luxel/panes, which
-// is there only where there are any. Reading refuses numbers out of range as damaged.
+// exists only where there are any. Reading refuses numbers out of range as damaged.
 void add_panes(Hdf5Writer& file, const PatchSet& patches);
 void read_panes(const Hdf5Reader& file, PatchSet& patches);
 

@@ -7,8 +7,8 @@
 
 namespace luxel {
 
-// The portals that a run's samples belong to: the group Luxel/portals, which is there only where there are
-// any. Reading refuses what is not finite as damaged.
+// The portals that a run's samples belong to: the group Luxel/portals, which exists only where there are any.
+// Reading refuses values that are not finite as damaged.
 void add_portals(Hdf5Writer& file, const PatchSet& patches);
 void read_portals(const Hdf5Reader& file, PatchSet& patches);
 

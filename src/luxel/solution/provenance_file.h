@@ -9,8 +9,8 @@
 
 namespace luxel {
 
-// Where a file's numbers came from, as a group of its own, such as "Luxel/provenance". docs/solution-file.md
-// has its entries. Reading refuses a group that lacks one of them.
+// Origin of a file's numbers, as a group of its own, such as "Luxel/provenance". docs/solution-file.md has
+// its entries. Reading refuses a group that lacks one of them.
 void add_provenance(Hdf5Writer& file, const std::string& group, const Provenance& provenance);
 Provenance read_provenance(const Hdf5Reader& file, const std::string& group);
 

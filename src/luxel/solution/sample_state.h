@@ -33,8 +33,8 @@ struct SampleState {
   std::vector<HitRound> rounds;
   std::vector<std::uint32_t> direct_samples, direct_doublings;  // [receiver], of one replicate
 
-  // [replicate], W/m²: direct light, and where it is known what surfaces send on of it, of each light group:
-  // [(receiver * groups + group) * bands + band].
+  // [replicate], W/m²: direct light and, where known, the light that surfaces reflect of it, of each light
+  // group: [(receiver * groups + group) * bands + band].
   std::vector<std::vector<float>> direct, gathered;
   std::vector<float> radiosity;  // reflected, where the iteration begins, W/m², [element * bands + band]
 };

@@ -15,7 +15,7 @@ namespace luxel {
 
 inline constexpr std::uint32_t solution_format_version = 2;
 
-// Names of version 2, and what they were in version 1.
+// Names of version 2, and the corresponding names of version 1.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names_of_version_1 = {
     {{"smoothing_bias_front", "sharing_bias_front"},
      {"smoothing_bias_back", "sharing_bias_back"},
@@ -40,7 +40,7 @@ auto light_arrays(SolutionType& solution) {
                     std::pair("VTKHDF/CellData/irradiance_back", &solution.irradiance.back)};
 }
 
-// The same for arrays that only some methods give: in the file where they are not empty.
+// Arrays that only some methods give, in the same form: in the file where they are not empty.
 template <typename SolutionType>
 auto error_arrays(SolutionType& solution) {
   return std::array{std::pair("VTKHDF/CellData/standard_error_front", &solution.standard_error.front),

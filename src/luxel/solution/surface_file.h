@@ -7,8 +7,8 @@
 
 namespace luxel {
 
-// Textures, how they lie on the patches, and what patches differ by from their materials: the group
-// Luxel/surface, which is there only where the patches have any of it.
+// Textures, their placement on the patches, and the patches' ratios to their materials: the group
+// Luxel/surface, which exists only where the patches have any of these.
 void add_surface(Hdf5Writer& file, const PatchSet& patches);
 // Into patches whose mesh, bands and materials have been read.
 void read_surface(const Hdf5Reader& file, PatchSet& patches);

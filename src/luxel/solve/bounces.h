@@ -12,13 +12,13 @@
 
 namespace luxel {
 
-// The light of a sampled run bounce by bounce, from the samples it kept and without a ray more: Jacobi's
-// iteration over all replicates together,
+// Computes the light of a sampled run bounce by bounce, from its stored samples without tracing rays:
+// Jacobi's iteration over all replicates together,
 //
 //     H_0 = 0,    H_k = D + F (rho H_(k-1)),    B_k = E + rho H_k.
 //
 // After no bounce there are the lamps alone, after one their direct light; after many it is the run's own
-// answer, but where neighbours shared their rays there, and without its errors. Not for several threads at
+// answer, except for its smoothing over neighbours, and without its errors. Not for several threads at
 // once.
 class Bounces {
  public:

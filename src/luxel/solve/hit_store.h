@@ -61,17 +61,17 @@ class HitStore {
   std::optional<std::uint64_t> double_rays(std::vector<std::uint32_t> receivers, std::uint32_t first,
                                            const Context& context = {});
 
-  // Moves rows, with their hits, between the processes so that all finish more rays at the same time, by how
-  // long the rays before took. more_rays: [receiver], of one replicate; other_seconds: of a thread, for work
-  // that is divided by what this returns. Before there were rays all are ready at once. All processes call
-  // this together.
+  // Moves rows, with their hits, between the processes so that all finish more rays at the same time, by the
+  // measured time of earlier rays. more_rays: [receiver], of one replicate; other_seconds: of a thread, for
+  // work that is divided by what this returns. Before there were rays all are ready at once. All processes
+  // call this together.
   ProcessTimes balance(std::span<const double> more_rays, double other_seconds);
 
   // Traces the rays of all rounds again, through the panes of glass as they are now, and stores the hits.
   // Alone, not with other processes.
   void trace_again(const Context& context);
 
-  // Forgets the hits, and those of later rounds: they are streamed from now on.
+  // Discards the hits, and those of later rounds: they are streamed from now on.
   void stream();
   bool is_streamed() const { return is_streamed_; }
   std::uint64_t bytes() const;  // of the hits
@@ -92,17 +92,17 @@ class HitStore {
   }
   std::size_t dark() const { return sides_.size() + 1; }
   std::size_t absorbed(std::size_t material) const { return sides_.size() + 2 + material; }
-  // Escaped through a portal; where there is none, no element.
+  // Sink of escapes through a portal; no element if there is no portal.
   std::size_t through_portal(std::size_t sky_patch = 0) const {
     return sky_patch == 0 ? absorbed(patches_.materials.size())
                           : first_extra() + (sky_patches() - 1) + sky_patch - 1;
   }
   bool has_portals() const { return !portals_.empty(); }
   std::size_t sky_patches() const { return patches_.sky_patches.size(); }
-  // Absorbed by a pane of glass; where there is none, no element.
+  // Sink of absorption by a pane of glass; no element if there is no pane.
   std::size_t in_panes() const { return first_extra() + (has_portals() ? 2 : 1) * (sky_patches() - 1); }
   bool has_panes() const { return !panes_.empty(); }
-  // Escaped through tinted panes; where none is tinted, no element.
+  // Sink of escapes through tinted panes; no element if none is tinted.
   std::size_t tinted(std::size_t sky_patch, std::size_t tint) const {
     return in_panes() + 1 + sky_patch * tints_.size() + tint;
   }
@@ -120,14 +120,14 @@ class HitStore {
     return element == escaped() || (has_portals() && element == through_portal()) ||
            (element >= first_extra() && element != in_panes());
   }
-  // Of an escape.
+  // The sky patch of an escape.
   std::size_t sky_patch_of(std::size_t element) const {
     if (element < first_extra()) return 0;
     if (element >= tinted(0, 0)) return (element - tinted(0, 0)) / tints() % sky_patches();
     const auto extra = element - first_extra(), further = sky_patches() - 1;
     return 1 + (extra < further ? extra : extra - further);
   }
-  // Factor of a band of what such rays carry.
+  // Factor of a band in the light that such rays carry.
   double tint_of(std::size_t element, std::size_t band) const {
     return element < tinted(0, 0) ? 1.0 : tints_.of((element - tinted(0, 0)) % tints(), band);
   }
@@ -151,7 +151,7 @@ class HitStore {
         });
   }
 
-  // The same for the rays of the first round alone, the first of every receiver.
+  // Does the same for the rays of the first round only, the first of every receiver.
   template <typename Body>
   void for_each_first_hit(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(replicate, block, std::span(rounds_).first(std::min<std::size_t>(1, rounds_.size())),
@@ -166,7 +166,7 @@ class HitStore {
   void for_each_round(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(replicate, block, rounds_, body);
   }
-  // The numbers, `width` per receiver, of each process's own receivers become known to all.
+  // Gathers the numbers of each process's own receivers, `width` per receiver, in all processes.
   void all_gather_receivers(std::span<float> values, std::size_t width) const;
 
   // Blocks whose rays are traced together where all receivers get per_replicate rays: where they begin,
@@ -205,7 +205,7 @@ class HitStore {
   }
 
   Round make_round(HitRound round) const;
-  // Not zeroed: a thread that writes also gets the pages.
+  // Does not zero the memory: a thread that writes a page also gets it.
   void make_room(Round& round) const;
   // Counts the rays of a round with these receivers.
   void count(std::span<const std::uint32_t> receivers, std::uint32_t per_replicate);
@@ -213,7 +213,7 @@ class HitStore {
   HitRound gathered(const HitRound& own) const;
   Round own_part(const Round& whole) const;
   void move_rows(std::vector<std::uint32_t> owners);
-  // Of a round of its own that took so long: what each job did. groups: places of receivers, [group + 1].
+  // Updates the pace by an own round and the seconds of each job. groups: places of receivers, [group + 1].
   void learn_pace(const Round& own, std::span<const std::uint32_t> groups,
                   std::span<const double> job_seconds, double seconds);
   // The elements that rows of these receivers' rays hit. Row = replicate * per_replicate + sample;
@@ -233,10 +233,10 @@ class HitStore {
   GatherSides sides_;
   HitStoreOptions options_;
   RowPartition partition_;
-  // Of this process, since it was balanced: seconds of its threads together, and of the clock.
+  // Times of this process since it was balanced: seconds of its threads together, and of the clock.
   double busy_seconds_ = 0.0, traced_seconds_ = 0.0;
   std::vector<double>
-      seconds_per_receiver_;  // [block of shares_]: for one ray per replicate, as its owner measured
+      seconds_per_receiver_;  // [block of partition_]: for one ray per replicate, as its owner measured
   std::vector<std::uint32_t> block_begins_;
   std::vector<Round> rounds_;
   std::vector<std::uint32_t> rays_per_receiver_, doublings_;

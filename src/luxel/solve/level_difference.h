@@ -27,7 +27,7 @@ struct FieldDifference {
   FrontAndBack<double> noise;    // of the mean of both, in squares: from how they differ from each other
 };
 
-// How far the light of parts lies from the light reconstructed on the wholes.
+// Squared difference of the light of parts from the light reconstructed on the wholes.
 FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                      const Answers& fine, std::span<const std::uint32_t> parent,
                                      const Context& context);

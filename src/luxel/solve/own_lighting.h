@@ -8,8 +8,8 @@
 
 namespace luxel {
 
-// The lamps and colours of patches before they get other ones: what others are counted from, however often
-// they change.
+// The original lamps and colours of patches, to which changes are relative, however often they are
+// made.
 class OwnLighting {
  public:
   explicit OwnLighting(const PatchSet& patches);
@@ -17,8 +17,8 @@ class OwnLighting {
   const std::vector<float>& reflectance() const { return reflectance_; }  // [material * bands + band]
 
   // Give the same patches, or a copy of them, other lamps or colours, and the fingerprint of a scene so
-  // changed. Both throw InputError where there are more or fewer numbers, or one is out of its range.
-  // weight: how much brighter each light group is than its own, at least 0, [group * bands + band].
+  // changed. Both throw InputError where there are more or fewer numbers, or one is out of its range. weight:
+  // brightness of each light group relative to the original, at least 0, [group * bands + band].
   void set_lamps(const std::vector<float>& weight, PatchSet& patches) const;
   // [material * bands + band], in [0, 1).
   void set_reflectance(const std::vector<float>& reflectance, PatchSet& patches) const;

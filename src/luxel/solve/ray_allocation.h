@@ -19,12 +19,12 @@ namespace luxel {
 // Neighbouring receivers whose samples of one kind are doubled together.
 struct SampleUnit {
   double squared_error = 0.0;  // its part of the squared error
-  double cost = 0.0;           // of its samples so far: so much again doubles them
+  double cost = 0.0;           // of its samples so far; the same cost again doubles them
 };
 
-// How often to double each unit's samples: whatever takes most off the error for its cost comes first, until
-// the sum of squared_error is expected to be at most `target` and at least `least` is spent, or the next
-// would be beyond `budget`. A doubling takes half of a unit's squared error off, or a little more.
+// Returns how often to double each unit's samples: the largest error reductions for their cost come first,
+// until the sum of squared_error is expected to be at most `target` and at least `least` is spent, or the
+// next would be beyond `budget`. A doubling removes half of a unit's squared error, or a little more.
 std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, double target, double least,
                                          double budget);
 
@@ -41,7 +41,7 @@ struct RoundPlan {
   std::vector<std::uint8_t> doublings;  // [unit], see plan_doublings()
   double cost = 0.0;                    // of all samples before
   double more_cost = 0.0;               // of the round
-  double more_rays = 0.0;               // likewise
+  double more_rays = 0.0;               // of the round
   double squared_error = 0.0;           // squared error that is left, as the plan expects it
 
   bool is_empty() const { return more_cost == 0.0; }
@@ -55,13 +55,13 @@ double growth_to_target(double squared_error, double target, bool is_after_first
 struct RoundStart {
   std::size_t direct_units = 0;      // that come first, of shadow rays
   double squared_error = 0.0;        // of all units together
-  double aimed_squared_error = 0.0;  // likewise
+  double aimed_squared_error = 0.0;  // of all units, aim of the round
   bool is_after_first = false;       // one answer has been given
 };
 
-// Estimates of single units are noisy, and those that are too high by chance are doubled first: plans expect
-// more of a round than it gives. So it costs at least what the rounds before make likely to be needed, since
-// every round ends with an answer that takes time.
+// Estimates of single units are noisy, and those that are too high by chance are doubled first: plans
+// overestimate the gain of a round. So it costs at least the amount that earlier rounds suggest, since every
+// round ends with an answer that takes time.
 RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options);
 
@@ -103,11 +103,11 @@ struct GatherErrorInput {
   double whole = 0.0;                     // sum of the result
 };
 
-// The part of the squared error sum of I_i Var H_i that each receiver's gather rays answer for: its rays per
-// area times what one more is worth, both to its own row and to the rows of those that it meets
-// (SampledOperator::ray_worth). Doubling a receiver's rays takes about half of its part off. Parts are of the
+// The part of the squared error sum of I_i Var H_i that each receiver's gather rays cause: its rays per area
+// times the benefit of one more, both to its own row and to the rows of those that it meets
+// (SampledOperator::ray_worth). Doubling a receiver's rays removes about half of its part. Parts are of the
 // rays' densities and the light that they see, not of what a receiver's own rays happened to find; so counts
-// that follow them do not follow luck, which would bias the light.
+// that follow them do not follow chance, which would bias the light.
 //
 // Cost: two look-ups per ray.
 std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator& transport,

@@ -71,7 +71,7 @@ Grey grey_of(const InfluenceInput& input, std::size_t bands, const Context& cont
   return grey;
 }
 
-// Adds to each replicate of one half what its own noise does to the light that is sent on. gathered: on entry
+// Adds to each replicate of one half the effect of its own noise on the reflected light. gathered: on entry
 // h_r, on return u_r - (D_r - mean of D). Returns false if the monitor stops the work.
 bool add_influences(const SampledOperator& transport, std::size_t half, const InfluenceInput& input,
                     std::span<std::vector<float>> gathered, const Context& context) {

@@ -25,9 +25,9 @@ struct ReplicateLight {
 };
 
 // Solves B = S (D + F B), S the scattering rho or, with diffusers, rho and tau, for both halves of the
-// replicates, each sending on what the other gathered, to `tolerance`; the light is the mean of the two. Each
-// replicate stands around it by its influence u on that mean: what differs in its own rays and direct light,
-// sent on for as long as that changes its errors,
+// replicates, each scattering the light that the other gathered, to `tolerance`; the light is the mean of the
+// two. Each replicate differs from it by its influence u on that mean: the difference of its own rays and
+// direct light, propagated as long as that changes its errors,
 //
 //     u_r = (h_r - mean of h) + (D_r - mean of D) + F S u_r,     F of the other half.
 //

@@ -45,7 +45,7 @@ struct SpreadInput {
 // The same bits on any number of threads. Cost: about 50 ns per receiver for 8 replicates of 3 bands.
 // Processes share the work; each needs the values of its part of spread_partition() at least.
 Spread spread_of(Replicates values, const SpreadInput& input, const Context& context);
-// The same for first + second, replicate by replicate, in one pass.
+// Computes the same for first + second, replicate by replicate, in one pass.
 Spread spread_of_sum(Replicates first, Replicates second, const SpreadInput& input, const Context& context);
 
 // The variance of each receiver's mean, summed over bands: [receiver].

@@ -14,15 +14,15 @@
 
 namespace luxel {
 
-// Where a sampled solve ends, and how fast its rounds may grow.
+// Limits of a sampled solve, and the allowed growth of its rounds.
 struct TimeForecastOptions {
   double error = 0.0;       // by the measure that ends the run; 0: it is not ended by the error
   double aim = 1.0;         // of the squared error, at which a round is planned
   double rays = 0.0;        // 0: no bound
   double ray_budget = 0.0;  // see SampledOptions; 0: no bound
   double seconds = 0.0;     // 0: no bound
-  double min_growth = 0.5;  // cost of a round over that of all before it
-  double max_growth = 3.0;  // likewise
+  double min_growth = 0.5;  // minimum cost of a round over that of all before it
+  double max_growth = 3.0;  // maximum of that ratio
   bool is_resumed = false;  // there were rounds before those that are reported
 };
 
@@ -33,10 +33,10 @@ struct PlannedRound {
   double squared_error = 0.0;  // squared error after it, as the plan expects it; 0: unknown
 };
 
-// Forecasts when a sampled solve ends, from its rounds so far. A round takes samples, then computes an answer
-// with a stated error. The forecast repeats rounds until an end is reached: squared error ~ cost^-p; seconds
-// of samples ~ cost; seconds of an answer = a + b cost. p, a and b come from the last rounds; p is drawn
-// towards a prior, because a furnished room's first rounds are worth much more than its later ones.
+// Estimates when a sampled solve ends, from its previous rounds. A round takes samples, then computes an
+// answer with a stated error. The estimate repeats rounds until an end is reached: squared error ~ cost^-p;
+// seconds of samples ~ cost; seconds of an answer = a + b cost. p, a and b come from the last rounds; p is
+// shrunk towards a prior, because a furnished room's first rounds help much more than its later ones.
 //
 // Has no clock: all times are seconds since the solve began, as the caller measures them. Costs are in any
 // unit.
@@ -46,16 +46,16 @@ class TimeForecast {
 
   // The samples of a round are taken: its answer begins.
   void begin_answer(double seconds);
-  // It has ended. error: with its uncertainty; cost and rays: of all samples so far.
+  // Ends the answer. error: with its uncertainty; cost and rays: of all samples so far.
   void end_answer(double seconds, double error, double cost, double rays);
-  // The next round begins, which costs so much more. The run ends after as many rays.
+  // Begins the next round, with its planned cost, rays and squared error.
   void begin_round(double seconds, const PlannedRound& plan);
 
   // Returns the seconds from `seconds` to the end, when the run has traced `rays`; negative while there is no
   // estimate: the first answer is missing, or too far from the error target.
   double left(double seconds, double rays) const;
-  // Fraction of the run's time that has passed. Never falls: where the forecast grows, it stands until time
-  // has caught up. 0 while there is no forecast.
+  // Fraction of the run's time that has passed. Never decreases: if the estimate grows, it is constant until
+  // time has caught up. 0 while there is no estimate.
   double done(double seconds, double rays);
 
  private:
@@ -105,7 +105,7 @@ class RunProgress {
   double elapsed() const;         // s since it was made
   double common_elapsed() const;  // that of the first process, for decisions
 
-  // In their order, round by round. error: stated, and with what may be wrong with it; cost: of all samples.
+  // Call in this order in every round. error: stated; safe_error: with its uncertainty; cost: of all samples.
   void begin_answer();
   void end_answer(double error, double safe_error, double cost, std::uint64_t rays);
   void begin_round(const RoundPlan& plan);

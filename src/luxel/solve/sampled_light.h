@@ -39,9 +39,9 @@ class SampledLight {
   using Enough = std::function<bool(const Spread&)>;
 
   // The mean of direct + gathered and its error, [replicate][receiver * bands + band], W/m². Where that is
-  // not `enough`, both are replaced by what smoothing makes of them. The means are not below 0, see
-  // preserve_hue(). not_found: variance that replicates do not show, [receiver * bands + band], see
-  // SkyNotFound. The same bits on any number of threads.
+  // not `enough`, both are replaced by their smoothed values. The means are not below 0, see preserve_hue().
+  // not_found: variance that replicates do not show, [receiver * bands + band], see SkyNotFound. The same
+  // bits on any number of threads.
   struct Answer : Spread {
     std::vector<float> bias;  // squared bias of the smoothing; empty where nothing was smoothed
   };
@@ -71,9 +71,9 @@ std::vector<std::vector<float>> sum_of_groups(std::span<const std::vector<float>
                                               std::size_t bands, std::span<const float> weight,
                                               const Context& context);
 
-// Where the light of a sampled solution goes: what receivers take up, and what their rays bring to the sinks.
-// It adds up to within the error of the light; nothing is unshot. irradiance: [receiver * bands + band],
-// W/m². Cost: one look-up per ray. The same bits on any number of threads.
+// Energy balance of a sampled solution: the power that receivers absorb, and that their rays carry to the
+// sinks. The sum is exact to within the error of the light; no power is unshot. irradiance: [receiver * bands
+// + band], W/m². Cost: one look-up per ray. The same bits on any number of threads.
 EnergyAccount energy_of(const PatchSet& patches, const SampledOperator& transport,
                         const std::vector<float>& irradiance, const Context& context);
 

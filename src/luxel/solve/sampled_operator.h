@@ -17,7 +17,7 @@ namespace luxel {
 
 struct SampledOperatorOptions {
   bool both_ways = true;  // else each ray counts for its sender alone
-  // How many times a side's own rays, which are stratified, are trusted more than those that arrive.
+  // Weight of a side's own rays, which are stratified, over that of the rays that arrive.
   float own_trust = 3.0f;
   // Sides whose rays count one way, see one_way_sides(): [receiver], or empty. Read while the operator is
   // made.
@@ -26,7 +26,7 @@ struct SampledOperatorOptions {
 
 // Transport F by rays that count at both their ends. A ray from side i that meets side j is a sample of F_ij,
 // and by reciprocity (A_i F_ij = A_j F_ji) one of F_ji. With d = n / A the density of a side's n rays and k
-// the trust in its own, one replicate estimates what arrives at i by the balance heuristic (Veach and Guibas
+// the weight of its own, one replicate estimates what arrives at i by the balance heuristic (Veach and Guibas
 // 1995):
 //
 //     Y_i = 1 / A_i ( k sum over own rays of R_j / (k d_i + d_j) + sum over arriving rays of R_j / (k d_i +
@@ -73,8 +73,8 @@ class SampledOperator {
   std::vector<std::vector<float>> replicate_rows(std::size_t half, std::span<const float> radiosity,
                                                  const Context& context) const;
 
-  // What all rays of that replicate count in row `receiver` for what they are in apply(): own rays to sinks
-  // have 1 / n, n rays of the receiver, times this.
+  // Factor of all rays of that replicate in row `receiver`, relative to apply(): own rays to sinks have 1 /
+  // n, with n rays of the receiver, times this.
   double row_factor(std::uint32_t replicate, std::size_t receiver) const {
     return static_cast<double>(row_factor_[replicate][receiver]);
   }
@@ -135,7 +135,7 @@ class SampledOperator {
   const HitStore& hits_;
   SampledOperatorOptions options_;
   // Rays of one replicate per area, 1/m²: [receiver], of the receiver's own rays; [element], of those that
-  // may arrive from it: 0 for sinks and what is seen one way.
+  // may arrive from it: 0 for sinks and sides that count one way.
   std::vector<float> density_, sent_density_;
   std::vector<float> trusted_, mutual_;  // [receiver]: k d; 1, or 0 where rays count one way
   std::vector<double> inverse_area_;     // [receiver], 1/m²

@@ -18,7 +18,7 @@
 
 namespace luxel {
 
-// How the direct light of such a solve is sampled.
+// Returns the options for sampling the direct light of such a solve.
 DirectOptions direct_options(const SampledOptions& options);
 
 // All samples of a sampled solve: shadow rays and gather rays of every side that light reaches, in units of
@@ -29,15 +29,15 @@ class Sampling {
   Sampling(const PatchSet& patches, const Tracer& tracer, const SampledOptions& options,
            const Context& context);
 
-  // Takes the first samples of every side, then leaves out those that no light reaches. first_picture: any
-  // light that is known to arrive somewhere. Returns false, and must not be used further, if the monitor
-  // stops the work.
+  // Takes the first samples of every side, then leaves out those that no light reaches. first_picture: light
+  // that is known to arrive somewhere. Returns false, and must not be used further, if the monitor stops the
+  // work.
   bool start(const Solution& first_picture, const Monitor& monitor = {});
-  // In place of start(): goes on where another was. Throws MismatchError where the state is not of these
-  // patches and options.
+  // Resumes from a state, in place of start(). Throws MismatchError where the state is not of these patches
+  // and options.
   void restore(const SampleState& state);
-  // The same, but the rays are traced again, for patches that differ in their panes of glass; their hits in
-  // the state are not used.
+  // Resumes too, but traces the rays again, for patches that differ in their panes of glass; the hits in the
+  // state are not used.
   void restore_rays(const SampleState& state);
   // The input of restore(), and the rays traced; the caller fills in the rest.
   SampleState state() const;
@@ -67,13 +67,13 @@ class Sampling {
   std::uint64_t bytes_of_state() const;
 
  private:
-  // Throws InputError where the light needs more than is free; held: bytes that may be a part of it already.
+  // Throws InputError where the light needs more than the free memory; held: bytes that may be part of it.
   void check_memory(std::uint64_t bytes, std::uint64_t held) const;
   // Hits that would not fit are not stored.
   void make_room(std::uint64_t more_rays);
-  // The samples of all sides: none yet.
+  // Lays out the samples of all sides, initially none.
   void lay_out();
-  // Which process takes which samples of a take().
+  // Assigns the samples of a take() to processes.
   ProcessTimes distribute(std::span<const std::uint8_t> doublings);
   // The shadow rays of a take(), of one part of the units.
   bool take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor);

@@ -20,9 +20,9 @@ namespace luxel {
 // The seen error of a sampled solve, and which receivers it needs more rays for.
 class SeenMeasure {
  public:
-  // Places the views by the patches as they are now; later calls take their lamps and reflectances as they
-  // are then. See place_views() for the cost. units: as neighbour_begins() gives them, the receivers whose
-  // importance is pooled. Keeps references to patches and sides. All processes make the same.
+  // Places the views by the current patches; later calls use the lamps and reflectances of their time. See
+  // place_views() for the cost. units: as neighbour_begins() gives them, the receivers whose importance is
+  // pooled. Keeps references to patches and sides. All processes make the same.
   SeenMeasure(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> units,
               const Tracer& tracer, const Context& context);
 
@@ -38,7 +38,7 @@ class SeenMeasure {
   // receiver seen and 50 ns per direction, some 20 ms for a room of 50,000 patches.
   void take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context);
 
-  // The same of an answer without replicates: its uncertainty is 0.
+  // Takes an answer without replicates: its uncertainty is 0.
   void take(const Spread& answer);
 
   // The error of the last answer taken.
@@ -67,7 +67,7 @@ class SeenMeasure {
   std::vector<double> importance_;
 };
 
-// The seen error of light with given errors, and what each side adds to it.
+// The seen error of light with given errors, and the contribution of each side.
 struct SeenSides {
   double error = 0.0;
   // [side], (m² / W)²: see SeenMeasure::importance(); empty: no open space was found
@@ -78,9 +78,9 @@ struct SeenSides {
 SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideValues& irradiance,
                      const FrontAndBack<double>& squared_error, const Context& context);
 
-// [patch], 1/m²: the fraction of what the views of a place see that a square metre of the patch and its
-// neighbours takes up, both sides together, summed over the places that see it; empty: no open space was
-// found. Cost: that of place_views() and of a patch tree.
+// [patch], 1/m²: the fraction of the views of a place that a square metre of the patch and its neighbours
+// fills, both sides together, summed over the places that see it; empty: no open space was found. Cost: that
+// of place_views() and of a patch tree.
 std::vector<double> seen_densities(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
 // The seen error of a solution (Solution::seen_error) from its light and the standard errors of its sides,

@@ -14,8 +14,8 @@
 
 namespace luxel {
 
-// Sides whose own rays and the rays of others do not meet alike, so that a ray at one of them must count for
-// its sender alone: 1, else 0, [receiver]. These are
+// Finds sides where own rays and arriving rays do not correspond, so that a ray at one of them must count for
+// its sender only: 1, else 0, [receiver]. These are
 //
 // - sides with cut-out holes: rays leave a hole, but none ends there;
 // - slivers no thicker than the rounding of coordinates, whose rays may start beyond a wall that they touch;

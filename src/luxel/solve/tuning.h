@@ -48,7 +48,7 @@ namespace one_way {
 constexpr std::uint32_t probes = 4;  // per side; finds 1 - 0.5^4 = 94 % of the sides that are half covered
 constexpr float min_height =
     8.0f;  // of a triangle, in lifts of an origin: rounding moves a point by less than one
-constexpr float probe_length = 8.0f;      // likewise
+constexpr float probe_length = 8.0f;      // in lifts, too
 constexpr float probe_fraction = 1e-3f;   // of the square root of the area, if that is longer
 constexpr std::size_t probe_grain = 256;  // sides per chunk
 
@@ -90,10 +90,10 @@ constexpr double min_deviation = 0.02;
 
 namespace influence {
 
-// Of the influences: the standard deviation of 8 replicates is itself only good to 27 % (1 / sqrt(2 * 7)).
+// Tolerance of influences: the standard deviation of 8 replicates is only good to 27 % (1 / sqrt(2 * 7)).
 constexpr double influence_tolerance = 0.05;
-// Of the sum of the influences over all sides, in which the noise of single sides cancels. Measured on the
-// Cornell box at 5 %, 30 seeds, true spread of the power over the stated one: 1.54 without it, 1.35 with
+// Tolerance of the sum of influences over all sides, in which the noise of single sides cancels. Measured on
+// the Cornell box at 5 %, 30 seeds, true spread of the power over the stated one: 1.54 without it, 1.35 with
 // 0.05, 1.31 with 0.01, 1.30 with all sides solved to 1e-5.
 constexpr double influence_sum_tolerance = 0.01;
 constexpr std::size_t influence_memory = 3;  // earlier sweeps in Anderson's acceleration, two vectors each
@@ -137,7 +137,7 @@ constexpr double area_fraction = 0.05;
 
 namespace gathered {
 
-// Part of the worth of a ray that every side has, whatever its samples say: rays find light that no ray has
+// Part of the benefit of a ray that every side has, whatever its samples: rays find light that no ray has
 // found yet.
 constexpr double even_part = 0.05;
 
@@ -176,8 +176,8 @@ namespace rounds {
 // Fraction of the target squared error that a round aims at: missing it costs another round.
 constexpr double aim = 0.8;
 // Cost of a round over that of all before it. At least: a run that tests its error often stops at the first
-// lucky estimate. At most: where an error ends the run, and where a bound of rays or time may end it, so that
-// it ends near it.
+// estimate low by chance. At most: where an error ends the run, and where a bound of rays or time may end it,
+// so that it ends near it.
 constexpr double min_growth = 0.5;
 constexpr double growth_to_error = 4.0;
 constexpr double growth_to_bound = 1.0;

@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// Which edges each side has (indices into `edges`), in rows.
+// The edges of each side (indices into `edges`), in rows.
 class EdgesOfSides {
  public:
   EdgesOfSides(std::size_t sides, const std::vector<SideEdge>& edges);
@@ -25,15 +25,15 @@ class EdgesOfSides {
   std::vector<std::uint32_t> edges_;
 };
 
-// What charts may hold together.
+// Edges that charts may cross, and the light of sides.
 struct LightBorders {
   std::vector<bool> is_crossed;  // [edge]: whether a chart may go on across it
   std::vector<float> light;      // [side], W/m², all bands; 0 as below a box that stands on a floor
   bool is_dark(SideId side) const { return !(light[side.index()] > 0.0f); }
 };
 
-// Cuts flat fragments until each can be a chart: connected, on a page, and no row of texels of it between two
-// places that light does not run on between.
+// Cuts flat fragments until each can be a chart: connected, on a page, and without a row of texels between
+// places between which light is discontinuous.
 class ChartCuts {
  public:
   // Keeps references.
@@ -71,7 +71,7 @@ class ChartCuts {
   };
   // Cuts along the line that contains the longest of the borders, if they are longer than so many metres.
   Cut along_longest(const Chart& chart, std::vector<Border> borders, double shortest) const;
-  // By its middle.
+  // Whether the middle of a side lies to the left of a line.
   bool lies_left(const Chart& chart, const Line& line, SideId side) const;
   // Whether some sides lie to the left and some do not.
   bool parts(const Chart& chart, const Line& line) const;

@@ -17,8 +17,8 @@ struct BorderPoint {
 };
 
 // Cuts a triangle so that all of these points, which go round its border in its winding and begin with the
-// three corners among them, are corners. Gives indices of points; every piece has area where the triangle
-// has, and the best shaped is cut off first. At least three points; cost: their number squared.
+// three corners among them, are corners. Returns indices of points; every piece has area if the triangle has,
+// and the best shaped is cut off first. At least three points; cost: their number squared.
 std::vector<std::array<std::uint32_t, 3>> cut_along_edges(const std::vector<BorderPoint>& points);
 
 }  // namespace luxel

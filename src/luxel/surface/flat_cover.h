@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// Triangles in a plane, none over another, to be found by place: a grid with about one in a cell.
+// Triangles in a plane, none over another, found by place: a grid with about one per cell.
 class FlatCover {
  public:
   using Triangle = std::array<glm::dvec2, 3>;  // counter-clockwise
@@ -18,11 +18,11 @@ class FlatCover {
   // low, high: of the box around them all; count: how many are to come.
   FlatCover(const glm::dvec2& low, const glm::dvec2& high, std::size_t count);
 
-  // Unless it covers one that is there. Overlaps of less than a hundred-thousandth of the box are rounding.
+  // Adds a triangle unless it covers another. Overlaps below a hundred-thousandth of the box are rounding.
   bool add(const Triangle& t);
-  // One that is known to cover none.
+  // Adds a triangle that is known to cover none.
   void put(const Triangle& t);
-  // Which one lies there, counted in the order of adding; or none.
+  // Returns the triangle at a place, counted in the order of adding; or none.
   std::uint32_t at(const glm::dvec2& place) const;
 
  private:

@@ -93,7 +93,7 @@ std::array<Vec3d, 2> axes_across(const Vec3d& direction) {
   return {s, glm::cross(direction, s)};
 }
 
-// By how much lengths are to grow so that the projection has the area of the sides.
+// Returns the factor of lengths by which the projection gets the area of the sides.
 double stretch_of(const PatchSet& patches, std::span<const SideId> sides, const Vec3d& direction) {
   double area = 0.0, projected = 0.0;
   for (const auto side : sides) {

@@ -18,8 +18,8 @@ inline Vec3d facing(const PatchSet& patches, SideId side) { return Vec3d(patches
 // have an edge along their convex hull (Freeman and Shapira 1975).
 Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d& direction);
 
-// Keeps those sides that cover none kept before, seen along `direction`; what is taken off is given back in
-// the second list. Overlaps of less than a hundred-thousandth of the whole are rounding.
+// Keeps the sides that cover none kept before, seen along `direction`; the second list has the others.
+// Overlaps of less than a hundred-thousandth of the whole are rounding.
 struct Placed {
   std::vector<SideId> kept, over;
 };

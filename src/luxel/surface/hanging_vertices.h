@@ -16,17 +16,17 @@ struct HangingVertex {
   float fraction = 0.0f;   // of the way along it, in (0, 1)
 };
 
-// How far off a line per vertex may lie and count as on it, m: a ten-thousandth of `length`, which no eye
-// sees, and the rounding of the coordinates.
+// Maximum distance from a line at which a vertex counts as on it, m: a ten-thousandth of `length`, which is
+// invisible, plus the rounding of the coordinates.
 double line_tolerance(const Vec3& vertex, double length);
 
 // Finds, for the edges that no other patch shares, the vertices of other such edges that hang on them; sorted
 // by vertex, patch and edge. Cost: a sort of the open edges.
 std::vector<HangingVertex> find_hanging_vertices(const PatchSet& patches);
 
-// The same for all edges and the vertices of all patches, whether light continues there or not: where a wall
-// stands on a floor that is divided otherwise. Cost: a sort of the vertices, and for each edge searches in
-// it.
+// Finds those on all edges among the vertices of all patches, whether light continues there or not: where a
+// wall stands on a floor that is divided otherwise. Cost: a sort of the vertices, and for each edge searches
+// in it.
 std::vector<HangingVertex> find_all_hanging_vertices(const PatchSet& patches);
 
 }  // namespace luxel

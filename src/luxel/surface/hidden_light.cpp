@@ -97,7 +97,7 @@ void light_hidden_vertices(const PatchSet& patches, const Solution& solution, Sm
             if (!(brightest.of(side)[other] > least)) continue;
             const auto* value = &light.irradiance.of(side)[other * bands];
             around.add(value);
-            // One that is wound the other way goes on with its back.
+            // A surface with the opposite winding continues with its back.
             if (std::abs(cosine) >= same_plane && side == (back != (cosine < 0.0f))) in_plane.add(value);
           }
         }

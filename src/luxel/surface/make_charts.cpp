@@ -48,7 +48,7 @@ float light_of(const PatchSet& patches, const Solution& solution, SideId side) {
   return std::accumulate(light, light + bands, 0.0f);
 }
 
-// How much two sides at an edge belong together.
+// Ranks how closely two sides at an edge belong together.
 std::tuple<bool, bool, float> affinity(const PatchSet& patches, const SideEdge& edge) {
   const auto a = edge.halves[0].side, b = edge.halves[1].side;
   return {patches.triangle[a.patch()] == patches.triangle[b.patch()],
@@ -186,7 +186,7 @@ Charts make_charts(const PatchSet& patches, const Solution& solution, const Char
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(clusters.size());
     if (i % clusters_per_report == 0 && context.report({"charts", 0.5 + 0.5 * done}) == Next::stop) return {};
-    // Of a surface that winds over itself, a layer at a time.
+    // A surface that winds over itself is laid out one layer at a time.
     auto open = cuts.connected(clusters[i].sides);
     while (!open.empty()) {
       const auto placed = without_overlaps(patches, open.back(), clusters[i].direction);

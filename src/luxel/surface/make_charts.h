@@ -20,8 +20,8 @@ struct ChartOptions {
   int max_texels = 1000;    // a chart is no wider and no higher: it must fit on a page
 };
 
-// Sides of patches that lie flat together: projected along one direction none covers another. Or, as a point,
-// backs that are all but dark: all of them are one place.
+// Sides of patches that are laid flat together: projected along one direction, none covers another. Or a
+// single point, for all backs that are nearly dark.
 struct Chart {
   std::vector<SideId> sides;     // ascending
   Vec3d origin{0.0};             // m; a corner of the smallest box around it
@@ -36,7 +36,7 @@ struct Charts {
   std::vector<std::uint32_t> of_side;  // [side]: its chart, or none
   std::vector<SideEdge> edges;         // where sides meet; seams are those of two charts
 
-  // Where a point (m) lies in a chart's box, m along its axes.
+  // Position of a point (m) in a chart's box, m along its axes.
   static std::array<double, 2> place(const Chart& chart, const Vec3& point) {
     const auto d = Vec3d(point) - chart.origin;
     return {glm::dot(d, chart.axes[0]), glm::dot(d, chart.axes[1])};

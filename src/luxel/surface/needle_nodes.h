@@ -13,8 +13,8 @@
 namespace luxel {
 
 // The sides beyond the needles at a node. Meshes of walls and ceilings are full of needles, left by bevels
-// and by polygons with holes. A needle's mean says little of the light at its ends, but the patches on either
-// side of it do, and light on a flat surface cannot change over its width.
+// and by polygons with holes. A needle's mean hardly determines the light at its ends, but the patches on
+// either side of it do, and light on a flat surface cannot change over its width.
 //
 // The two ends of a needle's short edge, and all nodes that such edges connect, are a group: flat within 1
 // degree, and no wider than 1/50 of the longest edge of each needle in it. A node's far sides are those at

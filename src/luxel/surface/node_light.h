@@ -10,8 +10,8 @@
 
 namespace luxel {
 
-// The irradiance at every node, [node][band], W/m², such that what runs linearly between the nodes comes near
-// the patches' means: least squares with a consistent mass matrix, cut short.
+// The irradiance at every node, [node][band], W/m², whose linear interpolation approximates the patches'
+// means: least squares with a consistent mass matrix, stopped early.
 //
 // 1. Each side has a linear function of its own (SideSlopes); a node begins with their mean, weighed by area
 //    (Oswald 1993): right for linear light at every vertex.

@@ -14,7 +14,7 @@
 
 namespace luxel {
 
-// The limit for all pages together: some 40 bytes each.
+// Maximum number of texels of all pages together: some 40 bytes each.
 inline constexpr double max_texels_of_pages = 0x1p28;
 
 struct PackOptions {

@@ -27,9 +27,9 @@ struct PatchCut {
 };
 
 // Finds the cuts that close the T-junctions of a mesh: rasterised, its edges would round differently from the
-// vertices on them, and what lies behind would shine through. In order of patches, only those that have a
-// vertex of another patch within an edge, as find_all_hanging_vertices() has it: also where a block stands on
-// a floor that is divided otherwise. Cost: that of it.
+// vertices on them, and the background would show through. In order of patches, only those that have a vertex
+// of another patch within an edge, as find_all_hanging_vertices() has it: also where a block stands on a
+// floor that is divided otherwise. Cost: as for that function.
 std::vector<PatchCut> cut_at_hanging_vertices(const PatchSet& patches);
 
 }  // namespace luxel

@@ -14,8 +14,8 @@ struct SideNodes;
 
 // An edge where two sides meet that face alike, or the part of one between vertices that hang on it.
 struct SideEdge {
-  // How one of the sides has it: an edge of the patch, from corner `edge` to the next, and where on it the
-  // two ends lie, as shares of the way. Both halves name the ends in the same order.
+  // The edge in one of the sides: an edge of the patch, from corner `edge` to the next, and where on it the
+  // two ends lie, as fractions of the way. Both halves name the ends in the same order.
   struct Half {
     SideId side;
     std::uint32_t edge = 0;
@@ -26,7 +26,7 @@ struct SideEdge {
   bool smooth = false;                  // light runs on across it; else it may jump there
 };
 
-// All of them, sorted by their ends. Light runs on where both sides have the same nodes at both ends (see
+// Finds all, sorted by their ends. Light is continuous where both sides have the same nodes at both ends (see
 // SideNodes) and no other surface touches the edge on the side they face. Cost: a sort of the edges.
 std::vector<SideEdge> find_side_edges(const PatchSet& patches, const SideNodes& nodes);
 

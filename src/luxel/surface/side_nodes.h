@@ -14,8 +14,8 @@
 
 namespace luxel {
 
-// Where the light of patch sides runs together: a node for each vertex and each smooth surface that meets
-// there (see OneRing).
+// Nodes at which the light of patch sides is continuous: one for each vertex and each smooth surface that
+// meets there (see OneRing).
 struct SideNodes {
   // A side at a node: with a corner of its patch (0 to 2), or with a place on an edge (3 + index in hanging).
   struct Member {

@@ -20,9 +20,9 @@ namespace luxel {
 // distance, so that a bent sheet counts as unrolled. No slope where the neighbours stand on one line.
 //
 // A corner is then held between the least and the greatest of those values (Barth and Jespersen 1989), and
-// beyond them only by what it lies beyond all the centroids on the plane, in full where the plane explains
-// all the neighbours have and not at all where it explains three quarters of their squares or less, the fewer
-// they are the less. So linear light is left alone at a border too, a step or mere noise is not drawn out
+// exceeds them only by what the plane adds beyond all the centroids: in full where the plane explains all the
+// neighbours have, not at all where it explains three quarters of their squares or less, and the less the
+// fewer they are. Linear light is thus unchanged at a border too, a step or mere noise is not extrapolated
 // there, and inside a surface, where centroids stand all around, no corner is beyond the values nearby.
 //
 // Cost: about a microsecond per side on one thread.
@@ -30,7 +30,7 @@ class SideSlopes {
  public:
   SideSlopes(const PatchSet& patches, const SideLight& light, const SideNodes& nodes, const Context& context);
 
-  // At a corner (0 to 2) less the mean, W/m².
+  // Value at a corner (0 to 2) minus the mean, W/m².
   double rise(SideId side, std::uint32_t corner, std::size_t band) const {
     return static_cast<double>(rise_[3 * (side.index() * bands_ + band) + corner]);
   }

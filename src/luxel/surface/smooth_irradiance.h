@@ -23,8 +23,8 @@ Number smooth_irradiance(const SmoothLight& light, SideId side, const Vec2& weig
   return sum;
 }
 
-// The light that a side sends on at a point, W/m², without its emission: what it reflects and, of a diffuser,
-// what comes through from the other side.
+// Light that leaves a side at a point without its emission, W/m²: the reflected light and, for a diffuser,
+// the light transmitted from the other side.
 inline double smooth_sent_on(const PatchSet& patches, const SmoothLight& light, SideId side,
                              const Vec2& weights, std::size_t band) {
   const auto bands = patches.band_count();

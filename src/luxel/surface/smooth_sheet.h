@@ -23,8 +23,8 @@ inline constexpr std::size_t min_smoothed_sheet = 4;
 struct SmoothingWeights {
   // 1 over the square of the light relative to which an error is seen, (m²/W)².
   std::vector<float> risk;
-  // The variance of the values, less what is too little to be smoothed; any unit. Windows in which the mean
-  // of it is not above 0 keep their values.
+  // Variance of the values, minus the part too small to be smoothed; any unit. Windows whose mean of it is
+  // not above 0 keep their values.
   std::vector<float> noise;
 };
 
@@ -36,7 +36,7 @@ struct FineChange {
   std::vector<float> variance;  // of the mean of half of the replicates
 };
 
-// What is smoothed.
+// The values to smooth.
 struct SheetLight {
   std::vector<float>& values;        // [index * columns.size() + column], is replaced
   std::vector<float>& squared_bias;  // [index * bands + band], is written

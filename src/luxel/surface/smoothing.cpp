@@ -52,7 +52,7 @@ struct BiasOfAll {
   FineChange* fine;  // null where replicates are not independent
 };
 
-// A sheet with its windows, and what runs its loops.
+// A sheet with its windows, and the runner of its loops.
 struct SheetWork {
   const LightSheet& sheet;
   std::span<const WindowGrid> grids;

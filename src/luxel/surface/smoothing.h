@@ -22,8 +22,8 @@ class Smoothing {
   Smoothing(const PatchSet& patches, const PatchTree& tree, const GatherSides& sides);
 
   // direct, gathered: [replicate][receiver * bands + band], W/m², at least 4 replicates, are replaced.
-  // squared_bias: [receiver * bands + band], W²/m⁴, what the smoothing of both is estimated to get wrong is
-  // added to it; it may be below 0 in places. The same bits on any number of threads. mine: of several
+  // squared_bias: [receiver * bands + band], W²/m⁴, receives the estimated error of the smoothing of both in
+  // addition; it may be below 0 in places. The same bits on any number of threads. mine: of several
   // processes, the receivers whose values this one needs: it gets those, and some others beside them. Cost: 2
   // to 6 us per receiver of 8 replicates and 3 bands, for both.
   void smooth(std::span<std::vector<float>> direct, std::span<std::vector<float>> gathered,

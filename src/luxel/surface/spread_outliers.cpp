@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t min_near = 8;  // receivers by which to judge
 constexpr float reach = 4.0f;        // deciles above the median; of Gaussian noise 5 standard deviations
 constexpr float above_own = 4.0f;    // over the median of a bright side's own replicates
-constexpr float min_facing = 0.5f;   // cosine between the normals of who gives and who takes
+constexpr float min_facing = 0.5f;   // cosine between the normals of giver and taker
 
 // A value above its bound.
 struct Outlier {

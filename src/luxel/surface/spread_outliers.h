@@ -10,9 +10,9 @@ namespace luxel {
 
 // Bounds single replicates that lie far above those of the sides around and above the other replicates of
 // their own side: a ray of great weight that one small side caught, which smoothing would leave as a speck,
-// because the half of the replicates that chooses does not know of it. What is taken from such a value is
-// given to the sides around it, in the same replicate, so that means over the surface and their spread stay
-// as they are; all bands by one factor, so that hues stay.
+// because the half of the replicates that chooses does not contain it. The excess of such a value is given to
+// the sides around it, in the same replicate, so that means over the surface and their spread stay as they
+// are; all bands by one factor, so that hues stay.
 //
 // A value is bounded by m + 4 (q - m), m the median and q the ninth decile of the replicates of all sides
 // within about two median patches; where its side's own median is above that, by four times that. Nothing is

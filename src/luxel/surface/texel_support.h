@@ -28,8 +28,8 @@ inline bool is_read_from(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p
   return true;
 }
 
-// Of texels that surfaces are laid out for, and, larger, of those that are filled: corners on a page are
-// floats, so that a texel is filled only where it was laid out.
+// Rounding for the layout of surfaces, and a larger one for filling texels: corners on a page are floats, so
+// that a texel is filled only where it was laid out.
 inline constexpr double layout_rounding = 1e-4, filling_rounding = 1e-3;
 
 }  // namespace luxel

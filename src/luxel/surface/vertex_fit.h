@@ -18,12 +18,12 @@ struct VertexFit {
   double difference = 0.0;
 };
 
-/// The smooth light as well as the file's own triangles can show it: values at their vertices such that what
-/// runs linearly between them comes nearest in the least-squares sense over all surfaces (Kavan, Bargteil and
-/// Sloan, "Least Squares Vertex Baking", 2011, without its regularisation: values stay within the light that
-/// the vertex's own triangles have). Vertices that the file splits, for a texture say, where the smooth light
-/// goes on get one value. Exact where a triangle is one patch; where light is finer than the triangles it is
-/// lost, and `difference` says how much.
+/// Fits the smooth light to the file's own triangles: values at their vertices whose linear interpolation is
+/// nearest in the least-squares sense over all surfaces (Kavan, Bargteil and Sloan, "Least Squares Vertex
+/// Baking", 2011, without its regularisation: values stay within the light that the vertex's own triangles
+/// have). Vertices that the file splits, for a texture say, where the smooth light goes on get one value.
+/// Exact where a triangle is one patch; light finer than the triangles is lost, and `difference` states how
+/// much.
 ///
 /// patches must be cut from this scene (PatchSet::triangle). Conjugate gradients on the mass matrix, whose
 /// condition does not grow with the mesh; linear cost, on the calling thread. Throws MismatchError where the

@@ -41,7 +41,7 @@ class WindowGrid {
   }
   // Position of a receiver relative to a node, in spacings.
   Vec3 from_node(std::size_t node, std::uint32_t index) const { return scaled(index) - node_place_[node]; }
-  // The weight of a receiver that is so far from a node.
+  // Returns the weight of a receiver at this offset from a node.
   static float weight(const Vec3& from_node) {
     const auto hat = [](float x) { return std::max(0.0f, 1.0f - std::abs(x)); };
     return hat(from_node.x) * hat(from_node.y) * hat(from_node.z);

@@ -21,7 +21,7 @@ class EscapeTints {
 
   // Number of tints; 0 where no pane is tinted.
   std::size_t size() const { return tints_.size(); }
-  // What a tint lets through of a band, over what panes let through in the mean over all bands; 0 or more.
+  // Transmittance of a tint in a band, over the mean transmittance of panes over all bands; 0 or more.
   double of(std::size_t tint, std::size_t band) const { return tints_[tint][band]; }
 
   // The tint of a ray: through, [band], by panes; transmitted: its mean over the bands, above 0; u: uniform

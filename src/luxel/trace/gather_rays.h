@@ -16,7 +16,7 @@ namespace luxel {
 // backs.
 constexpr std::uint32_t gather_block_positions = 1024;
 
-// Where the points of gather rays come from.
+// Source of the points of gather rays.
 struct GatherPoints {
   std::uint64_t seed = 1;
   bool low_discrepancy = true;  // Owen-scrambled Sobol points, else independent random numbers
@@ -29,7 +29,7 @@ struct GatherPoints {
 class GatherRays {
  public:
   static constexpr std::size_t max_rows = 16;   // traced together
-  static constexpr std::size_t max_blocks = 4;  // likewise
+  static constexpr std::size_t max_blocks = 4;  // traced together
 
   // Sample `sample` of each receiver, of one replicate; the element that the ray of receivers[i] meets goes
   // to to[i * per_receiver].
@@ -43,7 +43,7 @@ class GatherRays {
   GatherRays(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> receivers,
              const GatherPoints& points, std::uint32_t level, std::uint32_t per_receiver);
 
-  // element(hit, ray): what stands for it. rows: at most max_rows.
+  // element(hit, ray): the element that a hit counts as. rows: at most max_rows.
   template <typename Element>
   void trace(const Tracer& tracer, std::span<const Row> rows, Element element) {
     std::array<Hit, batch> hits;

@@ -11,8 +11,8 @@
 namespace luxel {
 
 // Positions that share one scrambled sequence. A sequence over all of them has less noise in sums over many
-// sides, but then luck is common to the whole scene: two replicates whose first scrambled bits agree were
-// correlated by up to 0.39 in every side, and error bars are believed because replicates are independent.
+// sides, but then its error is common to the whole scene: two replicates whose first scrambled bits agree
+// were correlated by up to 0.39 in every side, whereas error bars require independent replicates.
 inline constexpr std::uint32_t sequence_positions = 64;
 
 // The patch sides that gather light, each in its receiver: fronts in the tree's order, then backs in the

@@ -59,7 +59,7 @@ class Paths {
   }
 
  private:
-  // By chance, half of the times that a path meets a diffuser.
+  // Returns true at random for half of the times that a path meets a diffuser.
   bool passes_diffuser(SideId side, std::uint64_t key, std::uint32_t ray) const {
     return patches_.material_of(side.patch()).is_diffuser() && uniform4(key, path_rays + ray)[0] < 0.5f;
   }

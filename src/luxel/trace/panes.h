@@ -14,10 +14,10 @@
 
 namespace luxel {
 
-// The panes of glass of a scene (PatchSet::panes), and what they let through of the light along a ray: the
-// product of their transmittances at its angles of incidence, in closed form. The tracer does not meet them.
-// Without panes it is empty, and everything is transmitted. Immutable; safe for any number of threads. Costs
-// a ray through the panes alone, about 0.1 us, and 0.02 us per pane crossed.
+// The panes of glass of a scene (PatchSet::panes), and their transmittance along a ray: the product of their
+// transmittances at its angles of incidence, in closed form. The tracer does not meet them. Without panes it
+// is empty, and everything is transmitted. Immutable; safe for any number of threads. Costs a ray through the
+// panes alone, about 0.1 us, and 0.02 us per pane crossed.
 class Panes {
  public:
   // Keeps no reference. Builds a table of transmittances by the cosine of the angle of incidence; between its
@@ -31,10 +31,10 @@ class Panes {
   // light of equal power in all bands; among wavebands a tenth is spread evenly, so that none has weight 0.
   std::span<const double> weights() const { return weights_; }
 
-  // What the panes before max_distance (m) let through: [band], [0, 1]; empty where the ray crosses none.
+  // Transmittance of the panes before max_distance (m): [band], [0, 1]; empty where the ray crosses none.
   // Valid until the next call on the same thread, of any object.
   std::span<const double> along(const Ray& ray, float max_distance) const;
-  // The mean of it over the bands, by weights(); 1 where it is empty.
+  // Mean of `through` over the bands, by weights(); 1 where it is empty.
   double luminous(std::span<const double> through) const;
 
  private:

@@ -11,7 +11,7 @@ namespace luxel {
 
 constexpr double recess = 5e-3;  // m: surfaces so close to a luminaire's opening do not hide it
 
-// How a lamp without a surface is seen from a point.
+// A punctual light as seen from a point.
 struct PointSight {
   double irradiance = 0.0;       // of the point's surface at unit intensity, nothing between; 0: none
   Vec3d direction = Vec3d(0.0);  // unit, towards the lamp
@@ -23,11 +23,11 @@ struct PointSight {
 // thousandth of a millimetre are clamped to it.
 PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& normal);
 
-// The same of a point of a luminaire's opening: each point has the whole distribution, and the mean over u is
-// the irradiance by the whole opening (near field). A ray ends `recess` before it enters the opening, so that
-// neither a ceiling that a luminaire is recessed in or reaches through nor a model of its housing hides it; a
-// point within `recess` of the opening gets nothing, as the luminaire covers it. Other lights: as above.
-// u: uniform in [0, 1). Of a sun: the same for the points of its disc.
+// The same for a point of a luminaire's opening: each point has the whole distribution, and the mean over u
+// is the irradiance by the whole opening (near field). A ray ends `recess` before it enters the opening, so
+// that neither a ceiling that a luminaire is recessed in or reaches through nor a model of its housing hides
+// it; a point within `recess` of the opening gets nothing, as the luminaire covers it. Other lights: as
+// above. u: uniform in [0, 1). For a sun: points of its disc.
 PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& normal,
                     const std::array<double, 2>& u);
 

@@ -13,8 +13,8 @@ namespace luxel {
 // Light as an eye receives it: root mean squares over bands.
 struct SeenLight {
   std::vector<float> radiance;  // [index in Views::sides], W/(m² sr), emission included
-  // The same for the radiance: standard error and bias, not widened by Student's t. The bias is an estimate
-  // and may be below 0: only its sum over a view is meaningful.
+  // Squared error of the radiance: standard error and bias, not widened by Student's t. The bias is an
+  // estimate and may be below 0: only its sum over a view is meaningful.
   std::vector<float> squared_error;
   float sky = 0.0f;  // radiance of the sky
 };
@@ -49,8 +49,8 @@ float sky_radiance(const PatchSet& patches);
 //     a
 //                             over all views
 //
-// with L the radiance of the side met and s its standard error. a is what an eye adapts to; sky and lamps
-// count in it. The floor keeps a dark cavity with a leak from owning the number.
+// with L the radiance of the side met and s its standard error. a is the level that an eye adapts to; it
+// includes sky and lamps. The floor keeps a dark cavity with a leak from dominating the error.
 class SeenError {
  public:
   // Keeps references. Cost: about 5 ns per direction.
@@ -59,7 +59,7 @@ class SeenError {
   std::span<const double> of_view() const { return error_; }  // [view]
   // The error that 95 % of the views stay below, by weight; 0 without views.
   double percentile_95() const;
-  // The same with other squared errors for the sides seen, by the same radiances.
+  // The same percentile for other squared errors of the sides seen, at the same radiances.
   double percentile_95(std::span<const float> squared_error) const;
 
   // Returns the effect of a squared error of 1 (W/(m² sr))² at each side on the views, [index in

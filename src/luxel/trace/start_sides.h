@@ -33,7 +33,7 @@ class StartSides {
 // thousandth of the way to the centroid, away from the edges, and is lifted off the surface, so that rounding
 // takes no ray through a wall. u1, u2: uniform.
 Ray ray_from_side(const PatchSet& patches, SideId side, const Vec2& weights, float u1, float u2);
-// The same from a uniform point. u: uniform.
+// Starts from a uniform point of the side. u: uniform.
 Ray ray_from_side(const PatchSet& patches, SideId side, const std::array<float, 4>& u);
 
 }  // namespace luxel

@@ -7,9 +7,9 @@
 
 namespace luxel {
 
-// What the transform of the root node is multiplied by, on the left, so that the scene is in metres and +Y is
-// up. Assimp does so itself for COLLADA; for FBX it only reports the unit and the axes. 3DS states neither:
-// the matrix restores the coordinates of the file, which Assimp turns.
+// Returns the left factor of the root node's transform that brings the scene to metres with +Y up. Assimp
+// applies it itself for COLLADA; for FBX it only reports the unit and the axes. 3DS states neither: the
+// matrix restores the coordinates of the file, which Assimp turns.
 aiMatrix4x4 file_frame(const ForeignFile& file);
 
 }  // namespace luxel

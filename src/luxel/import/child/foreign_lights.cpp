@@ -79,8 +79,8 @@ Json perspective_of(const aiCamera& camera) {
           {"perspective", {{"yfov", upright}, {"znear", 0.01}, {"aspectRatio", aspect}}}};
 }
 
-// Gives the nodes of lights or cameras in their order: several of one name belong to as many nodes of that
-// name. Those of 3DS have coordinates of the file, although Assimp names nodes for them too.
+// Returns the nodes of lights or cameras in their order: several of one name belong to the nodes of that name
+// in turn. Lights and cameras of 3DS have coordinates of the file, although Assimp names nodes for them too.
 class Places {
  public:
   explicit Places(const ForeignFile& file) : root_(*file.scene->mRootNode), format_(file.format) {}

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float largest_colour = 1e6f;
 
-// What is not a number of 0 or more becomes 0.
+// Replaces negative values and NaN by 0, and limits large ones.
 float plain(float value) { return value > 0.0f ? std::min(value, largest_colour) : 0.0f; }
 
 aiColor3D plain(const aiColor3D& c) { return {plain(c.r), plain(c.g), plain(c.b)}; }

@@ -13,9 +13,9 @@
 
 namespace luxel {
 
-// The materials of a file become those of a GLB, at their first use. Colours are linear. Emission without a
-// unit is radiance in W/(m² sr), as Ke of OBJ. All are two-sided, as in OBJ: FBX and 3DS as Assimp reads them
-// do not state it, and of COLLADA it does not report whether a file does.
+// Converts the materials of a file to those of a GLB, at their first use. Colours are linear. Emission
+// without a unit is radiance in W/(m² sr), as Ke of OBJ. All are two-sided, as in OBJ: FBX and 3DS as Assimp
+// reads them do not state it, and for COLLADA it does not report whether a file does.
 class ForeignMaterials {
  public:
   ForeignMaterials(ForeignFile& file, GltfWriter& glb) : file_(file), glb_(glb), pictures_(file, glb) {}

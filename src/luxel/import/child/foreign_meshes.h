@@ -10,8 +10,8 @@
 
 namespace luxel {
 
-// The meshes of a file become those of a GLB. One that several nodes use is written once. Polygons are
-// triangulated; points and lines are omitted.
+// Converts the meshes of a file to those of a GLB. A mesh that several nodes use is written once. Polygons
+// are triangulated; points and lines are omitted.
 class ForeignMeshes {
  public:
   ForeignMeshes(const ForeignFile& file, GltfWriter& glb, ForeignMaterials& materials)

@@ -28,8 +28,8 @@ class ForeignPictures {
   std::map<std::string, std::optional<std::size_t>> images_;
 };
 
-// Returns where a picture is, relative to `folder`. Files from other machines give whole paths, backslashes
-// and capitals that differ: looked for are a relative path itself, then its file name in the folder, in
+// Returns where a picture is, relative to `folder`. Files from other machines have whole paths, backslashes
+// and capitals that differ: the search tries a relative path itself, then its file name in the folder, in
 // `textures` and in `STEM.fbm`, where the FBX SDK unpacks, then a whole path. Returns the file name where
 // there is none.
 std::filesystem::path find_picture(std::string name, const std::filesystem::path& file);

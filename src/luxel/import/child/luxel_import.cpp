@@ -63,7 +63,7 @@ int main(int count, char** arguments) {
     return count == 2 ? EXIT_SUCCESS : luxel::converter_refuses;
   }
   std::set_new_handler([] { std::_Exit(luxel::converter_lacks_memory); });
-  // What Assimp or the C++ runtime prints must not mix with the result.
+  // Output of Assimp or the C++ runtime must not mix with the result.
   const int output = ::dup(STDOUT_FILENO), nothing = ::open("/dev/null", O_WRONLY);
   if (output < 0 || nothing < 0 || ::dup2(nothing, STDOUT_FILENO) < 0) return EXIT_FAILURE;
   return convert(arguments[1], output);
