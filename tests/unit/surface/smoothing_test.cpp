@@ -111,7 +111,7 @@ void expect_noise_of(double numbers, const Field& field) {
             statistics::chi_square_lower_limit(degrees_of_freedom) / degrees_of_freedom);
   EXPECT_LT(total_squared_error / expected,
             2.0 * statistics::chi_square_limit(degrees_of_freedom) / degrees_of_freedom);
-  // The spread has seven times the degrees_of_freedom of the error: what their ratio varies by.
+  // The spread has seven times the degrees of freedom of the error: what their ratio varies by.
   EXPECT_NEAR(spread / total_squared_error, 1.0, 5.0 * std::sqrt(2.0 / degrees_of_freedom * 8.0 / 7.0));
   // There is no bias; the stated bias is noise and the effect of choosing among fits.
   EXPECT_NEAR(bias / total_squared_error, 0.0, 0.3);
