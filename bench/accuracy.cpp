@@ -17,7 +17,7 @@ namespace {
 
 // Sums over both sides of every patch and all bands.
 struct Comparison {
-  double floor = 0.0;                           // W/m²: below, (H - H*) / H* says nothing
+  double floor = 0.0;                           // W/m²: below, (H - H*) / H* is meaningless
   double square = 0.0, reference_square = 0.0;  // A (H - H*)², A H*²
   double shift = 0.0, reference = 0.0;          // A (H - H*), A H*
   double relative_shift = 0.0, lit_area = 0.0;  // A (H - H*) / H*, A where H* > floor
@@ -123,7 +123,7 @@ std::vector<Run> sampled_runs(const Stage& stage, const Reference& reference, Sa
 
 std::vector<Run> shooting_runs(const Stage& stage, const Reference& reference,
                                const std::vector<double>& rays_per_patch, const Context& context) {
-  // The automatic number has a floor, which is far away from here.
+  // The automatic number has a minimum, which does not matter here.
   constexpr double many = 1e6;
   const auto rays_of_many = static_cast<double>(automatic_rays(stage.patches, many));
   std::vector<Run> runs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an answer of a given accuracy costs: by method, by switch, by number of patches.
+// Cost of a solution of given accuracy: by method, by switch, by number of patches.
 #include <fmt/format.h>
 
 #include "bench/accuracy.h"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr double target = 0.01;
 
-// A scene and how much its reference may cost. The finer the mesh, the coarser the reference that can be had;
-// its error is taken off the runs' in squares.
+// A scene and the maximum cost of its reference. The finer the mesh, the coarser the affordable reference;
+// its squared error is subtracted from those of the runs.
 struct Subject {
   std::string name;
   Scene (*make)(std::size_t triangles);
@@ -100,8 +100,8 @@ Json error_against_time(const Settings& settings) {
         method_of("sampled", sampled_runs(stage, reference, {}, errors, longest, context)),
         method_of("sampled, unshared",
                   sampled_runs(stage, reference, {.smoothing = false}, errors, longest, context)),
-        // Its rays are stratified over the patches by systematic sampling and plain random numbers otherwise;
-        // with nothing but plain random numbers it would be a little worse.
+        // Its rays are stratified over the patches by systematic sampling and otherwise use plain random
+        // numbers; with plain random numbers alone it would be slightly worse.
         method_of("shooting", shooting_runs(stage, reference, {25.0, 100.0, 400.0}, context))};
     scenes.push_back(scene);
   }

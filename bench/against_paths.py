@@ -3,7 +3,7 @@
 """How near Luxel's pictures are to path tracing: against_paths.py PATHS.exr PICTURE.exr...
 
 PATHS.exr is a picture of `luxel reference`, each other one is of `luxel bake` or `luxel render`, from the same camera
-and of the same size. Prints, for each picture, the share of pixels whose largest channel is within 4 codes of 8-bit
+and of the same size. Prints, for each picture, the fraction of pixels whose largest channel is within 4 codes of 8-bit
 sRGB (0 to 255, not rounded), all shown with the exposure of the path-traced one. Its noise counts as if it were the
 other's: the second share is that of means over 3 x 3 pixels, in which a third of it is left. Beside each picture a
 PNG is written, PICTURE-difference.png, grey where there is none, eightfold.

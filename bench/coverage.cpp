@@ -34,7 +34,7 @@ std::vector<float> both_sides(const std::vector<float>& front, const std::vector
   return both;
 }
 
-// Of n independent numbers: their mean, and its variance; 0 where there is one alone.
+// Mean of n independent numbers, and its variance; 0 for a single number.
 template <typename Number>
 std::pair<double, double> mean_and_variance(std::size_t n, Number number) {
   const auto count = static_cast<double>(n);
@@ -237,7 +237,7 @@ KnownLight known_light(const Stage& stage, std::uint64_t rays, std::uint32_t run
       fmt::format("{:016x}-{}-{}.luxknown", stage.patches.scene_fingerprint, stage.patches.size(), runs);
   KnownLight light;
   light.runs.assign(runs, std::vector<float>(2 * stage.patches.size() * bands));
-  std::vector<std::uint64_t> head(2);  // rays asked for, and traced
+  std::vector<std::uint64_t> head(2);  // rays requested, and traced
   std::ifstream kept(path, std::ios::binary);
   const bool is_kept =
       kept && read(kept, head) && head[0] == rays &&

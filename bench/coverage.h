@@ -12,8 +12,8 @@
 
 namespace luxel::bench {
 
-// Light that runs are held against: the mean of independent runs. [side * bands + band], side 2 * patch, + 1
-// for its back.
+// Reference light for runs: the mean of independent runs. [side * bands + band], side 2 *
+// patch, + 1 for its back.
 struct KnownLight {
   std::vector<std::vector<float>> runs;  // W/m², each run's
   std::vector<float> irradiance;         // W/m², their mean
@@ -21,14 +21,14 @@ struct KnownLight {
   std::uint64_t rays = 0;                // of all runs
 };
 
-// How often intervals of 95 % held the truth, and the standard error of that from the spread over seeds.
+// Coverage of intervals of 95 %, and its standard error from the spread over seeds.
 struct Held {
   double smoothing = 0.0;
   double error = 0.0;
   std::size_t intervals = 0;
 };
 
-// All seeds of one scene at one error asked for.
+// All seeds of one scene at one requested error.
 struct Coverage {
   double asked = 0.0;
   std::size_t seeds = 0;
@@ -41,7 +41,7 @@ struct Coverage {
   double power_bias_error = 0.0;  // its standard error, from the spread over seeds and the truth's
   double truth_part = 0.0;        // standard error of the truth over that of sides, root mean square by area
   double cpu_seconds = 0.0;       // of a seed
-  double rays = 0.0;              // likewise
+  double rays = 0.0;              // of a seed
 };
 
 // The mean of `runs` runs of other seeds without smoothing, `rays` rays in all. Kept in a file of

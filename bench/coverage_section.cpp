@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the stated errors are true: intervals and the seen error held against known light.
+// Tests whether stated errors are true: compares intervals and the seen error with known light.
 #include <fmt/format.h>
 
 #include "luxel/lamps/choose_portals.h"

@@ -38,7 +38,7 @@ std::vector<SurfacePoint> draw_points(const PatchSet& patches, std::size_t count
   return points;
 }
 
-// Of the patches that a triangle of the scene was cut into, the one that a point lies on, or most nearly so.
+// Returns the patch of a triangle of the scene that contains a point, or is nearest to it.
 struct Place {
   std::size_t patch = 0;
   Vec2 weights{0.0f};

@@ -14,8 +14,8 @@
 
 namespace luxel::bench {
 
-// The unit normal that a surface has at a point where its facets only stand for something round; given are
-// the patch, the point and the facet's own normal. Both look to the same side.
+// Returns the unit normal of a round surface that facets approximate, at a point; arguments: the patch, the
+// point and the facet's own normal. Both normals face the same side.
 using TrueNormal = std::function<Vec3(const PatchSet&, std::size_t patch, const Vec3&, const Vec3&)>;
 
 using PatchChoice = std::function<bool(const PatchSet&, std::size_t patch)>;
@@ -26,12 +26,12 @@ using Field = std::function<void(std::size_t patch, bool back, const Vec2& weigh
 // The field that is drawn: linear between the vertices. Keeps a reference.
 Field drawn_field(const SmoothLight& smooth, std::size_t bands);
 
-// How far a field that is drawn over the patches of a scene is from the light at points, whatever the
-// patches. Points are drawn evenly over both sides of all surfaces; the light there is path-traced, twice and
+// Error of a field over the patches of a scene relative to the light at points, for any patches. Points
+// are drawn evenly over both sides of all surfaces; the light there is path-traced, twice and
 // independently.
 class PointTruth {
  public:
-  // Where `only_on` says so; nothing said: everywhere.
+  // Only where `only_on` returns true; empty: everywhere.
   PointTruth(const Scene& scene, const TrueNormal& normal, std::size_t points, std::uint64_t paths,
              const Context& context, const PatchChoice& only_on = {});
 

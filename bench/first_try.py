@@ -48,7 +48,7 @@ def name_of(scene, taken):
 
 
 def glb_triangles(path):
-    """How many triangles a GLB draws."""
+    """The number of triangles that a GLB draws."""
     with open(path, "rb") as file:
         _, _, _, length, _ = struct.unpack("<5I", file.read(20))
         document = json.loads(file.read(length))
@@ -81,7 +81,7 @@ def bake(program, scene, folder, name, chosen):
 
 
 def count_triangles(program, row):
-    """Adds how many triangles the scene has."""
+    """Adds the number of triangles of the scene."""
     run = subprocess.run([program, "info", row["scene"], "--json"], stdin=subprocess.DEVNULL, capture_output=True,
                          text=True, check=False)
     if run.returncode == 0:

@@ -22,8 +22,8 @@ enum class RayOrder {
   shuffled
 };
 
-// The rays of a sampled operator's first round: so many of each replicate and side. Of larger scenes only as
-// many groups of those that are traced together, evenly spread, as give about `most` rays (at least one).
+// The rays of a sampled operator's first round: this number for each replicate and side. Larger scenes use
+// only some groups of jointly traced rays, evenly spread, for about `most` rays (at least one group).
 struct GatherRound {
   std::uint32_t replicates = 8, per_receiver = 8;
   std::size_t most = 1u << 31;

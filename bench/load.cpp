@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From an OBJ file to patches that can be lit, and from light to files: what a large mesh costs before and
+// From an OBJ file to patches that can be lit, and from light to files: the cost of a large mesh before and
 // after the light, step by step.
 #include <cmath>
 #include <filesystem>
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr int repetitions = 3;
 
-// A folder that goes when this does.
+// A folder that is removed with this object.
 class Scratch {
  public:
   Scratch() : path_(fs::temp_directory_path() / fmt::format("luxel-bench-{}", getpid())) {

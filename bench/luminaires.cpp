@@ -133,7 +133,7 @@ class Hall {
   DirectLight direct_;
 };
 
-// Pairs of A and B in turn, as paired(), by what the bodies return.
+// Alternating pairs of A and B, like paired(), but with the numbers that the bodies return.
 template <typename A, typename B>
 Json pairs_of(const char* what, int pairs, A luminaires, B squares) {
   std::vector<double> ratios, of_luminaires, of_squares;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What patches of one size, and patches put where the light needs them, do to the light that is drawn.
+// Error of the drawn light with patches of one size, and with patches refined by the light.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,7 +48,7 @@ struct Subject {
   Vec3 up;
 };
 
-// What lies flat on the ground.
+// Restricts points to surfaces flat on the ground.
 PatchChoice floor_of(const Scene& scene, const Vec3& up) {
   auto lowest = std::numeric_limits<float>::infinity();
   for (const auto& p : scene.positions) lowest = std::min(lowest, glm::dot(p, up));
@@ -58,7 +58,7 @@ PatchChoice floor_of(const Scene& scene, const Vec3& up) {
   };
 }
 
-// A field over the floor, or over all there is, against the light at points.
+// Compares a field over the floor, or over all surfaces, with the light at points.
 struct Measured {
   std::size_t patches = 0;
   double error = 0.0;

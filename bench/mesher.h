@@ -15,7 +15,7 @@ class Mesher {
 
   explicit Mesher(float cell = uncut) : cell_(cell) {}
 
-  // Of what follows. emittance: W/m² a band.
+  // Sets the material of further faces. emittance: W/m² per band.
   void material(const char* name, const Vec3& reflectance, const Vec3& emittance = Vec3(0.0f));
   // Counter-clockwise seen from the front.
   void quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

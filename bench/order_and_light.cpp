@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// At a million triangles: what the order of rays is worth, and how soon there is a first picture.
+// At a million triangles: the gain of the ray order, and the time to a first picture.
 #include <chrono>
 #include <optional>
 

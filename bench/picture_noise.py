@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How noisy Luxel's pictures are, and what they cost: picture_noise.py [OPTIONS] "SCENE [BAKE OPTIONS]"...
+"""Noise and cost of Luxel's pictures: picture_noise.py [OPTIONS] "SCENE [BAKE OPTIONS]"...
 
 Bakes each scene with two seeds, everything else as it is when nobody asks for anything, and compares the two pictures.
 The noise of a pixel is the difference between the seeds over the root of 2, in codes of 8-bit sRGB (0 to 255, not
@@ -84,7 +84,7 @@ def noise_row(name, bakes):
 
 
 def edges(shown):
-    """Which pixels are near a steep place."""
+    """Mask of the pixels near an edge."""
     steep = np.zeros(shown.shape[:2], bool)
     for axis in (0, 1):
         step = largest_channel(np.diff(shown, axis=axis)) > EDGE_STEP

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures as arrays [height, width, 3] of 32-bit floats: EXR files that Luxel wrote, and what a screen shows of them."""
+"""Pictures as arrays [height, width, 3] of 32-bit floats: EXR files of Luxel, and their display values."""
 import struct
 import zlib
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the Python module costs over the command: python_overhead.py [--pairs N] [--threads N] SCENE [BAKE OPTIONS]...
+"""Cost of the Python module over the command: python_overhead.py [--pairs N] [--threads N] SCENE [BAKE OPTIONS]...
 
 Bakes one scene by `luxel bake` and by `luxel.bake()` in a new interpreter, N times in turn, and compares the processor
 time of the whole processes (user and system, all threads), which other work on the machine disturbs less than elapsed
@@ -28,7 +28,7 @@ BAKE = ("import json, sys, luxel\n"
 
 
 def processor_seconds(words, environment):
-    """Of a process that has ended, with its threads."""
+    """CPU seconds of a process that has ended, with its threads."""
     def used():
         usage = resource.getrusage(resource.RUSAGE_CHILDREN)
         return usage.ru_utime + usage.ru_stime

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes against threads: the program itself, started by mpirun, on the same number of cores. And what the
-// model of docs/cluster.md is fitted to.
+// Processes against threads: the program itself, started by mpirun, on the same number of cores. Also
+// measures the data to which the model of docs/cluster.md is fitted.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -52,7 +52,7 @@ Run bake(const fs::path& folder, const std::string& launcher, int threads, const
   return run;
 }
 
-// What a light costs, fitted to one and two ranks of one thread each.
+// Cost model of a solve, fitted to one and two ranks of one thread each.
 struct Model {
   double ray = 0.0;        // s of a thread; shared by ranks
   double patch = 0.0;      // s of a thread; every rank does it
@@ -63,18 +63,18 @@ struct Model {
 constexpr double memory_speed = 5e9;    // bytes/s between ranks of one machine
 constexpr double network_speed = 10e9;  // bytes/s into a node: 100 Gbit/s, less what it costs
 
-// From the fastest runs: what a machine does beside only makes them slower.
+// From the fastest runs, since other work of a machine only makes them slower.
 Model fitted(const Run& one, double light_of_two, const Run& two) {
   Model m;
   m.patch = std::max(0.0, 2.0 * (light_of_two - two.waited - one.light / 2.0) / two.patches);
   m.ray = (one.light - m.patch * one.patches) / one.rays;
   m.imbalance = std::max(0.0, (two.waited - two.bytes / memory_speed) / (m.ray * two.rays / 2.0));
-  m.bytes = 2.0 * two.bytes / (two.patches * two.rounds);  // half of the rows are one's own
+  m.bytes = 2.0 * two.bytes / (two.patches * two.rounds);  // half of the rows are local
   return m;
 }
 
-// Seconds of the light of 10^7 patches, on ranks of 64 threads each, where the error asked for takes `finer`
-// times the rays of the case; and of these, of rays, of what every rank does, and of exchange.
+// Seconds of the light of 10^7 patches, on ranks of 64 threads each, where the requested error takes `finer`
+// times the rays of the case; and their parts for rays, for work of every rank, and for exchange.
 void predict(const Model& m, const Run& run, double finer) {
   constexpr double patches = 1e7;
   constexpr double threads = 64.0;

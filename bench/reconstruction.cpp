@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the light that is drawn over patches is from the light at points.
+// Difference between the light drawn over patches and the light at points.
 #include <fmt/format.h>
 
 #include "luxel/patch/make_patches.h"
@@ -24,8 +24,7 @@ Field flat(const Solution& solution) {
   };
 }
 
-// What the vertices would have if each took the area-weighted mean of its patches, and contacts parted
-// nothing: the simplest that can be done, and what is to be beaten.
+// Baseline: each vertex has the area-weighted mean of its patches, and contacts are ignored.
 SmoothLight mean_light(PatchSet patches, const Solution& solution) {
   patches.contacts.clear();
   auto light = make_smooth_light(patches, solution);

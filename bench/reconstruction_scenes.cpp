@@ -9,7 +9,7 @@
 namespace luxel::bench {
 namespace {
 
-constexpr std::size_t uncut = 1;  // triangles asked for: as few as there can be
+constexpr std::size_t uncut = 1;  // requested triangles: the minimum
 constexpr Vec3 room(4.0f, 3.0f, 2.4f);
 
 void add_room(Mesher& mesher) {

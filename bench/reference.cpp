@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint64_t reference_seed = 1'000'003;
 
-// The head of a file: the question, then what was reached; both arrays follow, all as the host has them:
-// the file never leaves the machine.
+// Header of a file: the request, then the result; both arrays follow, in the host's byte order, since the
+// file never leaves the machine.
 struct StoredReference {
   char magic[8] = {'l', 'u', 'x', 'r', 'e', 'f', '0', '1'};
   std::uint64_t fingerprint = 0;
@@ -79,7 +79,7 @@ Reference by_sampling(const Stage& stage, double error, double seconds, const Co
   return taken(std::move(solution), report);
 }
 
-// For as long, or nothing where a short run foretells that it would not come nearer than `error`.
+// Solves for that time; nothing where a short run predicts that the result would not reach `error`.
 std::optional<Reference> by_shooting(const Stage& stage, double error, double seconds,
                                      const Context& context) {
   const auto solve = [&](double rays, Solution& solution) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a slider costs: other lamps, other colours, on light that was solved once.
+// Cost of a slider: other lamps and colours for light that was solved once.
 #include "luxel/solve/relight.h"
 
 #include <memory>

@@ -14,7 +14,7 @@ namespace luxel::bench {
 std::vector<Ray> rays_of_solve(const PatchSet& patches, const Tracer& tracer,
                                const StochasticJacobiOptions& options, const Context& context);
 
-// Embree with the tracer's settings and nothing around it: one rtcIntersect1 a ray, over ready-made rays.
+// Embree with the tracer's settings and no other work: one rtcIntersect1 per ray, over prepared rays.
 class BareEmbree {
  public:
   explicit BareEmbree(const PatchSet& patches);

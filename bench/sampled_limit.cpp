@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How near the sampled operator comes to Embree alone, and what its order of rays is worth.
+// Speed of the sampled operator relative to Embree alone, and the gain of its ray order.
 #include <numeric>
 
 #include <fmt/format.h>

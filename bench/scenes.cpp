@@ -10,7 +10,7 @@
 namespace luxel::bench {
 namespace {
 
-// The scene with cells so wide that about as many triangles come out.
+// The scene with the cell width that gives about this number of triangles.
 template <typename Make>
 Scene with_triangles(std::size_t triangles, Make make) {
   float cell = 0.1f;

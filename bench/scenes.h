@@ -8,7 +8,7 @@
 namespace luxel::bench {
 
 // The scenes that accuracy is measured on, made in code and cut regularly into about `triangles` triangles
-// (within a few per cent from 2,000 on), to be solved as they come (no_max_edge). The same each time.
+// (within a few per cent from 2,000 on), to be solved without further cuts (no_max_edge). Always the same.
 
 // scenes/cornell-box.obj: its places, paints and lamp. Open at the front, 0.55 m.
 Scene cornell_box(std::size_t triangles);

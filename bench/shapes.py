@@ -31,7 +31,7 @@ class Mesh:
         self.add(material, [a, b, c, d], places, QUAD)
 
     def box(self, material, low, high, repeat=1.0):
-        """The outside of a box that stands on something: without a bottom."""
+        """The outside of a box that stands on a surface, without its bottom."""
         (x, y, z), (X, Y, Z) = low, high
         for corners in (((x, Y, Z), (X, Y, Z), (X, Y, z), (x, Y, z)), ((x, y, Z), (X, y, Z), (X, Y, Z), (x, Y, Z)),
                         ((X, y, z), (x, y, z), (x, Y, z), (X, Y, z)), ((X, y, Z), (X, y, z), (X, Y, z), (X, Y, Z)),

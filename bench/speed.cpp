@@ -23,7 +23,7 @@ SolveReport solve(const PatchSet& patches, const Tracer& tracer, std::uint64_t r
 
 }  // namespace
 
-// The limit of the solver is Embree on the very same rays; the ratio says how near it comes.
+// The limit of the solver is Embree on the same rays; the ratio measures the distance from it.
 Json against_embree(const Settings& settings) {
   fmt::print(
       "\nlimit: whole solve against Embree alone on the very same rays (1 is the limit; at least 0.7 is "

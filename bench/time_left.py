@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How true the time left is: time_left.py [--program P] "SCENE [BAKE OPTIONS]"...
+"""Accuracy of the reported time left: time_left.py [--program P] "SCENE [BAKE OPTIONS]"...
 
 Bakes each scene with --progress json and compares the time left with what it turned out to be, in the stage "light".
 
@@ -14,7 +14,7 @@ Bakes each scene with --progress json and compares the time left with what it tu
   percent   the largest step backwards of the percentage shown, in percentage points
   rise      the largest rise of the time left over an earlier report, in % of the stage
 
-A machine with other work gives other figures: the time left is a forecast of wall time at the present speed.
+Other work on the machine changes the figures: the time left is a prediction of wall time at the present speed.
 """
 import argparse
 import json

@@ -15,7 +15,7 @@ double seconds(Body body) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// What the whole process has used so far, all threads together.
+// Time used by the whole process, all threads together.
 inline double cpu_clock() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -39,7 +39,7 @@ inline double median(std::vector<double> values) {
 }
 
 // Ratios of two bodies' times, measured in turn (A B A B ...), so that a noisy machine disturbs both alike:
-// median, least and greatest of time(A) / time(B).
+// median, minimum and maximum of time(A) / time(B).
 struct Ratio {
   double median = 0.0, low = 0.0, high = 0.0;
 };

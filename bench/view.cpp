@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person feels in the window: the time of each frame, off screen, while the light is being solved
-// beside it.
+// Responsiveness of the window: the time of each frame, off screen, while the light is being solved.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -37,7 +36,7 @@ void write_obj(const Scene& scene, const std::filesystem::path& path) {
   }
 }
 
-// Someone looks around as soon as there is something to see, for 600 frames.
+// The view turns for 600 frames as soon as there is a picture.
 std::string look_around() {
   std::string script = "wait mesh\n";
   for (int i = 0; i < 20; ++i) script += "drag 400 400 600 380 right\ndrag 600 380 500 420 right\n";
@@ -58,7 +57,7 @@ Json measure(const std::filesystem::path& folder, std::size_t triangles) {
   settings.live = [](const std::filesystem::path&) {
     SessionSettings live;
     live.patches.max_edge = no_max_edge;
-    live.light.sampled.error = 1e-4;  // is not done while someone looks
+    live.light.sampled.error = 1e-4;  // not reached during the frames
     return live;
   };
   settings.script = parse_script("looking around", look_around());

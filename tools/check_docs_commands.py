@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs what the documents tell a reader to type: check_docs_commands.py ROOT PROGRAMS.
+"""Runs the commands of the documents: check_docs_commands.py ROOT PROGRAMS.
 
 In the ```sh blocks of README.md and docs/*.md, each command that begins with `luxel`, `build/release/bin/` or `printf` is
 run, in the order of the page, in an empty folder that has the scenes and the built PROGRAMS where the reader has them. A
@@ -46,7 +46,7 @@ def verbs_of(dev):
 
 
 def make_place(folder, root, programs):
-    """What a reader has after ./dev build: the scenes, and the programs in build/release/bin."""
+    """Files of a reader after ./dev build: the scenes, and the programs in build/release/bin."""
     scenes = os.path.join(root, "scenes")
     if os.path.isdir(scenes):
         shutil.copytree(scenes, os.path.join(folder, "scenes"))

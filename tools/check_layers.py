@@ -104,7 +104,7 @@ def check_modules(modules):
 
 
 class Includes:
-    """Who may include what, from the modules."""
+    """The permitted includes, derived from the modules."""
 
     def __init__(self, root, modules):
         self.root = root
@@ -116,7 +116,7 @@ class Includes:
         self.homes += [(LIBRARIES[library], library, home) for library, home in HOMES_OUTSIDE_MODULES.items()]
 
     def complaint(self, module, include, quoted):
-        """What is wrong with this include line of this module, or None."""
+        """The violation of an include line of a module, or None."""
         if include.startswith("luxel/"):
             return self.complaint_about_ours(module, include)
         if re.match(EVERYWHERE, include) or include in STANDARD or include in SYSTEM:
@@ -157,7 +157,7 @@ def check_unused(modules, used):
 
 
 def check_readmes(root, modules):
-    """Each module's folder explains itself."""
+    """Each module's folder has a description."""
     for name in [module.name for module in modules] + list(TOPMOST):
         if not os.path.isdir(os.path.join(root, "src/luxel", name)):
             continue
@@ -177,7 +177,7 @@ def check_includes(name, lines, includes):
 
 
 def check_types(root):
-    """A type has a name of its own: two of one name in one namespace are a quiet fault wherever both are linked."""
+    """Type names are unique: two types of one name in one namespace are a silent error where both are linked."""
     homes = {}
     for name in files_of(root):
         if not re.match(r"(src|include)/luxel/.*\.h$", name):
@@ -192,7 +192,7 @@ def check_types(root):
 
 
 def check_own_header(root, name, lines):
-    """A file begins with its own header, which so is compiled with nothing before it."""
+    """A source begins with its own header, which is thus compiled without preceding includes."""
     own = re.sub(r"^src/(.*)\.cpp$", r"\1.h", name)
     if own == name or not any(os.path.isfile(os.path.join(root, folder, own)) for folder in ("include", "src")):
         return
@@ -236,7 +236,7 @@ def check_parameters(name, lines):
 
 
 def check_text(name, lines):
-    """What holds for every text file, whatever its module."""
+    """Rules for every text file of any module."""
     if name.endswith(SOURCE) and len(lines) > MAX_LINES and not name.startswith(ONE_FILE_EACH):
         yield name, len(lines), f"the file has {len(lines)} lines, the longest may have {MAX_LINES}: it holds two ideas"
     if name.endswith(LICENSED) and not any("SPDX-License-Identifier: Apache-2.0" in line for line in lines[:3]):

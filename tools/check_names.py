@@ -24,7 +24,7 @@ TOGETHER = 40  # files in one unit, at most
 
 
 def stamp_of(entry, files, rules):
-    """One hash of all that decides whether a file passes."""
+    """One hash of everything that determines whether a file passes."""
     stamp = hashlib.sha256(rules)
     stamp.update(entry["command"].encode())
     for path in sorted({entry["file"], *files}):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which source files can be compiled as one: compile_units.py LIMIT FILE...
+"""Groups source files that can be compiled as one: compile_units.py LIMIT FILE...
 
 Prints the number of a unit per file, in the order of the files. At most LIMIT files share a unit. Two files share none if
 both declare the same name at the left margin, or if one declares what a header of the other does: then the compiler would

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Counts what ctest --output-junit wrote: count_tests.py FILE.
 
-Says each skipped test with its reason, and as the last line three numbers: passed, failed, skipped. A test that could
+Prints each skipped test with its reason, and as the last line three numbers: passed, failed, skipped. A test that could
 not be started counts as failed. Read by pattern, not as XML: a test may print bytes that no XML parser accepts.
 """
 import html

@@ -25,7 +25,7 @@ def text_of(*path):
 
 
 def versions():
-    """Where each version is written, and what it is."""
+    """The places of the version, and its value in each."""
     module = ast.parse(text_of(SOURCES, MODULE + ".py"))
     info = next(ast.literal_eval(item.value) for item in module.body
                 if isinstance(item, ast.Assign) and item.targets[0].id == "bl_info")

@@ -25,7 +25,7 @@ STATE = ROOT / "build" / "soak"
 
 
 class Finding(Exception):
-    """What an attack has found, in a sentence."""
+    """A finding of an attack, as a sentence."""
 
 
 def run(command, folder, **options):
@@ -92,7 +92,7 @@ class Kills:
 # ---- Signals ----
 
 class Signals:
-    """SIGINT or SIGTERM at a random moment of many commands: each ends soon, with a code that says so."""
+    """SIGINT or SIGTERM at a random moment of many commands: each ends soon, with the documented exit code."""
 
     seconds = 1.0  # promised; ten times that is a finding, and the longest is kept in the totals
     bake = ["bake", "cornell-box.obj", "--max-edge", "0.01"]

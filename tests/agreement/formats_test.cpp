@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene has the same light whatever the format of its file.
+// A scene has the same light in every file format.
 #include <gtest/gtest.h>
 
 #include "luxel/patch/make_patches.h"
@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-// The scene as glTF: one primitive a triangle, so that they keep their order; radiance becomes luminance.
+// The scene as glTF: one primitive per triangle, which preserves their order; radiance becomes luminance.
 SmallGltf as_gltf(const Scene& scene) {
   SmallGltf gltf;
   std::string primitives, materials;
@@ -55,7 +55,7 @@ TEST(Formats, the_cornell_box_has_the_same_light_as_obj_and_as_glb) {
   ASSERT_EQ(glb.triangles.size(), obj.triangles.size());
   const auto one = lit(obj), other = lit(glb);
   ASSERT_EQ(one.irradiance.front.size(), other.irradiance.front.size());
-  // All but the lamp's emission is the same to the bit; that went through cd/m² and back.
+  // Everything is bitwise equal except the lamp's emission, which was converted to cd/m² and back.
   float brightest = 0.0f;
   for (const auto light : one.irradiance.front) brightest = std::max(brightest, light);
   EXPECT_GT(brightest, 0.0f);

@@ -1,32 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every method gives the same light, patch by patch, within the errors that the methods state.
 //
-// Of two methods a and b the score of a number is
+// The score of a number for two methods a and b is
 //
 //     z = max(0, |H_a - H_b| - bound_a - bound_b) / sqrt(error_a² + error_b²)
 //
-// where an error is a standard error and a bound is what a method without chance may be off by:
+// where an error is a standard error and a bound is the maximum error of a deterministic method:
 //
-//   dense     bound: what it states, the errors of its form factors sent on through the room
-//   sampled   error: what it states, from 32 replicates, and, as docs/theory.md states, 0.1 % for the closed
-//             form of direct light
-//   reference error: what it states, from batches of paths, and half a path that met the brightest there is,
-//   as
-//             lines do: where none met anything, the spread of none says nothing
-//   lines     error: what it states, multinomial
-//   shooting  error: arrivals are a Poisson count of quanta q, so sqrt(q (H + q / A) / A) at most; bound:
-//   what
-//             is left unshot
-//   hemicube  It states none, so two are derived. A pixel of the share w takes one look into its part of the
-//             hemisphere: if grid and edges do not know of each other, the variance of a row is at most w
-//             times that of the radiosity it sees, and w is at most 4 / (pi R²): a hemicube is no worse than
-//             pi R² / 4 cosine lines, so its error is that of lines times a constant. And a row is that of
-//             points: four of them stand in for all of the patch, and what they miss is less than what one of
-//             them misses against four, there or on average. Bounces that were not waited for bring what the
-//             last one brought in a geometric series.
+//   dense      bound: its stated error, the errors of its form factors propagated through the room
+//   sampled    error: its stated error, from 32 replicates, and 0.1 % for the closed form of direct light
+//              (docs/theory.md)
+//   reference  error: its stated error, from batches of paths, plus half a path that met the brightest
+//              light, as for lines: where no path found light, the spread of the paths is meaningless
+//   lines      error: its stated error, multinomial
+//   shooting   error: arrivals are a Poisson count of quanta q, so sqrt(q (H + q / A) / A) at most;
+//              bound: the unshot light
+//   hemicube   It states no error, so two are derived. A pixel of the fraction w looks once into its part of
+//              the hemisphere: if grid and edges are uncorrelated, the variance of a row is at most w times
+//              that of the radiosity it sees, and w is at most 4 / (pi R²): a hemicube is no worse than
+//              pi R² / 4 cosine lines, so its error is that of lines times a constant. And a row is that of
+//              points: four of them represent the whole patch, and their error is less than the difference
+//              of one of them from all four, there or on average. Bounces beyond the last one continue its
+//              light as a geometric series.
 //
-// A number below a thousandth of the room's mean counts in the mean square alone: what few rays find has no
-// normal distribution, and sampled may leave it dark altogether.
+// A number below a thousandth of the room's mean counts only in the mean square: light found by few rays has
+// no normal distribution, and sampled may leave it dark altogether.
 //
 // Risk. Seeds are fixed. With other random numbers a |z| beyond 7.5 in any of the 300,000 numbers compared
 // has a chance below one in a hundred (Student's t for 31 degrees of freedom; less for the rest);
@@ -54,7 +52,7 @@ constexpr double worst_allowed = 7.5;
 constexpr double mean_allowed = 2.0;
 constexpr double faint = 1e-3;  // of the room's mean
 
-// [side of the patch][patch][band], as one list.
+// One list: [side of the patch][patch][band].
 using Numbers = std::vector<double>;
 
 Numbers both_sides(const std::vector<float>& front, const std::vector<float>& back) {

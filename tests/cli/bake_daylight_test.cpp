@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skies and suns of bakes, as a person gives them.
+// End-to-end tests of skies and suns of bakes.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 class BakeDaylight : public testing::Test {
  protected:
-  // The text of a refusal.
+  // The error message of a refused command.
   std::string refused(const std::string& options) const {
     const auto run = cli::run(folder_, "$LUXEL bake room.obj -o x.vtkhdf " + options);
     EXPECT_EQ(run.code, 2) << options;

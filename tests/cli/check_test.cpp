@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `luxel check` as a person uses it.
+// End-to-end tests of `luxel check`.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

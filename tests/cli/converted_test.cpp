@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FBX, DAE and 3DS scenes as a person uses them: luxel and the program luxel-import that it runs.
+// End-to-end tests of FBX, DAE and 3DS scenes: luxel and the program luxel-import that it runs.
 #include <algorithm>
 #include <string>
 
@@ -22,7 +22,7 @@ std::filesystem::path folder_of(const std::string& name) {
   return folder;
 }
 
-// A copy of luxel in the folder, so that it finds no other converter than one there.
+// A copy of luxel in the folder, so that it finds only a converter in that folder.
 void copy_program(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / "bin");
   std::filesystem::copy_file(LUXEL_PROGRAM, folder / "bin" / "luxel");

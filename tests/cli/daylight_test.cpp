@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// luxel daylight: tables, files of hours, drawings, and what turned and mirrored rooms have in common.
+// luxel daylight: tables, files of hours, drawings, and invariants of turned and mirrored rooms.
 //
 // Risk. Seeds are fixed. Points of two runs are compared within eight standard errors of their difference
 // plus a tenth of a per cent: with other random numbers one of the 32 would fail with a chance below one in a
@@ -133,7 +133,7 @@ TEST(DaylightCommand, a_turned_room_with_turned_north_has_the_same_year) {
     sun = std::max(sun, row.at("direct_sun_hours_1000"));
   }
   EXPECT_GT(sun, 300.0);
-  // With north as it was, the window faces west: another year.
+  // With unchanged north the window faces west, which gives another year.
   const auto other = daylight(west, "--weather town.wea --spacing 0.75");
   EXPECT_LT(at(other, 0.875, 2.375).at("annual_light_exposure_lxh"),
             0.9 * at(b, 0.875, 2.375).at("annual_light_exposure_lxh"));
@@ -250,7 +250,7 @@ TEST(DaylightCommand, refuses_in_one_sentence_what_it_cannot_do) {
   }
 }
 
-// A part of a year is no year: the reader learns it.
+// A file with a part of a year is reported as such.
 TEST(DaylightCommand, reports_the_oddities_of_weather) {
   const auto folder = room("odd", "south:1,0.9,2,1.5");
   const auto whole = read_file(folder / "town.wea");
@@ -305,7 +305,7 @@ TEST(DaylightCommand, blinds_are_operated_by_groups_of_windows) {
   EXPECT_EQ(cli::run(folder, command + " --blinds =0.5").code, 2);
 }
 
-// A stored run answers as its scene does; changed, as the changed scene does within their errors.
+// A stored run gives the results of its scene; a changed run those of the changed scene within their errors.
 TEST(DaylightCommand, changes_surfaces_and_panes_of_a_stored_run) {
   const auto folder = room("stored", "south:1,0.9,2,1.5");
   const auto stored = cli::run(folder, "$LUXEL daylight room.obj --glass glass=0.8" + quick +

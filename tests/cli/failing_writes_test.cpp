@@ -25,7 +25,7 @@ class FailingWrites : public testing::Test {
     whole = read_file(folder / "out.glb");
   }
 
-  // Runs the command with planned failures over an old file, and checks what is there then.
+  // Runs the command with planned failures over an old file, and checks the resulting files.
   static void expect_old_or_new(const std::string& plan) {
     std::ofstream(folder / "out.glb", std::ios::trunc) << "old";
     const auto run =

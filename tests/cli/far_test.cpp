@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene far from its file's zero: everything a person gives and reads is in the file's coordinates, and the
-// light is that of the same scene at zero, to the bit.
+// A scene far from its file's zero: all input and output is in the file's coordinates, and the light is
+// bitwise that of the same scene at zero.
 #include <cstring>
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene of which nothing is known, and no option.
+// Arbitrary scenes without any option.
 #include <filesystem>
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the command explains itself: help, completion, colours.
+// Help, completion and colours of the command.
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -97,7 +97,7 @@ TEST(Help, on_a_terminal_has_colours_unless_the_environment_forbids_them) {
   EXPECT_FALSE(has_colour("TERM=dumb"));
 }
 
-// What bash offers after these words, the last of which is being typed.
+// Completions of bash after these words, the last of which is incomplete.
 std::string offered(const std::filesystem::path& folder, const std::string& words) {
   write_file(folder / "complete.sh", "source completion.bash\nCOMP_WORDS=(" + words +
                                          ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_luxel\n"

@@ -10,7 +10,7 @@
 namespace luxel::cli {
 namespace {
 
-// The interrupt is sent once the light is on its way: the first progress line says so.
+// The interrupt is sent once the solve has begun, which the first progress line shows.
 TEST(Interrupt, writes_what_it_has_and_says_so) {
   const auto folder = fresh_folder("interrupt");
   const auto run = run_interrupted(
@@ -64,7 +64,7 @@ TEST(Interrupt, while_it_writes_meshes_keeps_the_solution_and_ends) {
   EXPECT_FALSE(std::filesystem::exists(folder / "c.glb"));
 }
 
-// Opening a pipe that nobody writes to waits for ever, and does not ask whether to stop.
+// Opening a pipe without a writer blocks forever and does not poll the interrupt.
 TEST(Interrupt, where_no_stage_heeds_it_ends_the_program) {
   const auto folder = fresh_folder("interrupt_overdue");
   const auto run = run_interrupted(folder, "mkfifo slow.obj; exec $LUXEL bake slow.obj -o a.glb",

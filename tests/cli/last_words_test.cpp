@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of a run: what it reports, opens and keeps to itself, and the limit of its time.
+// The end of a run: its report, the file it opens, quiet runs, and the time limit.
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -76,7 +76,7 @@ TEST(LastWords, with_a_time_that_is_too_short_begin_with_a_warning_and_reassure_
   EXPECT_TRUE(json["solve"].contains("error"));
 }
 
-// A stand-in for the desktop's program notes what it is given.
+// A stand-in for the desktop's program records its arguments.
 TEST(Open, starts_the_desktops_program_with_the_first_picture) {
   const auto folder = fresh_folder("open");
   std::filesystem::create_directory(folder / "programs");

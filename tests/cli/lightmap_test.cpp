@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lightmaps as a person makes them.
+// End-to-end tests of lightmaps.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
              error = read_image(folder / "error.exr");
   ASSERT_EQ(page.width, 48);
   ASSERT_EQ(error.pixels.size(), page.pixels.size());
-  // What the file says of its numbers: white is 50 W/m².
+  // The metadata of the file: white is 50 W/m².
   EXPECT_NE(read_file(folder / "map.png")
                 .find(std::string("tEXtWhite W/m2\0"
                                   "50",
@@ -62,7 +62,7 @@ TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_
   EXPECT_EQ(read_file(folder / "a-2.exr"), read_file(folder / "b-2.exr"));
 }
 
-// What `export --as lightmap` wrote is a file that says where its surfaces lie.
+// A file of `export --as lightmap` defines the layout of its surfaces.
 TEST(LightmapCommand, lays_surfaces_out_as_the_scenes_file_has_them) {
   const auto folder = fresh_folder("lightmap_scene");
   const std::string pages = "--texels-per-metre 40 --final-gather none ";
@@ -93,7 +93,8 @@ TEST(LightmapCommand, lays_surfaces_out_as_the_scenes_file_has_them) {
       << other.err;
 }
 
-// One large sheet and 300 small ones, which have a page each in the file: of pages as large as the one needs.
+// One large sheet and 300 small ones with a page each in the file; all pages have the size that the large one
+// needs.
 TEST(LightmapCommand, a_files_layout_of_pages_that_are_all_but_empty_is_not_taken) {
   const auto folder = fresh_folder("lightmap_empty_pages");
   SmallGltf gltf;
@@ -148,7 +149,7 @@ TEST(LightmapCommand, and_export_say_that_they_were_stopped_while_texels_were_ga
   EXPECT_TRUE(std::filesystem::exists(folder / "map.glb"));
 }
 
-// Pages that were there stay as they were.
+// Existing pages remain unchanged.
 TEST(LightmapCommand, and_export_write_nothing_when_stopped_after_the_texels) {
   const auto folder = fresh_folder("lightmap_stopped_late");
   ASSERT_EQ(cli::run(folder, bake + "true").code, 0);

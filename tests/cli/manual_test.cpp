@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is installed with the command: manual pages, completions of all commands, and the files of the
-// desktop.
+// Files installed with the command: manual pages, completions of all commands, and desktop files.
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -53,7 +52,7 @@ std::string without(std::string text, const std::string& part) {
   return text;
 }
 
-// As troff would print it, as far as names of options go.
+// Text as troff prints it, for names of options.
 std::string page(const fs::path& file) {
   return without(without(without(read_file(file), "\\fB"), "\\fR"), "\\");
 }

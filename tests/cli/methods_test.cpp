@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The classical methods as a person uses them.
+// End-to-end tests of the classical methods.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ TEST(Methods, that_would_take_days_are_refused_with_what_they_would_take) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.vtkhdf"));
 }
 
-// Begins all the same, and is stopped at once.
+// It begins nevertheless, and is stopped at once.
 TEST(Methods, force_begins_what_would_be_refused_and_an_interrupt_writes_what_there_is) {
   const auto folder = fresh_folder("methods_force");
   const auto run = run_interrupted(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photometric files as a person reads them.
+// End-to-end tests of `luxel photometry`.
 #include <fstream>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes and measures as a person makes them.
+// End-to-end tests of `luxel probe` and `luxel measure`.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +29,7 @@ class Probe : public testing::Test {
     return made;
   }
   static Outcome run(const std::string& line) { return cli::run(folder(), line); }
-  // Runs the program, which must refuse with this exit code and a sentence that holds the text.
+  // Runs the program, which must fail with this exit code and a message that contains the text.
   static void refuses(const std::string& line, int code, const std::string& text) {
     const auto outcome = run("$LUXEL " + line);
     EXPECT_EQ(outcome.code, code) << line << "\n" << outcome.err;
@@ -82,7 +82,7 @@ TEST_F(Probe, writes_a_table_and_json_of_the_points_of_a_file) {
     EXPECT_EQ(point["reached"], true);
     EXPECT_GT(point["rays"], 1000);
   }
-  // What was written can be read again as points.
+  // The written file can be read as points.
   const auto again = run("$LUXEL probe box.vtkhdf --points out.csv --quiet");
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(lines_of(again.out).size(), 3u);
@@ -222,7 +222,7 @@ TEST_F(Probe, measures_areas_and_judges_them) {
   EXPECT_EQ(table.size(), 1 + area["points"].size() + json["areas"][1]["points"].size());
   EXPECT_EQ(table[1].substr(0, 5), "desk,");
   EXPECT_NE(read_file(folder() / "plan-desk.svg").find("class=\"isolux\""), std::string::npos);
-  // The light that is not direct is missing.
+  // Indirect light is missing.
   const auto whole = run("$LUXEL probe box.vtkhdf --line 0,0.1,-0.05:0.1,0.1,-0.05:2 --json"),
              direct = run("$LUXEL probe box.vtkhdf --line 0,0.1,-0.05:0.1,0.1,-0.05:2 --direct --json");
   EXPECT_LT(Json::parse(direct.out)["mean_lx"], Json::parse(whole.out)["mean_lx"]);
@@ -310,7 +310,7 @@ TEST_F(Probe, measure_refuses_names_that_there_are_not) {
   refuses("measure cornell-box.obj", 1, "cornell-box.obj");
 }
 
-// A grid with requirements: verdicts by the whole interval, and how much longer what is open takes.
+// A grid with requirements: verdicts by the whole interval, and the time to decide open ones.
 TEST_F(Probe, judges_grids) {
   const auto run_json = [&](const std::string& options) {
     const auto outcome = run("$LUXEL probe box.vtkhdf --plane 0.2 --spacing 0.1 " + options + " --json");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program as a person uses it.
+// End-to-end tests of the program.
 #include <sstream>
 
 #include <fmt/format.h>
@@ -86,7 +86,7 @@ TEST(Program, reads_a_text_file_of_options_and_says_where_each_value_came_from) 
   EXPECT_NE(run.out.find("seed = \"6\"  # count; command line"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("max-edge = \"0.25\"  # m; file"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("width = \"1280\"  # pixels; default"), std::string::npos) << run.out;
-  // What it prints is such a file.
+  // Its output is such a file.
   write_file(folder / "printed.toml", run.out);
   const auto again = cli::run(folder, "$LUXEL bake cornell-box.obj --config printed.toml --print-config");
   EXPECT_NE(again.out.find("seed = \"6\"  # count; file"), std::string::npos) << again.out;
@@ -130,7 +130,7 @@ TEST(Program, a_file_may_hold_the_options_of_both_methods) {
     const auto run = cli::run(folder, quick + "--config " + file + " -o a.vtkhdf --quiet");
     EXPECT_EQ(run.code, 0) << run.err;
   }
-  // Recorded is what the method used.
+  // Only options used by the method are recorded.
   const auto info = Json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out);
   const auto command = info["solution"]["command_line"].get<std::string>();
   EXPECT_NE(command.find("--tolerance 0.01"), std::string::npos) << command;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several processes solve one scene: the bytes of one process, whatever their number.
+// Any number of processes that solve one scene give the bytes of one process.
 #include <filesystem>
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Truth and comparison as a person uses them.
+// End-to-end tests of `luxel reference` and `luxel compare`.
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -58,7 +58,8 @@ TEST(Report, has_the_numbers_of_the_json_and_is_one_whole_page) {
   const auto json = Json::parse(made.out);
   const auto page = read_file(folder / "a.html");
 
-  // Well-formed, and nothing from outside: the only addresses are those of the picture and of namespaces.
+  // The page is well-formed and loads nothing from outside: its only addresses are those of the picture and
+  // of namespaces.
   write_file(folder / "check.py",
              "import sys, xml.etree.ElementTree as t\n"
              "from html.parser import HTMLParser\n"

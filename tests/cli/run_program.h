@@ -38,8 +38,8 @@ inline Outcome run(const std::filesystem::path& folder, std::string line) {
   return outcome;
 }
 
-// The same of a command that is interrupted as by Ctrl-C: `seconds` after the shell condition `begun` holds,
-// in the folder, where stderr.txt has the messages so far; after half a minute in any case.
+// Runs a command that is interrupted as by Ctrl-C: `seconds` after the shell condition `begun` holds, in the
+// folder, where stderr.txt has the messages so far; after half a minute in any case.
 inline Outcome run_interrupted(const std::filesystem::path& folder, const std::string& command,
                                const std::string& begun, const std::string& seconds = "0") {
   return run(folder, command + " & pid=$!; for i in $(seq 600); do " + begun +

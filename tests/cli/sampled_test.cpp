@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The production solver as a person uses it.
+// End-to-end tests of the production solver.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -154,7 +154,7 @@ TEST(Sampled, info_says_that_each_patch_has_its_error) {
   const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
   EXPECT_NE(info.out.find("for 95 % of the lit sides"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("with the standard error of every patch side"), std::string::npos) << info.out;
-  // Copied, it keeps them.
+  // A copy of the file keeps them.
   ASSERT_EQ(cli::run(folder, "$LUXEL export a.vtkhdf -o b.vtkhdf --quiet").code, 0);
   EXPECT_EQ(read_file(folder / "a.vtkhdf"), read_file(folder / "b.vtkhdf"));
 }

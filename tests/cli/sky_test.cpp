@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skies, the sun and weather files as a person reads them.
+// End-to-end tests of skies, the sun and weather files.
 #include <algorithm>
 #include <array>
 #include <cmath>

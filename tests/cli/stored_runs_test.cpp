@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that outlive their process: checkpoint, resume, merge and relight as a person uses them.
+// End-to-end tests of runs that outlive their process: checkpoint, resume, merge and relight.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -26,14 +26,14 @@ TEST(StoredRuns, killed_a_hundred_times_nothing_is_lost_and_the_end_is_the_same)
   const std::chrono::duration<double> whole_run = std::chrono::steady_clock::now() - begin;
   const auto expected = read_file(folder / "whole.vtkhdf");
   const auto line = bake + "-o end.vtkhdf --checkpoint run.vtkhdf --every 0 --quiet --threads 2";
-  // Moments from right away to about the end; where they fall in the run is as the machine has it.
+  // Moments from the start to about the end; their place in the run depends on the machine.
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> moment(0.0, whole_run.count());
   int found = 0;
   int finished = 0;
   for (int kill = 0; kill < 100; ++kill) {
     const auto run = cli::run(folder, fmt::format("timeout -s KILL {:.3f} {}", moment(random), line));
-    if (run.code == 0) {  // it came to its end before
+    if (run.code == 0) {  // it ended before that
       ++finished;
       ASSERT_TRUE(read_file(folder / "end.vtkhdf") == expected) << "run " << kill;
       fs::remove(folder / "end.vtkhdf");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rooms, and the glare in them, as a person makes them.
+// End-to-end tests of rooms and of glare.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ TEST_F(ViewFiles, a_gltf_scene_dropped_on_the_window_is_lit_and_shown) {
   write("room.gltf", small_room().text());
   write("room.glb", small_room().glb());
   for (const std::string ending : {"gltf", "glb"}) {
-    // A material that is not there would end the script: it is the other scene.
+    // The script would end at a missing material, so this is the other scene.
     const auto done = run("s.txt",
                           "set panel off\nwait finished\nsnapshot box.png\n"
                           "drop room." +

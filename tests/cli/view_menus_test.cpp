@@ -81,7 +81,7 @@ TEST_F(View, text_and_panels_grow_with_the_scale) {
         run("s.txt", script + scale + ".png\n", "--off-screen --width 1366 --height 768 --ui-scale " + scale)
             .code,
         0);
-  // The bar of the menus is bluish, what lies behind the scene is grey.
+  // The menu bar is bluish; the background of the scene is grey.
   const auto bar = [&](const std::string& name) {
     const auto image = picture(name);
     int y = 0;

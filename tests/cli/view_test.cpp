@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `luxel view` by scripts: off screen, and in a window of a display that nobody looks at.
+// `luxel view` by scripts: off screen, and in a window of a virtual display.
 #include "cli/view_fixture.h"
 
 namespace luxel::cli {
@@ -117,8 +117,7 @@ TEST_F(View, what_cannot_be_is_one_clear_sentence) {
   EXPECT_NE(old.err.find("no OpenGL 3.3"), std::string::npos) << old.err;
 }
 
-// A display of its own, which nobody looks at: the server chooses the number, so that tests that begin at
-// once do not meet.
+// A virtual display: the server chooses its number, so that tests that start together do not collide.
 std::string with_display(const std::string& command) {
   return "Xvfb -displayfd 3 -screen 0 800x600x24 +extension GLX -nolisten tcp 3> display 2> server.txt & "
          "server=$!; until [ -s display ]; do kill -0 $server || exit 9; sleep 0.05; done; "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// View factors as a person asks for them.
+// End-to-end tests of view factors.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

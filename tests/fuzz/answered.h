@@ -11,8 +11,8 @@
 
 namespace luxel {
 
-// Whatever the bytes, a reader gives a sound scene, or refuses them with an InputError that names the file.
-// Anything else ends the program, which is what libFuzzer looks for.
+// For any bytes a reader returns a sound scene or throws an InputError that names the file. Anything else
+// ends the program, which libFuzzer reports.
 template <typename Load>
 int answered(const std::uint8_t* data, std::size_t size, Load load) {
   try {
@@ -24,7 +24,7 @@ int answered(const std::uint8_t* data, std::size_t size, Load load) {
   return 0;
 }
 
-// A scene that was read must be sound: what check_scene() says of it is a fault of the reader.
+// A scene that was read must be sound: an error of check_scene() is a defect of the reader.
 inline void expect_sound(const Scene& scene) {
   try {
     check_scene(scene);

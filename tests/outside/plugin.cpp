@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plug-in of another program would hold of Luxel: all of a bake.
+// Code that a plug-in of another program would contain: a complete bake.
 #include <luxel/luxel.h>
 
 extern "C" std::size_t patches_of(const char* path) {

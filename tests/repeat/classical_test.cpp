@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The classical methods give the same bits on any number of threads, and a stop leaves what it says.
+// The classical methods give the same bits on any number of threads, and a stop leaves the documented result.
 #include "luxel/classical/classical.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Classical, that_is_stopped_at_once_leaves_the_lamps_and_says_that_all_is_un
 TEST(Classical, that_is_stopped_while_it_solves_keeps_its_balance) {
   const auto patches = room();
   for (const auto method : methods) {
-    // Once factors are known: after the first picture, or before there is any.
+    // Stops once the factors are known: after the first picture; the direct method has none before its end.
     bool has_picture = false;
     const auto stop_when_enough = [&](const Progress& p) {
       const bool is_enough = has_picture || method == Method::direct;
@@ -76,7 +76,7 @@ TEST(Classical, that_is_stopped_while_it_solves_keeps_its_balance) {
     };
     const auto s = solve(patches, method, 2, stop_when_enough,
                          [&](const Solution&, const Progress&) { has_picture = true; });
-    if (method == Method::gauss_seidel) continue;  // has no moment to stop at
+    if (method == Method::gauss_seidel) continue;  // it has no point at which it could stop
     EXPECT_EQ(s.report.stop, StopReason::stopped_by_user);
     EXPECT_GT(s.report.unshot_fraction, 0.1);
     const auto& e = s.report.energy;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that was stopped and taken up again gives the same bytes as one that was not.
+// A run that was stopped and resumed gives the same bytes as an uninterrupted one.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -91,7 +91,7 @@ TEST(Resume, with_light_groups_or_without_the_light_of_the_whole_is_the_same_to_
   EXPECT_EQ(apart.states[0]->direct[0].size(), 2 * plain.states[0]->direct[0].size());
 }
 
-// What taking up a state that is not right says.
+// The error message for resuming from a wrong state.
 std::string complaint(const PatchSet& patches, const SampleState& state, const SampledOptions& options = {}) {
   try {
     solve(patches, options, 2, std::make_shared<SampleState>(state));
@@ -139,7 +139,7 @@ TEST(Resume, a_stored_run_with_a_flipped_or_missing_byte_is_never_taken_for_anot
   write_solution(path, patches, run.solution, run.states.back().get());
   const auto whole = read_file(path);
   const auto expected = run.states.back()->direct;
-  // Refused, or what was written: a byte may be one that counts for nothing.
+  // The file is refused or reads as written, since some bytes have no meaning.
   const auto is_refused = [&](std::string_view bytes) {
     fs::remove(path);
     write_file(path, bytes);

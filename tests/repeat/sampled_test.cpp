@@ -45,7 +45,7 @@ std::string difference_of_light(const Solution& a, const Solution& b) {
   return a.provenance.rays == b.provenance.rays ? "" : "rays";
 }
 
-// Of the numbers that the report gives besides.
+// Compares the further numbers of the report.
 void expect_same_report(const SolveReport& a, const SolveReport& b) {
   EXPECT_EQ(a.energy.emitted, b.energy.emitted);
   EXPECT_EQ(a.energy.absorbed, b.energy.absorbed);
@@ -100,8 +100,7 @@ TEST(SampledRepeat, stored_and_streamed_give_identical_bytes) {
   }
 }
 
-// A monitor that stops the work when a doubling's picture comes. The first picture, by shooting, comes before
-// them.
+// A monitor that stops the work at the picture of a doubling. The first picture, by shooting, comes earlier.
 Solved stopped_after(const PatchSet& patches, std::size_t doublings, Solution& last_picture) {
   std::size_t pictures = 0;
   return solve(

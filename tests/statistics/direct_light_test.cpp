@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light against cosine rays that look for lamps: unbiased, and honest about its spread. Risk of a
-// false alarm: about one in a million a comparison.
+// Direct light against cosine rays that hit lamps: unbiased, and with a true standard error. Risk of a false
+// alarm: about one in a million per comparison.
 #include "luxel/lamps/direct_light.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct Room {
     return p;
   }
 
-  // What cosine rays from the side meet.
+  // Light found by cosine rays from the side.
   Estimate truth(SideId side, std::size_t rays = 400'000) const {
     const PatchEmitter emitter(patches, side);
     const auto bands = patches.band_count();
@@ -135,7 +135,7 @@ TEST(DirectLight, a_lamp_half_hidden_is_unbiased_with_every_option) {
   for (const auto& options : all_options()) room.expect_truth(SideId(room.first_of("floor"), false), options);
 }
 
-// A panel that hangs askew, made of 72 triangles: one lamp, whose pieces stand in nobody's way.
+// A tilted panel of 72 triangles: one lamp, whose triangles do not hide others.
 TEST(DirectLight, a_meshed_panel_half_hidden_is_unbiased_with_every_option) {
   truth::SceneBuilder builder;
   builder.material("floor", 0.5f, 0.0f).triangle({0, 0, 0}, {0.3f, 0, 0}, {0, 0.3f, 0});

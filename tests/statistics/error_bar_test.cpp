@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error bars of the sampled solver, against rooms whose light is known patch by patch.
 //
-// Risk: what is measured comes with the standard error that the spread over seeds gives it, which knows of
-// patches that lean on the same rays. A solver whose true coverage is 95 % fails a limit only by a deviation
-// of 4 standard errors or more (coverage is measured to 0.5 %, the limits are 2 and 3 % away); a true ratio
-// of one needs 4 too (measured to 2.5 %); bias is allowed 5 of its own standard errors. With 39 degrees of
-// degrees_of_freedom: 3 in ten thousand a figure at most, below 1 % for all of this file. Seeds are fixed, so
-// an alarm comes with a change of the code or never.
+// Risk: measured numbers have standard errors from the spread over seeds, which include correlations of
+// patches that use the same rays. A solver whose true coverage is 95 % fails a limit only by a deviation of 4
+// standard errors or more (coverage is measured to 0.5 %, the limits are 2 and 3 % away); a true ratio of one
+// needs 4 too (measured to 2.5 %); bias is allowed 5 of its own standard errors. With 39 degrees of freedom:
+// at most 3 in ten thousand per figure, below 1 % for all of this file. Seeds are fixed, so an alarm comes
+// with a change of the code or never.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -106,9 +106,8 @@ INSTANTIATE_TEST_SUITE_P(KnownRooms, ErrorBars, testing::ValuesIn(known_rooms())
 
 class ErrorAskedFor : public testing::TestWithParam<RoomMaker> {};
 
-// From 4 % to 0.3 %: all reached, none by luck (root mean square over sixteen seeds), and what the error fell
-// by is what was said. Rooms as small as these may reach the first two with the least number of rays there
-// is.
+// Targets from 4 % to 0.3 %: all are reached, none by chance (root mean square over sixteen seeds), and the
+// error falls as predicted. Rooms as small as these may reach the first two with the minimum number of rays.
 TEST_P(ErrorAskedFor, is_the_error_there_is) {
   const auto room = GetParam().make();
   std::vector<double> true_square, predicted_square, rays;

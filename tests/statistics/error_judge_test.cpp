@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judge of error bars sees what is wrong and passes what is right: solutions made of the truth and noise
-// whose size is known. Forty runs; the risks of a false alarm are below one in ten thousand a test.
+// The test of error bars rejects wrong ones and accepts right ones: solutions are the truth plus noise of
+// known size. Forty runs; the risks of a false alarm are below one in ten thousand per test.
 #include <cmath>
 #include <functional>
 #include <random>
@@ -62,9 +62,9 @@ TEST_F(ErrorJudge, sees_error_bars_that_are_a_fifth_too_small_or_too_large) {
   EXPECT_NEAR(judge(room_, runs(times(0.8f))).ratio.value, 1.25, 0.05);
 }
 
-// The spread of eight numbers is itself uncertain: Student's t with seven degrees of freedom lies
-// within 1.96 in 90.9 % of cases, not 95. So replicates patch by patch are not enough: what is known of
-// neighbours has to steady the error bar, or replicates have to be many.
+// The spread of eight numbers is itself uncertain: Student's t with seven degrees of freedom lies within 1.96
+// in 90.9 % of cases, not 95. So the replicates of a single patch are not enough: the error bar must use its
+// neighbours, or many replicates.
 TEST_F(ErrorJudge, sees_that_eight_replicates_alone_make_a_wavering_error_bar) {
   std::mt19937_64 random(2);
   std::chi_squared_distribution<double> seven(7.0);
@@ -94,7 +94,7 @@ TEST_F(ErrorJudge, sees_a_bias_that_cancels_over_the_room) {
   EXPECT_GT(verdict.local_bias.value, 6.0 * verdict.local_bias.standard_error);
 }
 
-// What all patches of a run have in common widens the spread between runs, and the judge's own error with it.
+// An error common to all patches of a run widens the spread between runs, and so the judge's own error.
 TEST_F(ErrorJudge, is_less_sure_of_runs_whose_patches_err_together) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays of the sampled operator through panes of glass: reciprocity, and what is kept of them. Risk of a false
-// alarm: about one in a million a comparison.
+// Rays of the sampled operator through panes of glass: reciprocity, and their stored data. Risk of a false
+// alarm: about one in a million per comparison.
 #include <array>
 #include <cmath>
 #include <vector>

@@ -71,7 +71,7 @@ TEST(Merge, in_any_order_gives_the_same_bytes_and_weighs_by_rays) {
   }
   EXPECT_EQ(merged.solution.provenance.merged.size(), 3u);
   EXPECT_EQ(static_cast<double>(merged.solution.provenance.rays), rays);
-  // What was merged can be merged again, but not with a part of itself.
+  // A merged solution can be merged again, but not with a part of itself.
   const auto more = merge_solutions({{"merged", merged}, run(room, 9)});
   EXPECT_EQ(more.solution.provenance.merged.size(), 4u);
   EXPECT_THROW(merge_solutions({{"merged", merged}, runs[1]}), InputError);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sky through portals: closed forms, cosine rays, and any set of portals against none. Risk of a false
-// alarm: about one in a million a comparison.
+// alarm: about one in a million per comparison.
 #include "luxel/lamps/portals.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct Room {
   PatchSet patches;
   Tracer tracer;
 
-  // What cosine rays find of the sky, W/m².
+  // Light of the sky found by cosine rays, W/m².
   Estimate sky_by_cosine(SideId side) const {
     constexpr std::size_t rays = 20'000;
     const PatchEmitter emitter(patches, side);
@@ -105,7 +105,7 @@ void expect_unbiased(const Room& room, const DirectOptions& options, const std::
   for (std::size_t side = 0; side < values.size(); side += 5) {
     const auto own = estimate_of(values[side]);
     const auto truth = room.sky_by_cosine(SideId::at(side));
-    // 1.5e-3: of the closed form's quadrature; 8e-4: cosine rays that found next to nothing know no spread.
+    // 1.5e-3: of the closed form's quadrature; 8e-4: cosine rays that found almost nothing have no spread.
     const auto allowed =
         risk_sigmas * std::hypot(own.sigma, truth.sigma) + 1.5e-3 * truth.mean + std::numbers::pi * 8e-4;
     EXPECT_NEAR(own.mean, truth.mean, allowed) << what << ", side " << side;

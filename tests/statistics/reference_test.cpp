@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solver held against path tracing, and a wrong solver found out. Seeds are fixed. The solver's errors of
-// different sides are not independent, so z² varies more than chi-square says: the limits are those that
-// `luxel compare` has.
+// Comparison of the solver with path tracing, which detects a wrong solver. Seeds are fixed. The solver's
+// errors of different sides are not independent, so z² varies more than chi-square says: the limits are those
+// that `luxel compare` has.
 #include <gtest/gtest.h>
 
 #include "luxel/render/compare.h"
@@ -42,7 +42,7 @@ TEST_P(SolverAndPaths, agree_within_their_errors) {
 INSTANTIATE_TEST_SUITE_P(Every, SolverAndPaths, testing::ValuesIn(truth::known_rooms()),
                          [](const testing::TestParamInfo<truth::RoomMaker>& one) { return one.param.name; });
 
-// All of the light two per cent too bright: what a factor that was forgotten somewhere does.
+// All light two per cent too bright, as by a forgotten factor.
 TEST(Compare, finds_a_solver_out_that_is_wrong_by_two_per_cent) {
   auto [traced, solved] = both(truth::luminous_ceiling(), 0.02);
   EXPECT_TRUE(compare_solutions(traced, solved).agrees().value());
@@ -52,7 +52,7 @@ TEST(Compare, finds_a_solver_out_that_is_wrong_by_two_per_cent) {
   EXPECT_NEAR(c.mean_bias, 0.02, 0.003);
 }
 
-// One wall a tenth too dark: few sides, and the list says which.
+// One wall a tenth too dark: few sides, which the list names.
 TEST(Compare, says_where_a_solver_is_wrong) {
   auto [traced, solved] = both(truth::luminous_ceiling(), 0.02);
   for (std::size_t p = 0; p < solved.patches.size(); ++p)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points, directions and rays are distributed as their densities say. Risk of a false alarm: one in a million
-// a test.
+// Points, directions and rays follow their densities. Risk of a false alarm: one in a million per test.
 #include <algorithm>
 #include <cmath>
 

@@ -14,8 +14,8 @@
 namespace luxel::truth {
 namespace {
 
-// Rooms of so many patches that neighbours share their rays. What they should come to is found without
-// sharing, to a fifth of the error that is judged: its square adds a twenty-fifth.
+// Rooms with enough patches for sharing of rays among neighbours. Their truth is computed without sharing, to
+// a fifth of the judged error: its square adds a twenty-fifth.
 constexpr double target = 0.02;
 
 KnownRoom room_without_sharing(const std::string& name, const Scene& scene, float max_edge) {
@@ -37,7 +37,7 @@ KnownRoom room_without_sharing(const std::string& name, const Scene& scene, floa
 }
 
 // The figures of twelve seeds, whose spread gives them their own standard errors: within four of these of
-// where they should be (risk 1e-3 a figure with so few seeds). The error bars hold the truth 92 to 97 times
+// where they should be (risk 1e-3 per figure with so few seeds). The error bars hold the truth 92 to 97 times
 // in 100, the predicted error is the true one within a tenth.
 void expect_honest(const KnownRoom& room) {
   const Context context;

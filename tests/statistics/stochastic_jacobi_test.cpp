@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The noise of the solver is what theory says. Risk of a false alarm: about one in a million a test.
+// The noise of the solver is that of theory. Risk of a false alarm: about one in a million per test.
 #include "luxel/classical/stochastic_jacobi.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 struct Spread {
   double error =
       0.0;  // area-weighted relative RMS of the irradiance over patches and seeds, about the mean of seeds
-  double predicted = 0.0;  // what the solver says of itself
+  double predicted = 0.0;  // the solver's own prediction
 };
 
 Spread spread(const PatchSet& patches, const Tracer& tracer, const Context& context, std::uint64_t rays,

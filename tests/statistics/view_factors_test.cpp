@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard errors of view factors are what they say, and laws enforced bring factors nearer to the truth.
-// Each figure is a mean over 60 seeds of a cube's 30 factors, whose truth is known; a ratio of variances has
-// a standard error near 5 %, and four of these are allowed: a false alarm once in ten thousand.
+// Standard errors of view factors are true, and enforced laws bring factors nearer to the truth. Each figure
+// is a mean over 60 seeds of a cube's 30 factors, whose truth is known; a ratio of variances has a standard
+// error near 5 %, and four of these are allowed: a false alarm once in ten thousand.
 #include <cmath>
 
 #include <gtest/gtest.h>

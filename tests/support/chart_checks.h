@@ -23,7 +23,7 @@ inline void expect_every_front_once(const PatchSet& patches, const Charts& chart
   for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_NE(charts.of_side[2 * p], none);
 }
 
-// Of what is projected, no side covers another of its chart.
+// No projected side covers another of its chart.
 inline void expect_no_overlap(const PatchSet& patches, const Charts& charts) {
   for (const auto& chart : charts.charts) {
     FlatCover cover({0.0, 0.0}, {chart.size[0], chart.size[1]}, chart.sides.size());

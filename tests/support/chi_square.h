@@ -23,7 +23,7 @@ inline double chi_square_limit(double k) {
   const double a = 2.0 / (9.0 * k);
   return k * std::pow(1.0 - a + z * std::sqrt(a), 3.0);
 }
-// And falls below with the same probability.
+// The value that chi-square falls below with the same probability.
 inline double chi_square_lower_limit(double k) {
   constexpr double z = 4.7534;
   const double a = 2.0 / (9.0 * k);

@@ -13,8 +13,8 @@
 
 namespace luxel {
 
-// What the files below state, besides the cube of SmallCube: its last face has the material "lamp", the
-// others "wall".
+// Contents of the files below, besides the cube of SmallCube: its last face has the material
+// "lamp", the others "wall".
 struct ConvertedCube {
   Vec3 wall = Vec3(0.2f, 0.4f, 0.6f);      // reflectance
   Vec3 emission = Vec3(2.0f, 1.0f, 0.5f);  // W/(m² sr)

@@ -58,7 +58,7 @@ inline bool wait_for_idle(const ProgressiveSession& scene) {
   });
 }
 
-// Takes minutes if nobody stops it.
+// Takes minutes unless stopped.
 inline SessionSettings endless() {
   auto settings = coarse();
   settings.light.sampled.error = 1e-6;

@@ -74,7 +74,7 @@ bool rises_above(const Patch& patch, const Patch& horizon, double sign) {
   });
 }
 
-// The screens that may stand between two patches: of some, both patches lie on one side.
+// The screens that may stand between two patches; others have both patches on one side.
 std::vector<ConvexPolygon> between(const Patch& a, const Patch& b,
                                    const std::vector<ConvexPolygon>& screens) {
   std::vector<ConvexPolygon> some;

@@ -18,9 +18,9 @@ struct TrueLight {
 };
 
 // Form factors between all sides of a small scene, [from][to], side 2p the front of patch p and 2p + 1 its
-// back. Nothing hides one patch from another but the screens: the scene is a convex room, or what stands in
-// the way is listed here as convex polygons, patches of which may be receivers too. A front and a back that
-// see each other through the edge of a patch are told apart point by point.
+// back. Only the screens hide patches from each other: the scene is a convex room, or all occluders are
+// listed here as convex polygons, whose patches may be receivers too. Where a patch crosses the plane of
+// another, front and back are distinguished point by point.
 //
 // The inner integral is closed (point_factor); the outer one runs over the receiver by a seven-point rule
 // (degree five) on triangles that are cut in four until the rule agrees with its parts. Reciprocal by

@@ -15,7 +15,7 @@
 
 namespace luxel::truth {
 
-// A scene with all that its view factors need.
+// A scene with the input of its view factors.
 struct FactorScene {
   FactorScene(Scene built, Between kind, ElementSides sides = ElementSides::front, float max_edge = 0.0f)
       : scene(std::move(built)),

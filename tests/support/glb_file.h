@@ -15,7 +15,7 @@
 
 namespace luxel::test {
 
-// A GLB file as its specification describes it, read without Luxel's own reader.
+// Reads a GLB file by its specification, without Luxel's own reader.
 struct GlbFile {
   nlohmann::json json;
   std::string bytes;  // of the one buffer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main of every test program: testing::TempDir() is a new folder for each run, and is gone afterwards. So
-// tests that run at the same time, of this checkout or of another, never meet in a file.
+// The main of every test program: testing::TempDir() is a new folder for each run, and is removed afterwards.
+// So concurrent tests, of this checkout or of another, never use the same file.
 #include <cstdio>
 #include <filesystem>
 #include <string>

@@ -10,7 +10,7 @@
 
 namespace luxel::test {
 
-// A test of what is drawn without a window; skipped where nothing draws.
+// A test of drawing without a window; skipped where no driver is available.
 class OffScreen : public testing::Test {
  protected:
   explicit OffScreen(ScreenSize size) : size_(size) {}
@@ -23,12 +23,12 @@ class OffScreen : public testing::Test {
     }
     set_up();
   }
-  // What there is to draw, once there is a screen.
+  // The data to draw, once there is a screen.
   virtual void set_up() = 0;
 
  private:
   ScreenSize size_;
-  std::unique_ptr<Screen> screen_;  // it goes after what was drawn with it
+  std::unique_ptr<Screen> screen_;  // destroyed after the objects that use it
 };
 
 }  // namespace luxel::test

@@ -9,7 +9,7 @@
 namespace luxel::truth {
 namespace {
 
-// Metres: what lies closer to a plane lies in it. Rooms here measure metres, corners are floats.
+// Metres: points closer to a plane count as in it. Rooms here measure metres, corners are floats.
 constexpr double in_plane = 1e-6;
 
 struct Plane {
@@ -59,7 +59,7 @@ double whole_factor(const Vec3d& point, const Vec3d& n, const ConvexPolygon& pol
   return std::abs(sum) / (2.0 * std::numbers::pi);
 }
 
-// Replaces the pieces by what of them is not behind the screen.
+// Replaces the polygons by their parts that the screen does not hide.
 void hide(const Vec3d& point, const ConvexPolygon& screen, std::vector<ConvexPolygon>& pieces) {
   auto plane = plane_of(screen);
   const auto height = plane.height(point);

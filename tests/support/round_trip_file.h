@@ -18,8 +18,8 @@
 
 namespace luxel::test {
 
-// A quad of 2 x 1 that three nodes show: as it is, turned and scaled below a parent, and mirrored. Beside it
-// a strip without indices whose vertices nothing else has; things that Luxel knows nothing of, and a point
+// A quad of 2 x 1 that three nodes show: as it is, turned and scaled below a parent, and mirrored.
+// Beside it a strip without indices whose vertices nothing else has; data unknown to Luxel, and a point
 // light.
 inline SmallGltf small_room() {
   SmallGltf gltf;

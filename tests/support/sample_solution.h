@@ -24,7 +24,7 @@ inline std::vector<float> numbers(std::size_t count, float first) {
   return values;
 }
 
-// A strip of triangles along x, each of its own input triangle, in turn of two materials.
+// A strip of triangles along x, each of its own input triangle, with two alternating materials.
 inline PatchSet patches(std::size_t count, std::size_t bands) {
   PatchSet set;
   for (std::size_t i = 0; i < count + 2; ++i)
@@ -72,7 +72,7 @@ inline Baked baked(std::size_t count, std::size_t bands) {
   return {std::move(set), std::move(light)};
 }
 
-// The same with what only a method that knows its errors gives.
+// The same with the values that only a method with error estimates gives.
 inline Baked baked_with_errors(std::size_t count, std::size_t bands) {
   auto sample = baked(count, bands);
   auto& light = sample.solution;

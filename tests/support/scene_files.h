@@ -13,7 +13,7 @@
 
 namespace luxel {
 
-// A folder for the files of one test, empty at first and removed with it, and what load_scene() says of them.
+// A folder for the files of one test, empty at first and removed with it, and load_scene()'s messages on it.
 class SceneFiles {
  public:
   SceneFiles() {

@@ -29,7 +29,7 @@ std::string bytes_of(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-// A glTF file made by a test: arrays are added to the one buffer, all else is JSON as the test writes it.
+// A glTF file made by a test: arrays are added to the one buffer, all other JSON is written by the test.
 struct SmallGltf {
   std::string buffer, views, accessors;
   int view_count = 0, accessor_count = 0;
@@ -45,7 +45,7 @@ struct SmallGltf {
     buffer += bytes;
     return view_count++;
   }
-  // The number of an accessor; place is `"bufferView":3` and what else it has.
+  // Returns the number of a new accessor; place: `"bufferView":3` and further members.
   int accessor(int component, const char* type, std::size_t count, const std::string& place) {
     accessors +=
         fmt::format(R"({}{{"componentType":{},"type":"{}","count":{}{}{}}})", accessor_count > 0 ? "," : "",

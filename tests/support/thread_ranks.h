@@ -27,7 +27,7 @@ class ThreadRanks {
         : barrier(static_cast<std::ptrdiff_t>(count)), given(count), lists(count) {}
     std::barrier<> barrier;
     std::vector<std::span<const std::byte>> given;                   // by each rank
-    std::vector<std::span<const std::span<const std::byte>>> lists;  // likewise
+    std::vector<std::span<const std::span<const std::byte>>> lists;  // by each rank
   };
 
   class Rank final : public Ranks {

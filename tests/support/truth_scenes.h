@@ -16,7 +16,7 @@ namespace luxel::truth {
 // A scene built face by face. Each call of quad or triangle adds to the group and material last named.
 class SceneBuilder {
  public:
-  // Both reflectance and emittance alike in all three bands; or band by band.
+  // Reflectance and emittance, equal in all three bands; or band by band.
   SceneBuilder& material(const std::string& name, float reflectance, float emittance, bool two_sided = true);
   SceneBuilder& material(const std::string& name, const Vec3& reflectance, const Vec3& emittance,
                          bool two_sided = true);

@@ -18,7 +18,7 @@ struct MadeWeather {
   double written_timezone = 5.5, written_longitude = 77.2;  // as the file has them
   int per_hour = 1;
   bool has_leap_day = false;
-  double shift = 0.0;  // h: the light is that of the sun so much later
+  double shift = 0.0;  // h: the light is that of the sun later by this
   bool has_illuminances = true;
   bool is_in_watts = false;  // records of a part of an hour have W/m²
 };
@@ -51,7 +51,7 @@ inline std::string made_epw(const MadeWeather& made) {
       const auto instant = Instant(day) + std::chrono::seconds(std::lround(3600.0 * middle));
       const auto light = made_light(sun_position(instant, made.site));
       const auto energy = made.is_in_watts ? 1.0 : 1.0 / made.per_hour;  // Wh/m² per W/m²
-      // Years as typical years have them: of each month another one.
+      // Years as in a typical year: a different year for each month.
       text += fmt::format("{},{},{},{},{},?9?9?9,20.0,10.0,50,99000,0,0,300,{:.3f},{:.3f},{:.3f}",
                           1990 + static_cast<int>(static_cast<unsigned>(date.month())),
                           static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // write_sample_solution FILE PATCHES BANDS [errors|far]: the sample of sample_solution.h as a file, for
-// readers that are not ours; as it is, with its standard errors or far from zero.
-// tests/golden/solution-v1.vtkhdf is what it wrote for 4 patches and 3 bands at format version 1.
+// readers that are not ours; plain, with its standard errors or far from zero.
+// tests/golden/solution-v1.vtkhdf is its output for 4 patches and 3 bands at format version 1.
 #include <cstdio>
 #include <exception>
 #include <string>

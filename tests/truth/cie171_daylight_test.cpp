@@ -4,8 +4,8 @@
 // that of published validation reports. Every true value was derived twice, to at least five digits:
 // tools/validation/daylight_truth.py.
 //
-// Figures are held to three standard errors, see support/three_errors.h for the risk, and to 0.05 % for the
-// size of the patches of the sky.
+// Figures are compared within three standard errors, see support/three_errors.h for the risk, and to 0.05 %
+// for the size of the patches of the sky.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,7 +72,7 @@ TEST(Cie171Case5_5, clear_glass_has_its_directional_transmittance) {
 using Wall = std::array<double, 6>;   // A to F, 0.25 m below the ceiling to 0.25 m above the floor
 using Level = std::array<double, 8>;  // G to N on the floor, G' to N' on the ceiling
 
-// Holds the light of points, in a black room under a sky.
+// Compares the light of points in a black room under a sky with the truth.
 class Room {
  public:
   Room(const SceneBuilder& builder, const Daylight& daylight) : rig_(made(builder, daylight), 0.0f) {}
@@ -165,7 +165,7 @@ SceneBuilder glazed_facade(const Opening& o) {
 
 TEST(Cie171Case5_11, a_facade_opening_of_2_x_1_m) {
   const auto room = test::facade_room(facade_2x1);
-  // By the ground alone, whatever the sky.
+  // By the ground alone, under any sky.
   const Level ceiling = {0.3796719, 0.52622174, 0.74635043, 1.077466,
                          1.555363,  2.1340764,  2.3978559,  1.2384196};
   hold_facade(room, 16, {0.95068225, 1.0630323, 1.2744236, 1.705621, 2.0587488, 2.1425314},

@@ -3,8 +3,9 @@
 // luminous flux. The document is not public; geometry is that of published validation reports, or stated
 // below. Every true value was derived twice, to at least six digits: tools/validation/truth.py.
 //
-// Figures without noise are held to rounding and to the table of the distribution, whose half degrees cost up
-// to 1e-5; those with noise to three standard errors, see support/three_errors.h for the risk.
+// Figures without noise are compared within rounding and the error of the distribution's table, whose half
+// degrees cost up to 1e-5; those with noise within three standard errors, see support/three_errors.h for the
+// risk.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -165,8 +166,8 @@ WithError received(const Scene& scene, const std::string& name, std::uint64_t se
   return sum;
 }
 
-// The lamp in the middle of a black room of 4 x 4 x 3 m. Of each face: its solid angle in closed form, and by
-// Gauss rules.
+// The lamp in the middle of a black room of 4 x 4 x 3 m. Truth of each face: its solid angle in closed form,
+// and by Gauss rules.
 TEST(Cie171Case5_4, all_flux_arrives_in_a_closed_room) {
   auto scene = black_room();
   scene.point_lights = {even_lamp({2, 2, 1.5f})};
@@ -175,8 +176,8 @@ TEST(Cie171Case5_4, all_flux_arrives_in_a_closed_room) {
                  name);
 }
 
-// With an opening of 2 x 1 m in the wall y = 0; the lamp stands aside, at (1.5, 1.2, 1.9). What the opening
-// lets out is missing: 650.405443 lm.
+// With an opening of 2 x 1 m in the wall y = 0; the lamp stands aside, at (1.5, 1.2, 1.9). The light that
+// leaves through the opening is missing: 650.405443 lm.
 TEST(Cie171Case5_4, an_opening_lets_out_the_flux_of_its_solid_angle) {
   constexpr double out = 650.405443;
   truth::SceneBuilder b;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CIE 171:2006, daylight behind things outside: test cases 5.13, a continuous overhang, and 5.14, a
+// CIE 171:2006, daylight behind outdoor obstructions: test cases 5.13, a continuous overhang, and 5.14, a
 // continuous screen; and the components of the daylight factor. Geometry, truth, tolerances and risk as in
 // cie171_daylight_test.cpp.
 #include <array>
@@ -89,7 +89,7 @@ void hold_mask(const SceneBuilder& builder, int type, const Floor& percent) {
   const Tracer tracer(patches, context);
   Solution solution;
   std::shared_ptr<const SampleState>
-      state;  // with it, errors of what the masks reflect are not overestimated
+      state;  // with it, errors of the light reflected by the masks are not overestimated
   const SolveHooks hooks{.from = {},
                          .keep = [&](std::shared_ptr<const SampleState> s) { state = std::move(s); },
                          .on_light = {}};

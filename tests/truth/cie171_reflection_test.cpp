@@ -32,7 +32,7 @@ using truth::SceneBuilder;
 
 const Vec3 up(0, 0, 1), down(0, 0, -1), north(0, 1, 0);
 
-// Percent of what the lit surface S2 sends out.
+// Percent of the exitance of the lit surface S2.
 struct Point {
   const char* label;
   Vec3 position, normal;
@@ -111,7 +111,7 @@ TEST(Cie171Case5_6, a_ground_of_4_m_lights_wall_and_ceiling) {
       1e-3);
 }
 
-// Sides chosen here, small and as good as unbounded.
+// Sides chosen here, a small one and a practically unbounded one.
 TEST(Cie171Case5_6, a_ground_of_half_a_metre_lights_wall_and_ceiling) {
   hold_ground({ground(0.5f, true), 0.3 * 1e5},
               {0.57993570, 0.64436555, 0.55635390, 0.43329628, 0.32510908, 0.49139644, 0.63913036, 0.77764452,

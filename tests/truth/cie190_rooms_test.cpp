@@ -21,8 +21,8 @@
 namespace luxel {
 namespace {
 
-// A room of side x side x 1 m whose surfaces of one kind emit what one lumen, spread over them, is after its
-// first reflection.
+// A room of side x side x 1 m whose surfaces of one kind emit the first reflection of one lumen spread over
+// them.
 Scene room(float side, const RoomReflectance& rho, const std::string& source) {
   truth::SceneBuilder b;
   const auto s = side;

@@ -54,7 +54,7 @@ class EveryCieType : public testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(all, EveryCieType, testing::Range(1, 17));
 
-// An open plate has the illuminance that was asked for, and walls have those of the model's integrals.
+// An open plate has the requested illuminance, and walls have those of the model's integrals.
 TEST_P(EveryCieType, lights_open_planes_as_its_integrals_say) {
   SceneBuilder b;
   b.material("far", 0.0f, 0.0f).quad({-1, -1, -9}, {1, -1, -9}, {1, 1, -9}, {-1, 1, -9});
@@ -218,7 +218,7 @@ TEST(DaylightNorth, turns_the_light_with_it) {
   EXPECT_LT(light(0.0, 20.0), 0.7 * as_it_was);  // the sun stands behind the room
 }
 
-// Under a sky of one radiance per patch that are all the same the light is that of an even sky.
+// Under a sky of patches with equal radiance the light is that of an even sky.
 TEST(DaylightPatches, all_alike_are_an_even_sky) {
   auto even = truth::under_sky(truth::window_room(), 10.0f);
   auto alike = truth::window_room().scene();
@@ -248,7 +248,7 @@ TEST(SunDisc, has_a_penumbra_of_its_width) {
   };
   EXPECT_NEAR(at(-1.1 * half_width).illuminance, 50'000.0, 5.0);
   EXPECT_NEAR(at(1.1 * half_width).illuminance, 0.0, 1e-6);
-  // A disc that a line covers up to x of its radius shows 1/2 - (x sqrt(1 - x²) + asin x) / pi of itself.
+  // A disc covered by a line up to x of its radius is visible by 1/2 - (x sqrt(1 - x²) + asin x) / pi.
   for (const auto x : {-0.5, 0.0, 0.4}) {
     const auto light = at(x * half_width);
     const auto seen = 0.5 - (x * std::sqrt(1.0 - x * x) + std::asin(x)) / std::numbers::pi;

@@ -33,7 +33,7 @@ const Vec3d zenith(0, 0, 1), north(0, 1, 0);
 const std::vector<ProbePoint> points = {
     {{1.0f, 0.6f, 0.4f}, up}, {{0.4f, 1.5f, 0.3f}, up}, {{1.7f, 1.7f, 0.2f}, up}};
 
-// Of window_room(): a room whose window is a hole in the wall y = 0.
+// Points of window_room(): a room whose window is a hole in the wall y = 0.
 struct Solved {
   PatchSet patches;
   Context context;
@@ -66,7 +66,7 @@ std::vector<double> overcast(const SkyPatches& sky) {
   return sky_patch_luminances(SkyModel::cie(16), sky, 10'000.0, albedo);
 }
 
-// The light of a scene at the points by a solve of its own.
+// The light of a scene at the points by a separate solve.
 std::vector<ProbedLight> probed(const Daylight& daylight) {
   auto scene = truth::window_room().scene();
   set_daylight(daylight, up, scene);

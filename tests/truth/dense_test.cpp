@@ -36,7 +36,7 @@ Solved solve(const Scene& scene, float max_edge, DenseSolveOptions options = {},
   return s;
 }
 
-// The unit cube whose walls are 4 x 4 quads each, the ceiling shines.
+// The unit cube with walls of 4 x 4 quads each and an emitting ceiling.
 Scene cube_of_quads() {
   truth::SceneBuilder b;
   struct Face {
@@ -63,7 +63,7 @@ Scene cube_of_quads() {
   return scene;
 }
 
-// Expects the radiosities of cube_a_4x4, times `unit`, of every quad, found by where it is.
+// Expects the radiosities of cube_a_4x4, times `unit`, of every quad, found by its place.
 void expect_mesh_exact(const Solved& s, double unit) {
   for (std::size_t p = 0; p < s.patches.size(); ++p) {
     const auto corners = s.patches.points(p);
@@ -126,7 +126,7 @@ TEST(Dense, the_cube_of_quads_from_its_file_is_exact_to_six_digits) {
 }
 
 // Rooms whose light on these very patches is known, shadows and all (tests/support/known_rooms.h): one open,
-// one coloured, two with something in the way.
+// one coloured, two with occluders.
 TEST(Dense, is_within_its_stated_error_of_the_truth_patch_by_patch) {
   for (const auto make : {truth::open_plates, truth::coloured_room, truth::hung_plate, truth::l_shaped}) {
     const auto room = make();

@@ -28,7 +28,7 @@ double row_sum(const std::vector<double>& factors, SideId side) {
   return sum;
 }
 
-// The farthest that any of these sides' row sums is from one.
+// Maximum deviation of the row sums of these sides from one.
 double worst_row(const PatchSet& patches, const std::vector<double>& factors, bool back,
                  const std::string& material = "") {
   double worst = 0.0;
@@ -94,7 +94,7 @@ TEST(DenseTruth, rows_of_a_closed_room_sum_to_one) {
   for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_EQ(row_sum(factors, SideId(p, true)), 0.0);
 }
 
-// A wrong shadow would show: what is hidden by a screen must be made up for by the screen itself.
+// Detects wrong shadows: the screen itself must replace what it hides.
 TEST(DenseTruth, rows_of_rooms_with_screens_sum_to_one) {
   const Context context;
   const auto l = l_shaped();
@@ -106,8 +106,8 @@ TEST(DenseTruth, rows_of_rooms_with_screens_sum_to_one) {
 }
 
 // The exact means are those of the continuous room. Patches of a quarter metre, of constant radiosity each,
-// differ from them: by half a per cent on a ceiling that sees only what it lights itself, by 1.3 % in the L's
-// ends; half of that on patches of half the area.
+// differ from them: by half a per cent on a ceiling that receives only reflections of its own light, by 1.3 %
+// in the L's ends; half of that on patches of half the area.
 TEST(DenseTruth, agrees_with_the_exact_means_of_the_enclosures) {
   const auto expect = [](const KnownRoom& room, const std::map<std::string, double>& means,
                          double tolerance) {

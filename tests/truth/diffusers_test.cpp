@@ -45,8 +45,8 @@ Scene with_diffuser(Scene scene, const std::string& name, const Vec3& reflectanc
   return scene;
 }
 
-// Two unit cubes, parted by a sheet that emits towards the first. All that surrounds a cube has one
-// radiosity, equal to the irradiance h, so that nothing depends on form factors:
+// Two unit cubes, parted by a sheet that emits towards the first. All surfaces around a cube have one
+// radiosity, equal to the irradiance h, so that form factors do not matter:
 //
 //     sheet:  h_a = E + rho h_a + tau h_b,    h_b = rho h_b + tau h_a
 //     walls:  h = E + rho h
@@ -140,7 +140,7 @@ TEST(Diffusers, two_furnaces_that_a_sheet_parts_have_their_exact_light_by_the_cl
   Solution shot;
   const auto shooting =
       solve_stochastic_jacobi(room.patches, tracer, shot, {.rays = 2'000'000, .tolerance = 1e-6}, context);
-  room.expect_light(shot, 0.12);  // 200 quanta a side: three standard errors and the noise of what is sent on
+  room.expect_light(shot, 0.12);  // 200 quanta per side: three standard errors, and noise of reflections
   expect_balance(shooting.energy, 1e-9);
 }
 
@@ -305,7 +305,7 @@ TEST(Diffusers, stored_transport_relights_them) {
     relighter.set_reflectance(reflectance);
     runs.push_back(relighter.light());
     if (seed > 1) continue;
-    // All bounces of the stored rays are the light of the run.
+    // All bounces of the stored rays give the light of the run.
     const auto bounced = Bounces(before.patches, tracer, *stored.state, options, context).light(60);
     for (std::size_t i = 0; i < bounced.radiosity.back.size(); ++i)
       EXPECT_NEAR(bounced.radiosity.back[i], stored.solution.radiosity.back[i],

@@ -91,8 +91,8 @@ TEST(Enclosures, a_sphere_is_lit_alike_everywhere) {
   expect_means(s, {{"shell", cap / area / 0.5}, {"cap", cap / area / 0.5}}, 0.003);
 }
 
-// Every surface emits 1 - rho, so B = H = 1 on every patch, whatever the shape. Only noise may remain, and it
-// must be as large as theory says: chi-square of H over patches.
+// Every surface emits 1 - rho, so B = H = 1 on every patch, whatever the shape. Only noise may remain, of the
+// size that theory predicts: chi-square of H over patches.
 TEST(Enclosures, a_furnace_is_exact) {
   const auto s = solve(truth::furnace({0.8f, 0.5f, 0.2f}, {0.14f, 0.45f, 0.091f}), 0.1f, 10'000'000);
   const auto quantum =
@@ -121,7 +121,7 @@ TEST(Enclosures, a_furnace_of_one_grey_has_its_exact_mean_to_the_tolerance) {
     sum += static_cast<double>(s.patches.area[p]) * s.solution.irradiance.front[3 * p];
     area += s.patches.area[p];
   }
-  EXPECT_NEAR(sum / area, 1.0, 1e-6);  // nothing leaks: what is shot arrives
+  EXPECT_NEAR(sum / area, 1.0, 1e-6);  // nothing leaks: all shot power arrives
   EXPECT_EQ(s.report.energy.escaped, std::vector<double>(3, 0.0));
 }
 

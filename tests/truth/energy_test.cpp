@@ -47,7 +47,7 @@ TEST(Energy, is_conserved_to_the_last_unit_of_fixed_point) {
   EXPECT_GT(std::accumulate(arrival.absorbed.begin(), arrival.absorbed.end(), std::int64_t{0}), 0);
 }
 
-// What the sky sends past the scene, or at the backs of one-sided materials, is not shot.
+// Light of the sky that misses the scene, or reaches the backs of one-sided materials, is not shot.
 TEST(Energy, of_lamps_and_sky_is_conserved_to_the_last_unit_of_fixed_point) {
   auto patches = leaky_scene();
   patches.sky = {1.0f, 2.0f, 0.5f};
@@ -149,7 +149,7 @@ TEST(Energy, a_stopped_run_is_an_unbiased_estimate_of_the_bounces_begun) {
   for (std::size_t p = 0; p < patches.size(); ++p)
     received += static_cast<double>(patches.area[p]) * solution.irradiance.front[3 * p];
   EXPECT_NEAR(received, 1.0, 0.002);
-  // Its error is that of the rays it shot, not of those it was asked for: each carried three watts (one a
+  // Its error is that of the rays it shot, not of the requested number: each carried three watts (one per
   // band) over them.
   const auto quantum = 3.0 / static_cast<double>(report.rays);
   double variance = 0.0;

@@ -78,7 +78,7 @@ TEST(FormFactorTruth, rows_of_closed_rooms_sum_to_one_within_their_errors) {
 TEST(FormFactorTruth, exact_factors_are_those_the_tests_know) {
   const Context context;
   for (const auto& rows : all_rows()) {
-    if (rows.room.name == "l_shaped") continue;  // known by its row sums; the tests' own take long
+    if (rows.room.name == "l_shaped") continue;  // checked by row sums: the tests' own factors take long
     const auto known = form_factors(rows.room.patches, rows.screens, context);
     const auto sides = side_count(rows.room.patches.size());
     int exact = 0, integrated = 0;
@@ -95,7 +95,7 @@ TEST(FormFactorTruth, exact_factors_are_those_the_tests_know) {
 }
 
 // Lines miss a factor by their standard error, so that the sum of squares is a chi-square. Factors of few
-// lines are pooled. Risk: one in a million a row, twelve rows.
+// lines are pooled. Risk: one in a million per row, twelve rows.
 TEST(FormFactorTruth, lines_count_the_exact_factors) {
   const Context context;
   constexpr std::uint32_t lines = 40'000;
@@ -126,8 +126,8 @@ TEST(FormFactorTruth, lines_count_the_exact_factors) {
   }
 }
 
-// How much of a row is at the wrong place: half the sum of the differences. With few pixels from one point a
-// good part; with many from many points, one per cent.
+// Misplaced fraction of a row: half the sum of the differences. With few pixels from one point it is large;
+// with many from many points, one per cent.
 TEST(FormFactorTruth, hemicubes_come_near_with_pixels_and_points) {
   for (const auto& rows : all_rows()) {
     Hemicube coarse(rows.room.patches, {.resolution = 32});

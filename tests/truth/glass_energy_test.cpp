@@ -47,7 +47,8 @@ TEST(GlassEnergy, a_room_parted_by_glass_has_the_light_of_the_reference) {
   EXPECT_GT(total(energy.in_panes), 0.0);
 }
 
-// Rays to surfaces carry all bands alike: what is seen through tinted glass has its brightness, not its tint.
+// Rays to surfaces carry all bands alike: light through tinted glass has the glass's brightness, not its
+// tint.
 TEST(GlassEnergy, surfaces_behind_tinted_glass_keep_their_luminance) {
   const auto patches = make_patches(parted_room(Vec3(0.5f, 0.62f, 0.55f)), {.max_edge = 0.4f});
   EnergyBalance energy;

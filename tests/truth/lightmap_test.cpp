@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texels whose light is known: a furnace, what lies in the dark behind a wall or under a box, a closed form,
-// and light paths from the very points.
+// Texels whose light is known: a furnace, surfaces in the dark behind a wall or under a box, a closed form,
+// and light paths from the same points.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -52,7 +52,7 @@ Lightmap lightmap_of(const LitScene& baked, LightmapOptions options, LightmapRep
   return make_lightmap({baked.patches, baked.light, &tracer}, options, report, context);
 }
 
-// What a reader sees at a place of a side.
+// Light that a reader looks up at a place of a side.
 Vec3 read(const Lightmap& map, SideId side, const Vec2& weights) {
   const auto& t = map.atlas.corners[side.index()];
   const auto at = t[0] + weights.x * (t[1] - t[0]) + weights.y * (t[2] - t[0]);
@@ -85,9 +85,9 @@ TEST(Lightmap, of_a_furnace_is_one_on_every_texel_and_in_the_margins) {
   EXPECT_GT(dilated, 1000u);
 }
 
-// Gathered anew at the very points, emission, bounces and shadows and all. A standard error of eight
-// replicates is exceeded six times with a risk of 0.05 % (Student's t with 7 degrees), 8 times with 0.01 %;
-// few in 600 are.
+// Gathered again at the same points, with emission, bounces and shadows. A standard error of eight replicates
+// is exceeded six times with a risk of 0.05 % (Student's t with 7 degrees), 8 times with 0.01 %; few in 600
+// are.
 TEST(Lightmap, a_final_gather_in_a_furnace_gives_one_within_its_error) {
   const auto patches = make_patches(truth::furnace(Vec3(0.2f, 0.5f, 0.8f), Vec3(0.6f)), {.max_edge = 0.3f});
   const Context context(2);
@@ -109,13 +109,14 @@ TEST(Lightmap, a_final_gather_in_a_furnace_gives_one_within_its_error) {
     }
   }
   EXPECT_NEAR(sum / count, 0.0, 0.002);
-  EXPECT_LT(score2, stated2);        // which is widened for so few replicates
+  EXPECT_LT(score2, stated2);        // which is widened for few replicates
   EXPECT_GT(score2, 0.2 * stated2);  // and no more than that
 }
 
 // A black room under a square lamp: the light of a floor point has a closed form.
 double under_square_lamp(double x, double y, double half, double height) {
-  // Of a corner above: (a / sqrt(1 + a²) atan(b / sqrt(1 + a²)) + ...) / 2 pi, with a, b over the height.
+  // Form factor to a rectangle from below its corner: (a / sqrt(1 + a²) atan(b / sqrt(1 + a²)) + ...) / 2 pi,
+  // with a, b over the height.
   const auto corner = [&](double a, double b) {
     a /= height, b /= height;
     const auto p = std::sqrt(1.0 + a * a), q = std::sqrt(1.0 + b * b);
@@ -170,7 +171,7 @@ TEST(Lightmap, a_directional_one_knows_what_a_tilted_surface_gets_from_the_sky) 
       continue;  // backs see the sky below
     const Vec3d vector(map.pages[0].light_vector[0].pixels[i].g, map.pages[0].light_vector[1].pixels[i].g,
                        map.pages[0].light_vector[2].pixels[i].g);
-    // Of 64 rays and more, a part of whose light is weighed by four at most; five standard deviations.
+    // Error of 64 rays or more, part of whose light has a weight of at most four; five standard deviations.
     EXPECT_LT(glm::length(vector - Vec3d(0, 0, 2.0 * std::numbers::pi)), 5.0 * 2.0 * std::numbers::pi / 8.0);
     sum += vector;
     ++count;
@@ -216,9 +217,9 @@ TEST(Lightmap, a_directional_one_holds_the_closed_form_of_tilted_surfaces_under_
   EXPECT_LT(std::sqrt(square / light), 0.03);  // the error asked for, and what runs straight between texels
 }
 
-// Light behind a wall thinner than a texel, which has a door that is shut, and under a box. What is in the
-// dark reads nothing but darkness, to its very edges; what is in the light reads no darkness. Below the box,
-// which nothing sees, darkness begins two texels from its edges.
+// Light behind a wall thinner than a texel, which has a door that is shut, and under a box. Dark surfaces
+// read only darkness up to their edges; lit surfaces read no darkness. Below the box, which is invisible,
+// darkness begins two texels from its edges.
 TEST(Lightmap, no_light_leaks_through_walls_or_under_boxes_and_no_darkness_comes_out) {
   truth::SceneBuilder b;
   add_room(b, {0, 0, 0}, {4, 4, 2}, 0.5f);
@@ -278,14 +279,14 @@ TEST(Lightmap, both_sides_of_the_seams_of_a_sphere_agree) {
     const auto other = look_up(map.pages[b.page].irradiance, b.at).g;
     EXPECT_NEAR(one, other, 0.01f * std::max(one, other));
   }
-  // And nothing has moved by more than it had to.
+  // No texel has changed more than necessary.
   for (std::size_t i = 0; i < map.pages[0].texels.size(); ++i)
     EXPECT_NEAR(map.pages[0].irradiance.pixels[i].g, unsolved.pages[0].irradiance.pixels[i].g,
                 0.05f * unsolved.pages[0].irradiance.pixels[i].g + 1e-6f);
 }
 
-// Within the errors stated and what a texel's width does: paths from the very point, with no solver behind
-// them.
+// Agreement within the stated errors and the effect of a texel's width: paths from the same point, without a
+// solver.
 TEST(Lightmap, a_room_with_a_block_has_the_light_of_paths_from_the_points) {
   truth::SceneBuilder b;
   add_room(b, {0, 0, 0}, {2, 2, 2}, 0.5f);
@@ -350,7 +351,7 @@ TEST(Lightmap, a_stop_among_texels_leaves_the_interpolated_light) {
   EXPECT_EQ(stopped.pages[0].irradiance.pixels, plain.pages[0].irradiance.pixels);
 }
 
-// A lightmap with a seam, so that all stages have something to do.
+// A lightmap with a seam, so that all stages have work.
 TEST(Lightmap, a_stop_in_any_other_stage_leaves_no_pages) {
   const auto patches = make_patches(truth::sphere(14, 0.5f), {.max_edge = 1.0f});
   const auto light = even_light(patches, 1.0f);

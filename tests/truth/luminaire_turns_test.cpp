@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Luminaires that are turned, divided, or read from two formats give the same light. Figures are held to
-// three standard errors of the difference, see support/three_errors.h for the risk; those without noise to
-// rounding.
+// Luminaires that are turned, divided, or read from two formats give the same light. Figures are compared
+// within three standard errors of the difference, see support/three_errors.h for the risk; those without
+// noise within rounding.
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -3,8 +3,8 @@
 // the solver against paths, and sampling of many luminaires against their sum. cie171_lamps_test.cpp has the
 // cases of CIE 171, luminaire_turns_test.cpp turned, divided and converted luminaires.
 //
-// Risk. Seeds are fixed. Closed forms: see support/three_errors.h; other numbers with noise are held to six
-// of their standard errors.
+// Risk. Seeds are fixed. Closed forms: see support/three_errors.h; other numbers with noise are compared
+// within six of their standard errors.
 #include "support/luminaires.h"
 
 #include <array>

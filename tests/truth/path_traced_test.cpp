@@ -35,7 +35,7 @@ Traced trace(const PatchSet& patches, const PathOptions& options) {
   return traced;
 }
 
-// Mean of z² and share of |z| < 1.96 over lit sides, band by band.
+// Mean of z² and fraction of |z| < 1.96 over lit sides, band by band.
 struct Scores {
   double z2 = 0.0, within = 0.0, sides = 0.0, bias = 0.0, bias_error = 0.0;
 };
@@ -91,7 +91,7 @@ TEST_P(PathTracedRoom, has_the_radiosity_of_its_patches_within_its_error_bars) {
 INSTANTIATE_TEST_SUITE_P(Every, PathTracedRoom, testing::ValuesIn(truth::known_rooms()),
                          [](const testing::TestParamInfo<truth::RoomMaker>& one) { return one.param.name; });
 
-// Few large patches: what they would hide if light were constant on them, true light shows.
+// Few large patches: true light shows variation that light constant per patch would hide.
 void expect_means(const PatchSet& patches, const std::map<std::string, double>& exact) {
   const auto traced = trace(patches, {.limits = {.samples = 60'000}});
   const auto& s = traced.solution;
@@ -132,7 +132,7 @@ TEST(PathTraced, an_l_shaped_room_of_large_patches_is_lit_round_the_corner) {
                                                                           {"wall_x0", 0.0836591}});
 }
 
-// The same cube, as radiosity on twelve patches: another number, and dense truth knows it.
+// The same cube, as radiosity on twelve patches: another number, which dense truth gives.
 TEST(PathTraced, bounces_from_patches_keep_the_error_of_the_mesh) {
   const Context context;
   truth::KnownRoom room;
@@ -182,7 +182,7 @@ TEST(PathTraced, backs_of_one_sided_materials_absorb_what_meets_them) {
   const std::array<Vec3, 4> turned_away = {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
   room.truth = truth::true_light(
       room.patches, truth::form_factors(room.patches, {truth::convex_polygon(turned_away)}, context));
-  // What a one-sided back receives is nobody's light.
+  // Light at the back of a one-sided material counts nowhere.
   for (std::size_t p = 0; p < room.patches.size(); ++p)
     if (!room.patches.material_of(p).two_sided)
       for (std::size_t b = 0; b < 3; ++b) room.truth.irradiance.back[3 * p + b] = 0.0;

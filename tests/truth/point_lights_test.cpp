@@ -2,8 +2,8 @@
 // Lamps without a surface against closed forms: the inverse square law, power in a closed room, spots, the
 // sun; and the solver against paths.
 //
-// Risk. Seeds are fixed. Numbers with noise are held to six of their standard errors; with other random
-// numbers one of the some hundred would fail with a chance below one in a million.
+// Risk. Seeds are fixed. Numbers with noise are compared within six of their standard errors; with other
+// random numbers one of the some hundred would fail with a chance below one in a million.
 #include <cmath>
 #include <numbers>
 
@@ -133,7 +133,7 @@ TEST(PointLights, GiveAClosedRoomTheirPower) {
       absorbed += fraction * double{a.light.irradiance.front[3 * p]};
       squared_noise += std::pow(fraction * double{a.light.standard_error.front[3 * p]}, 2);
     }
-    // Errors of patches hang together by what they reflect: an upper bound is their sum over a few.
+    // Errors of patches are correlated by reflected light: their sum over a few is an upper bound.
     EXPECT_NEAR(absorbed, power, 6.0 * 3.0 * std::sqrt(squared_noise)) << static_cast<int>(kind);
     EXPECT_NEAR(a.report.energy.emitted[0], power, 1e-5 * power);
   }

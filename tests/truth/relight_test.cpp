@@ -56,7 +56,7 @@ TEST(Relight, with_nothing_changed_is_the_light_of_the_run) {
   const Relighter relighter(patches, tracer, kept.state,
                             {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
   const auto again = relighter.light();
-  // The two iterations begin elsewhere and end within 1e-6 of the whole each.
+  // The two iterations have different starts and end within 1e-6 of the whole each.
   EXPECT_LT(difference(kept.solution.irradiance.front, again.irradiance.front), 1e-4);
   EXPECT_LT(difference(kept.solution.radiosity.front, again.radiosity.front), 1e-4);
   EXPECT_NEAR(again.predicted_error, kept.solution.predicted_error, 0.02 * kept.solution.predicted_error);
@@ -116,7 +116,7 @@ TEST(Relight, lamps_and_reflectances_give_the_light_of_the_changed_room_with_hon
     relighter.set_lamps(weight);
     relighter.set_reflectance(reflectance);
     runs.push_back(relighter.light());
-    // Nothing else of the patches has changed, so the answer is one of the new room.
+    // Nothing else of the patches has changed, so the result is that of the new room.
     for (std::size_t m = 0; m < after.patches.materials.size(); ++m)
       EXPECT_EQ(relighter.patches().materials[m].emittance, after.patches.materials[m].emittance);
   }

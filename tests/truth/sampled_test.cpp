@@ -214,7 +214,7 @@ TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed)
   const Context context;
   const auto factors = truth::form_factors(room.patches, {truth::convex_polygon(turned_away)}, context);
   room.truth = truth::true_light(room.patches, factors);
-  std::vector<double> lost(3, 0.0);  // what the plate's back takes up
+  std::vector<double> lost(3, 0.0);  // absorbed by the plate's back
   const auto sides = side_count(room.patches.size());
   for (std::size_t from = 0; from < sides; from += 2) {
     const auto p = from / 2;
@@ -244,8 +244,8 @@ TEST(SampledSides, rays_that_meet_the_back_of_a_one_sided_material_are_absorbed)
   EXPECT_EQ(report.back_loss[0] + report.back_loss[2], 0.0);
 }
 
-// What shadow rays bring from a lamp and what gather rays carry away are estimates of their own: they agree
-// to the error of the light.
+// Light of a lamp by shadow rays and light carried away by gather rays are separate estimates: they agree
+// within the error of the light.
 TEST(SampledSides, emitted_equals_absorbed_escaped_lost_and_unshot) {
   const auto [solution, report] =
       solve(leaky_room().patches, {.error = 0.02, .error_measure = ErrorMeasure::power});

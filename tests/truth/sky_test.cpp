@@ -78,14 +78,14 @@ Answer reference(const PatchSet& patches, const Tracer& tracer, const Context& c
 struct Method {
   const char* name;
   Solve solve;
-  double fraction;  // of a full sky: what the method may be off by beside its standard errors
+  double fraction;  // of a full sky: allowed error of the method beside its standard errors
   double balance;
 };
 
 class Sky : public testing::TestWithParam<Method> {
  protected:
-  // truth: of a side, as a share of a full sky. Of shooting, which knows the error of the whole alone, the
-  // whole is looked at.
+  // truth: of a side, as a fraction of a full sky. Shooting, which states only the error of the whole, is
+  // compared as a whole.
   void expect(const Scene& built, float max_edge,
               const std::function<double(const PatchSet&, std::size_t)>& truth) {
     auto scene = built;
@@ -144,8 +144,8 @@ TEST_P(Sky, alone_lights_all_of_a_convex_thing_alike_and_nothing_within_it) {
   }
 }
 
-// What emits what it does not reflect, under a sky of its own radiance, is as bright as the sky, and so is
-// all that anything sees, whatever stands where.
+// A scene that emits what it does not reflect, under a sky of the same radiance, is as bright as the sky
+// everywhere, for any arrangement of its surfaces.
 TEST_P(Sky, makes_a_furnace_of_things_that_emit_what_they_do_not_reflect) {
   truth::SceneBuilder b;
   b.material("grey", 0.5f, static_cast<float>(0.5 * full));

@@ -82,7 +82,7 @@ Baked solve_sampled(const Scene& scene, const SampledOptions& options, int threa
   return baked;
 }
 
-// The colour is wrong only by what 5 nm wide bands do to the product of lamp, paint and eye: 0.3 %, and a
+// The colour error is only that of 5 nm wide bands in the product of lamp, paint and eye: 0.3 %, and a
 // sixteenth of it where they are a quarter as wide.
 TEST(Spectral, a_room_of_one_paint_has_the_colour_of_the_integral) {
   const auto truth =
@@ -104,7 +104,7 @@ TEST(Spectral, paints_that_look_alike_make_rooms_that_do_not) {
   const auto bands = make_wavebands(at);
   const BandColours colours(bands);
   const auto white = ColourSpectra(bands).light(Vec3(1.0f));
-  // Hills, less what the eye sees of them.
+  // Hills, minus their visible colour.
   std::array<std::vector<double>, 3> seen;
   std::vector<double> hills;
   for (std::size_t b = 0; b < at.size(); ++b) {

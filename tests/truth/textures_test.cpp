@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures on surfaces: rooms whose colours are textures against the same rooms whose colours are materials;
-// holes. Means over triangles have tests/unit/texel_sums_test.cpp.
+// holes. Means over triangles are tested in tests/unit/patch/texel_sums_test.cpp.
 //
 // Risk. Seeds are fixed. With other random numbers the root mean square of some thousand errors of two rooms
-// lies above 1.3 of the predicted with a chance below one in a thousand; the sheet with holes is held to six
-// standard errors, one in a hundred million.
+// lies above 1.3 of the predicted with a chance below one in a thousand; the sheet with holes is compared
+// within six standard errors, one in a hundred million.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -106,7 +106,7 @@ TEST(Textures, LightAsMaterialsOfTheSameColoursDo) {
       ASSERT_NEAR(plain.reflectance(p, b), textured.reflectance(p, b), 1e-5);
       ASSERT_NEAR(plain.emittance(p, b), textured.emittance(p, b), 1e-5);
     }
-  // Lamps are joined differently, so both are estimates: of the same light within their errors.
+  // Lamps are joined differently, so both are separate estimates of the same light, within their errors.
   const auto one = solved(plain), other = solved(textured);
   double off2 = 0.0, squared_light = 0.0;
   for (std::size_t i = 0; i < one.irradiance.front.size(); ++i) {
@@ -200,7 +200,7 @@ TEST(Textures, ShowFinerThanPatches) {
       sum += double{fine.reflectance(0, (static_cast<float>(i) + 1.0f / 3.0f) / steps,
                                      (static_cast<float>(j) + 1.0f / 3.0f) / steps)
                         .r};
-  // Interpolation takes from this square what it gives its neighbours of the other colour.
+  // Interpolation moves light from this square to its neighbours of the other colour.
   EXPECT_GT(sum / (steps * (steps + 1) / 2), 0.5);
   EXPECT_LT(sum / (steps * (steps + 1) / 2), 1.0);
 }
@@ -244,7 +244,7 @@ TEST(Holes, LetRaysThrough) {
 
 TEST(Holes, pass_the_fraction_of_a_sky_that_they_are) {
   auto scene = sheet_with_holes();
-  // A plate right below the sheet, and much smaller: it sees the sky through the strips alone.
+  // A much smaller plate right below the sheet: it sees the sky through the strips only.
   scene.materials.push_back({"plate", Vec3(0.0f)});
   scene.materials[0].reflectance = Vec3(0.0f);
   const auto first = static_cast<std::uint32_t>(scene.positions.size());

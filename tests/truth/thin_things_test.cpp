@@ -87,7 +87,7 @@ struct Lit {
   EnergyBalance energy;  // not of paths
 };
 
-// unit: metres per metre; of all lengths asked for.
+// unit: factor on all requested lengths, metres per metre.
 Lit solve(const Scene& scene, By by, std::uint64_t seed = 1, float max_edge = 2.0f, float unit = 1.0f) {
   Lit lit;
   const Context context;
@@ -108,7 +108,7 @@ Lit solve(const Scene& scene, By by, std::uint64_t seed = 1, float max_edge = 2.
   return lit;
 }
 
-// Of different seeds.
+// Runs of different seeds.
 std::vector<Lit> solve_often(const Scene& scene, By by) {
   std::vector<Lit> all;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) all.push_back(solve(scene, by, seed));
@@ -217,7 +217,7 @@ TEST(ThinThings, the_ceiling_above_a_lamp_stays_dark_but_for_bounces) {
 
 enum class Pile { once, twice, other_diagonal, overlap, opposite };
 
-// A table of 2 m by 2 m, or what covers the same square in more than one layer.
+// A table of 2 m by 2 m, or surfaces that cover the same square in more than one layer.
 Scene table(Pile pile) {
   auto b = room(0.5f);
   add_lamp(b, 0.5f, Vec2(-0.5f), Vec2(0.5f), 2.25f);
@@ -269,7 +269,7 @@ TEST(ThinThings, a_closed_box_in_a_lit_room_is_black_inside) {
   }
 }
 
-// What of the wall lies inside the box is a triangle of 3 sqrt(3) / 2 times the square of how far the corner
+// The part of the wall inside the box is a triangle of 3 sqrt(3) / 2 times the square of how far the corner
 // stands out. At most its light, reflected on and on, is inside.
 TEST(ThinThings, a_corner_through_a_wall_lets_in_no_more_than_the_hole_it_makes) {
   const double hole = 1.5 * std::sqrt(3.0) * tenth * tenth;  // m²

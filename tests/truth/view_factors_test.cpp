@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // View factors against the catalogue: counted ones within 4.5 of their standard errors, which with 8
-// replicates chance exceeds three times in a thousand factors; seeds are fixed, so what passed passes again.
-// Closed forms as in Howell's catalogue: C-11 (parallel), C-14 (perpendicular).
+// replicates are exceeded by chance three times in a thousand factors; seeds are fixed, so results are
+// reproducible. Closed forms as in Howell's catalogue: C-11 (parallel), C-14 (perpendicular).
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(ViewFactors, a_shield_hides_all_or_the_part_behind_it) {
   expect_near(factor(factors, "hot", "shield:back"), 0.907853142480072, "C-11 at half the gap");
   expect_near(factor(factors, "shield", "cold"), 0.907853142480072, "C-11 at half the gap");
 
-  // Half a shield: counted and exact agree, which know nothing of each other.
+  // Half a shield: counted and exact factors, which are computed independently, agree.
   const FactorScene half(plates_with_shield(0.1f, true, 0.5f), Between::materials, ElementSides::both, 0.5f);
   const auto counted = half.counted({.error = 2e-4});
   const auto exact = half.exact();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows in groups: what is lost when one is dark, against a scene in which it is a wall.
+// Windows in groups: the light lost when one is dark, against a scene in which it is a wall.
 //
 // Risk. Seeds are fixed. Numbers with noise are compared within six of their standard errors; with other
 // random numbers one of the some twenty would fail with a chance below one in a thousand.

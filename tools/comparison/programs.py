@@ -19,7 +19,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 class Job:
-    """What all renderings share: folder, picture size in pixels, number of threads."""
+    """Common settings of all renderings: folder, picture size in pixels, number of threads."""
 
     def __init__(self, folder, width, height, threads):
         self.folder, self.width, self.height, self.threads = folder, width, height, threads

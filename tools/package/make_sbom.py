@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Lists what an artefact of Luxel is made of, as SPDX 2.3 in JSON: make_sbom.py --help.
+"""Lists the components of an artefact of Luxel, as SPDX 2.3 in JSON: make_sbom.py --help.
 
 Compiled in: the Debian packages whose headers or static libraries the build read, as ninja recorded them, and the npm
 packages of the HTML page. Linked: the packages of the shared libraries that the programs load. Versions are dpkg's and

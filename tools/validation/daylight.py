@@ -58,7 +58,7 @@ def facade_room(opening, glazed, extent=0.0):
 
 
 def strips(low, high, step, at):
-    """Of a continuous mask: patches in the middle have the light of a strip without ends, and are not slender there."""
+    """Quads of a continuous mask: patches in the middle have the light of an endless strip and are not slender."""
     count, ends = round((high - low) / step), (-FAR, -10.0, -4.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 14.0, 4.0 + FAR)
     return [rectangle(x0, x1, low + i * step, low + (i + 1) * step, at) for i in range(count) for x0, x1 in zip(ends, ends[1:])]
 
@@ -130,7 +130,7 @@ def screen(program, height, skies):
 
 
 def sky(program, *words):
-    """What `luxel sky` prints."""
+    """The output of `luxel sky`."""
     command = [os.path.join(program.luxel.programs, "luxel"), "sky", *map(str, words), "--json"]
     return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
 

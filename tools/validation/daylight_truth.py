@@ -61,7 +61,7 @@ def nodes(breaks):
 
 
 def horizontal(kind, sun_elevation=ELEVATION):
-    """Of open ground, by the shape: azimuth and elevation around the zenith; only half of the sky, which is symmetric."""
+    """Illuminance of open ground, by the shape: azimuth and elevation around the zenith; half of the symmetric sky."""
     sun, total = sun_towards(1.0, sun_elevation), 0.0
     for elevation, w in nodes(pieces(0.0, 0.5 * math.pi, 0.2, sun_elevation)):
         ring = integral(lambda azimuth, e=elevation: shape(kind, towards(azimuth, e), sun),
@@ -323,7 +323,7 @@ DEPTH = 1000.0  # of the building's black roof
 
 
 def screen_luminance(height, skies, second=False):
-    """Of the screen of 5.14 at a height: {sky: value}. The façade and the roof behind it are black, the ground is not."""
+    """Luminance of the screen of 5.14 at a height: {sky: value}. Façade and roof are black, the ground is not."""
     sun, found = sun_towards(-1.0), {}
     over = math.atan2(3.0 - height, 6.0)  # of the façade's upper edge, in the plane across it
     lowest = max(0.0, over)

@@ -26,7 +26,7 @@ RULE = gauss(16)
 
 
 def integral(function, breaks):
-    """Of a function that is smooth between the breaks."""
+    """Integral of a function that is smooth between the breaks."""
     total = 0.0
     for low, high in zip(breaks, breaks[1:]):
         half, middle = 0.5 * (high - low), 0.5 * (high + low)

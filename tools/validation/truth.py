@@ -72,7 +72,7 @@ def disk_on_axis():
 
 
 def solid_angle(point, axis, at, u, v):
-    """Of a rectangle; by the corners' arc tangents."""
+    """Solid angle of a rectangle; by the corners' arc tangents."""
     others = [i for i in range(3) if i != axis]
     d = abs(at - point[axis])
 
@@ -191,6 +191,6 @@ CASES = {"5.2": case_5_2, "5.3": case_5_3, "disk": disk_on_axis, "5.4": case_5_4
 
 
 def disagreement(pair):
-    """Of the two derivations, relative."""
+    """Relative difference of the two derivations."""
     closed, second = pair
     return abs(closed - second) / max(abs(closed), 1e-9)

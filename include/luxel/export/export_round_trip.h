@@ -26,25 +26,25 @@ struct RoundTripOptions {
   Vec3 up = Vec3(0.0f, 1.0f, 0.0f);                      ///< of a scene that was not glTF
 };
 
-/// What light was found for, and the light.
+/// The scene, its patches and their light.
 struct RoundTripInput {
   const Scene& scene;
   const PatchSet& patches;
   const Solution& solution;
 };
 
-/// Patches as if a file had them so, for where their scene is not at hand. PatchSet::triangle of theirs must
-/// be each its own number.
+/// Returns a scene whose triangles are the patches, for use where their scene is not available.
+/// PatchSet::triangle of each patch must be its own index.
 Scene scene_of(const PatchSet& patches);
 
 /// \file
-/// A scene with light on it, as one GLB. Where it was read from a glTF file (Scene::source, is_gltf()) that
-/// file is preserved: its nodes, names, hierarchy, textures, extensions and all other contents remain.
-/// Another scene is converted to glTF, see gltf_of(). A mesh that several nodes show becomes one
-/// for each, for each has light of its own. A back gets triangles of its own where light fell on it. Textures
-/// and base colours go on colouring the surfaces: the light is what a surface of the factor's colour sends
-/// back, and where there is no texture also what it emits. What is not opaque stays as it is. Valid where the
-/// file is. Whole or not at all.
+/// A scene with light on it, as one GLB. Where the scene was read from a glTF file (Scene::source, is_gltf())
+/// that file is preserved: its nodes, names, hierarchy, textures, extensions and all other contents remain.
+/// Another scene is converted to glTF, see gltf_of(). A mesh of several nodes becomes one mesh per node,
+/// since each has its own light. A back that received light gets its own triangles. Textures and base colours
+/// still colour the surfaces: the written light is what a surface of the factor's colour reflects and, where
+/// there is no texture, emits. Surfaces that are not opaque stay as they are. Valid if the file is. Written
+/// whole or not at all.
 ///
 /// All throw MismatchError where scene, file, patches and solution do not belong together, InputError where
 /// the file is damaged, the GLB would be beyond 4 GiB or the compression is not available, DeviceError.
@@ -53,15 +53,15 @@ Scene scene_of(const PatchSet& patches);
 /// mesh; meshes with skins or morph targets keep floats, as does a file with extensions that Luxel does not
 /// know.
 
-/// COLOR_0, tone-mapped, and _IRRADIANCE as in export_glb(), materials unlit. The surfaces are cut into
-/// patches as the light is; a new vertex has the mean of what those around it have.
+/// Writes COLOR_0, tone-mapped, and _IRRADIANCE as in export_glb(), materials unlit. Surfaces are cut into
+/// the patches of the light; a new vertex has the mean of the attributes of the vertices around it.
 void export_round_trip_cut(const std::filesystem::path& path, const RoundTripInput& input,
                            const SmoothLight& light, const RoundTripOptions& options);
-/// The same on the file's own triangles, where `fit` has the light.
+/// Writes the light of `fit` to the file's own triangles, without cuts.
 void export_round_trip_uncut(const std::filesystem::path& path, const RoundTripInput& input,
                              const VertexFit& fit, const RoundTripOptions& options);
 
-/// Pages of a lightmap, for a texture each.
+/// Pages of a lightmap; each becomes a texture.
 struct RoundTripPages {
   const Atlas& atlas;
   const std::vector<Image>& pages;  ///< [page]; irradiance, W/m², or radiance, W/(m² sr)
@@ -69,24 +69,24 @@ struct RoundTripPages {
   bool as_file_has_it = false;      ///< the file's own coordinates (round_trip_layout()), not new ones
 };
 
-/// Both write nothing and return false if the monitor stops them before all is ready.
+/// Both functions write nothing and return false if the monitor stops them before all is ready.
 ///
-/// Further texture coordinates where the pages show each surface; triangles stay as they are but where charts
-/// are cut. Pages become 8-bit sRGB textures. Irradiance: glTF has no place of its own for it, so materials
-/// name their page as MOZ_lightmap has it.
+/// Adds texture coordinates that map each surface to its page; triangles change only where charts are cut.
+/// Pages become 8-bit sRGB textures. Pages of irradiance: glTF has no member for it, so materials name their
+/// page by MOZ_lightmap.
 bool export_round_trip_lightmap(const std::filesystem::path& path, const RoundTripInput& input,
                                 const RoundTripPages& pages, const RoundTripOptions& options,
                                 const Context& context = {});
-/// Radiance: as what black surfaces emit, so that every program shows it without a lamp.
+/// Pages of radiance: written as the emission of black surfaces, which programs show without a lamp.
 bool export_round_trip_emissive(const std::filesystem::path& path, const RoundTripInput& input,
                                 const RoundTripPages& pages, const RoundTripOptions& options,
                                 const Context& context = {});
 
-/// The scene with the coordinates of the pages and no light: `path` ends in .glb or .obj. In a GLB they are a
-/// further set, TEXCOORD_1 and, where the file has none, TEXCOORD_0 too; extras.luxel_lightmap of a primitive
-/// names its page and its set. An OBJ has one set, so its vt are those of the lightmap, from the bottom left;
-/// page n + 1 lies n to the right, as UDIM tiles do up to ten. It is in the scene's coordinates and units.
-/// Throws InputError where an OBJ is to have the file's own coordinates.
+/// Writes the scene with the coordinates of the pages and without light: `path` ends in .glb or .obj. In a
+/// GLB they are a further set, TEXCOORD_1 and, where the file has none, TEXCOORD_0 too; extras.luxel_lightmap
+/// of a primitive names its page and its set. An OBJ has one set, so its vt are those of the lightmap, from
+/// the bottom left; page n + 1 lies n to the right, as UDIM tiles do up to ten. It is in the scene's
+/// coordinates and units. Throws InputError where an OBJ is to have the file's own coordinates.
 bool export_unwrapped(const std::filesystem::path& path, const RoundTripInput& input,
                       const RoundTripPages& pages, const RoundTripOptions& options,
                       const Context& context = {});

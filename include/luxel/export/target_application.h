@@ -10,7 +10,7 @@ namespace luxel {
 /// The program for which a GLB is written. docs/baking.md describes each of them.
 enum class TargetApplication { any, three, babylon, godot, blender, unity, unreal };
 
-/// The words of the command line: any, three, babylon, godot, blender, unity, unreal.
+/// Returns the word of the command line: any, three, babylon, godot, blender, unity, unreal.
 std::string_view name(TargetApplication program);
 std::optional<TargetApplication> target_application(std::string_view word);
 std::span<const std::string_view> mesh_program_names();
@@ -20,7 +20,7 @@ std::span<const std::string_view> mesh_program_names();
 /// (EXT_meshopt_compression). docs/baking.md has the errors.
 enum class MeshCompression { plain, quantised, meshopt };
 
-/// The words of the command line: none, quantize, meshopt.
+/// Returns the word of the command line: none, quantize, meshopt.
 std::string_view name(MeshCompression compression);
 std::optional<MeshCompression> mesh_compression(std::string_view word);
 std::span<const std::string_view> mesh_compression_names();

@@ -18,15 +18,15 @@ struct Difference {
   double error = 0.0;       ///< standard error of b - a, of the mean over bands; 0: not known
 };
 
-/// How far B is from A. Weights: the area of a side; pictures: every pixel alike. Every band counts.
+/// Difference of B from A. Weights: the area of a side; pictures: every pixel alike. Every band counts.
 struct Comparison {
   std::size_t numbers = 0;    ///< compared: places times bands
   double relative_rms = 0.0;  ///< sqrt(sum of w (b - a)² / sum of w a²)
   double mean_bias = 0.0;     ///< sum of w (b - a) / sum of w a
   /// z = (b - a) / sqrt(error of a² + error of b²), of the numbers where an error is known and not 0.
   std::size_t scored = 0;
-  /// About 1 if the stated errors of both are true. |z| beyond 6 counts as 6: where a solution has met no
-  /// light yet it states no error, and a few such places would dominate the mean.
+  /// About 1 if the stated errors of both are true. |z| beyond 6 counts as 6: a solution states no error
+  /// where no light has arrived yet, and a few such places would dominate the mean.
   double mean_z2 = 0.0;
   std::size_t outliers = 0;           ///< with |z| beyond 6
   double within = 0.0;                ///< fraction with |z| < 1.96: about 0.95
@@ -34,10 +34,10 @@ struct Comparison {
   double bias_error = 0.0;            ///< standard error of mean_bias, were errors of places independent
   std::vector<Difference> largest{};  ///< by |b - a|, largest first
 
-  /// Whether the stated errors explain the difference: nothing where either states none. Bars know their own
-  /// width to a tenth, noise has tails, and a solver's errors at different places go together, so this is no
-  /// fine test: mean_z2 up to 1.5, within from 0.9 on, mean_bias up to half of expected_rms or five
-  /// bias_error. Where one states an error of the whole only, nothing is scored, and the square of
+  /// Returns whether the stated errors explain the difference; nothing where either states none. The width of
+  /// an error bar is known to a tenth, noise has tails, and errors of different places are correlated, so the
+  /// test is coarse: mean_z2 up to 1.5, within from 0.9 on, mean_bias up to half of expected_rms or five
+  /// bias_error. Where one states only an error of the whole, nothing is scored, and the square of
   /// relative_rms may be 1.5 times that of expected_rms.
   std::optional<bool> agrees() const;
 };
@@ -53,7 +53,7 @@ Comparison compare_pictures(const Image& a, const Image& b, const Image* error_a
                             const Image* error_b = nullptr, std::size_t places = 10);
 
 /// (b - a) / max(a, floor) of the mean over bands: signed, per side or per pixel as `index` above. floor: a
-/// hundredth of the mean of a over lit places, so that darkness does not shout. NaN where both are 0 and
+/// hundredth of the mean of a over lit places, so that dark places do not dominate. NaN where both are 0 and
 /// there is nothing to compare.
 std::vector<float> relative_differences(const Baked& a, const Baked& b);
 std::vector<float> relative_differences(const Image& a, const Image& b);

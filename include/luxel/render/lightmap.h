@@ -24,16 +24,16 @@ enum class Texel : std::uint8_t {
 struct LightmapPage {
   Image irradiance;      ///< W/m² by linear sRGB; of the side that faces the reader
   Image standard_error;  ///< of the irradiance, W/m²; 0 where the solution has none
-  /// Of a directional lightmap: the light vector (Gershun 1939), the integral of radiance times direction
-  /// over what the texel sees, W/m², its x, y and z in the scene's axes; else empty. A surface whose normal n
-  /// is bent from the side's own gets (irradiance + n . vector) / 2, to the first order of spherical
-  /// harmonics, and exactly the irradiance where it is not.
+  /// Light vector of a directional lightmap (Gershun 1939), the integral of radiance times direction over the
+  /// visible hemisphere, W/m², x, y and z in the scene's axes; else empty. A surface whose normal n is bent
+  /// from the side's own gets (irradiance + n . vector) / 2, to the first order of spherical harmonics, and
+  /// exactly the irradiance where n is the side's own.
   std::vector<Image> light_vector;
   std::vector<Texel> texels;  ///< width * height, row by row from the top left
 };
 
-/// Light on pages, and where each patch corner looks it up. What a surface sends back to the eye is
-/// reflectance / pi times the irradiance, and a lamp's own light on top.
+/// Light on pages, and where each patch corner looks it up. The radiance of a surface is reflectance / pi
+/// times the irradiance, plus the emission of a lamp.
 struct Lightmap {
   Atlas atlas;
   std::vector<LightmapPage> pages;  ///< each atlas.page_size wide and high
@@ -42,8 +42,8 @@ struct Lightmap {
 /// Throws MismatchError where the lightmap is of other patches.
 void check_is_of(const PatchSet& patches, const Lightmap& lightmap);
 
-/// The irradiance that a reader sees: between the middles of texels it runs bilinearly. at: texels, from the
-/// top left of the page. Beyond the page's edge its last texels go on.
+/// Returns the irradiance at a place, interpolated bilinearly between the centres of texels. at: texels, from
+/// the top left of the page. Beyond the page's edge its last texels continue.
 Vec3 look_up(const Image& page, const Vec2& at);
 
 struct TexelOptions {
@@ -62,17 +62,17 @@ struct LightmapOptions {
   TexelOptions texels = {};
 };
 
-/// What the gathering of texels did.
+/// Report of the gathering of texels.
 struct TexelReport {
   std::uint64_t texels = 0;       ///< with light of their own
   std::uint64_t gathered = 0;     ///< of them, by final gather
-  std::uint64_t short_of_it = 0;  ///< of these, with max_rays and still a larger error than asked
+  std::uint64_t short_of_it = 0;  ///< of these, with max_rays and still a larger error than requested
   std::uint64_t rays = 0;         ///< traced
-  /// By the monitor in the stage "texels": those not reached hold the interpolated light.
+  /// Stopped by the monitor in the stage "texels": the remaining texels hold the interpolated light.
   bool stopped = false;
 };
 
-/// What making seams agree did.
+/// Report of the solution of seams.
 struct SeamReport {
   std::size_t places = 0;                                  ///< along seams where two charts are compared
   double difference_before = 0.0, difference_after = 0.0;  ///< relative, root mean square over the places

@@ -21,16 +21,16 @@ struct LightmapInput {
 /// The requested number, or an automatic one that suits the surfaces.
 double texels_per_metre(const PatchSet& patches, const Solution& solution, const LightmapOptions& options);
 
-/// The light of surfaces that are laid out already, here or by the scene's file: texels gathered, seams
+/// Computes the light of surfaces that have a layout, by Luxel or the scene's file: texels gathered, seams
 /// solved, margins filled. After the monitor's stop in the stage "texels" the rest of these hold interpolated
 /// light; after a stop in another stage there are no pages. Otherwise as make_lightmap().
 ///
 Lightmap fill_lightmap(const LightmapInput& input, const LaidOut& laid, const LightmapOptions& options,
                        LightmapReport* report = nullptr, const Context& context = {});
 
-/// A lightmap of all lit surfaces: charts are made and packed, texels gathered, seams solved, margins filled.
-/// Without a tracer there is no final gather. The same bytes on any number of threads. Throws what the
-/// stages throw.
+/// Computes a lightmap of all lit surfaces: charts are made and packed, texels gathered, seams solved,
+/// margins filled. Without a tracer there is no final gather. The same bytes on any number of threads. Throws
+/// what the stages throw.
 Lightmap make_lightmap(const LightmapInput& input, const LightmapOptions& options,
                        LightmapReport* report = nullptr, const Context& context = {});
 

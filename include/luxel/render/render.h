@@ -35,8 +35,8 @@ struct Picture {
   /// Pixels whose brightest sample is more than twice as bright as the darkest. Up to 64 parts: equal numbers
   /// of samples of similar luminance, not places within the pixel.
   EdgePixels edges;
-  /// How displays show the sky: bluer and darker towards the zenith, grey below the horizon. Empty without
-  /// one.
+  /// The sky as displays show it: bluer and darker towards the zenith, grey below the
+  /// horizon. Empty without one.
   SkyPixels sky;
 };
 
@@ -44,13 +44,13 @@ struct Picture {
 Picture render_picture(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer,
                        const Camera& camera, const RenderOptions& options, const Context& context = {});
 
-/// A picture that was made otherwise (final gather, paths, lightmap), with its sky: finds by rays, as many as
-/// the options say, which part of each pixel sees it. Its edges are left as they are.
+/// Adds the sky to a picture made by another method (final gather, paths, lightmap): rays, as many per pixel
+/// as the options set, find the part of each pixel that sees it. Edges stay as they are.
 Picture with_sky(Image radiance, const PatchSet& patches, const Tracer& tracer, const Camera& camera,
                  const RenderOptions& options, const Context& context = {});
 
-/// The picture of a scene baked in one call (solve/bake.h): makes the tracer and the smooth light, for one
-/// picture.
+/// Renders a scene baked in one call (solve/bake.h); makes the tracer and the smooth light
+/// for this one picture.
 Image render(const Baked& baked, const Camera& camera, const RenderOptions& options = {},
              const Context& context = {});
 

@@ -30,8 +30,8 @@ class ProgressiveSession {
 
   const std::filesystem::path& file() const;
 
-  /// The state at this moment, with what the commands given so far are going to change: is_idle is false as
-  /// long as one of them waits. Cost: that of copying the status.
+  /// Returns the current state, including the pending effects of commands: is_idle is false while a command
+  /// waits. Cost: copying the status.
   SessionSnapshot snapshot() const;
 
   // ---- The solver ----
@@ -43,23 +43,23 @@ class ProgressiveSession {
   /// to the next, and begins a new solve where none is in progress.
   void set_stepping(bool on);
   void step();
-  /// Ends the solve: the light so far stays. resume() has nothing to continue then; solve() has.
+  /// Ends the solve and keeps its latest light. Afterwards solve() can continue; resume() has no effect.
   void stop();
   /// Solves by that method and its options, with the latest lamps and colours. A sampled run continues from
   /// its samples; with another seed, number of replicates or switch, and with any other method, the light
-  /// begins anew. A solve that would take more than an hour or more than the available memory fails with a
+  /// starts again. A solve that would take more than an hour or more than the available memory fails with a
   /// sentence, unless force is set.
   void solve(const LightOptions& light, bool force = false);
-  /// The same with another target error, a fraction. No samples are lost.
+  /// Solves to another target error, a fraction. No samples are lost.
   void set_error(double error);
 
   // ---- The light ----
 
   /// Sets lamp weights and reflectances. The latest call wins and persists across solves, whatever the
-  /// method. Where the light has its samples it is relit from the newest of these, without a ray; a sampled
-  /// solve in progress waits, and each of its answers is relit too. Cost: as that of Relighter; where a solve
-  /// continues, that of each group's light per answer. Else it is solved anew with these lamps and colours,
-  /// by the method of the light.
+  /// method. A light with stored samples is relit from the newest of them without rays; a sampled solve in
+  /// progress waits, and each of its answers is relit too. Cost: that of Relighter; where a solve
+  /// continues, that of each group's light per answer. Other light is solved again with these lamps and
+  /// colours, by its method.
   void relight(const Lighting& lighting);
 
   /// Shows the light after this number of bounces, at least 0, from the newest samples without tracing (see
@@ -73,13 +73,13 @@ class ProgressiveSession {
   /// seconds for a large scene, on a quarter of the cores. The result is computed once and stays.
   void request_diagnostics();
 
-  /// Compares each light from now on with a solution on the same patches; nothing: with none. Where lights
-  /// come faster than they can be compared, some are left out.
+  /// Compares each further light with a solution on the same patches; an empty value ends this. Lights that
+  /// arrive faster than they can be compared are skipped.
   void compare_with(const std::optional<std::filesystem::path>& solution);
 
   // ---- Files: written whole or not at all; the status reports the result ----
 
-  /// The newest light as a solution, with its samples where they are stored and not relit.
+  /// Saves the newest light as a solution, with its samples where they are stored and not relit.
   void save_solution(const std::filesystem::path& file);
   /// up: unit.
   void export_glb(const std::filesystem::path& file, const Vec3& up, const ToneOptions& tone);

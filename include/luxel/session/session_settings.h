@@ -39,8 +39,8 @@ struct SessionSettings {
   /// Both are called in the solver's thread. Empty: nothing is done.
   /// Puts the program's version, command line and options into a solution that will be solved so.
   std::function<void(Provenance& provenance, const LightOptions& light)> sign = {};
-  /// The options by which a solution that is opened was solved, to relight and to continue it. Empty: those
-  /// of `light`.
+  /// Returns the options by which an opened solution was solved, for relighting and continuing it. Empty:
+  /// those of `light`.
   std::function<LightOptions(const Provenance& provenance)> options_of = {};
 };
 

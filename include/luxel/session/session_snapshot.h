@@ -26,8 +26,8 @@ struct PatchTree;
 struct SampleState;
 
 /// \file
-/// What a session publishes. All of it is immutable once published: any thread may read it as long as it
-/// holds it.
+/// Data that a session publishes. They are immutable once published: any thread may read them while it holds
+/// a reference.
 
 /// The surfaces that are lit.
 struct SessionMesh {
@@ -54,8 +54,8 @@ struct SessionLight {
   bool is_relit = false;       ///< lamps or reflectances are not those of the scene
   std::optional<int> bounces;  ///< that brought it, where it is not all of it
   bool is_last = false;        ///< of its solve
-  /// What the last bounce brought and the next will send on, W/m², [patch][band]. Empty where light does not
-  /// come in bounces: of a sampled solve, a direct one, a file.
+  /// Light that the last bounce added and the next will reflect, W/m², [patch][band]. Empty where light does
+  /// not come in bounces: for a sampled solve, a direct one, a file.
   SideValues unshot;
 };
 
@@ -67,8 +67,8 @@ struct ConvergencePoint {
 
 /// The work in progress and the work before it.
 struct SessionStatus {
-  /// What is being done: "load", "triangles", "patches", "refine" or "read", "hierarchy", "forecast",
-  /// "factors", "light", "light groups", "relight", "bounces", "write"; empty where there is nothing to do.
+  /// Current stage: "load", "triangles", "patches", "refine" or "read", "hierarchy", "forecast", "factors",
+  /// "light", "light groups", "relight", "bounces", "write"; empty when idle.
   std::string stage;
   double done = 0.0;          ///< fraction of the stage, 0 to 1
   bool is_idle = false;       ///< the solver has nothing to do, and no command waits
@@ -90,12 +90,12 @@ struct SessionStatus {
 
   bool can_relight = false;  ///< the newest light has its samples
 
-  std::string error_message;      ///< of the last thing that failed, one sentence; empty: nothing has
-  std::uint64_t errors = 0;       ///< how many things failed so far
+  std::string error_message;      ///< of the last failure, one sentence; empty: none
+  std::uint64_t errors = 0;       ///< number of failures
   std::vector<Message> messages;  ///< warnings, and files written, in order
 };
 
-/// How the newest light differs from a second solution on the same patches.
+/// Difference of the newest light from a second solution on the same patches.
 struct LightDifference {
   std::filesystem::path file;  ///< the second solution
   std::uint64_t light = 0;     ///< number of the light that was compared
@@ -109,7 +109,7 @@ struct SessionSnapshot {
   std::shared_ptr<const SessionMesh> mesh;    ///< null before it is read; at first without its tracer
   std::shared_ptr<const SessionLight> light;  ///< the newest; null before the first
   SessionStatus status;
-  /// Of the current or last solve, or else of the first one to come. Never null.
+  /// Options of the current or last solve, else of the first one to come. Never null.
   std::shared_ptr<const LightOptions> options;
   std::shared_ptr<const CheckReport> diagnostics;     ///< null until they are requested and found
   std::shared_ptr<const LightDifference> difference;  ///< null where nothing is compared

@@ -9,14 +9,14 @@
 
 namespace luxel {
 
-// How accurate the light of a run is, in a sentence without jargon; empty where the command solved none.
+// The accuracy of the light of a run as a plain sentence; empty where the command solved no light.
 std::string accuracy_text(const RunReport& report);
 
-// The same of a merged or relit solution.
+// The accuracy of a merged or relit solution.
 std::string accuracy_text(const Solution& solution);
 
-// Why a run ended before it was as accurate as it should be, and what that leaves open. target: the requested
-// error, a fraction; nothing: none can be requested.
+// The reason why a run ended before it was accurate enough, and its consequence. target: the requested error,
+// a fraction; nothing: the method has no target.
 std::string stopped_text(const SolveReport& solved, const std::optional<double>& target);
 
 }  // namespace luxel

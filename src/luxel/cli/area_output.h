@@ -23,7 +23,7 @@ struct AreaReport {
 
 std::string csv_of(const AreaReport& report);
 std::string json_of(const AreaReport& report, const std::vector<std::string>& outputs);
-// For a person: the sentences of all areas, and what would tell the verdicts that cannot be told.
+// Text: the sentences of all areas, and the effort that would decide open verdicts.
 std::string summary_of(const AreaReport& report);
 std::vector<std::string> warnings_of(const AreaReport& report);
 

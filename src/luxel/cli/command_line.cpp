@@ -18,7 +18,7 @@
 namespace luxel {
 namespace {
 
-// CLI11 splits the words; what a word means is the declaration's business.
+// CLI11 splits the words; declarations interpret them.
 struct Given {
   std::vector<std::pair<Declaration*, std::vector<std::string>>> options;
   std::string config;
@@ -46,7 +46,7 @@ void declare(CLI::App& app, Declaration& d, Given& given) {
   }
 }
 
-// CLI11 takes "[bake]  # mine" for a key.
+// CLI11 reads "[bake]  # mine" as a key.
 std::string without_comments_after_headings(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
@@ -82,7 +82,7 @@ std::size_t line_of_key(const std::string& text, const std::string& key) {
   return 0;
 }
 
-// "luxel" alone is a question for help, and so is "luxel help" with or without a command.
+// "luxel" alone prints help, and so does "luxel help" with or without a command.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) return {"--help"};
@@ -197,7 +197,7 @@ void CommandLine::read_file(OptionSet& chosen, const std::string& path) {
       const auto line = line_of_key(text, item.name);
       return line > 0 ? InputError(path, line, message) : InputError(path, message);
     };
-    // A key under [bake] is for that command; one under no heading for every command that knows it.
+    // A key under [bake] is for that command; one under no heading is for every command that has it.
     const auto known = [&](const OptionSet& set) {
       return std::any_of(set.entries_.begin(), set.entries_.end(), [&](const OptionSet::Entry& e) {
         return e.declaration.name == item.name && e.declaration.configurable;

@@ -10,17 +10,17 @@
 
 namespace luxel {
 
-// The commands and how a line of words becomes one of them with its options set: first the defaults, then the
+// The commands, and the parser that selects one of them and sets its options: first the defaults, then the
 // file named by --config, then the flags.
 class CommandLine {
  public:
   explicit CommandLine(std::string version);
   ~CommandLine();
 
-  // The reference stays good.
+  // The reference stays valid.
   OptionSet& command(std::string name, std::string summary);
 
-  // All of them, in their order.
+  // All commands, in their order.
   std::span<const std::unique_ptr<OptionSet>> commands() const { return commands_; }
 
   // Returns the chosen command. Returns nothing for help, the version or --print-config; `text` is then the

@@ -13,7 +13,7 @@ namespace luxel {
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const char* before);
 
 // Checks the words after the name of a command, before they are parsed. Throws UsageError, which names an
-// option as it was typed, where it is not one of the command's, has no value, or a word is one too many.
+// option as typed, where an option is unknown or has no value, or where there are too many words.
 void check_words(const OptionSet& command, std::span<const std::string> words);
 
 }  // namespace luxel

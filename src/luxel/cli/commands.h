@@ -15,15 +15,15 @@ inline constexpr int exit_failed = 1;
 inline constexpr int exit_misused = 2;
 inline constexpr int exit_stopped_early = 3;
 
-// One thing the program does. Made before the command line is read, so that it can declare its options; run
-// after.
+// A command of the program. Constructed before the command line is read, so that it can declare its options;
+// run afterwards.
 class Command {
  public:
   virtual ~Command() = default;
   // Returns the exit code; throws the library's errors.
   virtual int run() = 0;
   const OptionSet& options() const { return options_; }
-  // Whether several processes can share its work; and these processes, for as long as it runs.
+  // Whether its work can be divided among processes; and these processes, which must outlive the run.
   virtual bool takes_ranks() const { return false; }
   void set_ranks(const Ranks* ranks) { ranks_ = ranks; }
 

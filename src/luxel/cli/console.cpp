@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 // A signal handler can access nothing but globals; these are the only ones.
 volatile std::sig_atomic_t interrupt_requested = 0;
-volatile std::sig_atomic_t has_unsaved_light = 0;  // a solve has begun: an interrupt is to write what it has
+volatile std::sig_atomic_t has_unsaved_light = 0;  // a solve has begun: an interrupt writes its results
 
 constexpr unsigned grace_seconds = 1;  // for a stage to notice an interrupt, where no light would be lost
 
@@ -45,7 +45,7 @@ void on_interrupt(int signal) {
   if (!has_unsaved_light) ::alarm(grace_seconds);
 }
 
-// No stage has noticed the interrupt in time. Files are whole or not there, whenever the program ends.
+// No stage has noticed the interrupt in time. Files are complete or absent, whenever the program ends.
 void on_overdue(int) {
   constexpr std::string_view sentence = "stopped: no further file is written\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, sentence.data(), sentence.size());

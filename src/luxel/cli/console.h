@@ -13,33 +13,33 @@ namespace luxel {
 
 struct RunSettings;
 
-// Messages of the program while it works, on the standard error stream: short lines that begin with a label,
-// and a progress bar on a terminal or a line now and then elsewhere; with --progress json one line of JSON
-// per message for other programs. With --quiet only errors. Results go to the standard output and never
-// through here.
+// Messages of the program while it works, on the standard error stream: short lines that begin with a
+// label, and a progress bar on a terminal or occasional lines elsewhere; with --progress json one line
+// of JSON per message for other programs. With --quiet only errors. Results go to the standard output
+// and never through here.
 class Console final : public Reporter {
  public:
   Console();
   explicit Console(const RunSettings& run);
   ~Console() override;
 
-  // A line with a label in a column of its own: "scene     room.obj: 32 triangles". Further lines of the text
-  // are indented to that column.
+  // Prints a line with a label in a separate column: "scene     room.obj: 32 triangles". Further lines of the
+  // text are indented to that column.
   void say(const std::string& label, const std::string& text) override;
-  // The same with --verbose only.
+  // Prints such a line with --verbose only.
   void detail(const std::string& label, const std::string& text) override;
-  // On a terminal: shows a stage of unknown progress, until the next message or bar.
+  // Shows a stage of unknown progress on a terminal, until the next message or bar.
   void announce(const std::string& stage) override;
-  // Takes the bar off the screen.
+  // Removes the bar from the screen.
   void clear_bar() override;
-  // The sentence, with the options that may help.
+  // Returns the sentence with the options that may help.
   std::string worded(const std::string& sentence, const std::vector<Hint>& hints) const override;
   bool is_interrupted() const override;
   void light_is_safe() override;
-  // Warnings and errors; notes are lines, or details.
+  // Returns a sink for warnings and errors; notes are lines or details.
   LogSink log_as(Notes notes) override;
-  // Draws progress; answers stop once Ctrl-C was pressed. Where a stage must go on even then (writing what
-  // there is), heeds_interrupt is false.
+  // Returns a monitor that draws progress and returns stop after Ctrl-C. heeds_interrupt: false for a stage
+  // that must continue even then, such as writing results.
   Monitor monitor_that(bool heeds_interrupt) override;
   // Returns whether messages go to a terminal, where people read them.
   bool is_read() const { return terminal_ && !quiet_ && !as_json_; }
@@ -67,8 +67,8 @@ void keep_silent();
 // The message of a command that is stopped before it has results to write; its exit code.
 int stopped_before_light(Console& console);
 
-// Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() answers; a second one ends the program at
-// once. So does the first, with a sentence, where no stage asks within a second and no light would be lost.
+// Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() returns; a second one ends the program at
+// once. So does the first, with a message, where no stage polls within a second and no light would be lost.
 void catch_interrupts();
 bool interrupted();
 

@@ -98,7 +98,7 @@ class DaylightCommand final : public Command {
  private:
   bool is_run() const { return scene_.file.ends_with(".vtkhdf"); }
 
-  // The question, but for the sky of a stored run.
+  // The question; a stored run replaces its sky.
   DaylightQuestion question(const Vec3d& up, const Workplace& place) {
     auto question = input_.question(up, noting(place.console, place.context).log());
     question.solve = {scene_.patches, error_, coefficients_.seed};

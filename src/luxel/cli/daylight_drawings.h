@@ -32,7 +32,7 @@ class DaylightDrawings {
   void check(const ProbeSettings& places, const std::vector<std::string>& outputs, bool has_weather) const;
   // Throws InputError where --heat-map-point is none of the points.
   void check_point(std::size_t points) const;
-  // With the options that declare them.
+  // The files of the drawings, with their options.
   std::vector<NamedOutput> files() const;
 
   // The plan around the points; nothing where these are no grid.

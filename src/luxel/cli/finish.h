@@ -12,20 +12,20 @@
 
 namespace luxel {
 
-// The last lines for a person: what was written, how accurate it is (nothing where that is empty), and the
-// time, rays and memory; with --verbose after a table of the stages.
+// Reports the end of a run: written files, accuracy (omitted where empty), time, rays and memory; with
+// --verbose after a table of the stages.
 void report_end(const RunRecord& record, const std::vector<std::string>& files, const std::string& accuracy,
                 Console& console);
 
-// The written files on the standard output, one per line, for programs; not with --quiet, nor where a person
-// reads them on the same terminal already.
+// Prints the written files to the standard output, one per line, for programs; not with --quiet, nor where
+// the same terminal already shows them.
 void print_files(const std::vector<std::string>& files, const RunSettings& run, const Console& console);
 
-// The end of a command that wrote files: the lines above; the report as JSON or, without it, the files; then
-// --open.
+// Ends a command that wrote files: the lines above; the report as JSON or, without it,
+// the files; then --open.
 void finish(const RunReport& report, const RunSettings& run, Console& console);
 
-// All that is left to do for a command that has a solution and only writes it. Returns the exit code.
+// Writes the outputs of a command that has a solution and finishes. Returns the exit code.
 int write_and_finish(const Baked& baked, const Tracer* tracer, const OptionSet& options,
                      const OutputSettings& settings, const Workplace& place,
                      const StoredSamples& samples = {});

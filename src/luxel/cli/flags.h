@@ -12,7 +12,7 @@ namespace luxel {
 // "--sky 1": the option that changes a setting.
 std::string flag_of(const Hint& hint);
 
-// The sentence, with the options that may help: "a longer edge is needed (--max-edge)".
+// Returns the sentence with the options that may help: "a longer edge is needed (--max-edge)".
 std::string with_flags(const std::string& sentence, const std::vector<Hint>& hints);
 std::string with_flags(const std::exception& error);
 

@@ -35,7 +35,7 @@ inline constexpr ExitCode exit_codes[] = {
 inline constexpr const char* program_summary =
     "global illumination of diffuse scenes by the radiosity method";
 
-// How help is laid out: for a terminal or a file.
+// Layout of help: for a terminal or a file.
 struct HelpStyle {
   TextPaint paint;
   std::size_t columns = 100;

@@ -11,13 +11,13 @@
 
 namespace luxel {
 
-// From patches to files: the part of a bake that `resume` does as well.
+// From patches to files: the part of a bake that `resume` performs too.
 class LightRun {
  public:
-  // name: of what has no light, for messages. options: of the command, for the report. Keeps references.
+  // name: of the input, for messages. options: of the command, for the report. Keeps references.
   LightRun(const BakeSettings& settings, std::string name, const OptionSet& options, const Workplace& place);
 
-  // start: the light is filled in. scene: of the patches, where it is at hand. Returns the exit code.
+  // start: the light is filled in. scene: of the patches, where available. Returns the exit code.
   int run(BakeStart& start, const Scene* scene);
 
  private:

@@ -24,8 +24,8 @@ std::uint32_t next_code_point(std::string_view text, std::size_t& at) {
   return code;
 }
 
-// Text as troff prints it: each character that it would read as a command or print as another one is named. A
-// line may break behind '|'.
+// Escapes text for troff: characters that it would read as commands or print differently are named. A line
+// may break behind '|'.
 std::string roff(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {

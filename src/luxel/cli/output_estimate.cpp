@@ -17,10 +17,10 @@
 namespace luxel {
 namespace {
 
-// The solver's first light is a glance like the one measured, and a longer one after it.
+// The solver's first light takes a rough solve like the measured one, and then a longer one.
 constexpr double glances_of_first_light = 3.0;
-// Times of what is written, in units of the time of the smooth surface, which is also linear in the patches.
-// Measured on rooms of 50,000 to 120,000 patches.
+// Times of outputs, in units of the time of the smooth light, which is also linear in the patches. Measured
+// on rooms of 50,000 to 120,000 patches.
 constexpr double surfaces_per_mesh = 2.0;
 constexpr double surfaces_per_solution = 6.0;
 constexpr double surfaces_per_page = 8.0;
@@ -28,7 +28,7 @@ constexpr double surfaces_per_page = 8.0;
 constexpr int small_divisor = 8;
 constexpr int large_divisor = 64;
 constexpr double margin = 1.1;         // of the estimate
-constexpr double rest = 0.05;          // s, of freeing memory and ending
+constexpr double rest = 0.05;          // s, to free memory and end
 constexpr double part_of_pages = 0.5;  // of the time left: texels are gathered until it is over
 
 class Stopwatch {
@@ -40,16 +40,16 @@ class Stopwatch {
   Clock::time_point begin_ = Clock::now();
 };
 
-// The middle of a picture, its width and height divided by `divisor`: its rays are as close together as those
-// of the whole, which decides how fast they are.
+// The middle of a picture, its width and height divided by `divisor`: its rays are as dense as those of the
+// whole picture, which determines their speed.
 Camera middle_of(Camera camera, int divisor) {
   const auto half = 0.5f * glm::radians(camera.vertical_fov);
   camera.vertical_fov = 2.0f * glm::degrees(std::atan(std::tan(half) / static_cast<float>(divisor)));
   return camera;
 }
 
-// Seconds of the picture: drawn, mapped to the display and encoded. Two parts of it show what every picture
-// costs, and what a pixel costs.
+// Seconds of the picture: drawn, mapped to the display and encoded. Two parts of it give the cost per picture
+// and the cost per pixel.
 double picture_seconds(const Baked& baked, const SmoothLight& light, const Tracer& tracer,
                        const Camera& camera, const OutputSettings& settings, const Context& context) {
   const auto& whole = settings.picture.render;

@@ -8,11 +8,11 @@
 
 namespace luxel {
 
-// How long the rest of a run takes at least, estimated before its light is solved.
+// Minimum time of the rest of a run, estimated before its light is solved.
 struct OutputEstimate {
   std::optional<Camera> camera = {};  // where outputs need one: found now, and used for them
   double first_light = 0.0;           // s, until the first light of the whole scene
-  double outputs = 0.0;               // s, of all that is written, with a margin
+  double outputs = 0.0;               // s, of all outputs, with a margin
 };
 
 // Measures a first glance at the light, its smooth surface and a small picture on this machine, and scales

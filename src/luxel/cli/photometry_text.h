@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// What `luxel photometry` prints of a luminaire.
+// The output of `luxel photometry`.
 struct PhotometryText {
   const Photometry* photometry = nullptr;
   PhotometricFigures figures;

@@ -14,13 +14,13 @@
 
 namespace luxel {
 
-// Figures of the points of a grid, and verdicts on what is required of it.
+// Figures of the points of a grid, and verdicts on its requirements.
 struct GridVerdicts {
   Figure mean, min, max;  // lx
   Figure min_over_mean, min_over_max;
   std::string maintenance;  // "initial", "maintenance factor of the luminaires 0.80"
   std::vector<Verdict> verdicts;
-  std::vector<std::string> warnings;  // what would tell verdicts that cannot be told
+  std::vector<std::string> warnings;  // the effort that would decide open verdicts
 };
 
 // Points behind surfaces are left out. required: of the grid. Throws InputError where no point is left.
@@ -36,7 +36,7 @@ struct ProbeReport {
   std::vector<SphereLight> spheres = {};  // [point], where requested
   std::size_t harmonics = 0;              // 4 or 9, where requested
   SolutionErrors solution_errors = SolutionErrors::not_stated;
-  std::optional<GridVerdicts> grid = {};  // where something is required
+  std::optional<GridVerdicts> grid = {};  // where there are requirements
 };
 
 // A line of names, then one per point.

@@ -57,7 +57,7 @@ class Reference final : public Command {
                      .origin = baked.patches.origin,
                      .options = &options(),
                      .record = &record};
-    // 1. The light of every patch, where a file is asked for that holds it.
+    // 1. The light of every patch, where a requested file contains it.
     auto meshes = run_;
     std::erase_if(meshes.outputs, is_picture);
     std::optional<SolveReport> solved;
@@ -109,7 +109,7 @@ class Reference final : public Command {
           "--flip, --sky, --spectral and --max-edge apply to scenes");
   }
 
-  // A solution's own light stays, to find a view by.
+  // A solution keeps its own light for finding a view.
   Baked read(const Context& context, Console& console, RunRecord& record) {
     if (is_solution(scene_.file))
       return record.stage("read", [&](auto&) { return read_solution(scene_.file); });
@@ -130,7 +130,7 @@ class Reference final : public Command {
     return baked;
   }
 
-  // The scene has neither lamp nor sky; the library knows no file.
+  // The scene has neither lamp nor sky; the library's error names no file.
   template <typename Body>
   auto naming_file(Body body) const {
     try {

@@ -143,7 +143,7 @@ class ReportCommand final : public Command {
   // Returns false where the user stopped the work.
   bool measure_planes(const StoredRun& stored, const SolutionProbe& probe, const Scene* solved,
                       const Workplace& place, LightingReport& report) const {
-    constexpr double lift = 0.02;  // m: the plan of the drawings is cut so much above the plane
+    constexpr double lift = 0.02;  // m: height above the plane at which the plan of the drawings is cut
     const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
                           solved};
     for (const auto& area : areas_of(report)) {
@@ -193,7 +193,7 @@ class ReportCommand final : public Command {
     constexpr std::size_t max_points = 4000;
     const auto& grid = result.grid;
     if (!(grid.height > 0.0) || 9 * grid.points() > max_points) return true;
-    // Lines of nearly even light show errors that lines of uneven light hide.
+    // Isolux lines of nearly even light show errors that are invisible in uneven light.
     const auto contrast = (result.max.value - result.min.value) / std::max(result.mean.value, 1e-9);
     auto finer = measure_finer(result.area,
                                std::max(grid.width / static_cast<double>(grid.columns),

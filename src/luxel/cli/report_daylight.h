@@ -12,8 +12,8 @@
 
 namespace luxel {
 
-// The sections on daylight of `report`: what `daylight` computes of the solved scene, on the reference plane
-// of EN 17037 over the floor.
+// The sections on daylight of `report`: the results of `daylight` for the solved scene, on the reference
+// plane of EN 17037 over the floor.
 class ReportDaylight {
  public:
   void declare(OptionSet& options);
@@ -24,7 +24,7 @@ class ReportDaylight {
   // Computes it and adds its page to the report, whose room is known. file: of the scene. Returns false where
   // the user stopped the work.
   bool add(const Scene& scene, const std::string& file, const Workplace& place, LightingReport& report);
-  // Nothing before add().
+  // Empty before add().
   const std::optional<DaylightReport>& result() const { return result_; }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// The options that say what is required of a plane that no file of areas describes.
+// The options for requirements of a plane that no file of areas describes.
 struct RequirementSettings {
   std::string name;                                // of a table of requirements; empty: none
   std::vector<std::string> files;                  // with more tables
@@ -29,7 +29,7 @@ struct RequirementSettings {
 
 // The table of requirements for people: name, numbers and source of each.
 std::string text_of(const RequirementTable& table);
-// The same as JSON.
+// The table of requirements as JSON.
 std::string json_of(const RequirementTable& table);
 
 }  // namespace luxel

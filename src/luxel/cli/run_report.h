@@ -18,22 +18,22 @@ namespace luxel {
 
 // A picture that was traced path by path.
 struct PictureRecord {
-  std::uint64_t paths = 0;  // a pixel
+  std::uint64_t paths = 0;  // per pixel
   std::uint64_t rays = 0;
   double error = 0.0;  // of the reflected light, see PathPicture
   StopReason stop = StopReason::nothing_to_do;
 };
 
-// A run as JSON, for machines: what --json prints and --json-file writes. docs/json.md lists its keys.
-// Parts that a command does not have are left out.
+// A run as JSON: the output of --json and --json-file. docs/json.md lists its keys. Parts that a command does
+// not have are left out.
 struct RunReport {
   std::string command;
   const Baked* baked = nullptr;
   const SolveReport* solve = nullptr;
   const RefineReport* refine = nullptr;
   bool ended_by_ray_budget = false;                 // the solve, before it met its error
-  double mesh_error_target = 0.0;                   // of the refinement, a share
-  std::optional<double> error_target = {};          // of the solve, a share; 0: no target was set
+  double mesh_error_target = 0.0;                   // of the refinement, a fraction
+  std::optional<double> error_target = {};          // of the solve, a fraction; 0: no target was set
   ErrorMeasure error_measure = ErrorMeasure::seen;  // of that target
   std::optional<PictureRecord> picture = {};
   std::optional<PagesRecord> pages = {};

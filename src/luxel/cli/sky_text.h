@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// What `luxel sky` prints.
+// The output of `luxel sky`.
 std::string text_of(const OutsideLight& light);
 std::string json_of(const OutsideLight& light, const std::string& output);
 

@@ -15,14 +15,14 @@ namespace luxel {
 // band for each step.
 class StepPictures {
  public:
-  // Makes the folder. No folder: keeps nothing and draws nothing. Throws DeviceError.
+  // Makes the folder. Without a folder nothing is stored or drawn. Throws DeviceError.
   explicit StepPictures(std::string folder);
 
   // Stores a step's light.
   void add(const Solution& light);
 
   // Writes step-001.png and so on; returns their names. camera: where a picture was already taken from. The
-  // tone operator reinhard-local, which has no exposure of the whole, is taken as reinhard.
+  // tone operator reinhard-local, which has no exposure of the whole, is replaced by reinhard.
   std::vector<std::string> write(const Baked& baked, const Tracer& tracer,
                                  const std::optional<Camera>& camera, const OutputSettings& settings,
                                  const Workplace& place) const;

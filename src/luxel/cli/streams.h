@@ -11,12 +11,12 @@ namespace luxel {
 // process.
 void secure_streams();
 
-// Results, on the standard output. Throws DeviceError where they do not arrive: a full disk, a closed stream.
-// A reader that has ended (luxel ... | head) wants no more of them, which is no error. On a terminal they are
+// Writes results to the standard output. Throws DeviceError where that fails: a full disk, a closed
+// stream. A reader that has ended (luxel ... | head) is not an error. On a terminal they are
 // printable().
 void print_result(std::string_view text);
 
-// The same as it is, of texts without a name from a file: help in colours.
+// Writes text unchanged, for texts without names from files, such as help in colours.
 void print_styled(std::string_view text);
 
 // Writes a message to the standard error stream. Errors of the stream are ignored.

@@ -17,7 +17,7 @@ struct TableResult {
   std::vector<std::string> warnings;
   std::function<std::string()> csv;
   std::function<std::string(const std::vector<std::string>& outputs)> json;
-  // Writes a file of another kind than .csv and .json; returns false where it is none.
+  // Writes a file of a kind other than .csv and .json; returns false for an unknown kind.
   std::function<bool(const std::string& output)> other = {};
 };
 

@@ -11,7 +11,7 @@ namespace luxel {
 // TERM=dumb.
 bool is_terminal(int stream);
 
-// Columns of a terminal; 100 where the stream is none, or does not know.
+// Columns of a terminal; 100 where the stream is not a terminal or has no size.
 std::size_t columns_of(int stream);
 
 enum class Style { label, good, warning, error };
@@ -29,11 +29,11 @@ class TextPaint {
 // auto: colour if the stream is a terminal and NO_COLOR (no-color.org) is unset or empty.
 inline constexpr const char* colour_modes = "auto|always|never";
 
-// Sets the mode of all streams, once, before the first message. Another word than a mode is taken as auto.
+// Sets the mode of all streams, once, before the first message. Any word that is not a mode counts as auto.
 void set_colour_mode(std::string_view mode);
 TextPaint paint_for(int stream);
 
-// The mode that the words of a command line name (--color), before they are parsed: for errors in them.
+// Finds the mode (--color) in the words of a command line before they are parsed, for errors in them.
 std::string_view colour_mode_of(int argc, const char* const* argv);
 
 }  // namespace luxel

@@ -108,7 +108,7 @@ class View final : public Command {
     return live;
   }
 
-  // What is saved says how a bake makes it again.
+  // A saved solution records the command of a bake that reproduces it.
   void sign(Provenance& provenance, const std::filesystem::path& file, const LightOptions& light) const {
     BakeSettings bake;
     OptionSet all("bake", "");

@@ -32,7 +32,7 @@ struct ViewFactorReport {
   const OptionSet* options = nullptr;
   const RunRecord* record = nullptr;
 
-  // As lines for a person; the factors themselves where there are few elements.
+  // The report as lines of text, with the factors where there are few elements.
   std::string as_text() const;
   std::string as_json() const;
 };

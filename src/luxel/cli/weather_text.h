@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// What `luxel weather` prints of a file.
+// The output of `luxel weather`.
 std::string text_of(const Weather& weather, const WeatherFigures& figures);
 std::string json_of(const Weather& weather, const WeatherFigures& figures);
 

@@ -10,8 +10,8 @@ namespace luxel {
 // Characters of a text in UTF-8, each one column wide.
 std::size_t width_of(std::string_view text);
 
-// Where a text stands: `used` columns of its first line are taken, all other lines begin with `indent`
-// blanks, and no line is wider than `width` unless a word is.
+// Layout of a text: `used` columns of its first line are taken, all other lines begin with `indent` blanks,
+// and no line is wider than `width` unless a word is.
 struct Margins {
   std::size_t used = 0;
   std::size_t indent = 0;

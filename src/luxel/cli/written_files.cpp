@@ -12,7 +12,7 @@ namespace luxel {
 namespace fs = std::filesystem;
 namespace {
 
-// The values of an option, one a line.
+// The values of an option, one per line.
 std::vector<std::string> values_of(const Declaration& declaration) {
   std::istringstream lines(declaration.print());
   std::vector<std::string> values;

@@ -12,11 +12,11 @@ namespace luxel {
 // Throws UsageError where a file that a command writes is one of these that it reads, under whatever name.
 void keep_inputs(const OptionSet& options, const std::vector<std::filesystem::path>& inputs);
 
-// The same for the files that its options and positionals name.
+// Checks the files that its options and positionals name.
 void keep_inputs(const OptionSet& options);
 
-// Removes what killed runs left beside the files that a command writes. Returns a sentence about it; empty
-// where there was nothing.
+// Removes files that killed runs left beside the outputs of a command. Returns a sentence about them; empty
+// where there were none.
 std::string remove_leftovers_of(const OptionSet& options);
 
 }  // namespace luxel

@@ -10,13 +10,13 @@
 
 namespace luxel {
 
-// Who uses a room over a year, and what its blinds and lamps do.
+// Use of a room over a year, and operation of its blinds and lamps.
 class YearSettings {
  public:
   void declare(OptionSet& options);
   // Throws UsageError where options need the weather of a year.
   void check(bool has_weather) const;
-  // Those of --blinds, with the transmittance of --blind-transmittance where they name none.
+  // The groups of --blinds, with the transmittance of --blind-transmittance where they name none.
   std::vector<WindowGroup> groups() const;
   double transmittance() const {
     return transmittance_;

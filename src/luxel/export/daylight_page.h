@@ -13,7 +13,7 @@
 
 namespace luxel {
 
-// All numbers and drawings of a report on daylight. Texts are UTF-8.
+// Numbers and drawings of a report on daylight. Texts are UTF-8.
 struct DaylightPage {
   std::string title, scene, version, command;
   std::string scene_date;          // day on which the file of the scene was written

@@ -15,19 +15,19 @@ namespace luxel {
 // A corner of a patch: 3 * patch + its number there, 0 to 2.
 using CornerId = std::uint32_t;
 
-// What a display shows at the corners of patches, and how much of a difference counts.
+// Displayed colours at the corners of patches, and the differences that are allowed.
 class DisplayedCorners {
  public:
   // max_error: see SimplifyOptions. Textures do not count.
   DisplayedCorners(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
                    const ToneCurve& curve, float max_error);
 
-  // The error at a corner of what is interpolated between three others: 1 where it is the largest allowed.
-  // Weights sum to one. Of the back too where light falls on any.
+  // Error at a corner of the interpolation between three others; 1: the largest allowed. Weights sum to one.
+  // Includes backs if light falls on any back.
   float error(CornerId at, const std::array<CornerId, 3>& others, const Vec3& weights) const;
 
  private:
-  // Of one side of a smooth vertex with one material.
+  // Display of one side of a smooth vertex with one material.
   struct Look {
     Vec3 colour{0.0f};           // linear, as displayed
     Vec3 colour_scale{0.0f};     // 1 / the largest error allowed

@@ -243,7 +243,7 @@ void export_page(const std::filesystem::path& path, const PatchSet& patches, con
         fmt::format("{} light groups were given but the scene has {}", groups.size(), patches.group_count()));
   const auto page = page_of(patches, solution, light, groups, options);
   std::string html(page_template());
-  // From the end on: no text that is put in is looked through.
+  // From the end backwards, so that inserted text is never searched.
   put(html, "@NUMBERS@", page.numbers);
   put(html, "@ABOUT@", page.about);
   const auto title = escaped(valid_utf8(options.title));

@@ -227,7 +227,7 @@ double HalfEdgeCollapse::shape(const Corners& c) const {
   return sides > 0.0 ? 2.0 * std::sqrt(3.0) * glm::length(glm::cross(b - a, d - a)) / sides : 0.0;
 }
 
-// What the rounding of coordinates does to a doubled area.
+// Effect of the rounding of coordinates on a doubled area.
 double HalfEdgeCollapse::area_rounding(const Corners& corners) const {
   double largest = 0.0, longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -12,8 +12,8 @@
 namespace luxel {
 
 // Removes vertices of a mesh by half-edge collapses (Hoppe et al., Mesh Optimization, SIGGRAPH 1993): the
-// patches around a vertex are replaced by triangles between its neighbours. See simplify_mesh.h for which are
-// removed.
+// patches around a vertex are replaced by triangles between its neighbours. See simplify_mesh.h for the
+// choice of vertices.
 class HalfEdgeCollapse {
  public:
   // Keeps references. stays: [patch], whose vertices are not removed.
@@ -25,7 +25,7 @@ class HalfEdgeCollapse {
   void run();
 
   bool is_gone(std::size_t patch) const { return is_gone_[patch]; }
-  // The corners of a patch as it is now, by those of the patches they were taken from.
+  // The current corners of a patch, as corners of the patches from which they were taken.
   const std::array<CornerId, 3>& corners(std::size_t patch) const { return corners_[patch]; }
   // The patches that this one replaces, in part or whole, some more than once.
   std::vector<std::uint32_t> replaced_by(std::size_t patch) const;
@@ -78,7 +78,7 @@ class HalfEdgeCollapse {
   std::vector<std::vector<std::uint32_t>> around_;  // [vertex]: patches, gone ones among them
   std::vector<std::vector<CornerId>> removed_;      // [patch]: removed corners that it shows
   // Scratch of a collapse.
-  std::vector<std::uint32_t> ring_;  // vertices around the one at hand
+  std::vector<std::uint32_t> ring_;  // vertices around the current one
   std::vector<NewTriangle> collapsing_, triangles_, best_triangles_;
   std::vector<Areas> areas_;
   std::vector<Covered> covered_, best_covered_;

@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-// Of the edges of the outline that face outwards in this direction, the middle of the outermost one.
+// The middle of the outermost edge of the outline that faces outwards in this direction.
 PlanPoint middle_of_wall(const RoomData& room, const PlanPoint& outwards) {
   constexpr double level = 0.9;  // cosine of the angle between an edge's outward normal and the direction
   const auto [low, high] = box_of(room.outline);

@@ -19,7 +19,7 @@
 
 namespace luxel {
 
-// Where the numbers of a report come from.
+// Origin of the numbers of a report.
 struct ReportOrigin {
   std::string solution;        // file
   std::string version;         // of the program that writes the report
@@ -50,10 +50,10 @@ struct ReportPlane {
   PlaneDrawing drawing;
 };
 
-// All numbers and pictures of a report. Luminaires and observers may be absent.
+// Numbers and pictures of a report. Luminaires and observers may be absent.
 struct LightingReport {
   std::string title, project, author, date;  // UTF-8; empty: left out
-  std::string date_label = "Date";           // what the date is of
+  std::string date_label = "Date";           // the event of the date
   ReportOrigin origin;
   RoomData room;
   LuminaireList luminaires;
@@ -75,7 +75,7 @@ struct LightingReport {
   // kWh/m² per year: installed power times hours over the floor area; nothing where one is not known.
   std::optional<double> energy() const;
   std::vector<NamedGlare> named_glare() const;
-  // Index of the observer with the highest UGR; nothing where nobody has one.
+  // Index of the observer with the highest UGR; nothing where no observer has one.
   std::optional<std::size_t> max_glare() const;
 };
 

@@ -15,7 +15,7 @@
 
 namespace luxel {
 
-// The triangles of one side of one material, with vertices of their own: what both file formats write.
+// The triangles of one side of one material, with separate vertices, as both file formats write them.
 struct LitPart {
   std::size_t material = 0;                             // index into PatchSet::materials
   bool back = false;                                    // triangles are wound, normals turned, to face there
@@ -32,10 +32,10 @@ struct LitVertex {
   Vec3 irradiance;  // W/m² by linear sRGB, of the side shown
 };
 
-// One curve for a whole mesh, from every side that sends light out.
+// Returns one curve for a whole mesh, from all sides that emit or reflect light.
 ToneCurve curve_for(const PatchSet& patches, const Solution& solution, const ToneOptions& tone);
 
-// All that is to be drawn of the light, and the curve that makes it visible.
+// The mesh with its light, and the tone curve that makes the light visible.
 class LitMesh {
  public:
   // Throws MismatchError where the three are not of one scene, or the bands have no colour.

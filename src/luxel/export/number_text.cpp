@@ -27,7 +27,7 @@ Text text_for(const Verdict& verdict) {
                                            : Text(ratio_text);
 }
 
-// Of numbers that are no illuminances: empty.
+// Empty for numbers that are not illuminances.
 std::string unit_of(const Verdict& verdict) { return verdict.quantity.starts_with("E") ? " lx" : ""; }
 
 }  // namespace

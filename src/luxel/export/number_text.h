@@ -30,8 +30,8 @@ std::string requirement_text(const Verdict& verdict);
 // The number of a verdict, and its interval, as interval_text().
 std::string measured_text(const Verdict& verdict);
 std::string interval_text(const Verdict& verdict);
-// The sentence that a person reads, but for its last words, the verdict: "U0 0.43 (0.40 to 0.46), at least
-// 0.6: ".
+// The sentence of a report on a verdict without its last words, the verdict itself: "U0 0.43 (0.40 to 0.46),
+// at least 0.6: ".
 std::string beginning_of(const Verdict& verdict);
 
 }  // namespace luxel

@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// Where nodes are added.
+// The parent of added nodes.
 struct NodeParent {
   std::string children;          // path of an array of nodes; empty: of a file without scenes
   double metres_per_unit = 1.0;  // of the file
@@ -19,8 +19,8 @@ struct NodeParent {
 // Adds the luminous opening of each luminaire as a node with a mesh that emits, so that programs show where
 // the light comes from; one mesh per photometric file and colour. The colour is that of a diffuse surface of
 // the opening's area and luminous flux, after the tone curve. The extras of a mesh have `luxel_opening`:
-// readers of Luxel pass it over, for the light is that of the luminaire, not of the mesh. Bodies that a file
-// has from an earlier export are taken off. Without luminaires nothing is changed.
+// Luxel ignores such meshes when it reads a file, since the light is that of the luminaire. Bodies of an
+// earlier export are removed. Without luminaires the file is not changed.
 void add_opening_bodies(GltfWriter& file, const PatchSet& patches, const ToneCurve& curve,
                         const NodeParent& parent);
 

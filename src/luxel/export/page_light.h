@@ -12,9 +12,9 @@
 namespace luxel {
 
 // The light of a page's vertices in halves: [group][front, then back][vertex][component]. Plain colour has
-// three components, the irradiance (W/m²). Light by wavelength has five: what is reflected of it as linear
-// sRGB (W/m²), for a page cannot know what a material makes of each wavelength; what lux it gives, divided by
-// the luminous efficacy; all its power (W/m²).
+// three components, the irradiance (W/m²). Light by wavelength has five: the reflected light as linear sRGB
+// (W/m²), since a page has no reflectance by wavelength; its illuminance divided by the luminous efficacy;
+// and its total power (W/m²).
 struct PageLight {
   std::size_t components = 3;
   float unit = 1.0f;  // W/m² of a half's 1
@@ -24,10 +24,10 @@ struct PageLight {
 PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const SmoothLight& light,
                           std::span<const GroupLight> groups);
 
-// What the page's vertices reflect and emit, in halves: [vertex][red, green, blue]. Relative to the
-// material's own where it has no texture, else to that times the texture. Empty where the scene has neither
-// textures nor colours of corners. For light by wavelength the light includes the reflectance of the patch
-// already.
+// Reflectance and emission of the page's vertices, in halves: [vertex][red, green, blue]. Relative to
+// the material's own where it has no texture, else to that times the texture. Empty where the scene has
+// neither textures nor colours of corners. For light by wavelength the light includes the reflectance
+// of the patch already.
 struct PageColours {
   std::vector<std::uint16_t> reflectance, emittance;
 };

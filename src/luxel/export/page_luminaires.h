@@ -14,8 +14,8 @@ namespace luxel {
 // linear sRGB). has_groups: the page's light is divided among light groups.
 Json add_luminaires(PageArrays& arrays, const PatchSet& patches, bool has_groups);
 
-// Of each light group with luminaires: what part of their lumens is red, green and blue light; null for the
-// other groups. A colour is divided by its sum with these weights, so that it changes no lumens.
+// Returns the fractions of red, green and blue light in the lumens of each light group with luminaires; null
+// for other groups. Colours are divided by their sum with these weights, so that they preserve lumens.
 Json lumens_of_groups(const PatchSet& patches, bool has_groups);
 
 }  // namespace luxel

@@ -22,8 +22,8 @@ struct PagePart {
   std::size_t first = 0, count = 0;  // triangles
 };
 
-// The mesh that a page draws: the patches without T-junctions. A triangle has both sides; vertices are not
-// shared by materials, so that each may hold the light of its own material.
+// The mesh that a page draws: the patches without T-junctions. A triangle has both sides; each material has
+// its own vertices, which hold the light of that material.
 struct PageMesh {
   struct Vertex {
     DrawnPoint point;

@@ -14,7 +14,7 @@ std::string page_begin(const std::string& title, const std::string& version,
   html +=
       "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\"/>\n"
-      // No script runs in a report, and nothing is fetched, whatever a name in it holds.
+      // No script runs in a report and nothing is fetched, whatever text a name contains.
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
       "img-src data:; base-uri 'none'; form-action 'none'\"/>\n";
   html += fmt::format("<meta name=\"generator\" content=\"Luxel {}\"/>\n", html_escaped(version));

@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// What the pages of reports share: HTML of whole elements. Arguments are HTML, too, unless stated.
+// Common parts of the pages of reports: HTML of whole elements. Arguments are HTML, too, unless stated.
 
 // The page up to the first section: head with style, title and the rows of names and values below it; values
 // may be empty, then the row is left out. title and values: text.

@@ -5,10 +5,10 @@
 
 namespace luxel {
 
-// The page without a scene: what web/ was bundled into when this program was built (cmake/luxel_page.cmake).
+// The page without a scene: the bundle of web/ that was built with this program (cmake/luxel_page.cmake).
 // Empty where Node.js or its packages were missing then.
 std::string_view page_template();
-// The reason, as one line; else empty.
+// The reason for an empty template, as one line; else empty.
 std::string_view page_obstacle();
 
 }  // namespace luxel

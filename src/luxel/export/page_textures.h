@@ -16,12 +16,12 @@ namespace luxel {
 
 inline constexpr std::size_t page_uv_sets = 3;  // sets of texture coordinates of a vertex
 
-// Where a vertex lies on the pictures of its material, [set][x, y]: TextureUse::place(), in these parts of a
+// Place of a vertex on the pictures of its material, [set][x, y]: TextureUse::place(), in these parts of a
 // picture's side. A sixteenth of a pixel of the largest pictures.
 inline constexpr int page_place_parts = 16384;
 using PagePlaces = std::array<std::array<std::int32_t, 2>, page_uv_sets>;
 
-// The bytes that the pictures of a page may have together; they are made smaller until they do.
+// Maximum bytes of all pictures of a page together; larger pictures are reduced until they fit.
 inline constexpr std::size_t page_picture_bytes = std::size_t{2} << 20;
 
 // The textures of a page: pictures as files, and how materials use them.
@@ -45,7 +45,7 @@ class PageTextures {
   const std::vector<std::string>& pictures() const { return pictures_; }  // files, JPEG or PNG
   const OfMaterial& of(std::size_t material) const { return materials_[material]; }
   std::size_t uv_sets() const;  // of the material that has most
-  // Where a point of the patch lies on its pictures. weight: of the patch's corners.
+  // Places of a point of the patch on its pictures. weight: of the patch's corners.
   PagePlaces places(std::size_t patch, const Vec3& weight) const;
   // {"reflectance":{"picture":...,"set":...,"wrap":[...],"scale":...},...} as the page reads it.
   Json description(std::size_t material) const;

@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// Somebody whose glare is measured, in the plan.
+// An observer whose glare is measured, in the plan.
 struct PlanObserver {
   std::string name;          // one letter
   Vec3d eye{0.0};            // plan coordinates, m

@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// The set of texture coordinates that lightmaps are looked up by, as programs have it.
+// The set of texture coordinates for lightmaps, by convention of programs.
 inline constexpr const char* lightmap_coordinates = "TEXCOORD_1";
 
 // Returns the lightmap layout of the scene's glTF file: second texture coordinates of all opaque surfaces. On

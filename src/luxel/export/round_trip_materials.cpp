@@ -28,7 +28,7 @@ bool RoundTripMaterials::is_textured(const JsonValue& material) {
          material["extensions"]["KHR_materials_pbrSpecularGlossiness"]["diffuseTexture"];
 }
 
-// Returns the path of the primitive's material where it must still be changed.
+// Returns the path of the primitive's material if it has not been changed yet.
 std::optional<std::string> RoundTripMaterials::changed_for(const std::string& path, const JsonValue& index,
                                                            std::size_t texture, std::size_t coordinates) {
   const auto of_file = index ? index.whole() : no_material;
@@ -64,7 +64,7 @@ void RoundTripMaterials::plain_base(const std::string& material) {
   copy_.erase(material + older);
 }
 
-// Removes the gloss of a dielectric; a metal is nothing but gloss.
+// Removes the gloss of a dielectric; the reflection of a metal consists of gloss.
 void RoundTripMaterials::take_gloss_off(const std::string& material) {
   copy_.put(material + "/extensions/KHR_materials_specular", {{"specularFactor", 0}});
   copy_.use_extension("KHR_materials_specular");
@@ -89,7 +89,7 @@ void RoundTripMaterials::colour_base(const std::string& material, int grey, doub
 void RoundTripMaterials::shadeless(const std::string& path, const JsonValue& index) {
   const auto material = changed_for(path, index, no_texture, 0);
   if (!material) return;
-  colour_base(*material, 1, 0.9);  // rough for programs that do not know the extension
+  colour_base(*material, 1, 0.9);  // rough for programs that do not support the extension
   take_extensions_off(*material);  // the others have no meaning beside this one
   copy_.put(*material + "/extensions/KHR_materials_unlit", Json::object());
   copy_.use_extension("KHR_materials_unlit");

@@ -23,7 +23,7 @@ class RoundTripMaterials {
   // Keeps references.
   RoundTripMaterials(GltfWriter& copy, TargetApplication program) : copy_(copy), program_(program) {}
 
-  // Whether a texture goes on colouring what the primitive's material reflects.
+  // Whether a texture still colours the reflection of the primitive's material.
   static bool is_textured(const JsonValue& material);
 
   // Each assigns the primitive at `path` its material: that of the file with this `index`, changed; or a new
@@ -31,14 +31,14 @@ class RoundTripMaterials {
   //
   // Unlit, the base colour white: the vertex colours are shown, times the texture.
   void shadeless(const std::string& path, const JsonValue& index);
-  // Lit by a texture: of so much irradiance where it is 1, after the display's scale. emission: of the
-  // surface itself, likewise.
+  // Lit by a texture. intensity: irradiance of a texel of 1, after the display's scale. emission: of the
+  // surface itself, on the same scale.
   void lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
                    std::size_t coordinates, float intensity, const Vec3& emission);
   // Black, and emissive by the texture.
   void shining(const std::string& path, const JsonValue& index, std::size_t texture, std::size_t coordinates);
 
-  // Seen from the front only, for what is behind has triangles of its own.
+  // Visible from the front only, since backs have separate triangles.
   void one_sided(const std::string& path);
 
  private:

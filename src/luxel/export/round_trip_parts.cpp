@@ -59,7 +59,7 @@ std::vector<RoundTripPart> round_trip_parts(GltfFile& file, const Scene& scene, 
     match_corners(part, positions, scene, metres_per_unit);
     parts.push_back(std::move(part));
   }
-  // What was added to a glTF scene is not in its file; of another scene the glTF was made of all triangles.
+  // Triangles added to a glTF scene are not in its file; the glTF of any other scene contains all triangles.
   if (triangles != scene.triangles.size() && triangles + scene.added_triangles != scene.triangles.size())
     refuse(scene);
   return parts;

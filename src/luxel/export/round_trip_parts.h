@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// A primitive of a glTF file at one of its nodes, and which of the scene's triangles it draws.
+// A primitive of a glTF file at one of its nodes, and the scene's triangles that it draws.
 struct RoundTripPart {
   GltfPart drawn;
   std::size_t vertices = 0;                           // of the primitive's arrays
@@ -21,12 +21,12 @@ struct RoundTripPart {
   bool as_read = true;                                // no triangle was turned since
 };
 
-// Whether it draws anything, and what it draws lets no light pass. A part has one material.
+// Whether the part draws triangles, all of them opaque. A part has one material.
 bool is_opaque(const Scene& scene, const RoundTripPart& part);
 
-// The parts of a file that a scene was read from, or that was made of it. order: [triangle of the file] that
-// of the scene; empty: the same. Throws InputError as reading it does, MismatchError where the scene has
-// other triangles than the file.
+// Returns the parts of the file from which a scene was read, or which was made from it. order: [triangle of
+// the file] that of the scene; empty: the same. Throws InputError as reading it does, MismatchError where the
+// scene has other triangles than the file.
 std::vector<RoundTripPart> round_trip_parts(GltfFile& file, const Scene& scene, double metres_per_unit,
                                             const std::vector<std::uint32_t>& order);
 

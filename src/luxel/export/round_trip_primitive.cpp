@@ -13,7 +13,7 @@ namespace {
 
 constexpr double unit_enough = 1e-12;  // smaller squared lengths have no direction
 
-// How an attribute is interpolated between vertices.
+// Interpolation of an attribute between vertices.
 enum class Kind { position, direction, joints, other };
 
 Kind kind_of(const std::string& name) {

@@ -13,13 +13,13 @@ namespace luxel {
 // The JSON path of a primitive.
 std::string primitive_path(std::size_t mesh, std::size_t primitive);
 
-// Gives a node a mesh of its own where another one shows it too; returns the mesh. `taken`: [mesh] whether a
-// node has it already.
+// Gives a node its own copy of a mesh that another node shows too; returns the mesh. `taken`: [mesh] whether
+// a node has it already.
 std::size_t mesh_of_node(GltfWriter& copy, std::size_t node, std::vector<bool>& taken);
 
-// Writes a surface's vertices and triangles to the primitive at `path`, a copy of the part's own: as they
-// were where they are, else with all its attributes, those of new vertices between the old ones'. A back
-// faces the other way.
+// Writes a surface's vertices and triangles to the primitive at `path`, a copy of the part's own:
+// unchanged if possible, else with all its attributes, which are interpolated at new vertices.
+// Backs face the other way.
 void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
                  const std::string& path);
 

@@ -30,7 +30,7 @@ struct RoundTripSurface {
   bool as_it_was = false;            // the primitive's own vertices and triangles, in their order
 };
 
-// Which patches each of a scene's triangles was cut into, in rows.
+// The patches into which each triangle of a scene was cut, in rows.
 class PatchesOfTriangles {
  public:
   // Patches stand in the order of their triangles.

@@ -121,7 +121,7 @@ std::vector<std::uint32_t> SurfaceMaker::used_of_own() const {
   return used;
 }
 
-// Keeps only these of the primitive's vertices, all of which are still present.
+// Removes all of the primitive's vertices but these; all of them are still present.
 void SurfaceMaker::keep_only(const std::vector<std::uint32_t>& used) {
   const auto all = surface_.own.size();
   if (used.size() == all) return;

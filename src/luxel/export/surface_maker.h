@@ -13,7 +13,7 @@
 
 namespace luxel {
 
-// A corner of what is drawn: where it lies in its triangle of the file, and what light it has.
+// A corner of a drawn triangle: its place in its triangle of the file, and its light.
 struct DrawnCorner {
   RoundTripVertex place;
   std::uint32_t point = none;  // a vertex of the patches; none: a corner of the triangle
@@ -21,7 +21,7 @@ struct DrawnCorner {
   Vec2 uv{0.0f};
 };
 
-// Where a vertex of the patches lies on an edge of its triangle, from corner `edge` to the next.
+// Place of a vertex of the patches on an edge of its triangle, from corner `edge` to the next.
 struct EdgePlace {
   std::size_t edge = 0;
   double fraction = 0.0;  // of the way
@@ -57,7 +57,7 @@ class SurfaceMaker {
   std::map<std::tuple<std::array<std::uint32_t, 3>, std::uint32_t, std::uint32_t>, std::uint32_t> added_;
 };
 
-// Those that have triangles.
+// Returns the surfaces that have triangles.
 std::vector<RoundTripSurface> filled(std::vector<SurfaceMaker> makers);
 
 }  // namespace luxel

@@ -77,7 +77,7 @@ CalculationArea upright_area(const RoomData& room, const RoomEdge& edge) {
   return area;
 }
 
-// Where a point of a face lies on the sheet, m: the floor as on the plan, its lowest edge to the right.
+// Place of a point of a face on the sheet, m: the floor as on the plan, its lowest edge to the right.
 class UnfoldedSheet {
  public:
   explicit UnfoldedSheet(const RoomData& room) : room_(room), height_(room.high.z - room.low.z) {
@@ -273,7 +273,7 @@ class Unfolded {
   std::string text_;
 };
 
-// By the direction in which a wall lies on the plan, as the observers' places are called.
+// Names a wall by its direction on the plan, as the places of observers are named.
 std::string wall_name(const RoomEdge& edge) {
   const auto out = edge.outwards();
   if (std::abs(out.x) > std::abs(out.y)) return out.x > 0.0 ? "right wall" : "left wall";

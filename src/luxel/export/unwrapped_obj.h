@@ -23,7 +23,7 @@ class UnwrappedObj {
   const std::string& text() const { return text_; }
 
  private:
-  // Of the surface's vertices, in the file's units.
+  // Positions of the surface's vertices, in the file's units.
   std::vector<Vec3d> positions_of(const RoundTripPart& part, const RoundTripSurface& surface) const;
 
   const Scene& scene_;

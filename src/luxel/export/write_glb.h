@@ -8,8 +8,8 @@
 
 namespace luxel {
 
-// Writes the file atomically, its meshes stored as `compression` has it, as far as the program reads that.
-// Throws DeviceError, and InputError where the compression is not available or the file is beyond 4 GiB.
+// Writes the file atomically, its meshes stored by `compression`, as far as the program reads it. Throws
+// DeviceError, and InputError where the compression is not available or the file is beyond 4 GiB.
 void write_glb(const std::filesystem::path& path, const GltfWriter& file, TargetApplication program,
                MeshCompression compression, double metres_per_unit = 1.0);
 

@@ -23,8 +23,8 @@ struct MaintenanceFactor {
   std::optional<double> llmf, lsf, lmf, rmf;
 };
 
-// A calculation plane as a person describes it. Lengths in m, in the coordinates of the scene's file. Of
-// `polygon`, `surface` and `line` one is given.
+// A calculation plane as described by the user. Lengths in m, in the coordinates of the scene's file. One of
+// `polygon`, `surface` and `line` is given.
 struct CalculationArea {
   std::string name;
   AreaKind kind = AreaKind::plane;

@@ -17,7 +17,7 @@ struct BlindsRule {
   double part = 0.02;     // of the points
 };
 
-// What the blinds of each group do, hour by hour.
+// State of the blinds of each group, hour by hour.
 class Blinds {
  public:
   // Keeps a reference to the year. is_occupied: [hour of the year]. A schedule that states the blinds

@@ -53,8 +53,8 @@ struct CalculationGrid {
 // flat, and where no point is left.
 CalculationGrid make_grid(const CalculationArea& area, const AreaScene& scene);
 
-// Where the scene's surfaces cut the plane `lift` m above that of the grid: connected lines, m in the plane,
-// with corners only where they bend.
+// Intersection of the scene's surfaces with the plane `lift` m above that of the grid: connected lines, m in
+// the plane, with corners only where they bend.
 std::vector<std::vector<Vec2d>> plan_of(const PatchSet& patches, const CalculationGrid& grid, double lift);
 
 }  // namespace luxel

@@ -28,7 +28,7 @@ struct PlaneResult {
   Figure min_over_mean, min_over_max, max_over_min;
   std::optional<Figure> cylindrical, semicylindrical;  // lx, means over the points
   std::optional<Figure> modelling;  // mean cylindrical over mean horizontal illuminance at the same points
-  std::vector<Verdict> verdicts;    // of what the area requires, but UGR, which observers measure
+  std::vector<Verdict> verdicts;    // on the area's requirements, except UGR, which observers measure
   LuminaireMaintenance luminaires;  // what the light of the solution contains
   SolutionErrors solution_errors = SolutionErrors::not_stated;
   std::size_t behind = 0;     // points left out: inside or behind something
@@ -51,11 +51,11 @@ std::optional<PlaneResult> measure_plane(const SolutionProbe& probe, const Calcu
 // The values and errors of points for GridFigures. freedom: of the solution's errors, see SolutionLight.
 GridSamples samples_of(const std::vector<ProbedLight>& light, double freedom);
 
-// "U0 >= 0.6: met", with what would tell where it cannot be told.
+// "U0 >= 0.6: met"; for an open verdict with the effort that would decide it.
 std::string sentence_of(const Verdict& verdict);
 
-// The sentences that a person reads about an area: figures with intervals, verdicts, and for those that
-// cannot be told what would tell them. Without line ends.
+// The sentences of a report about an area: figures with intervals, verdicts, and for open verdicts the effort
+// that would decide them. Without line ends.
 std::vector<std::string> sentences_of(const PlaneResult& result);
 
 }  // namespace luxel

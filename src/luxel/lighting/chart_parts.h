@@ -7,11 +7,11 @@
 
 namespace luxel {
 
-// How numbers become colours, from black for low to pale yellow for high, in steps that look even.
+// Maps numbers to colours, from black for low to pale yellow for high, in perceptually even steps.
 struct ColourScale {
   double low = 0.0, high = 100.0;  // numbers beyond have the colours of the ends
   bool is_logarithmic = false;     // needs low > 0
-  std::vector<double> marks = {};  // numbers that the legend has, ascending
+  std::vector<double> marks = {};  // numbers in the legend, ascending
   std::string unit = {};
 
   // [0, 1]

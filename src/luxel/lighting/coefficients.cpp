@@ -19,7 +19,7 @@ constexpr std::size_t block_columns = 48;  // patches of the sky at a time: thei
 constexpr double tolerance = 1e-5;         // of the iteration
 constexpr std::size_t points_per_chunk = 4;
 
-// How each receiver scatters light of the sky's own colour, by luminance.
+// Scattering of light of the sky's own colour at each receiver, by luminance.
 ScatteringTable luminous_scattering(const PatchSet& patches, const GatherSides& sides) {
   const auto colours = patches.colours();
   const auto sky = patches.mean_sky();

@@ -18,8 +18,8 @@
 
 namespace luxel {
 
-// How light from a patch of the sky comes to a point: straight; from a surface that is seen through a window,
-// or from the ground; from a surface of the room. The daylight factor is the sum of three such components.
+// Path of light from a patch of the sky to a point: direct; from a surface that is seen through a window, or
+// from the ground; from a surface of the room. The daylight factor is the sum of three such components.
 enum class DaylightPath : std::size_t { sky, external, internal };
 inline constexpr std::size_t daylight_paths = 3;
 
@@ -49,7 +49,7 @@ struct DaylightRun {
   const SampledOptions& options;
   // The portals of the scene; they guide the rays of points, and part outside from inside.
   const std::vector<Portal>& openings;
-  // The patches are those of the run but for their panes: its rays are traced again through these.
+  // The patches differ from those of the run in their panes, through which its rays are traced again.
   bool traces_again = false;
 };
 

@@ -31,7 +31,7 @@ constexpr double max_solid_angle = 0.1;         // sr, of a source of UGR (CIE 1
 constexpr double normal_quantile = 1.96;        // of a 95 % interval
 constexpr std::size_t observers_per_call = 16;  // between polls of the monitor
 
-// A flat opening may be seen so flatly that intensity over area says little of its luminance.
+// At very flat angles, intensity over area is no good estimate of the luminance of a flat opening.
 bool is_too_flat(const LuminousOpening& opening, const Vec3d& direction) {
   switch (opening.shape) {
     case OpeningShape::rectangle:

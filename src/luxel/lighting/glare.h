@@ -14,7 +14,7 @@
 
 namespace luxel {
 
-// Where somebody looks from, and where to.
+// Eye and view direction of an observer.
 struct GlareObserver {
   Vec3 eye{0.0f};               // m, counted from the patches' origin
   Vec3 view{1.0f, 0.0f, 0.0f};  // unit

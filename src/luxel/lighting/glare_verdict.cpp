@@ -32,7 +32,7 @@ Verdict judge_highest(std::span<const NamedGlare> observers, double required, co
   const auto figure =
       highest == nullptr ? Figure{} : Figure{highest->glare.ugr, highest->glare.low, highest->glare.high};
   auto verdict = judge("UGR", figure, required, false);
-  verdict.more_rays = verdict.solution_factor = std::nullopt;  // rays and solution are not told apart
+  verdict.more_rays = verdict.solution_factor = std::nullopt;  // their errors are not separated
   if (highest == nullptr || figure.value > 1e9) {
     verdict.compliance = Compliance::not_known;
     verdict.note = highest == nullptr ? "there are no observers"

@@ -22,8 +22,8 @@ struct NamedGlare {
 // where there are none, or where one sees a dark background. The note names the observer.
 Verdict judge_glare(std::span<const NamedGlare> observers, double required);
 
-// The same for the UGR that an area requires, by the observers whose eyes lie above or below its polygon; by
-// all observers where none does, as the note states. Nothing where the area requires none.
+// Judges the UGR that an area requires, by the observers whose eyes lie above or below its polygon; by all
+// observers where none does, as the note states. Nothing where the area requires none.
 std::optional<Verdict> judge_glare(const CalculationArea& area, std::span<const NamedGlare> observers,
                                    const Vec3d& up);
 

@@ -36,12 +36,12 @@ struct GridSamples {
 // replicates; without them it is bounded by adding the points' errors as if they had the same sign. The two
 // variances add, with degrees of freedom by Welch and Satterthwaite, rounded down.
 //
-// Minimum: each point may be the true one. With errors s_i it lies between min(e_i - t s_i) and
-// min(e_i + t' s_i); t is Student's for a tail of 2.5 %, t' for 2.5 % over the number of points (Bonferroni).
-// The low end needs no such correction: the true minimum lies at some point, whose own low end exceeds it
-// with a probability of 2.5 %, and the minimum over points is not larger (Berger 1982). The high end is below
-// the true minimum only if some point's is below its own value. Both hold for any dependence between points.
-// The observed minimum itself is biased towards darkness by noise. Maximum: the same of the negatives.
+// Minimum: each point may be the true one. With errors s_i it lies between min(e_i - t s_i) and min(e_i + t'
+// s_i); t is Student's for a tail of 2.5 %, t' for 2.5 % over the number of points (Bonferroni). The low end
+// needs no such correction: the true minimum lies at some point, whose own low end exceeds it with a
+// probability of 2.5 %, and the minimum over points is not larger (Berger 1982). The high end is below the
+// true minimum only if some point's is below its own value. Both hold for any dependence between points. The
+// observed minimum itself is biased towards darkness by noise. Maximum: the same for the negatives.
 //
 // min_over_mean: the minimum over points of e_i / mean, each with the standard error of e_i - r mean (delta
 // method), so that errors that points have in common cancel. min_over_max: from the ends of both intervals,

@@ -11,7 +11,8 @@ constexpr std::size_t tile = PackedColumns::tile;
 constexpr std::size_t hours_per_chunk = 32;
 constexpr std::size_t hours_at_once = 4;
 
-// The sums of one tile for some hours: their number is known to the compiler, so that they stay in registers.
+// The sums of one tile for some hours: their number is a compile-time constant, so that they stay in
+// registers.
 template <std::size_t Hours>
 std::array<std::array<float, tile>, Hours> sums_of(const float* sky, const float* column,
                                                    std::size_t patches) {

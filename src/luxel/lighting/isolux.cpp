@@ -145,7 +145,7 @@ class Marcher {
     };
     if (crossed.size() == 2) return join(crossing(crossed[0]), crossing(crossed[1]));
     if (crossed.size() != 4) return;
-    // A saddle: the value in the middle tells which corners belong together (asymptotic decider).
+    // A saddle: the value in the middle decides which corners belong together (asymptotic decider).
     const bool middle_is_low = 0.25 * (v[0] + v[1] + v[2] + v[3]) < level_;
     const bool first_is_cut_off = (v[0] < level_) != middle_is_low;
     join(crossing(0), crossing(first_is_cut_off ? 3 : 1));

@@ -14,7 +14,7 @@ struct GridIlluminance {
   const Figure &mean, &min, &min_over_mean, &min_over_max, &max_over_min;
 };
 
-// The verdicts of what is required of them, in the order of a report.
+// The verdicts on their requirements, in the order of a report.
 inline std::vector<Verdict> judge_figures(const GridIlluminance& of, const Requirement& required) {
   std::vector<Verdict> verdicts;
   const auto add = [&](const char* name, const Figure& figure, const std::optional<double>& limit,

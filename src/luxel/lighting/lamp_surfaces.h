@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// Patches of one material that emit and hang together by vertices: a lamp, as a person sees it.
+// A lamp: emitting patches of one material that are connected by vertices.
 struct LampSurface {
   std::string name;                    // of the material
   std::vector<std::uint32_t> patches;  // ascending

@@ -24,7 +24,7 @@ struct AppliedMaintenance {
   LuminaireMaintenance luminaires;
   MaintenanceFactor area;
 
-  // Of both together, such as 0.8; nothing where the factors of the luminaires differ.
+  // Product of both, such as 0.8; nothing where the factors of the luminaires differ.
   std::optional<double> factor() const;
   bool is_initial() const { return luminaires.is_initial() && area.factor >= 1.0; }
   bool is_twice() const { return !luminaires.is_initial() && area.factor < 1.0; }

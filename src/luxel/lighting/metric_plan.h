@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// What all plans of a room show.
+// Common contents of all plans of a room.
 struct MetricGround {
   CalculationGrid grid;
   std::vector<std::vector<Vec2d>> plan;      // surfaces that the plan cuts, m in the grid's plane
@@ -45,7 +45,7 @@ bool is_wide_plan(const CalculationGrid& grid);
 // numbers where there is room, title, figures, legend, scale bar and north. A whole <svg> element; texts are
 // escaped.
 std::string metric_plans_svg(const MetricGround& ground, const std::vector<MetricPlan>& plans);
-// The same as one <svg> element each.
+// The drawings as one <svg> element each.
 std::vector<std::string> metric_plan_svgs(const MetricGround& ground, const std::vector<MetricPlan>& plans);
 
 }  // namespace luxel

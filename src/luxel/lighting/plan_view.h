@@ -44,7 +44,7 @@ class PlanView {
 
 using TextBox = std::array<double, 4>;  // pixels: low and high corners
 
-// How lines are labelled: by their levels.
+// Labels of lines by level.
 struct LabelStyle {
   std::function<std::string(double level)> text, colour;
 };

@@ -19,7 +19,7 @@ PatchSet patches_with(const PatchSet& patches, const std::vector<Portal>& openin
   return with;
 }
 
-// No light: what decides where a point that lies on a surface is moved to.
+// A solution without light, for the choice of the side to which a point on a surface is moved.
 Solution dark(const PatchSet& patches) {
   Solution s;
   s.bands = patches.bands;

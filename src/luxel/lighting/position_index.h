@@ -11,10 +11,10 @@ namespace luxel {
 // table has no number: t_over_r above 3, h_over_r above about 1.8; UGR ignores such sources.
 std::optional<double> guth_index(double t_over_r, double h_over_r);
 
-// The same for a source anywhere; forward, aside, above: its place relative to the eye, m, in the axes of the
-// observer. Below the line of sight, for which CIE 117 has no numbers: 1 + 0.8 r, or 1 + 1.2 r where r is 0.6
-// or more; r is the distance from the line of sight over the distance along it (Iwata and Tokura 1997, as in
-// Radiance). Empty behind the observer.
+// Position index of a source anywhere; forward, aside, above: its place relative to the eye, m, in the axes
+// of the observer. Below the line of sight, for which CIE 117 has no numbers: 1 + 0.8 r, or 1 + 1.2 r where r
+// is 0.6 or more; r is the distance from the line of sight over the distance along it (Iwata and Tokura 1997,
+// as in Radiance). Empty behind the observer.
 std::optional<double> position_index(double forward, double aside, double above);
 
 }  // namespace luxel

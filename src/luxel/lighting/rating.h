@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// Part of the points with direct sun above which LEED v4.1 needs an explanation.
+// Fraction of the points with direct sun above which LEED v4.1 requires an explanation.
 inline constexpr double leed_exposure = 0.10;
 // Hours of a year that BREEAM needs of 300 lx in the mean and 90 lx at the darkest point.
 inline constexpr double breeam_hours = 2000.0;
@@ -18,7 +18,7 @@ int leed_points(double autonomy_of_space);
 
 // Judges by the whole interval; a figure without an extent by its value.
 Compliance judged(const Figure& figure, double at_least);
-// Of two requirements together.
+// Verdict on two requirements together.
 Compliance both(Compliance a, Compliance b);
 
 Compliance compliance_of(FactorProvision::Verdict verdict);

@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// What a standard or a client requires of an area. Absent: nothing.
+// Requirements of a standard or a client for an area. Absent values require nothing.
 struct Requirement {
   std::string name = {};                     // "writing"
   std::string source = {};                   // where its numbers come from
@@ -31,7 +31,7 @@ class RequirementTable {
   RequirementTable();
   // Adds the [requirement.NAME] tables of a file. Throws InputError with file and line.
   void add(const TomlFile& file);
-  // Null: there is none of this name.
+  // Returns null where no requirement has this name.
   const Requirement* find(const std::string& name) const;
   const std::vector<Requirement>& all() const { return all_; }
   std::string names() const;  // "writing, filing, ..."
@@ -48,7 +48,7 @@ void read_requirement(const TomlKeys& keys, Requirement& requirement);
 // more: 500; 500: 300; 300: 200; 200: 150; 150 or less: that of the task. Values between are those of the
 // next larger task. Uniformity 0.40.
 Requirement surround_of(double Em_task);
-// Of the background area: a third of the surround, uniformity 0.10.
+// The requirement of the background area: a third of the surround, uniformity 0.10.
 Requirement background_of(double Em_task);
 
 }  // namespace luxel

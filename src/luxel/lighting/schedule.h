@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// Who is there, and what the blinds do, record by record of a weather file.
+// Occupancy and state of the blinds, record by record of a weather file.
 struct YearSchedule {
   std::vector<std::uint8_t> occupied;      // [record], 0 or 1; empty: not stated
   std::vector<std::vector<float>> closed;  // [group][record], [0, 1]: part of it; empty: not stated

@@ -14,7 +14,7 @@
 
 namespace luxel {
 
-// What the sun's rays meet, and their random numbers.
+// Scene of the sun's rays, and their random numbers.
 struct SunSurroundings {
   const PatchSet& patches;  // for their panes of glass
   const Tracer& tracer;

@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// What the drawings of planes share. Sizes in pixels of the drawing.
+// Common parts of the drawings of planes. Sizes in pixels of the drawing.
 inline constexpr double svg_margin = 24.0, svg_foot = 44.0, svg_text_size = 12.0;
 inline constexpr double svg_letter = 0.56;  // width of a digit over the text size
 

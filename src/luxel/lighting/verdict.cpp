@@ -15,7 +15,7 @@ constexpr double max_more_rays = 1e4;  // beyond it, rays are no practical answe
 // distance: from the value to the bound; reach: to the end of the interval beyond it; sampling: part of the
 // variance that more rays reduce.
 void estimate_effort(double distance, double reach, double sampling, Verdict& verdict) {
-  const auto needed = distance / reach;  // ratio of the error that tells to the present one
+  const auto needed = distance / reach;  // ratio of the deciding error to the present one
   const auto left = needed * needed - (1.0 - sampling);
   if (left > 0.0 && sampling / left <= max_more_rays)
     verdict.more_rays = sampling / left;

@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// not_known: the data that the verdict needs are missing; no accuracy tells.
+// not_known: the data that the verdict needs are missing; no accuracy would decide it.
 enum class Compliance { met, not_met, cannot_be_told, not_known };
 
 // "met", "not met", "cannot be told yet", "not known".
@@ -23,10 +23,10 @@ struct Verdict {
   double required = 0.0;
   Figure measured;
   Compliance compliance = Compliance::met;
-  // Where it cannot be told: as many times the rays of this measurement would tell, if the value stays where
-  // it is (errors fall as the root of the number of rays). Absent where the error of the solution alone is
-  // too large; then that error must fall to `solution_factor` of what it is. A value on the bound itself
-  // has neither: no accuracy tells.
+  // For an open verdict: factor on the rays of this measurement that would decide it, if the value stays the
+  // same (errors fall as the root of the number of rays). Absent where the error of the solution alone is too
+  // large; then that error must fall to `solution_factor` of its size. A value on the bound itself has
+  // neither: no accuracy would decide it.
   std::optional<double> more_rays = {}, solution_factor = {};
   std::string note = {};  // what the figure refers to, or what is missing; may be empty
 };
@@ -37,7 +37,7 @@ Verdict judge(std::string quantity, const Figure& measured, double required, boo
 // stays"; empty for the other ones.
 std::string remedy_of(const Verdict& verdict);
 
-// Of several verdicts together: not met if one is not, else what is not clear; nothing where there are none.
+// Returns the common verdict: not met if one is not, else an unclear one if any; nothing without verdicts.
 std::optional<Compliance> compliance_of(const std::vector<Verdict>& verdicts);
 
 }  // namespace luxel

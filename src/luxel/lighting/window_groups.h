@@ -33,13 +33,13 @@ PatchSet with_dark_panes(const PatchSet& patches, std::span<const std::uint32_t>
 // The light of windows by groups: that of the whole scene, and that which is left when the windows of one
 // group are dark, by the same rays. Light is lost by the part of the difference that closed blinds keep out:
 // exact where the blinds of one group are closed, and where all are open. Where several are closed, light
-// that crosses windows of two of them is taken away twice; `twice` measures it.
+// that crosses windows of two of them is subtracted twice; `twice` measures it.
 struct WindowLight {
   std::vector<WindowGroup> groups;
   std::vector<PatchSet> dark;                 // [group]
   std::vector<DaylightCoefficients> without;  // [group]
-  // Such light over all light, in the mean over the points under the sky of the run, with all blinds closed
-  // and opaque.
+  // Light that is subtracted twice over all light, mean over the points under the sky of the run, with all
+  // blinds closed and opaque.
   double twice = 0.0;
 };
 

@@ -37,14 +37,14 @@ class DaylightYear {
   std::size_t points() const { return coefficients_.points; }
   // lx, straight from the sun: [hour * points + point].
   const std::vector<float>& direct_sun() const { return sun_light_.all(); }
-  // The same in the mean over the replicates but `left_out`.
+  // lx, direct sunlight in the mean over the replicates but `left_out`.
   std::vector<float> direct_sun(std::uint32_t left_out) const {
     return sun_light_.without(sun_light_.all(), replicates(), left_out);
   }
   // lx, by sky and sun, [hour * points + point]: the mean over the replicates but `left_out`; over all with
   // left_out = replicates(). Cost: that of PackedColumns::times().
   std::vector<float> illuminance(std::uint32_t left_out) const;
-  // The same without what comes straight from the sun.
+  // The same without direct light of the sun.
   std::vector<float> diffuse(std::uint32_t left_out) const;
   std::uint32_t replicates() const { return coefficients_.replicates; }
 
@@ -53,7 +53,7 @@ class DaylightYear {
   double light_taken_twice() const { return windows_.twice; }    // see WindowLight
   // lx, by sky and sun through the windows of a group: [hour * points + point]. all: illuminance(left_out).
   std::vector<float> through(std::size_t group, std::vector<float> all, std::uint32_t left_out) const;
-  // lx, straight from the sun through them, likewise.
+  // lx, direct sunlight through the windows of a group: [hour * points + point].
   const std::vector<float>& direct_sun_through(std::size_t group) const { return sun_light_.through(group); }
 
  private:

@@ -18,7 +18,7 @@ pybind11::array view_of(const Number* data, std::vector<pybind11::ssize_t> shape
   return array;
 }
 
-// The same of a vector of numbers, or of structs of `width` numbers each.
+// Such an array of a vector of numbers, or of structs of `width` numbers each.
 template <typename Element>
 pybind11::array view_of(const std::vector<Element>& values, pybind11::handle owner) {
   return view_of(values.data(), {static_cast<pybind11::ssize_t>(values.size())}, owner);

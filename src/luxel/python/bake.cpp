@@ -25,7 +25,7 @@ namespace {
 
 using Handle = std::shared_ptr<SolutionHandle>;
 
-// What remains once a run has begun: the light, and what is kept of it. Null where it was stopped before.
+// Completes a run that has begun: solves the light and keeps the result. Null where it was stopped before.
 Handle lit(const BakeSettings& settings, const std::string& name, BakeStart start, const Scene* scene,
            const RunPlace& place) {
   LightStage stage(settings, name, place);
@@ -67,7 +67,7 @@ Handle bake_scene(const SceneHandle& input, const GivenOptions& given, const Cal
   });
 }
 
-// changes_text: the changes as a person would write them, for the provenance.
+// changes_text: the changes as text, for the provenance.
 Handle resume(const SolutionHandle& from, const GivenOptions& changes, const std::string& changes_text,
               const CallOptions& call) {
   if (!from.samples)
@@ -81,7 +81,7 @@ Handle resume(const SolutionHandle& from, const GivenOptions& changes, const std
   settings.check();
   bool has_budget = false;
   for (const auto& [name, value] : changes) has_budget |= name == "ray-budget";
-  if (!has_budget) settings.light.sampled.ray_budget = 0;  // it resumes to go on
+  if (!has_budget) settings.light.sampled.ray_budget = 0;  // it resumes to continue
   auto reporter = call.reporter();
   return reporter.run([&] {
     const Context context(call.threads);

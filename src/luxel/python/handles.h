@@ -37,7 +37,7 @@ struct SceneHandle {
   GivenOptions given;
 };
 
-// A solution with all that goes with it.
+// A solution with its samples and tracer.
 struct SolutionHandle {
   std::string name;  // for messages: the file
   Baked baked;

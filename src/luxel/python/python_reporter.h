@@ -32,7 +32,7 @@ class PythonReporter final : public Reporter {
   LogSink log_as(Notes notes) override;
   Monitor monitor_that(bool heeds_interrupt) override;
 
-  // Runs work without Python's lock, so that other threads of the program go on. Raises what a function of
+  // Runs work without Python's lock, so that other threads of the program continue. Raises what a function of
   // the program raised, or KeyboardInterrupt, once work has ended.
   template <typename Work>
   std::invoke_result_t<Work> run(Work work) {

@@ -24,7 +24,7 @@ namespace py = pybind11;
 namespace luxel {
 namespace {
 
-// View factors, and what their file says of them.
+// View factors and the metadata of their file.
 struct FactorsHandle {
   ViewFactors factors;
   ViewFactorsNote note;

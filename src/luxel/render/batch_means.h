@@ -14,10 +14,10 @@
 
 namespace luxel {
 
-// How long a reference goes on.
+// Limits of a reference.
 struct ReferenceLimits {
   std::uint64_t samples =
-      0;                // paths per patch side, or a pixel, in whole batches; 0: until the error is reached
+      0;                // paths per patch side, or per pixel, in whole batches; 0: until the error is reached
   double error = 0.01;  // relative RMS standard error of the whole; without `samples`
 };
 
@@ -26,7 +26,7 @@ struct ReferenceLimits {
 // batches, unless a run is stopped.
 class BatchMeans {
  public:
-  // Cells of the grid that the first vertex of a batch's paths is spread over; a path each.
+  // Cells of the grid over which the first vertices of a batch's paths are spread; one path per cell.
   static constexpr std::uint32_t batch_side = 4;
   static constexpr std::uint64_t batch_paths = batch_side * batch_side;
 

@@ -12,8 +12,8 @@
 
 namespace luxel {
 
-// The patches that emit, to be chosen by their power: area times the sum of emittance over bands. Nothing
-// cleverer, on purpose: this is what cleverer ways are held against.
+// The patches that emit, to be chosen by their power: area times the sum of emittance over bands.
+// Deliberately simple: the reference for better choices.
 class LampTable {
  public:
   // Empty where there is no lamp.
@@ -21,10 +21,10 @@ class LampTable {
 
   std::size_t size() const { return patch_.size(); }
 
-  // A point of a lamp's front; not of an empty table. u: uniform in [0, 1), which lamp and where on it. Keeps
-  // to `density`.
+  // Samples a point of a lamp's front by `density`; the table is not empty. u: uniform in [0, 1):
+  // lamp and place on it.
   SurfacePoint sample(const PatchSet& patches, const std::array<float, 3>& u) const;
-  // With which `sample` gives a point of this patch's front, per m²; 0 where it is no lamp.
+  // Probability density of `sample` on this patch's front, per m²; 0 where it is no lamp.
   double density(const PatchSet& patches, std::size_t patch) const {
     return density_[static_cast<std::size_t>(patches.material[patch])];
   }

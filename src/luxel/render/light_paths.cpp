@@ -146,8 +146,8 @@ LightPaths::Trail LightPaths::light_vector(const SurfacePoint& x, const VertexNu
 }
 
 // Multiplies the path's weight by what the surface reflects or, of a diffuser, by what it transmits.
-// Diffusers do one of the two, chosen in proportion to the light. Returns the side that the path goes on
-// from.
+// Diffusers do one of the two, chosen in proportion to the light. Returns the side from which the path
+// continues.
 SideId LightPaths::scatter(const Hit& hit, float u, std::span<double> weight) const {
   const auto rho = [&](std::size_t b) { return static_cast<double>(patches_.reflectance(hit.patch, b)); };
   const auto tau = [&](std::size_t b) {

@@ -15,13 +15,13 @@
 
 namespace luxel {
 
-// Where a path goes on after it met a surface.
+// Where a path continues after it hits a surface.
 enum class BouncesFrom {
   points,  // from the very point: the light as it is, not constant on patches
   patches  // from a random point of the patch's side: the radiosity solution of this mesh, exactly
 };
 
-// The numbers that a path's vertex spends, uniform in [0, 1).
+// Random numbers of one vertex of a path, uniform in [0, 1).
 struct VertexNumbers {
   std::array<float, 2> direction;  // of the cosine ray
   std::array<float, 3> lamp;       // of the shadow ray: which lamp, where on it
@@ -45,12 +45,12 @@ class LightPaths {
     // what is seen.
     Vec3d direction{0.0};
     double cosine = 0.0, solid_angle = 0.0;
-    // What panes of glass let through on that ray: [band]; empty where it crosses none.
+    // Transmittance of the panes of glass on that ray, [band]; empty where it crosses none.
     std::vector<double> through = {};
   };
 
   // Adds weight * (unbiased estimate of the irradiance at x straight from lamps and sky, W/m²) to sum.
-  // weight, sum: [band]. Returns what the cosine ray met.
+  // weight, sum: [band]. Returns the hit of the cosine ray.
   Trail direct(const SurfacePoint& x, const VertexNumbers& numbers, std::span<const double> weight,
                std::span<double> sum) const;
 

@@ -9,8 +9,8 @@
 
 namespace luxel {
 
-// What panes of glass make of the colours behind them, in pictures. In plain colour exact; among wavebands
-// the colour that white light has behind them. Immutable; safe for any number of threads.
+// Effect of panes of glass on the colours behind them, in pictures. Exact in plain colour; with wavebands,
+// the colour of white light behind them is used. Immutable; safe for any number of threads.
 class PaneColours {
  public:
   PaneColours(const PatchSet& patches, const BandColours& colours);

@@ -20,14 +20,14 @@ struct PathPicture {
   Image standard_error;  // of it, widened as Student's t is; errors of different pixels are independent
   StopReason stop = StopReason::nothing_to_do;
   bool complete = false;    // every pixel has light and an error
-  std::uint64_t paths = 0;  // a pixel
+  std::uint64_t paths = 0;  // per pixel
   std::uint64_t rays = 0;   // traced, without those from the eye
   double error = 0.0;       // of the reflected light: sqrt(sum of variances / sum of squares) over pixels
 };
 
-// The picture that a renderer is held against: for each pixel the mean over its square (a box filter) of the
-// light along paths from the eye. Unbiased; the options mean what they do in trace_light(), the error is that
-// of the light that surfaces reflect: lamps and sky in view, however bright, do not count. Throws
+// Reference picture for renderers: for each pixel the mean over its square (a box filter) of the light
+// along paths from the eye. Unbiased; the options mean what they do in trace_light(), the error is that of
+// the light that surfaces reflect: lamps and sky in view, however bright, do not count. Throws
 // MismatchError where the bands have no colour (PatchSet::colours). The same picture on any number of
 // threads.
 PathPicture trace_picture(const PatchSet& patches, const Tracer& tracer, const Camera& camera,

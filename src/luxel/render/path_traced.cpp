@@ -15,7 +15,7 @@ namespace luxel {
 namespace {
 
 enum Name : std::uint32_t { place, direction, lamp_place, lamp_choice };  // of strata
-// What became of first rays, [fate][band], after the irradiance of the bands; and the light of the sky that
+// Fates of the first rays, [fate][band], behind the irradiance of the bands; and the light of the sky that
 // they meet.
 enum Fate : std::size_t { escaped, lost, in_panes, from_sky, fates };
 

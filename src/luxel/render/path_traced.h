@@ -23,14 +23,14 @@ struct PathOptions {
 struct PathReport {
   StopReason stop = StopReason::nothing_to_do;
   bool complete = false;    // every side has light and an error; not if it was stopped at once
-  std::uint64_t paths = 0;  // a side, of the side that has most
+  std::uint64_t paths = 0;  // per side, maximum over sides
   std::uint64_t rays = 0;   // traced
   double predicted_error = 0.0;
   double error_95th = 0.0;
   // W, [band]. Power leaving a side escapes, or is lost at the backs of one-sided materials, in the share of
-  // its first rays that do: exact where light is constant on each patch; the power from the sky is found in
-  // the same way, and what panes of glass absorb. emitted + from_sky = absorbed + escaped + lost_at_backs +
-  // in_panes, but for noise.
+  // its first rays that do: exact where light is constant on each patch; the power from the sky and the power
+  // that panes of glass absorb are found in this way. emitted + from_sky = absorbed + escaped + lost_at_backs
+  // + in_panes, but for noise.
   std::vector<double> emitted, from_sky, absorbed, escaped, lost_at_backs, in_panes;
 };
 

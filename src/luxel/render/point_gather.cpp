@@ -36,7 +36,7 @@ PointGather::Result PointGather::at(const SurfacePoint& point, const Limits& lim
     return VertexNumbers{{points.at(i, 0), points.at(i, 1)},
                          {points.at(i, 4), points.at(i, 2), points.at(i, 3)}};
   };
-  // Light sent on where a ray ended, W/m²: radiance times pi.
+  // Light that leaves the surface at the end of a ray, W/m²: radiance times pi.
   const auto reflected = [&](const Hit& hit, std::size_t b) {
     return smooth_sent_on(patches_, light_, hit.side(), {hit.u, hit.v}, b);
   };

@@ -37,8 +37,8 @@ class PointGather {
     bool reached = false;                 // whether the error target was reached
   };
   // Eight independent replicates of scrambled Sobol points, doubled until their spread is small enough, at
-  // least once. The result depends on the arguments alone; key: of the random numbers. More rays go on with
-  // those that fewer took.
+  // least once. The result depends on the arguments alone; key: of the random numbers. A call with more rays
+  // continues the samples of one with fewer.
   Result at(const SurfacePoint& point, const Limits& limits, std::uint64_t key) const;
 
  private:

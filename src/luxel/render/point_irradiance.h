@@ -12,11 +12,11 @@
 
 namespace luxel {
 
-// The irradiance at single points, W/m², [point][band]: what a field that is drawn over patches is held
-// against. Unbiased, by light paths that go on from the points they meet, so the size of patches does not
-// matter. A point's normal need not be its patch's: on a round thing made of facets the round one's is true.
+// The irradiance at single points, W/m², [point][band]: the reference for a field that is drawn over patches.
+// Unbiased, by light paths that continue from the points they hit, so the size of patches does not matter. A
+// point's normal need not be its patch's: on a round thing made of facets the round one's is true.
 //
-// paths: a point, rounded up to whole batches of BatchMeans::batch_paths. Answers of different seeds are
+// paths: per point, rounded up to whole batches of BatchMeans::batch_paths. Answers of different seeds are
 // independent; the same input and seed give the same bits on any number of threads. Throws InputError where
 // there is no lamp.
 std::vector<double> irradiance_at(const PatchSet& patches, const Tracer& tracer,

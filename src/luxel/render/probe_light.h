@@ -18,7 +18,7 @@
 
 namespace luxel {
 
-// What a point turned out to be.
+// Kind of a point.
 enum class ProbePlace {
   free,     // in free space
   surface,  // on a surface, and measured on the side that its normal points to
@@ -48,7 +48,7 @@ struct ProbedLight {
   std::uint64_t rays = 0;                   // traced
   bool reached = false;                     // whether the sampling error is the requested one
 
-  // Of both together, lx.
+  // Standard error of both together, lx.
   double standard_error() const;
 };
 

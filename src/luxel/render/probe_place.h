@@ -19,7 +19,7 @@ struct ProbePoint {
 // diagonal of a scene smaller than 10 m.
 float surface_tolerance(const PatchSet& patches);
 
-// Where the rays of a point start, and whether it lies on a surface.
+// The start of the rays of a point, and whether it lies on a surface.
 //
 // A point within `tolerance` of a surface, measured along its normal, is moved onto that surface and off it
 // again by the bound on rounding, to the side that the normal points to: a table's top with the normal up,

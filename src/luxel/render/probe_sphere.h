@@ -22,11 +22,11 @@ struct SphereLight {
   bool reached = false;    // whether the error is the requested one
 };
 
-// Measures the light from all around at points; the normals of the points matter only where they lie on a
-// surface: it is that in front of the surface. Lamps and portals are sampled by shadow rays, each direction
-// by the face of a cube that it passes, so that weights are bounded; suns and other punctual lights are
-// exact; evenly distributed rays find sky and surfaces. count: 4 or 9. Empty where the monitor stopped the
-// work. The same bits on any number of threads. Cost: up to seven rays per sample.
+// Measures the light from all around at points; the normal of a point matters only where it lies on a
+// surface: the light in front of that surface counts. Lamps and portals are sampled by shadow rays, each
+// direction by the face of a cube that it passes, so that weights are bounded; suns and other punctual lights
+// are exact; evenly distributed rays find sky and surfaces. count: 4 or 9. Empty where the monitor stopped
+// the work. The same bits on any number of threads. Cost: up to seven rays per sample.
 std::vector<SphereLight> probe_spheres(const SolutionProbe& probe, std::span<const ProbePoint> points,
                                        std::size_t count, const ProbeOptions& options,
                                        const Context& context);

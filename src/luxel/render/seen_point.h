@@ -46,8 +46,8 @@ class SeenPoints {
     std::vector<double> scratch;
   };
 
-  // Asks irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets a
-  // surface, and on the other side of a diffuser; H: [band], 0 at first. Adds the colour of what leaves
+  // Calls irradiance(point, numbers, path key, H) for the light that arrives where sample i of a pixel meets
+  // a surface, and on the other side of a diffuser; H: [band], 0 at first. Adds the colour of what leaves
   // towards the eye, with the textures' detail there, or the sky's, to the sums.
   template <typename Irradiance>
   void look(std::size_t pixel, const Batch& batch, std::uint32_t i, Sums& sums,

@@ -8,8 +8,8 @@
 
 namespace luxel {
 
-// What the sky looks like, W/(m² sr), linear RGB: of a sky in patches a smooth field through the centres of
-// these, since a picture of the patches would show their edges. Immutable; safe for any number of threads.
+// Visible colour of the sky, W/(m² sr), linear RGB: for a sky in patches, a smooth field through their
+// centres, since a picture of the patches would show their edges. Immutable; safe for any number of threads.
 class SkyColours {
  public:
   SkyColours(const PatchSet& patches, const BandColours& colours);

@@ -17,12 +17,12 @@ struct SkyLook {
   static constexpr double haze = 0.06;                     // sine of the depth at which that is reached
 };
 
-// How displays show a uniform sky: its own radiance at the horizon, bluer and darker towards the zenith, grey
+// Radiance of a uniform sky in displays: its own at the horizon, bluer and darker towards the zenith, grey
 // below the horizon. The light of the scene has no part in it, and files of radiance keep the true value.
 // height: sine of the angle above the horizon, [-1, 1].
 Vec3d sky_look(const Vec3d& radiance, double height);
 
-// The unit vector that a camera's picture has above, or zero where up is zero.
+// Unit vector of the camera's up direction; zero where up is zero.
 Vec3d zenith_of(const Camera& camera);
 
 // A pixel of a display's sky.

@@ -15,7 +15,7 @@
 
 namespace luxel {
 
-// Where the errors of a solution that rays pick up come from.
+// Source of the errors of the solution's light that rays pick up.
 enum class SolutionErrors {
   not_stated,  // the method of the solution states no errors
   patches,     // the patches' standard errors, added as if all of them had the same sign: an upper bound
@@ -51,8 +51,8 @@ class SolutionLight {
   double lux(std::size_t band) const { return lux_[band]; }
   double illuminance(std::span<const double> irradiance) const;
 
-  // Light that the surface sends on, reflected or through a diffuser, where a ray met it, W/m²: radiance
-  // times pi, from the smooth light. 0 at the backs of one-sided materials. Without emission.
+  // Light that the surface reflects or transmits (diffusers) at the hit of a ray, W/m²: radiance times pi,
+  // from the smooth light. 0 at the backs of one-sided materials. Without emission.
   double reflected(const Hit& hit, std::size_t band) const;
 
   SolutionErrors errors() const { return errors_; }

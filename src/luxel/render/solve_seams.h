@@ -20,7 +20,7 @@ struct SeamOptions {
 SeamReport solve_seams(const Charts& charts, Lightmap& lightmap, const SeamOptions& options = {},
                        const Context& context = {});
 
-// Where two charts are compared: a place of a seam, as each of them has it, in texels of its page.
+// A place of a seam at which two charts are compared: in each chart, in texels of its page.
 struct SeamPlace {
   struct On {
     std::uint32_t page = 0;

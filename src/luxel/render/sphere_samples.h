@@ -52,7 +52,7 @@ class SphereSamples {
  private:
   template <typename Values>
   void add(const Vec3d& direction, const Values& radiance, double solid_angle, std::span<double> sum);
-  // Of a light without a surface, if nothing hides it.
+  // Adds a punctual light, if nothing hides it.
   void add_seen(const BandPointLight& lamp, const PointSight& sight, double solid_angle,
                 std::span<double> sum);
   void sample_lamps(std::size_t face, const OwenSobol& points, std::uint32_t i, std::span<double> sum);

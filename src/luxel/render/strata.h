@@ -11,9 +11,9 @@
 
 namespace luxel {
 
-// Numbers for side² samples that belong together: one in each cell of a square grid (jittered sampling, Cook
-// 1986), and pairs of different names in orders that have nothing to do with each other. Each sample alone is
-// uniform over all its pairs.
+// Numbers for side² samples that belong together: one in each cell of a square grid (jittered sampling,
+// Cook 1986), and pairs of different names in independent orders. A single sample is uniform over all its
+// pairs.
 class Strata {
  public:
   // name: keeps pairs apart; side: 1 to 1024.

@@ -54,14 +54,14 @@ class SurfaceMeter {
   // MismatchError where the bands have no luminance.
   SurfaceMeter(const PatchSet& patches, const Solution& solution, std::vector<std::vector<float>> replicates);
 
-  // Where the intervals of means come from; those of extremes come from the patches.
+  // Source of the intervals of means; those of extremes come from the patches.
   SolutionErrors errors_of_means() const;
   bool has_errors_of_patches() const { return !solution_.standard_error.front.empty(); }
   // among: indices of at least one patch.
   SurfaceMeasure measure(std::span<const std::uint32_t> among, SurfaceSide side) const;
 
  private:
-  // Of these, the patches whose side light reaches; all of them where there are none.
+  // Returns those of the patches whose side light reaches; all of them if none.
   std::vector<std::uint32_t> lit(std::span<const std::uint32_t> selected, bool back) const;
   MeasuredNumber mean(std::span<const std::uint32_t> selected, bool back, double risk) const;
   // sign: 1 for the minimum, -1 for the maximum.

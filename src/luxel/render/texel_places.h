@@ -18,10 +18,10 @@ struct TexelPlace {
   Texel kind = Texel::empty;
 };
 
-// [page][texel]: for every texel that is read where a chart is looked up between texels, the point of that
-// chart nearest to its middle, of those of lit sides if there are any. So each is a point of the surface,
-// none beyond its border, and where that border runs along another surface none behind it. The same on any
-// number of threads; about 0.1 us per texel and side that it touches. After the monitor's stop there are no
+// [page][texel]: for every texel that is read where a chart is looked up between texels, the point of
+// that chart nearest to its middle, on a lit side if there is one. Each is therefore a point of the
+// surface, not beyond its border nor behind another surface along that border. The same on any number
+// of threads; about 0.1 us per texel and side that it touches. After the monitor's stop there are no
 // pages.
 //
 // is_dark: [side], of no light at all, as a floor below a box: its darkness would be read beside the box.

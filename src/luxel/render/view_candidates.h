@@ -18,14 +18,14 @@ struct View {
 // distance: from the eye to the target, m.
 Camera camera_of(const View& view, const Vec3& up, float distance);
 
-// For Subject::openness, with a few thousand rays.
+// Computes Subject::openness by a few thousand rays.
 double openness(const Subject& subject);
 
 // Places to stand, each with views all around: above, below and before lit surfaces, about half way between
-// floor and ceiling. One list a place.
+// floor and ceiling. One list per place.
 std::vector<std::vector<View>> views_from_inside(const Subject& subject);
 
-// Views of the whole scene from outside, one list a turn around it.
+// Views of the whole scene from outside, one list per turn around it.
 std::vector<std::vector<View>> views_from_outside(const Subject& subject);
 
 }  // namespace luxel

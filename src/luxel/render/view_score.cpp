@@ -106,7 +106,7 @@ double near_count(const Subject& subject, std::span<const Hit> hits, float depth
   }));
 }
 
-// Of black beside the walls of a room; in the open there is nothing else.
+// Weight of black beside the walls of a room; an open scene has no other surroundings.
 double gap_weight(double openness) { return std::max(0.0, 1.0 - 2.0 * openness); }
 
 // The fraction of rays through the outline of the picture that meet nothing. A thumbnail's pixels have their

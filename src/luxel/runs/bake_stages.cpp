@@ -57,7 +57,7 @@ BakeSettings BakeStages::settings_of_light() const {
   return settings;
 }
 
-// A run that is bounded otherwise than by its error, or that names the size of patches, keeps them.
+// A run with a bound other than its error, or with a given size of patches, keeps its patches.
 bool BakeStages::refines() const {
   const auto& light = settings_.light;
   return settings_.refine.is_on(light.method == Method::sampled && light.sampled.rays == 0 &&
@@ -73,8 +73,8 @@ PatchSet BakeStages::cut(const Scene& scene) const {
   });
 }
 
-// Puts the patches where the light needs them: by the scene alone, so that runs of other seeds or errors
-// have the same mesh and can be merged and compared.
+// Refines the patches by the light. Depends on the scene alone, so that runs of other seeds or errors have
+// the same mesh and can be merged and compared.
 void BakeStages::refine(Baked& baked, RefineReport& report) const {
   const auto& context = place_.context;
   auto& reporter = place_.reporter;
@@ -122,7 +122,7 @@ void BakeStages::set_groups(const Scene& scene, PatchSet& patches) const {
   }
 }
 
-// Before the light is solved: a checkpoint has it too.
+// Set before the light is solved, so that checkpoints contain it.
 void BakeStages::sign(Solution& solution) const {
   auto& provenance = solution.provenance;
   provenance.program_version = LUXEL_VERSION;

@@ -10,15 +10,15 @@
 
 namespace luxel {
 
-// What a bake begins its light with.
+// Input of the light stage of a bake.
 struct BakeStart {
-  Baked baked;                              // patches and provenance; of a run that goes on, its light
+  Baked baked;                              // patches and provenance; for a resumed run, its light
   std::optional<RefineReport> refined;      // where patches were refined
-  std::shared_ptr<const SampleState> from;  // where a run goes on that a checkpoint kept
+  std::shared_ptr<const SampleState> from;  // where a run resumes from a checkpoint
   std::vector<std::uint32_t> faces;         // see uncut_faces(), where they count
 };
 
-// From a scene to what LightStage begins with: the one order of stages of the command `luxel bake` and of the
+// From a scene to the input of LightStage: the one order of stages of the command `luxel bake` and of the
 // Python function bake(), so that the same options give the same bytes.
 class BakeStages {
  public:
@@ -26,7 +26,7 @@ class BakeStages {
   BakeStages(const BakeSettings& settings, const OptionSet& options, const RunPlace& place)
       : settings_(settings), options_(options), place_(place) {}
 
-  // The patches of the scene, refined where that is asked for, or the run that a checkpoint kept. needs_view:
+  // The patches of the scene, refined where that is requested, or the run of a checkpoint. needs_view:
   // whether PatchSet::view is found where the scene has no camera. Nothing where the run was interrupted
   // before there was light.
   std::optional<BakeStart> begin(const Scene& scene, bool needs_view) const;

@@ -17,17 +17,17 @@ namespace luxel {
 // with the next answer.
 class Checkpoint {
  public:
-  // writes: whether this process is the one that does; others take part in gathering what is written.
+  // writes: whether this process writes the file; the others take part in gathering its data.
   explicit Checkpoint(const StoreSettings& settings, bool writes = true)
       : settings_(settings), writes_(writes) {}
 
-  // For the solver. Keeps references to all three, and to this.
+  // Hooks for the solver. They keep references to all arguments and to this object.
   SolveHooks hooks(const Baked& baked, std::shared_ptr<const SampleState> from, Reporter& reporter);
 
-  // After the last answer, if it is not yet in the file. Throws DeviceError where it cannot be written.
+  // Writes the last answer if it is not yet in the file. Throws DeviceError where it cannot be written.
   void finish(const Baked& baked);
 
-  // The last state there was: none before the first answer.
+  // The latest state; null before the first answer.
   const std::shared_ptr<const SampleState>& state() const { return state_; }
 
  private:
@@ -39,9 +39,9 @@ class Checkpoint {
   std::optional<std::chrono::steady_clock::time_point> written_;
 };
 
-// The run that a checkpoint holds, to go on with: of the same scene and options. Nothing where there is no
+// Reads the run of a checkpoint, for resuming it with the same scene and options. Nothing where there is no
 // such file. Throws InputError where it holds another run, which must not be lost; FormatError where it is
-// damaged or no solution at all.
+// damaged or is not a solution.
 std::optional<StoredRun> run_to_go_on(const StoreSettings& settings, std::uint64_t scene_fingerprint,
                                       const OptionSet& options);
 

@@ -25,8 +25,8 @@ class DaylightChanges {
   std::vector<std::string> transmittances_;  // NAME=TAU
 };
 
-// Writes the run behind an answer, so that another weather, other points, surfaces and panes need no new
-// solve. command: that makes it again. Throws DeviceError.
+// Writes the run of an answer, so that other weather, points, surfaces and panes need no new solve. command:
+// reproduces the run. Throws DeviceError.
 void write_daylight_run(const std::filesystem::path& path, const DaylightAnswer& answer,
                         const std::string& command);
 
@@ -36,8 +36,8 @@ struct StoredDaylight {
   double north = 0.0;   // degrees, as north_of() has it
   int subdivision = 2;  // of the sky's patches
 };
-// Reads it, with the changes. Throws InputError where the file holds no such run, and what read_stored_run()
-// throws.
+// Reads such a run and applies the changes. Throws InputError where the file holds no such run, and what
+// read_stored_run() throws.
 StoredDaylight read_daylight_run(const std::string& file, const DaylightChanges& changes,
                                  const Context& context);
 

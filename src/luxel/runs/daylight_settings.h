@@ -19,7 +19,7 @@ struct DaylightSettings {
 
   // --sky auto, and no sun: the scene gets the default light where it has no lamp.
   bool adds_default_light() const { return sky == "auto" && !has_sun(); }
-  // Radiance of an even sky, W/(m² sr); 0 where there is none or another one.
+  // Radiance of a uniform sky, W/(m² sr); 0 without a sky or with a sky of another kind.
   Vec3 even_radiance() const;
   // A sky by illuminance, or a sun; none where there is neither. Throws UsageError and InputError as
   // OutsideSettings::daylight() does.

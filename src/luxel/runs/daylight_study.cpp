@@ -37,7 +37,8 @@ void find_skies(DaylightAnswer& a, const RunPlace& place) {
       "skies", [&](auto&) { return skies_of_year(*q.weather, a.sky, q.albedo, place.context); });
 }
 
-// Of the transport. Returns false where the run was interrupted. scene: null where blinds have no groups.
+// Computes the results of the transport. Returns false where the run was interrupted. scene: null where
+// blinds have no groups.
 bool add_light(const Scene* scene, std::span<const ProbePoint> points, DaylightAnswer& a,
                const RunPlace& place) {
   const auto& q = a.question;

@@ -30,7 +30,7 @@ struct DaylightQuestion {
   double transmittance = WindowGroup{}.transmittance;  // of its closed blinds
 };
 
-// What was computed; the parts refer to each other.
+// Result of a daylight study; its members refer to each other.
 struct DaylightAnswer {
   DaylightQuestion question;
   SkyPatches sky;
@@ -47,17 +47,17 @@ struct DaylightAnswer {
   DaylightAnswer& operator=(const DaylightAnswer&) = delete;
 };
 
-// The points, counted from the patches' origin. Called before the solve; may throw what stops it.
+// Returns the points, counted from the patches' origin. Called before the solve; may throw to stop it.
 using PointsOfPatches = std::function<std::vector<ProbePoint>(const PatchSet&)>;
 
-// Daylight factors at points, and with weather a year, from one solve. name: of the scene, for messages.
-// Nothing where the run was interrupted. Throws InputError.
+// Computes daylight factors at points and, with weather, a year, from one solve. name: of the scene, for
+// messages. Nothing where the run was interrupted. Throws InputError.
 std::unique_ptr<DaylightAnswer> study_daylight(Scene scene, const std::string& name,
                                                DaylightQuestion question, const PointsOfPatches& points,
                                                const RunPlace& place);
 
-// The same of a run that was stored (daylight_run.h), without groups of blinds: what surfaces reflect
-// comes by its kept rays.
+// Computes the same from a stored run (daylight_run.h), without groups of blinds: reflected light uses the
+// run's stored rays.
 std::unique_ptr<DaylightAnswer> study_daylight(DaylightTransport transport, DaylightQuestion question,
                                                const PointsOfPatches& points, const RunPlace& place);
 

@@ -39,14 +39,14 @@ struct DaylightSolveOptions {
   std::uint64_t seed = 1;
 };
 
-// Solves a scene under a sky of patches alone (daylight/daylight_scene.h). name: of the scene, for messages.
+// Solves a scene under a sky of patches alone (lighting/daylight_scene.h). name: of the scene, for messages.
 // on_patches: called before the solve; may be empty. Nothing where the run was interrupted.
 std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::string& name,
                                                 const DaylightSolveOptions& options,
                                                 const std::function<void(const PatchSet&)>& on_patches,
                                                 const RunPlace& place);
 
-// The light of groups of windows, of the same scene (daylight/window_groups.h). Without groups after a stop.
+// Computes the light of groups of windows of the same scene (lighting/window_groups.h). Empty after a stop.
 WindowLight window_light(const Scene& scene, const DaylightTransport& transport,
                          const DaylightCoefficients& open, const std::vector<WindowGroup>& groups,
                          const CoefficientOptions& options, const Context& context);

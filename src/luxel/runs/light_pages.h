@@ -15,7 +15,7 @@
 
 namespace luxel {
 
-// How pages of light came about: for reports.
+// Record of the making of pages of light, for reports.
 struct PagesRecord {
   int pages = 0, page_size = 0;  // texels per side
   bool as_file_has_it = false;   // laid out by the scene's file

@@ -7,7 +7,7 @@
 namespace luxel {
 namespace {
 
-// How a quantity is parsed and printed.
+// Parsing and printing of a quantity.
 template <typename Parse, typename Print>
 struct Notation {
   Parse parse;

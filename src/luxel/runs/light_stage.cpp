@@ -23,7 +23,7 @@ namespace {
 
 constexpr double min_seconds = 1e-3;  // 0 would be no limit
 
-// As far as a solution tells it.
+// As far as a solution records it.
 SolveReport report_of_stopped(Solution& solution) {
   solution.stop = StopReason::stopped_by_user;
   SolveReport report;
@@ -99,7 +99,7 @@ SolveReport LightStage::solve_method(Baked& baked, const std::vector<std::uint32
       solved.stop = baked.solution.stop = StopReason::time_limit;
     return solved;
   } catch (const InputError& error) {
-    throw with_file(name_, error);  // the scene has no light; the solver does not know its file
+    throw with_file(name_, error);  // the scene has no light; the error lacks its file
   }
 }
 

@@ -25,13 +25,13 @@ inline bool is_lit(const Solution& solution) { return !solution.irradiance.front
 // From patches to light: the part of a bake that a resumed run repeats.
 class LightStage {
  public:
-  // name: of what has no light, for messages.
+  // name: of the input, for messages about missing light.
   LightStage(const BakeSettings& settings, std::string name, const RunPlace& place);
 
-  // Builds the hierarchy, finds portals and the views of the lamps, and reports what is odd about these.
-  // scene: of the patches, where it is at hand. from: where to go on. refined: the refinement, if there was
-  // one; where it was interrupted its light, rough as it is, is the result. Returns false where the run was
-  // interrupted before there was light. Throws InputError where a classical method would take too long.
+  // Builds the hierarchy, finds portals and the views of the lamps, and reports oddities of these. scene: of
+  // the patches, where available. from: state to resume from. refined: the refinement, if there was one;
+  // where it was interrupted, its rough light is the result. Returns false where the run was interrupted
+  // before there was light. Throws InputError where a classical method would take too long.
   bool begin(Baked& baked, const RefineReport* refined, std::shared_ptr<const SampleState> from,
              const Scene* scene);
 
@@ -49,7 +49,7 @@ class LightStage {
   // Requested error; nothing where the method has no such target.
   std::optional<double> error_target() const;
   bool ended_by_ray_budget(const SolveReport& solved) const;
-  // Whether it ended before it was as good as requested. Without a target, a limit is what was requested.
+  // Whether the solve ended before its requested accuracy. Without a target, a limit counts as the request.
   bool fell_short(const SolveReport& solved) const;
 
   const Tracer& tracer() const { return *tracer_; }

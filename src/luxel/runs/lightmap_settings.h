@@ -13,14 +13,14 @@ namespace luxel {
 struct LightmapSettings {
   static constexpr double automatic_white = 0.0;
   LightmapOptions lightmap;
-  std::string layout = "file";     // where surfaces lie on pages: as the scene's file says, or new
+  std::string layout = "file";     // layout of surfaces on pages: that of the scene's file, or a new one
   double white = automatic_white;  // W/m²: irradiance that a PNG shows as white
   std::string error_map, directional, preview, unwrapped;  // files; empty: none
   MeshCompression compression = MeshCompression::plain;    // of the unwrapped mesh, for further work
   void declare(OptionSet& set);
   // For outputs whose scene file may define a layout of surfaces on pages.
   void declare_layout(OptionSet& set);
-  // How pages are laid out and texels gathered, for commands that put them into meshes.
+  // Options for the layout of pages and the gathering of texels, for commands that put them into meshes.
   void declare_pages(OptionSet& set);
   void declare_texels(OptionSet& set);
 };

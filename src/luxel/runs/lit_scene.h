@@ -18,7 +18,7 @@ std::string describe_scene(const std::string& file, const Scene& scene, const Pa
 Scene load_lit_scene(const SceneSettings& settings, const std::string& up, const Context& context,
                      Reporter& reporter);
 
-// What load_scene() is called with.
+// Returns the options for load_scene().
 LoadOptions load_options(const SceneSettings& settings, const std::string& up);
 
 // Moves luminaires out of surfaces, and gives a scene without light the default light (add_default_light())

@@ -16,7 +16,7 @@ namespace luxel {
 // Returns whether the mesh needs rays, as texels may be gathered.
 bool needs_rays(const MeshSettings& settings);
 
-// is_written: false where Ctrl-C came too early. pages: where it has light on pages.
+// is_written: false after an early Ctrl-C. pages: present where the mesh has light on pages.
 struct GlbDone {
   bool is_written = true;
   std::optional<PagesRecord> pages = {};

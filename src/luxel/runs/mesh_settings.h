@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// How a GLB has its light.
+// Form of the light in a GLB.
 struct MeshSettings {
   TargetApplication program = TargetApplication::any;  // that reads it
   std::string as = "vertex";
@@ -28,7 +28,7 @@ struct MeshSettings {
   void check_outputs(const std::vector<std::string>& outputs) const;
 };
 
-// A mesh that is wished for, and what is known of the file behind it.
+// A requested mesh, and the file of its scene.
 struct MeshWish {
   const MeshSettings* settings = nullptr;  // null: the defaults
   const Scene* scene = nullptr;            // null: not available

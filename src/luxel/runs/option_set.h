@@ -26,7 +26,7 @@ struct Declaration {
   std::string unit;  // "m", "count", ... ; stands in the help
   std::string help;
   std::function<void(const std::string&)> parse;  // throws UsageError saying what was expected
-  std::function<std::string()> print;             // as parse would read it; of many, one a line
+  std::function<std::string()> print;             // as parse reads it; for `many`, one per line
   char letter = 0;                                // short form, -o
   bool is_flag = false;                           // present or not
   bool many = false;                              // may be given several times; parse is called for each
@@ -35,13 +35,13 @@ struct Declaration {
   bool is_output = false;                         // names files that the command writes
   bool alone = false;                             // where it is given, positionals may be missing
   std::string endings = {};                       // of the files it names, ".png .exr"; for completion
-  // Values that it gives to other options, unless a person set those: option and value.
+  // Values that it gives to other options that the user did not set: option and value.
   std::function<std::vector<std::pair<std::string, std::string>>()> implied = {};
 };
 
 enum class Origin { by_default, implied, from_file, from_command_line };
 
-// The options of one command. The home of CLI11, together with command_line.cpp.
+// The options of one command. command_line.cpp maps them to CLI11.
 class OptionSet {
  public:
   OptionSet(std::string name, std::string summary);
@@ -49,11 +49,11 @@ class OptionSet {
   // Options added after this stand under this heading in the help.
   void heading(std::string title) { heading_ = std::move(title); }
   // Options added after this are used only while `choice`, an option declared before, has the value `word`,
-  // or one of several parted by '|': given on the command line without it they are refused, and nothing is
-  // recorded of them. No choice: always used.
+  // or one of several separated by '|': on the command line they are refused without it, and they are not
+  // recorded. No choice: always used.
   void only_with(std::string choice = {}, std::string word = {});
   void add(Declaration declaration);
-  // Before all others, always used.
+  // Adds an option before all others; it is always used.
   void add_first(Declaration declaration, std::string heading);
 
   // The common kinds. min <= value <= max is checked; the error names the limits.
@@ -78,7 +78,7 @@ class OptionSet {
   void set_positional(const char* name, std::string& value, const char* help, const char* endings = "");
   // One or more words.
   void set_positionals(const char* name, std::vector<std::string>& values, const char* help);
-  // The command runs without its positionals too.
+  // Allows the command to run without its positionals.
   void make_positionals_optional() { needs_positionals_ = false; }
 
   // The options that --help lists, in this order; all others are left to --help-all. They must be declared.
@@ -118,36 +118,36 @@ class OptionSet {
 
   // Every option with its value as text, in the order of declaration.
   std::vector<std::pair<std::string, std::string>> values() const;
-  // The same of those that are used, but those under the heading `without`.
+  // The options that are used, except those under the heading `without`, with their values.
   std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
-  // Those that a person gave, with their values: on the command line or in a file.
+  // The options that the user gave on the command line or in a file, with their values.
   std::vector<std::pair<std::string, std::string>> given() const;
-  // Whether a person gave this one: not by --quality, which implies others.
+  // Whether the user gave this option; options implied by --quality do not count.
   bool is_given(const std::string& name) const;
-  // The positionals and what a person gave, but what stands under the heading `without`, as it is typed.
+  // The positionals and the given options, except those under the heading `without`, as typed.
   std::string given_as_command(const std::string& without) const;
-  // Sets the options of these names to these values, as values() or given() of another set has them; names
-  // that this set does not know are passed over. Throws UsageError.
+  // Sets the options of these names to these values, as values() or given() of another set returns them;
+  // names that this set lacks are ignored. Throws UsageError.
   void restore(const std::vector<std::pair<std::string, std::string>>& values);
   // Returns the arguments that reproduce the result: the positionals, and the options that are used and not
   // at their defaults, but those under the heading `without`.
   std::string as_command(const std::string& without) const;
-  // Sets options by name, as if a person typed them on the command line, and what they imply; several values
-  // of one option come one after another. Throws UsageError; std::out_of_range where there is no such option.
+  // Sets options by name, as if typed on the command line, and the options that they imply; several values of
+  // one option are given in sequence. Throws UsageError; std::out_of_range where there is no such option.
   void give(const std::vector<std::pair<std::string, std::string>>& values);
-  // As a text file that --config reads, with where each value came from.
+  // Returns a text file that --config reads, with the origin of each value.
   std::string as_file() const;
 
  private:
   friend class CommandLine;
 
-  Entry* find(const std::string& name);  // null: this set does not have it
+  Entry* find(const std::string& name);  // null: this set lacks it
   std::string value_of(const std::string& name) const;
   std::string words(const std::function<bool(const Entry&)>& is_shown) const;
   bool is_used(const Entry& entry) const;
   // Throws UsageError where an option of the command line is not used.
   void check_use() const;
-  // Sets what options imply for others, where a person did not set these.
+  // Sets the values that options imply for others that the user did not set.
   void apply_implied();
 
   std::string name_;

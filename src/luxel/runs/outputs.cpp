@@ -144,7 +144,7 @@ class OutputWriter {
   }
 
  private:
-  // The solution first, because its light may have taken hours; pictures last, because they take a while.
+  // The solution first, since it may have taken hours; pictures last, since they take a while.
   std::vector<std::string> in_order() const {
     auto outputs = settings_.run.outputs;
     const auto turn = [](const std::string& o) { return is_picture(o) ? 2 : is_solution(o) ? 0 : 1; };
@@ -221,7 +221,7 @@ class OutputWriter {
     return true;
   }
 
-  // Makes what this output needs and no earlier one did.
+  // Makes the data that this output needs and no earlier output has made.
   void prepare(const std::string& output) {
     const auto& mesh = settings_.mesh.settings;
     const bool on_pages = is_glb(output) && mesh && mesh->on_pages();

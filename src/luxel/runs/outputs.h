@@ -44,7 +44,7 @@ bool is_page(const std::string& output);
 // picture: W/(m² sr), tone-mapped where the extension requires it. Throws DeviceError.
 void write_picture(const std::string& output, const Picture& picture, const ToneOptions& tone);
 
-// The state of the samples behind the light, where it is available.
+// State of the samples of the light, where available.
 struct StoredSamples {
   const SampleState* for_solutions = nullptr;         // kept in solutions
   std::shared_ptr<const SampleState> for_pages = {};  // the light of each group of lamps comes from it
@@ -54,22 +54,22 @@ struct Written {
   std::vector<std::string> files;
   std::optional<Camera> camera;      // of the pictures, if any was taken; from the patches' origin
   std::optional<PagesRecord> pages;  // of the last mesh that has its light on pages
-  bool stopped = false;  // Ctrl-C came while a picture or pages were made: they are not there or not whole
+  bool stopped = false;  // Ctrl-C while a picture or pages were made: they are missing or incomplete
 };
 
-// Which files a command writes, and how.
+// The files that a command writes, and their settings.
 struct OutputSettings {
   const RunSettings& run;
   const LookSettings& look;
   const PictureSettings& picture;
   MeshWish mesh = {};
-  std::optional<Camera> camera = {};  // where it is found already, from the patches' origin
+  std::optional<Camera> camera = {};  // if already found; counted from the patches' origin
 };
 
 // Writes each output: the solution first, pictures last. Makes the smooth light, the tracer and the camera
-// once, when they are needed. tracer: null where there is none yet. After an interrupt that came before,
-// everything is written all the same. Where one file cannot be written the others are, then its DeviceError
-// is thrown.
+// once, when they are needed. tracer: null where there is none yet. After an earlier interrupt everything
+// is written nevertheless. Where one file cannot be written, the others are; then its DeviceError is
+// thrown.
 Written write_outputs(const Baked& baked, const Tracer* tracer, const OutputSettings& settings,
                       const RunPlace& place, const StoredSamples& samples = {});
 

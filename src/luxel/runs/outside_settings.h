@@ -46,7 +46,7 @@ struct OutsideLight {
 
 inline constexpr double default_sky_illuminance = 10'000.0;  // lx
 
-// Where the sun stands, how bright the sky is, and the light of a weather file.
+// Position of the sun, brightness of the sky, and the light of a weather file.
 struct OutsideSettings {
   std::string sun, date, place, timezone;  // as typed; empty: not given
   std::string weather, hour;

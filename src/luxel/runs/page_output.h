@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// How the run that made a solution sampled.
+// Returns the sampling options of the run that made a solution.
 SampledOptions sampled_options_of(const Provenance& provenance);
 
 // The contents of a page.
@@ -23,7 +23,7 @@ struct PageInput {
   const Camera& camera;  // where the page begins
 };
 
-// The page of a solution, see export_page(). Throws DeviceError.
+// Writes the page of a solution, see export_page(). Throws DeviceError.
 void write_page(const std::string& output, const PageInput& input, const LookSettings& look,
                 const Tracer& tracer, const Context& context);
 

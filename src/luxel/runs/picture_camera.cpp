@@ -16,8 +16,8 @@ constexpr float usual_aspect = 4.0f / 3.0f;  // of the pictures that a view is f
 // Patches of the mesh that a view is found on; scenes of more triangles have one each.
 constexpr std::size_t patches_of_view = 20'000;
 
-// The light that a camera is found by: the same whatever method the picture's own light comes from, and
-// however far it has got, so that pictures of one scene can be compared.
+// Light for finding a camera. It depends neither on the method of the picture's own light nor on its
+// progress, so that pictures of one scene can be compared.
 Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const Context& context) {
   if (patches.has_sky()) return {};
   Solution light;
@@ -63,7 +63,7 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
                  const Tracer& tracer, const Context& context) {
   const auto& patches = baked.patches;
   const auto up = up_of(look, patches);
-  // A strip is looked at from where the widest or tallest picture that can be judged would be taken.
+  // A strip uses the camera of the widest or tallest picture that can be judged.
   const auto aspect =
       std::clamp(static_cast<float>(picture.render.width) / static_cast<float>(picture.render.height),
                  smallest_aspect, max_aspect);

@@ -14,12 +14,12 @@ Vec3 up_of(const LookSettings& look, const PatchSet& patches);
 // Sets --up of a command that reads a solution to what it was when the solution was made, unless it is given.
 void restore_up(const Provenance& provenance, LookSettings& look);
 
-// A view that shows the scene well, for PatchSet::view: it depends on the scene, its light and the up
-// direction alone, not on the size of patches. Cost: a mesh of its own, and a million rays.
+// Finds a view that shows the scene well, for PatchSet::view. It depends on the scene, its light and the up
+// direction, not on the size of patches. Cost: a separate mesh, and a million rays.
 Camera view_of(const Scene& scene, const LookSettings& look, const Context& context);
 
-// The camera that the settings name, counted from the patches' origin; what they leave open is the view of
-// the patches, or is found.
+// The camera that the settings name, counted from the patches' origin; missing values come from the view of
+// the patches or are found automatically.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
                  const Tracer& tracer, const Context& context);
 

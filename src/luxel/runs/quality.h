@@ -15,11 +15,11 @@ struct QualitySettings {
   void declare(OptionSet& set);
 };
 
-// Whether the bound of rays that a quality has applies to a run with these options: not where a person gave
-// another bound, unless this one as well.
+// Whether the bound of rays that a quality has applies to a run with these options: not where the user gave
+// another bound, unless this one is given too.
 bool has_ray_budget(const OptionSet& set);
 
-// The table as text, with the options that the set has; a line each.
+// The table as text, one line for each of its options that the set has.
 std::string quality_table(const OptionSet& set);
 
 }  // namespace luxel

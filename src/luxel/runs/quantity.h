@@ -7,8 +7,8 @@
 
 namespace luxel {
 
-// Numbers with units as a person types them, and back: what as_... prints, the other reads to the same
-// number. Nothing where the text is none.
+// Conversion of numbers with units from and to text: the text of as_... is parsed to the same number. Nothing
+// where the text is not such a number.
 
 // "1%" or "0.01": 0 to below 1. A bare 1, which could be either, is none.
 std::optional<double> parse_fraction(const std::string& text);

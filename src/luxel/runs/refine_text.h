@@ -8,13 +8,13 @@
 
 namespace luxel {
 
-// Why a refinement ended, as JSON spells it and for people.
+// The reason for the end of a refinement, as JSON spells it and for people.
 struct RefineStopText {
   std::string_view name, description;
 };
 RefineStopText text_of(RefineStop stop);
 
-// How patches were put where the light needs them. is_late: the time limit ended it.
+// Describes the refinement of patches by the light. is_late: the time limit ended it.
 std::string describe(const RefineReport& report, bool is_late);
 
 }  // namespace luxel

@@ -17,7 +17,7 @@ class RelightChanges {
   // --reflectance alone.
   void declare_reflectance(OptionSet& set);
   bool has_reflectance() const { return !reflectances_.empty(); }
-  // Of all materials, with the changes: [material * bands + band]. Throws as apply() does.
+  // Reflectances of all materials, with the changes: [material * bands + band]. Throws as apply() does.
   std::vector<float> new_reflectances(const std::string& file, const PatchSet& patches) const;
   // resets: whether the relighter had other changes before. Throws UsageError where a value is wrong,
   // InputError, beginning with the file, where a name matches nothing.

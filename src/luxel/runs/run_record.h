@@ -9,11 +9,11 @@
 
 namespace luxel {
 
-// Where the time of a run went. Times count from the start of the process, unless it is told otherwise.
+// Times and rays of the stages of a run. Times count from the start of the process, unless an age is given.
 class RunRecord {
  public:
   RunRecord();
-  // Times count from now, less `age` seconds: of a run that is a part of a longer process.
+  // Times count from now less `age` seconds, for a run that is a part of a longer process.
   explicit RunRecord(double age);
 
   struct Stage {
@@ -23,7 +23,7 @@ class RunRecord {
     std::uint64_t rays = 0;
   };
 
-  // Runs body and books its time. body may set its rays.
+  // Runs body and records its time. body may set the rays of its stage.
   template <typename Body>
   auto stage(std::string name, Body body) {
     const Timer timer(*this, std::move(name));
@@ -34,9 +34,9 @@ class RunRecord {
   void note_light();
 
   const std::vector<Stage>& stages() const { return stages_; }
-  // When the first picture of the whole scene was there, s; nothing where none came.
+  // Time of the first picture of the whole scene, s; nothing where there was none.
   std::optional<double> first_light() const { return first_light_; }
-  // The same from the end of the stage "load" on.
+  // The same, counted from the end of the stage "load".
   std::optional<double> first_light_after_load() const;
   // Seconds since the process started.
   double elapsed() const { return now(); }

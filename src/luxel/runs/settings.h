@@ -23,7 +23,7 @@ namespace luxel {
 
 struct SceneSettings {
   std::string file;
-  LoadOptions load;  // but for its sky
+  LoadOptions load;  // except its sky
   DaylightSettings daylight;
   PatchOptions patches;
   // Declares options of the input and of its reading; the second also those of the mesh.
@@ -48,7 +48,7 @@ struct RefineSettings {
 
   // Returns whether patches are refined. can_refine: whether the method refines by default.
   bool is_on(bool can_refine) const { return mesh_error == automatic ? can_refine : mesh_error > 0.0; }
-  // How, for patches that begin as these.
+  // Returns the options of the refinement of this number of initial patches.
   RefineOptions options(std::size_t patches) const;
   void declare(OptionSet& set);
 };
@@ -57,13 +57,13 @@ struct LightSettings : LightOptions {
   bool joins_faces = false;   // dense
   std::string focus = "all";  // where the seen error matters, see patch/focus.h
   std::string each_step;      // folder for a picture after every step; empty: none
-  bool force = false;         // begins even what will take days
+  bool force = false;         // allows solves that take days
   // Throws UsageError where nothing would end the run, or options contradict each other.
   void check() const;
   void declare(OptionSet& set);
-  // Apart from the others: they do not change the light, so they stand with how a run is run.
+  // Separate from the others, since they do not change the light: they are listed under the heading Run.
   void declare_run(OptionSet& set);
-  // When a sampled run ends, and what it may hold: what may change when it goes on.
+  // Bounds and memory of a sampled run, which may change when it is resumed.
   void declare_bounds(OptionSet& set);
   void declare_memory(OptionSet& set);
 
@@ -82,7 +82,7 @@ struct LightSettings : LightOptions {
 struct PictureSettings {
   static constexpr float automatic_fov = 0.0f;
   std::optional<Vec3d> eye, target;    // m, in the file's coordinates
-  std::optional<Camera> of_scene;      // what the scene's file has, where neither is given
+  std::optional<Camera> of_scene;      // that of the scene's file, where neither is given
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays per pixel of a final gather; 0: none
@@ -109,20 +109,20 @@ struct LookSettings {
   void declare(OptionSet& set);
 };
 
-// The files a solution can become.
+// File types to which a solution can be written.
 inline constexpr const char* picture_kinds = ".png .exr .hdr";
 inline constexpr const char* mesh_kinds = ".glb .ply .html .vtkhdf";
 inline constexpr const char* all_kinds = ".glb .ply .html .png .exr .hdr .vtkhdf";
 
-// How a run is run and what becomes of it: nothing here changes the light, so nothing of it is kept in a
-// solution.
+// Settings of the execution and outputs of a command. They do not change the light, so a solution
+// does not record them.
 struct RunSettings {
   static constexpr const char* heading = "Run";
   std::vector<std::string> outputs;
   int threads = 0;
   bool json = false;
   bool quiet = false;
-  bool verbose = false;  // the stages, too
+  bool verbose = false;  // also reports the stages
   std::string progress = "auto";
   bool opens = false;  // a written file, on the desktop
   std::string report;

@@ -14,7 +14,7 @@
 
 namespace luxel {
 
-// The options of `luxel viewfactors`: they fill the library's own.
+// The options of `luxel viewfactors`, which fill the library's own.
 struct ViewFactorSettings {
   std::string between = "groups";
   std::string sides = "front";
@@ -28,14 +28,14 @@ struct ViewFactorSettings {
   bool force = false;
 
   void declare(OptionSet& set);
-  // Apart, to stand with how a run is run: these do not change the factors.
+  // Separate from the others, since it does not change the factors: listed under the heading Run.
   void declare_memory(OptionSet& set);
   // Throws UsageError where options contradict each other.
   void check() const;
 
   Between kind() const;
   ElementSides element_sides() const;
-  // Triangles as they come between patches, unless an edge is given.
+  // Returns options that leave triangles uncut for factors between patches, unless an edge is given.
   PatchOptions patch_options(PatchOptions given) const;
   // Returns the options with all defaults resolved; memory in bytes. outputs: to be written.
   SampleFactorsOptions sample_options(const ViewElements& elements,

@@ -53,7 +53,7 @@ void BackgroundQueries::compare(const SessionLight& light) {
     difference.comparison = compare_solutions(second_->baked, shown);
     difference.relative = relative_differences(second_->baked, shown);
   } catch (...) {
-    second_.reset();  // every further light would fail in the same way
+    second_.reset();  // each further light would fail in the same way
     throw;
   }
   difference.file = second_->file;

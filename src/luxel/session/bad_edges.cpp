@@ -98,7 +98,7 @@ std::size_t closed_by(const ScannedMesh& mesh, double distance) {
 WeldTrial try_weld(const ScannedMesh& mesh) {
   const auto size = mesh.box.size();
   const auto extent = static_cast<double>(std::max({size.x, size.y, size.z}));
-  // One digit, as a person would type it.
+  // Rounds to one digit, as a user would type it.
   const auto one_digit = [](double x) { return std::stod(fmt::format("{:.0e}", x)); };
   WeldTrial best;
   for (const auto fraction : {1e-5, 1e-4, 1e-3}) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double thin = 100.0;  // ratio of length to height above which a triangle is a sliver
 
-// The longest edge stands for a triangle without area.
+// The longest edge represents a triangle without area.
 std::array<Vec3, 2> longest_edge(const Scene& scene, std::uint32_t triangle) {
   const auto& t = scene.triangles[triangle];
   std::array<Vec3, 2> longest = {scene.positions[t[0]], scene.positions[t[1]]};

@@ -8,13 +8,13 @@
 namespace luxel {
 
 struct CheckOptions {
-  std::size_t places = 5;  // to tell of each diagnostic
+  std::size_t places = 5;  // reported per diagnostic
   std::size_t paths = 0;   // of light, for the estimate of what is lost; 0: a quarter of the triangles, but
                            // at least 16,384
   std::uint64_t seed = 1;
 };
 
-// What `luxel check` knows of a scene.
+// Report of `luxel check` on a scene.
 struct CheckReport {
   std::vector<Diagnostic> diagnostics;  // diagnostics before doubts before notes, the graver kinds first
   std::size_t triangles = 0;            // of the scene
@@ -30,8 +30,8 @@ struct CheckReport {
   std::size_t count(Severity severity) const;
 };
 
-// Looks for all that is the matter with a scene before its light is solved: the mesh by sorting, the light by
-// rays (about 10 million for a million triangles). Nothing is changed. The same report on any number of
+// Finds the defects of a scene before its light is solved: of the mesh by sorting, of the light by rays
+// (about 10 million for a million triangles). Does not change the scene. The same report on any number of
 // threads. About 10 s per million triangles on one core, half of it rays; 500 bytes per triangle. Throws what
 // make_patches() throws.
 CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Context& context = {});

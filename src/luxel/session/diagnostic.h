@@ -41,24 +41,24 @@ enum class DiagnosticKind {
   covered_diffuser,
 };
 
-// Where something was found. Names are those of the file.
+// Place of a diagnostic. Names are those of the file.
 struct Place {
   std::uint32_t line = 0;  // in the scene's file, from 1; 0 where unknown
   std::string group = {}, object = {}, material = {};
   Vec3d at{0.0};            // m, as the file counts (times --scale)
-  std::string detail = {};  // what is special about it: "2.3 m²"; may be empty
+  std::string detail = {};  // a property of this place: "2.3 m²"; may be empty
 };
 
 struct Diagnostic {
   DiagnosticKind kind = DiagnosticKind::no_lamp;
   Severity severity = Severity::note;
-  std::size_t count = 0;           // of what the fact speaks of: triangles, edges, loops, materials
-  std::string fact = {};           // one sentence: what is the matter, with numbers
-  std::string consequence = {};    // one sentence: what Luxel will do about it
-  std::string remedy = {};         // one sentence: what changes that
-  std::vector<Hint> hints = {};    // the settings that do, where any does
-  std::vector<Place> places = {};  // the worst first, as many as were asked for
-  std::size_t all_places = 0;      // that there are
+  std::size_t count = 0;           // of the things in `fact`: triangles, edges, loops, materials
+  std::string fact = {};           // one sentence: the defect, with numbers
+  std::string consequence = {};    // one sentence: how Luxel handles it
+  std::string remedy = {};         // one sentence: how to change that
+  std::vector<Hint> hints = {};    // the settings that change it, if any
+  std::vector<Place> places = {};  // the worst first, as many as requested
+  std::size_t all_places = 0;      // in total
 
   std::vector<std::uint32_t> triangles = {};    // all concerned, as indices in the scene
   std::vector<std::array<Vec3, 2>> edges = {};  // all concerned, m
@@ -68,7 +68,7 @@ struct Diagnostic {
 std::string_view name(DiagnosticKind kind);
 std::string_view name(Severity severity);
 
-// The colour that a kind has in every file of diagnostics: linear, and in words.
+// The colour of a kind in all files of diagnostics: linear, and as a word.
 struct FaultColour {
   Vec3 linear;
   std::string_view word;

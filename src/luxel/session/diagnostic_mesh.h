@@ -8,15 +8,15 @@
 
 namespace luxel {
 
-// The scene cut up by what is the matter: what is well, and one part a kind of diagnostic. Faces take the
-// gravest kind that names them; edges are drawn as thin rods, a six-hundredth of the scene's diagonal thick.
+// The scene divided by diagnostics: a part without defects, and one per kind. Faces take the most severe kind
+// that lists them; edges are drawn as thin rods, a six-hundredth of the scene's diagonal thick.
 struct FaultPart {
-  std::optional<DiagnosticKind> kind;                   // nothing: what is well
+  std::optional<DiagnosticKind> kind;                   // nothing: the part without defects
   std::vector<Vec3> positions;                          // m, counted from the scene's origin
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
 };
 
-// Kinds that name edges leave the faces beside them as they are. Linear.
+// Diagnostics of edges do not affect the faces beside them. Linear cost.
 std::vector<FaultPart> fault_parts(const Scene& scene, const CheckReport& report);
 
 }  // namespace luxel

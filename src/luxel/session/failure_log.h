@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// What failed in the threads of a session. Every function may be called by any thread.
+// Failures in the threads of a session. Every function may be called by any thread.
 class FailureLog {
  public:
   struct Last {

@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// What is the matter with panes of glass: materials that are called glass and are opaque; sheets within a
+// Finds defects of panes of glass: materials that are called glass and are opaque; sheets within a
 // millimetre of each other, which absorb twice; and, where there is a sky or a sun, panes that let all light
 // pass.
 void find_bad_glass(const ScannedMesh& mesh, const Context& context, std::size_t places,

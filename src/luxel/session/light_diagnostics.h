@@ -10,21 +10,21 @@
 
 namespace luxel {
 
-// What is the matter with lamps: none at all, one that shines out of the scene or at a wall, one whose light
-// never gets away from it.
+// Finds defects of lamps: a scene without lamps, lamps that shine out of the scene or at a wall, and lamps
+// whose light stays enclosed.
 void find_bad_lamps(const ScannedMesh& mesh, const PatchSet& patches, const std::vector<LampView>& views,
                     const LightWalks& walks, std::vector<Diagnostic>& diagnostics);
 
-// Luminaires whose opening a surface crosses or hides.
+// Finds luminaires whose opening a surface crosses or hides.
 void find_misplaced_luminaires(const ScannedMesh& mesh, const PatchSet& patches, const Tracer& tracer,
                                std::size_t places, std::vector<Diagnostic>& diagnostics);
 
-// Light that leaves the scene, by the holes through which it does, and light that one-sided backs take.
+// Reports light that leaves the scene, per hole, and light that the backs of one-sided materials absorb.
 void find_lost_light(const ScannedMesh& mesh, const PatchSet& patches, const LightWalks& walks,
                      const std::vector<Opening>& openings, std::size_t places,
                      std::vector<Diagnostic>& diagnostics);
 
-// Surfaces that no light reaches, told by the components they belong to.
+// Finds surfaces that no light reaches, reported by connected component.
 void find_dark_surfaces(const ScannedMesh& mesh, const PatchSet& patches, const Unlit& unlit,
                         std::size_t places, std::vector<Diagnostic>& diagnostics);
 

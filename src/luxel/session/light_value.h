@@ -8,20 +8,20 @@
 
 namespace luxel {
 
-// Light that arrives, or leaves, as a person reads it. Errors are standard errors, where the method states
-// any: 1.96 of them hold the truth of this patch 95 times in 100.
+// Light that arrives or leaves, for display. Errors are standard errors, where the method states them: 1.96
+// of them contain the true value of this patch 95 times in 100.
 struct LightValue {
   double watts = 0.0;  // W/m², all bands together
   double lux = 0.0;    // lm/m²
   std::optional<double> watts_error, lux_error;
 };
 
-// What arrives at a side of a patch: its mean, as it was solved. The same rays carry all bands, so their
-// errors are added as if they went together, which they do or nearly.
+// Irradiance of a side of a patch: its mean, as solved. The same rays carry all bands, so their errors are
+// added as if fully correlated, which they nearly are.
 LightValue irradiance_of(const SessionLight& light, std::size_t patch, bool back);
 // Radiosity of the side: its emission and reflection.
 LightValue radiosity_of(const SessionLight& light, std::size_t patch, bool back);
-// What arrives at a point of it as it is drawn, (1 - u - v) a + u b + v c; without an error.
+// Irradiance at the point (1 - u - v) a + u b + v c of the side as it is drawn; without an error.
 LightValue smooth_irradiance(const SessionLight& light, std::size_t patch, bool back, float u, float v);
 
 }  // namespace luxel

@@ -11,11 +11,11 @@ namespace luxel {
 // most `places` positions each.
 void find_bad_triangles(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics);
 
-// What is the matter with how they hang together: T-junctions, open edges, more than two triangles on one
-// edge, windings. Says which --weld would close open edges, by trying.
+// Finds defects of the connections: T-junctions, open edges, more than two triangles on one edge, windings.
+// Tests which --weld would close open edges.
 void find_bad_edges(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics);
 
-// What is the matter with materials and units: reflectances that were lowered, an extent that no room has.
+// Finds defects of materials and units: reflectances that were lowered, an extent that no room has.
 void find_bad_numbers(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics);
 
 }  // namespace luxel

@@ -53,7 +53,7 @@ Crossing last_lid(const PatchSet& lids, const Tracer& tracer, const Ray& ray) {
   return crossing;
 }
 
-// Where a ray from inside leaves the box: the direction is that of the box's side.
+// The exit of a ray from the box, starting inside: the direction is that of the box's side.
 Crossing through_box(const Bounds& box, const Ray& ray) {
   Crossing crossing;
   auto nearest = std::numeric_limits<float>::infinity();

@@ -17,19 +17,19 @@ struct LostRay {
   double weight = 0.0;
 };
 
-// Where light leaves: through a loop of open edges, or past all surfaces in one of six directions.
+// Exit of light: through a loop of open edges, or past all surfaces in one of six directions.
 struct Opening {
   std::uint32_t loop = none;  // index into ScannedMesh::loops
   int direction = 0;          // without a loop: 0 to 5 for -x +x -y +y -z +z
   Vec3 at{0.0f};              // m; the mean of where the rays cross it, or where they leave the scene's box
-  double weight = 0.0;        // of all that is lost there
+  double weight = 0.0;        // of all light that is lost there
   std::size_t rays = 0;
 };
 
-// Who lost what where, the greatest first. A ray leaves through the last loop that it crosses: each loop is
-// closed by triangles from its centre to its edges, and the ray goes through one of them. (It cannot cross
-// the loop of a sheet's own outline but where the sheet is not, for there it would have met the sheet.) A few
-// milliseconds a thousand rays.
+// Finds where light leaves, the largest loss first. A ray leaves through the last loop that it crosses: each
+// loop is closed by triangles from its centre to its edges, and the ray crosses one of them. (It cannot cross
+// the outline of a sheet through the sheet itself, since it would have hit it there.) Cost: a few
+// milliseconds per thousand rays.
 std::vector<Opening> find_openings(const ScannedMesh& mesh, const std::vector<LostRay>& lost,
                                    const Context& context);
 

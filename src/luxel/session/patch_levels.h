@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// How often the input triangle was halved to get each patch, [patch]: the nearest whole number to log2 of
+// Number of halvings of the input triangle that gave each patch, [patch]: the nearest whole number to log2 of
 // their areas' ratio. 0: not cut. Cuts along contacts make parts that are no halves.
 std::vector<std::uint8_t> patch_levels(const PatchSet& patches);
 

@@ -23,10 +23,10 @@ class PendingCommands {
   std::optional<command::ShowBounces> bounces;
   std::deque<FileCommand> files;
   std::optional<std::filesystem::path> last_file;  // written once everything has ended
-  bool stops = false;                              // the solve under way
+  bool stops = false;                              // the solve in progress
   bool begins_step = false;                        // a step was requested: from idle it begins a solve
 
-  // How the solver's thread is held.
+  // Pause state of the solver's thread.
   bool is_paused = false, is_stepping = false;
 };
 

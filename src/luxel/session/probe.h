@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// What is under the cursor.
+// The surface under the cursor.
 struct Probe {
   std::uint32_t patch = 0;
   bool back = false;
@@ -26,9 +26,9 @@ struct Probe {
   std::uint32_t triangle = 0;           // of the file, from 0
   std::uint32_t line = 0;               // of the file, from 1; 0 where unknown
   std::string group = {}, object = {};  // of the file; empty where unknown
-  // Nothing where there is no light yet.
+  // Empty where there is no light yet.
   std::optional<LightValue> irradiance;         // of the patch's side: its mean
-  std::optional<LightValue> radiosity;          // likewise
+  std::optional<LightValue> radiosity;          // of the patch's side
   std::optional<LightValue> smooth_irradiance;  // at that point, as it is drawn
 };
 
@@ -45,8 +45,8 @@ struct ProfilePoint {
   LightValue irradiance;  // as it is drawn at that point, with the error of the patch's mean
 };
 
-// Light along a line that was drawn on the screen: what each of the rays meets, in their order. Where a ray
-// meets nothing the way goes on at the next that does.
+// Light along a line that was drawn on the screen: at the hit of each ray, in their order. Where a ray has no
+// hit, the line continues at the next hit.
 std::vector<ProfilePoint> profile(const SessionMesh& mesh, const SessionLight* light,
                                   std::span<const Ray> rays);
 

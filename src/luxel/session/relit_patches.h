@@ -7,12 +7,12 @@
 
 namespace luxel {
 
-// The patches with other lamps and colours, to be solved anew: what Relighter makes of the same numbers, to
-// the bit, and the same fingerprint. Throws InputError where there are not as many as Lighting asks for, or
-// one is out of its range.
+// Returns the patches with other lamps and colours, for another solve: bitwise equal to those of
+// Relighter, with the same fingerprint. Throws InputError where the number of values is not that of
+// Lighting, or one is out of range.
 PatchSet relit_patches(PatchSet patches, const Lighting& lighting);
 
-// Adds to the provenance what differs from the scene's own lamps and colours, as options of `luxel relight`.
+// Adds differences from the scene's own lamps and colours to the provenance, as options of `luxel relight`.
 void describe_lighting(const PatchSet& patches, const Lighting& lighting, Provenance& provenance);
 
 }  // namespace luxel

@@ -9,10 +9,10 @@
 
 namespace luxel {
 
-// The samples that the light of one side of a patch was made of. Where the light knows its samples these are
-// the very rays of the solver, traced again, in the order in which they were taken; with any other light,
-// those that a sampled solve would begin with. Cost: a ray each, and microseconds; direct_rays() also joins
-// the scene's lamps anew, milliseconds where there are thousands. Empty where there is no tracer yet, or the
+// The samples from which the light of one side of a patch was estimated. Where the light has its samples,
+// these are the rays of the solver, traced again in their original order; for other light, those with
+// which a sampled solve would begin. Cost: a ray each, and microseconds; direct_rays() also joins the
+// scene's lamps again, milliseconds for thousands of them. Empty where there is no tracer yet, or the
 // side gathers no light.
 
 // A cosine ray that gathers the radiosity of other surfaces.

@@ -11,8 +11,8 @@
 
 namespace luxel {
 
-// The samples of a session's newest light, and what is made of them without a ray: the light of other lamps
-// and colours, and the light after so many bounces.
+// The samples of a session's newest light, and the light computed from them without rays: that of other lamps
+// and colours, and that after a number of bounces.
 class SampleRelighting {
  public:
   explicit SampleRelighting(const Context& context) : context_(context) {}
@@ -26,7 +26,7 @@ class SampleRelighting {
   bool has_samples() const { return samples_ != nullptr; }
   const std::shared_ptr<const SampleState>& samples() const { return samples_; }
   const SampledOptions& options() const { return options_; }
-  // Whether a solve with these options may continue from the samples: all but its limits is the same.
+  // Whether a solve with these options may continue from the samples: only its limits differ.
   bool fits(const SampledOptions& options) const;
 
   // Finds the light of each light group, once, unless the monitor stops it. Needs samples.
@@ -39,7 +39,7 @@ class SampleRelighting {
   };
   Relit relight(const Lighting& lighting);
 
-  // Light after so many bounces, at least 0, and what the last of them brought. Needs samples.
+  // Light after `count` bounces, at least 0, and the light that the last one added. Needs samples.
   struct AfterBounces {
     Solution solution;
     SideValues unshot;

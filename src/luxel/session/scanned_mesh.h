@@ -13,7 +13,7 @@
 
 namespace luxel {
 
-// A scene's triangles that carry light, and how they hang together.
+// A scene's triangles that carry light, and their connections.
 struct ScannedMesh {
   const Scene* scene = nullptr;  // must outlive this
   std::vector<Vec3> places;      // m; no two are the same
@@ -24,7 +24,7 @@ struct ScannedMesh {
   std::vector<BoundaryLoop> loops;
   Bounds box;  // of the places, m
 
-  // Of a clean triangle.
+  // Corners of a clean triangle.
   std::array<Vec3, 3> points(std::size_t triangle) const;
   double area(std::size_t triangle) const;  // m²
   std::uint32_t in_scene(std::size_t triangle) const { return clean.kept[triangle].triangle; }
@@ -33,24 +33,24 @@ struct ScannedMesh {
   }
 };
 
-// n log n in all, about 3 s per million triangles. Stopped by the monitor, it returns what there is, with
-// is_whole false.
+// Cost: n log n, about 3 s per million triangles. After the monitor's stop the result is incomplete and
+// is_whole is false.
 ScannedMesh scan_mesh(const Scene& scene, const Context& context, bool& is_whole);
 
-// A place that may be told: the larger `weight`, the sooner.
+// A place that may be reported; larger `weight` first.
 struct Candidate {
   std::uint32_t triangle = 0;  // index in the scene
   Vec3 at{0.0f};               // m
   double weight = 0.0;
-  std::uint32_t item = 0;  // whatever the diagnostic goes by
+  std::uint32_t item = 0;  // an index that the diagnostic defines
 };
 
 // The centroid of a triangle of the scene, m.
 Vec3 centroid(const Scene& scene, std::uint32_t triangle);
 double area(const Scene& scene, std::uint32_t triangle);  // m²
 
-// Tells the heaviest candidates, of equals the earlier, with the names that the file gives them and a detail
-// each, and counts all.
+// Adds the candidates of largest weight, the earlier of equal ones, with their names in the file and a detail
+// each; counts all.
 void tell_places(const Scene& scene, const std::vector<Candidate>& candidates, std::size_t most,
                  const std::function<std::string(const Candidate&)>& detail, Diagnostic& diagnostic);
 

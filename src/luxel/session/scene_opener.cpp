@@ -38,7 +38,7 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
   const bool refines = settings_.refine.mesh_error > 0.0;
   if (refines) how.target_count = RefineOptions::coarse_patches;
   auto patches = make_patches_for_light(*scene, how, context_);
-  if (patches.size() == 0) return opened;  // likewise
+  if (patches.size() == 0) return opened;  // stopped, as above
   mesh.scene = scene;
   mesh.geometry = 1;
   mesh.patches = std::make_shared<const PatchSet>(patches);
@@ -65,7 +65,7 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
   return opened;
 }
 
-// Where no groups are asked for, too many kinds of lamps are no reason to show nothing.
+// Without requested groups, too many kinds of lamps must not prevent the scene from being shown.
 void SceneOpener::group_lamps(const Scene& scene, PatchSet& patches) const {
   if (!settings_.stores_transport && settings_.groups.empty()) return;
   try {

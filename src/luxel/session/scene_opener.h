@@ -14,13 +14,13 @@
 
 namespace luxel {
 
-// Reads the file of a session, and makes of it what light can be solved on.
+// Reads the file of a session and prepares its mesh for solving.
 class SceneOpener {
  public:
-  // Called by the thread that opens, with a mesh that is newer than the last.
+  // Called in the opening thread with each newer mesh.
   using Show = std::function<void(const SessionMesh&)>;
 
-  // Keeps a reference to settings. Once the context's monitor answers stop, what is returned is not complete.
+  // Keeps a reference to settings. After the monitor's stop results are incomplete.
   SceneOpener(std::filesystem::path file, const SessionSettings& settings, Context context, Show show);
 
   // A scene with its mesh. Throws InputError.

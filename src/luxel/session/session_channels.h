@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// What the solver's thread publishes.
+// State that the solver's thread publishes.
 struct SolverState {
   std::shared_ptr<const SessionMesh> mesh;
   std::shared_ptr<const SessionLight> light;
@@ -22,7 +22,7 @@ struct SolverState {
   std::uint64_t commands_done = 0;              // taken from the queue, and seen in this state or carried out
 };
 
-// What the background thread publishes.
+// State that the background thread publishes.
 struct BackgroundAnswers {
   std::shared_ptr<const CheckReport> diagnostics;
   std::shared_ptr<const LightDifference> difference;
@@ -30,7 +30,7 @@ struct BackgroundAnswers {
   std::uint64_t commands_done = 0;
 };
 
-// All that the threads of a session share. Each member locks itself.
+// Data shared by the threads of a session. Each member locks itself.
 struct SessionChannels {
   CommandQueue<SolverCommand> to_solver;
   CommandQueue<BackgroundCommand> to_background;

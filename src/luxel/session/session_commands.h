@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// What a ProgressiveSession sends to its solver's thread; its functions of the same names say what each does.
+// Commands of a ProgressiveSession to its solver's thread; its functions of the same names describe them.
 namespace command {
 
 struct Solve {
@@ -56,7 +56,7 @@ using SolverCommand =
                  command::Resume, command::SetStepping, command::Step, command::Stop, command::SaveSolution,
                  command::ExportGlb, command::SaveAtTheEnd>;
 
-// To the thread that answers questions beside it.
+// Commands to the background thread that answers queries.
 struct FindDiagnostics {};
 struct CompareWith {
   std::optional<std::filesystem::path> solution;  // nothing: the comparison ends

@@ -18,7 +18,7 @@
 namespace luxel {
 
 // The thread of a session that opens the file, solves, relights and writes: it takes commands from its queue
-// and publishes its state. Nothing in it is shared but the channels.
+// and publishes its state. Only the channels are shared.
 class SolverThread {
  public:
   // Keeps a reference to the channels.

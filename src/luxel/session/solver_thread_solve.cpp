@@ -86,7 +86,7 @@ void SolverThread::solve(const command::Solve& order) {
       return solve_light(*solve_.mesh.patches, *mesh_.tracer, solution, options, hooks,
                          context_.with_monitor(monitor));
     } catch (const InputError& error) {
-      throw with_file(file_.string(), error);  // the scene has no light; the solver does not know its file
+      throw with_file(file_.string(), error);  // the scene has no light; the error lacks its file
     }
   }();
   solve_.is_running = false;

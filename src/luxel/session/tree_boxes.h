@@ -9,8 +9,8 @@
 namespace luxel {
 
 // The boxes of the tree in which the solver orders patches, level by level: [level][node], m, counted from
-// the patches' origin. Level 0 is the whole; a leaf that ends above stands in its own level alone. Embree has
-// a hierarchy of its own, which it does not show. Cost: linear.
+// the patches' origin. Level 0 is the whole; a leaf that ends above stands in its own level alone. Embree's
+// own hierarchy is not accessible. Cost: linear.
 std::vector<std::vector<Bounds>> tree_boxes(const PatchSet& patches, const PatchTree& tree);
 
 }  // namespace luxel

@@ -7,13 +7,13 @@
 
 namespace luxel {
 
-// What each bounce of an iterative solve brings, and the next will send on: the difference of two successive
-// radiosities.
+// Light that each bounce of an iterative solve adds and the next one will reflect: the difference of two
+// successive radiosities.
 class UnshotLight {
  public:
-  // Before the first bounce there is what lamps emit.
+  // Before the first bounce the unshot light is the emission of lamps.
   void begin(const PatchSet& patches);
-  // Where light does not come in bounces.
+  // For light that does not come in bounces.
   void clear();
   void add_bounce(const Solution& light);
 

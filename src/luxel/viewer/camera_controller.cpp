@@ -93,8 +93,8 @@ bool CameraController::handle(const Event& event) {
   }
 }
 
-// As the HTML page has it: nearer to what is under the cursor, and ahead while flying. Control is for the
-// window's exposure, or the speed while flying.
+// As in the HTML page: approaches the surface under the cursor, or moves ahead while flying. With Control the
+// wheel sets the window's exposure, or the speed while flying.
 bool CameraController::handle_wheel(float turns) {
   if (is_down(key::control)) {
     if (!is_flying_) return false;

@@ -11,25 +11,25 @@
 
 namespace luxel {
 
-// From keys and the mouse to where the eye is. Two modes: while flying the mouse looks around and the cursor
-// is captured; else the cursor is free, and the mouse turns the scene about what is under it.
+// Moves the eye by keys and mouse. Two modes: while flying the mouse looks around and the cursor is captured;
+// else the cursor is free, and the mouse turns the scene about the point under it.
 class CameraController {
  public:
-  // What is under a point of the screen, in [-1, 1] from the left and the bottom; nothing where nothing is.
+  // Returns the surface point at a place of the screen, in [-1, 1] from the left and the bottom, if any.
   using Pick = std::function<std::optional<Vec3>(float x, float y)>;
 
   explicit CameraController(Pick pick) : pick_(std::move(pick)) {}
 
-  // Another scene: its up and size. Speeds go with the size. Saved views are forgotten.
+  // Sets up and size of another scene. Speeds scale with the size. Discards saved views.
   void set_space(const Space& space, const Bounds& box);
   void set_screen(ScreenSize size) { screen_ = size; }
-  // Where one begins, and what home() goes back to. Goes there unless the eye has been moved since the last
-  // set_space(); glide: not at once but within a quarter of a second.
+  // Sets the initial pose, to which home() returns. Goes there unless the eye has been moved since the last
+  // set_space(); glide: within a quarter of a second instead of at once.
   void set_home(const Pose& pose, bool glide);
   void go_to(const Pose& pose);     // at once
   void glide_to(const Pose& pose);  // within a quarter of a second
 
-  bool handle(const Event& event);  // true where it meant something
+  bool handle(const Event& event);  // true where the event was used
   void advance(double seconds);
 
   const Pose& pose() const { return pose_; }
@@ -40,15 +40,15 @@ class CameraController {
   bool is_moving() const;
   bool is_shifted() const { return is_down(key::shift); }
   bool has_control() const { return is_down(key::control); }
-  // Nearer to what is in the middle, or further away, by this factor of the distance.
+  // Scales the distance to the surface in the middle of the screen by this factor.
   void zoom(float factor);
-  // Keys are released elsewhere from here on: none is down.
+  // Treats all keys as released, for when another window receives their release.
   void release_keys() { down_ = {}; }
-  // Whether the button that was released last had not moved the cursor.
+  // Whether the cursor did not move while the last button was pressed.
   bool is_click() const { return travel_ < 4.0f; }
   float speed() const { return speed_; }  // m/s
   Vec2 cursor() const { return cursor_; }
-  // Of the cursor while it is free, of the middle while flying: in [-1, 1].
+  // Place of the cursor while it is free, the middle while flying: in [-1, 1].
   Vec2 aim() const;
   float aspect() const;
 
@@ -64,7 +64,7 @@ class CameraController {
   void handle_button(const Event& event);
   void handle_move(const Vec2& to);
   bool handle_wheel(float turns);
-  // Scales the distance to what is at a point of the screen; where nothing is, to the middle of the scene.
+  // Scales the distance to the surface at a point of the screen, or else to the middle of the scene.
   void approach_at(const Vec2& place, float factor);
   void glide(const Pose& to);
   bool is_down(Key key) const { return down_[static_cast<std::size_t>(key)]; }
@@ -83,7 +83,7 @@ class CameraController {
   std::optional<MouseButton> dragging_;
   std::optional<Vec3> pivot_;
   std::array<std::optional<Pose>, views> views_;
-  // A way from one pose to another, and how far it is.
+  // A movement from one pose to another, and its progress.
   struct Glide {
     Pose from, to;
     double fraction;

@@ -8,18 +8,18 @@
 
 namespace luxel {
 
-// From dark to bright, for what is more or less; and from blue over white to red, for what is off to either
-// side. Both keep their order for eyes that do not tell red from green.
+// heat: from dark to bright, for amounts; difference: from blue over white to red, for deviations to either
+// side. Both keep their order for viewers with red-green colour blindness.
 enum class ColourMap { heat, difference };
 
-// share: in [0, 1], clamped; NaN gives grey. Linear RGB in [0, 1].
+// fraction: in [0, 1], clamped; NaN gives grey. Linear RGB in [0, 1].
 Vec3 map_colour(ColourMap map, float fraction);
 
-// How values become shares of a colour map.
+// Maps values to fractions of a colour map.
 struct ValueScale {
   float low = 0.0f, high = 1.0f;  // high above low; both above 0 where it is logarithmic
   bool logarithmic = false;
-  int isolines = 0;  // at equal steps of the share, the ends not counted; 0: none
+  int isolines = 0;  // at equal steps of the fraction, without the ends; 0: none
   ColourMap map = ColourMap::heat;
 
   float fraction(float value) const;
@@ -33,7 +33,7 @@ ValueScale automatic_value_scale(const std::vector<float>& values, bool logarith
 
 // 1, 2 or 5 times a power of ten, not below the value; for values above 0.
 float round_up(float value);
-// What a person reads at a scale: three digits, without zeros at the end.
+// Text of a number at a scale: three digits, without trailing zeros.
 std::string scale_text(float value);
 
 }  // namespace luxel

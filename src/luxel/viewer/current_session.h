@@ -13,8 +13,8 @@
 
 namespace luxel {
 
-// The scene that is looked at, and the one that will take its place: a file that cannot be read leaves the
-// old one where it is.
+// The displayed scene, and the one that will replace it: if a file cannot be read, the old scene
+// stays.
 class CurrentSession {
  public:
   using SettingsOf = std::function<SessionSettings(const std::filesystem::path& file)>;
@@ -25,7 +25,7 @@ class CurrentSession {
   CurrentSession(const CurrentSession&) = delete;
   CurrentSession& operator=(const CurrentSession&) = delete;
 
-  // Begins to read it. Nothing waits.
+  // Begins to read the file; returns at once.
   void open(const std::filesystem::path& file);
 
   // Once per frame: takes what the session has published.
@@ -40,18 +40,18 @@ class CurrentSession {
   const std::shared_ptr<const SessionMesh>& mesh() const { return snapshot_.mesh; }
   const std::shared_ptr<const SessionLight>& light() const { return snapshot_.light; }
   const SessionStatus& status() const { return snapshot_.status; }
-  // Of the one that is shown, or else of the one that comes.
+  // Title of the displayed scene, else of the coming one.
   std::string title() const;
-  // Something is being done, or read.
+  // Whether the solver works or a file is being read.
   bool is_busy() const;
 
-  // Sentences about what failed since the last call, in order.
+  // Error sentences since the last call, in order.
   std::vector<std::string> take_errors();
 
   // Stops the solver, saves the light if a file is given, and waits.
   struct Ending {
-    std::string error;  // a sentence; empty: nothing went wrong
-    std::string saved;  // likewise, about the file
+    std::string error;  // a sentence; empty: no error
+    std::string saved;  // a sentence about the file; empty: none
   };
   Ending close(const std::optional<std::filesystem::path>& save);
 

@@ -14,12 +14,12 @@
 
 namespace luxel {
 
-// A vertex on the graphics card: a smooth vertex with a material, as surface colours stay sharp where two
-// materials share the light. Or a vertex within an edge of a patch, with the values that run along the edge.
+// A vertex on the graphics card: a smooth vertex with a material, so that colours stay sharp between two
+// materials of equal light. Or a vertex within an edge of a patch, with interpolated values.
 struct DrawVertex {
   std::uint32_t smooth = 0;
   std::uint32_t material = 0;
-  // Within an edge: the draw vertices at its ends, both earlier ones, and how far it is along the way.
+  // Within an edge: the draw vertices at its ends, both earlier ones, and its fraction of the way.
   std::uint32_t from = none, to = none;
   float fraction = 0.0f;
   std::uint32_t vertex = none;  // within an edge: index into PatchSet::vertices
@@ -27,14 +27,14 @@ struct DrawVertex {
   bool is_on_edge() const { return from != none; }
 };
 
-// Finds them patch by patch, so that a large mesh is spread over frames, and the triangles that are drawn:
+// Finds draw vertices patch by patch, so that a large mesh is spread over frames, and the drawn triangles:
 // patches, cut where vertices of others lie on their edges (PatchCut).
 class DrawVertices {
  public:
   // Keeps references.
   DrawVertices(const PatchSet& patches, const std::vector<PatchCut>& cuts, const SmoothLight& light);
 
-  // Goes on with the next patches, at most `count`. About 30 ns per patch.
+  // Processes the next patches, at most `count`. About 30 ns per patch.
   void go_on(std::size_t count);
   bool is_done() const { return corners_.size() == patches_.size(); }
 
@@ -69,7 +69,7 @@ std::vector<std::array<std::uint32_t, 3>> drawn_triangles(const PatchSet& patche
 // The patch of each triangle that is drawn.
 std::vector<std::uint32_t> patches_of_triangles(const PatchSet& patches, const std::vector<PatchCut>& cuts);
 
-// What a vertex shows.
+// Value that a vertex shows.
 enum class VertexValue {
   radiance,  // W/(m² sr), linear RGB
   lux,       // irradiance, in the first number
@@ -78,7 +78,7 @@ enum class VertexValue {
 struct TwoSides {
   Vec3 front, back;
 };
-// Of a vertex that is not within an edge.
+// Value of a vertex that is not within an edge.
 TwoSides value_of(const DrawVertex& vertex, const TextureRatio& ratio, VertexValue what,
                   const PatchSet& patches, const BandColours& colours, const SmoothLight& light);
 

@@ -13,12 +13,12 @@ class EditHistory {
  public:
   static constexpr std::size_t max_states = 200;
 
-  // Begins with this state; what was before is forgotten.
+  // Begins with this state; discards earlier ones.
   void reset(State state) {
     states_.assign(1, std::move(state));
     now_ = 0;
   }
-  // The state after a change: what had been undone is forgotten. Nothing happens where it is not another one.
+  // Records the state after a change and discards undone states. Has no effect where the state is the same.
   void note(const State& state) {
     if (states_.empty()) return reset(state);
     if (state == states_[now_]) return;
@@ -30,7 +30,7 @@ class EditHistory {
 
   bool can_undo() const { return now_ > 0; }
   bool can_redo() const { return now_ + 1 < states_.size(); }
-  // The state before the last change, or after the change that was undone last. Only where there is one.
+  // Return the state before the last change, and after the last undone change. Only where one exists.
   const State& undo() { return states_[--now_]; }
   const State& redo() { return states_[++now_]; }
 

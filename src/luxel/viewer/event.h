@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// Keys by what stands on them: letters and digits as themselves ('A', '7', ' '), and the others from here on.
+// Keys by their labels: letters and digits as characters ('A', '7', ' '), all others by these numbers.
 using Key = int;
 namespace key {
 inline constexpr Key escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261,
@@ -29,14 +29,14 @@ struct Event {
     wheel,
     resize,
     drop,
-    expose,  // the window is seen again: it must be drawn
-    leave,   // keys go to another window: those that are down count as released
+    expose,  // the window is visible again and must be drawn
+    leave,   // another window gets the keys: pressed ones count as released
     close
   };
   Kind kind = Kind::move;
   Key key = 0;          // key
   bool down = false;    // key, button: pressed, else released
-  bool repeat = false;  // key: held down, the system says it again
+  bool repeat = false;  // key: held down, repeated by the system
   MouseButton button = MouseButton::left;
   Vec2 at = Vec2(0.0f);   // move: the cursor from the top left, in units of Screen::size(); wheel: its turn;
                           // resize: the new size

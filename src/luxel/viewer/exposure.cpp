@@ -16,7 +16,7 @@ namespace {
 constexpr int columns = 36, rows = 23;
 constexpr double reaction = 0.12;  // s, time constant: for two thirds of a change
 
-// What is seen through a grid of the view.
+// Radiance of a grid of rays through the view.
 struct Seen {
   Image radiance{columns, rows};  // W/(m² sr)
   SkyPixels sky;

@@ -9,21 +9,21 @@
 
 namespace luxel {
 
-// What is seen, and in which proportions.
+// The view: pose, axes and aspect.
 struct SeenFrom {
   const Pose& pose;
   const Space& space;
   float aspect;
 };
 
-// The tone curve for what is in view, as an eye gets used to it.
+// The tone curve for the view, which adapts gradually, like an eye.
 class Exposure {
  public:
-  // Another scene: the next curve fits at once.
+  // Forgets the scene: the next curve fits at once.
   void forget();
-  // The curve for these options. automatic: goes a part of the way from the last one towards what fits what
-  // is seen, over about a third of a second; else stays where it was, but for the options' exposure.
-  // Cost: about 800 rays where it is automatic and there is light.
+  // The curve for these options. automatic: moves from the last curve towards that which fits the view, over
+  // about a third of a second; otherwise only the options' exposure changes. Cost: about 800 rays where it is
+  // automatic and there is light.
   ToneCurve curve(const ToneOptions& options, bool automatic, const SessionLight* light, const SeenFrom& from,
                   double seconds);
   // Whether the curve has come to rest.

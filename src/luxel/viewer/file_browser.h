@@ -7,8 +7,8 @@
 
 namespace luxel {
 
-// A folder and what of it can be chosen: its folders, and its files with certain endings. Hidden ones are
-// left out.
+// A folder and its entries that can be chosen: its folders, and its files with certain endings.
+// Hidden ones are left out.
 class FileBrowser {
  public:
   struct Entry {
@@ -25,7 +25,7 @@ class FileBrowser {
   // Goes to a folder, from this one; "..": the one above. Where it cannot be read, this one stays, and
   // error() has the reason.
   void enter(const std::filesystem::path& folder);
-  // What a name that was typed means: a path, from this folder.
+  // Returns the path of a typed name, relative to this folder.
   std::filesystem::path path_of(const std::string& name) const;
 
  private:

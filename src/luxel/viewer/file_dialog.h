@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// What a file is chosen for.
+// Purpose and defaults of a file dialog.
 struct FileRequest {
   std::string title = {}, button = {};  // "Open", for instance
   std::vector<std::string> endings =
@@ -33,7 +33,7 @@ class FileDialog {
  private:
   void list();
   void name_line();
-  void take();  // what the name means: a folder is entered, a file chosen
+  void take();  // enters the named folder, or chooses the named file
   void set_name(const std::string& name);
   std::filesystem::path chosen() const;
   bool replaces() const;

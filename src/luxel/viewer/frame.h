@@ -10,7 +10,7 @@
 
 namespace luxel {
 
-// How edges become smooth.
+// Antialiasing of edges.
 enum class EdgeSmoothing {
   sampled,  // four samples per pixel, where the driver has them
   rough,    // one: a fifth of the time where a processor draws
@@ -18,9 +18,9 @@ enum class EdgeSmoothing {
   coarsest  // one for nine
 };
 
-// How many pixels wide and high is what one drawn pixel stands for: 1, 2 or 3.
+// Width and height, in pixels, of the area of one drawn pixel: 1, 2 or 3.
 int pixel_step(EdgeSmoothing edges);
-// How many pixels are drawn for a picture of this size.
+// Number of pixels that are drawn for a picture of this size.
 ScreenSize drawn_size(ScreenSize size, EdgeSmoothing edges);
 
 // A framebuffer of our own, sRGB, with depth: the same off screen and in a window, so that pictures of both
@@ -35,17 +35,17 @@ class DrawnFrame {
   // Makes it ready to be drawn into, at this size (pixels), filled with a colour (linear, [0, 1]). Memory is
   // kept while the size stays. Throws DeviceError where the driver has none of this size.
   void begin(ScreenSize size, const Vec3& background, EdgeSmoothing edges);
-  // Samples become pixels. What is drawn from here on (panels) writes sRGB codes as they are, one sample a
-  // pixel. Leaves the pixels as the current read framebuffer, for Screen::present().
+  // Converts samples to pixels. Later drawing (panels) writes sRGB codes unchanged, one sample per pixel.
+  // Leaves the pixels as the current read framebuffer, for Screen::present().
   void resolve();
   // After resolve(): keeps the mean of these pixels and of `count` rough pictures before, each drawn with the
-  // tile that shifted_tile() gives: edges that get smooth picture by picture while nothing moves.
+  // tile that shifted_tile() gives: edges become smoother with each picture while nothing moves.
   void join(int count);
-  // The pixels become that mean: in the place of begin(), drawing and resolve().
+  // Sets the pixels to that mean, in place of begin(), drawing and resolve().
   void show_joined();
-  // Waits until all that was drawn is: its time is known then.
+  // Waits until drawing has finished, so that its time can be measured.
   void wait() const;
-  // After resolve(): what is seen, and the same as linear, display-referred values. Both wait for the driver.
+  // After resolve(): displayed codes, and the same as linear display values. Both wait for the driver.
   ScreenImage read_codes() const;
   Image read() const;
 
@@ -61,10 +61,10 @@ struct PicturePart {
   ScreenSize size;         // of the part
 };
 Tile tile_of(const PicturePart& part, const Tile& whole = {});
-// With so many pixels more on every side, but for where the picture ends.
+// Extends the part by `margin` pixels on every side, but not beyond the picture.
 PicturePart with_margin(const PicturePart& part, int margin);
 
-// The whole picture, shifted within a pixel: four of these (0 to 3) stand for four samples.
+// The whole picture, shifted within a pixel: four shifts (0 to 3) replace four samples.
 inline constexpr int shifts = 4;
 Tile shifted_tile(int shift, ScreenSize size);
 

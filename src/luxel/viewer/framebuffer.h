@@ -6,16 +6,16 @@
 
 namespace luxel {
 
-// The room's own: what framebuffers are made of.
+// Internal to this module: helpers for framebuffers.
 
-// Throws DeviceError where the one that is bound cannot be drawn into.
+// Throws DeviceError where the bound framebuffer cannot be drawn into.
 void check_complete(ScreenSize size);
-// Room for such a picture, which is read texel by texel.
+// Allocates a texture, which is read texel by texel.
 void texture_storage(const GlTexture& texture, GLint format, ScreenSize size);
-// From now on it is read between its texels too.
+// Enables linear interpolation between texels.
 void filter_between_texels(const GlTexture& texture);
 void attach(GLenum place, const GlTexture& texture);
-// Colour (none where it is null) and depth of the framebuffer that is bound. samples: 0, or so many a pixel.
+// Attaches colour (null: none) and depth to the bound framebuffer. samples: per pixel; 0: no multisampling.
 void attach_rendered(const GlRenderbuffer* colour, const GlRenderbuffer& depth, int samples, ScreenSize size);
 
 }  // namespace luxel

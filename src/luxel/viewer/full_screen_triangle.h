@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// The room's own. A triangle that covers the whole viewport: what a program does at every pixel.
+// Internal to this module. A triangle over the whole viewport, so that a program runs at every pixel.
 class FullScreenTriangle {
  public:
   static constexpr std::string_view vertex_shader = R"(
@@ -16,7 +16,7 @@ void main() {
   gl_Position = vec4(corner, 0.0, 1.0);
 }
 )";
-  // With the program in use.
+  // Draws with the current program.
   void draw() const {
     glBindVertexArray(nothing_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -11,8 +11,8 @@
 
 namespace luxel {
 
-// An OpenGL name that is given back at the end: one of these for every kind of object. The context it came
-// from must be current then.
+// Owns an OpenGL name and releases it at the end; one class per kind of object. The context in which it was
+// made must be current then.
 template <void (*give)(GLuint*), void (*take)(const GLuint*)>
 class GlName {
  public:
@@ -61,7 +61,7 @@ class GlProgram {
   GlProgram& operator=(const GlProgram&) = delete;
 
   void use() const { glUseProgram(name_); }
-  // Of the program in use. A uniform that the driver has left out, as unused, is ignored.
+  // Sets uniforms of the program in use. A uniform that the driver removed as unused is ignored.
   void set(const char* uniform, float value) const;
   void set(const char* uniform, int value) const;
   void set(const char* uniform, int x, int y) const;

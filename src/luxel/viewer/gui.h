@@ -15,9 +15,9 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  // free_cursor: false while the mouse looks around; then the panels see nothing of it.
+  // free_cursor: false while the mouse looks around; then the panels do not receive it.
   void handle(const Event& event, bool free_cursor);
-  // Between these two panels are declared.
+  // Panels are declared between these two calls.
   void begin(double seconds);
   void draw();
 

@@ -10,11 +10,11 @@
 
 namespace luxel {
 
-// The view that a scene opens with: the one that was asked for, or that of the file's first camera, or the
-// automatic camera's, which is found in a thread of its own.
+// The view with which a scene opens: the requested one, or that of the file's first camera, or that of the
+// automatic camera, which is found in a thread of its own.
 class HomeView {
  public:
-  // Another scene.
+  // Prepares for another scene.
   void forget() { has_space_ = is_known_ = false; }
   // Once per frame, while the session has a mesh: sets the camera's space, and its home once it is known.
   void update(const CurrentSession& session, const WindowSettings& settings, CameraController& camera);

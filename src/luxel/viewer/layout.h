@@ -11,7 +11,7 @@ inline float em(float heights) { return heights * ImGui::GetFontSize(); }
 
 inline float panel_width() { return em(20.0f); }
 
-// Of a window within the window that only shows something.
+// Flags of a panel without controls.
 inline constexpr auto still_card = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize;

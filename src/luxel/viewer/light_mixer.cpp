@@ -18,7 +18,7 @@ Vec3 colour_of(const std::vector<float>& reflectance, const PatchSet& patches) {
   return glm::clamp(Vec3(seen / glm::max(full, Vec3d(1e-9))), Vec3(0.0f), Vec3(max_reflectance));
 }
 
-// What a tint of a light group is multiplied by: the colour of luminaires does not change their lumens.
+// Factor on the tint of a light group: the colour of luminaires does not change their lumens.
 float lumens_kept(const PatchSet& patches, std::size_t group, const std::vector<float>& tint) {
   const auto relative = relative_lumens(patches, group, tint);
   return relative > 0.0 ? static_cast<float>(1.0 / relative) : 1.0f;

@@ -8,8 +8,8 @@
 
 namespace luxel {
 
-// Sliders of lamps and colours of surfaces, as a person sets them: in linear sRGB, whatever bands the light
-// has.
+// Sliders of lamps and colours of surfaces, as set by the user: in linear sRGB, for any bands of the
+// light.
 struct LightMixer {
   struct Lamps {
     std::string name;
@@ -27,13 +27,13 @@ struct LightMixer {
   std::vector<Surface> materials;  // [material]
 
   LightMixer() = default;
-  // As the scene has them.
+  // The scene's own lamps and colours.
   explicit LightMixer(const PatchSet& patches);
 
   bool is_untouched() const;
   bool operator==(const LightMixer&) const = default;
-  // What the solver is told. Bands without colour stay as they are. The tint of a group of luminaires changes
-  // their colour but not their lumens.
+  // Returns the lighting for the solver. Bands without colour stay as they are. The tint of a group of
+  // luminaires changes their colour but not their lumens.
   Lighting lighting(const PatchSet& patches) const;
 };
 

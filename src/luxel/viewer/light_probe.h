@@ -10,30 +10,30 @@
 
 namespace luxel {
 
-// What a person asks the light: what is under the cursor, and along a line.
+// Probes of the light: under the cursor, and along a line.
 class LightProbe {
  public:
-  // Another scene: nothing is asked any more.
+  // Removes all probes, for another scene.
   void forget();
 
-  // Looks at what the eye sees at a point of the screen, [-1, 1]; where it is pinned it stays the same point
-  // of the world. Microseconds.
+  // Probes the surface at a point of the screen, [-1, 1]; a pinned probe stays at its point of the scene.
+  // Cost: microseconds.
   void look_at(const SessionMesh& mesh, const SessionLight* light, const Pose& pose, const Space& space,
                float aspect, Vec2 at);
   void pin();
   void unpin() { pinned_.reset(); }
   bool is_pinned() const { return pinned_.has_value(); }
   const std::optional<Probe>& probe() const { return probe_; }
-  // The luminaire at that point, if its opening is there.
+  // The luminaire whose opening is at that point, if any.
   const std::optional<SeenLuminaire>& luminaire() const { return luminaire_; }
 
   // A line over the screen, from one point to another, [-1, 1].
   void draw_line(const Pose& pose, const Space& space, float aspect, Vec2 from, Vec2 to);
   void clear_line();
-  // Once a frame: the profile is that of the newest light.
+  // Once per frame: updates the profile to the newest light.
   void update_profile(const SessionMesh& mesh, const SessionLight* light);
   const std::vector<ProfilePoint>& profile() const { return profile_; }
-  std::uint64_t line_version() const { return line_version_; }  // other where the line lies elsewhere
+  std::uint64_t line_version() const { return line_version_; }  // changes with the line
 
  private:
   std::optional<Ray> pinned_;

@@ -36,7 +36,7 @@ class MarkBuffer {
   MarkBuffer& operator=(const MarkBuffer&) = delete;
 
   void set(const Marks& marks);
-  // through: what lies behind surfaces shows as well, fainter. point_size: pixels.
+  // through: also shows marks behind surfaces, fainter. point_size: pixels.
   void draw(const Mat4& projection, float point_size, bool through) const;
 
  private:

@@ -55,7 +55,7 @@ Weights weights_of(const Group& group, double pixel) {
 
 ScreenSize half_of(ScreenSize size) { return {(size.width + 1) / 2, (size.height + 1) / 2}; }
 
-// A picture that programs write, and read as it is or between its texels.
+// A texture that programs write, and read with or without interpolation.
 struct Target {
   GlTexture texture;
   GlFramebuffer frame;
@@ -118,7 +118,7 @@ void LocalTone::State::resize(ScreenSize to) {
   size = to;
 }
 
-// What the program in use makes of one, into another.
+// Draws one texture into another with the program in use.
 void LocalTone::State::run(const Target& source, const Target& target, ScreenSize its_size) const {
   glBindFramebuffer(GL_FRAMEBUFFER, target.frame.name());
   glViewport(0, 0, its_size.width, its_size.height);

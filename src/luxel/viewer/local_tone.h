@@ -8,13 +8,13 @@
 
 namespace luxel {
 
-// Reinhard's local operator (ToneOperator::reinhard_local, equations 5 to 9) on the card: the light that each
-// pixel is held against. image/tone_map.cpp does the same on the processor; here blurs wider than a pixel are
-// made of means of 2 x 2 and 4 x 4 pixels. Some 40 looks at a texel per pixel. Needs the context it was made
-// in.
+// Reinhard's local operator (ToneOperator::reinhard_local, equations 5 to 9) on the card: the
+// adaptation luminance of each pixel. image/tone_map.cpp does the same on the processor; here blurs
+// wider than a pixel use means of 2 x 2 and 4 x 4 pixels. Cost: about 40 texel reads per pixel. Needs
+// the context it was made in.
 class LocalTone {
  public:
-  // Pixels around one, of which it knows nothing beyond: a part of a picture needs so many around it.
+  // Radius of influence, pixels: a part of a picture needs this margin.
   static constexpr int reach = 48;
 
   LocalTone();
@@ -25,10 +25,10 @@ class LocalTone {
   // Makes it ready to be drawn into with Paint::curve_input, at this size. Throws DeviceError where the
   // driver has no picture of this size.
   void begin(ScreenSize size);
-  // Finds the light around each pixel of what was drawn. pixel: how wide it is, in pixels of the picture that
-  // people see; the scales go with these.
+  // Finds the light around each pixel of what was drawn. pixel: its width in pixels of the displayed picture,
+  // in which the scales are defined.
   void finish(const ToneCurve& curve, float pixel);
-  // That light, for what is drawn from here on, as a texture of that unit.
+  // Binds that light as the texture of this unit, for later drawing.
   void use(int unit) const;
 
  private:

@@ -5,9 +5,9 @@
 
 namespace luxel {
 
-// The room's own: what LocalTone does at every pixel, one after the other.
+// Internal to this module: the shaders of LocalTone, in their order.
 
-// The mean of 2 x 2 pixels; at an odd edge, of those there are.
+// The mean of 2 x 2 pixels; at an odd edge, of those that exist.
 inline constexpr std::string_view halve_shader = R"(
 uniform sampler2D source;
 out vec4 pixel;
@@ -19,8 +19,8 @@ void main() {
 }
 )";
 
-// Up to four Gaussian blurs at once along a row or a column, one a channel. Weights within the picture are
-// brought back to a sum of 1.
+// Up to four Gaussian blurs at once along a row or a column, one per channel. Weights within the picture are
+// normalised to a sum of 1.
 inline constexpr std::string_view blur_shader = R"(
 uniform sampler2D source;
 uniform int down, radius;

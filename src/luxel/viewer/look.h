@@ -39,14 +39,14 @@ struct Look {
   bool help = false;   // all keys
   bool about = false;  // version and licence
 
-  // Makes the choice of that name: "show", "tone", "exposure", "lux", "log", "low", "isolines", "wires", ...;
-  // switches take on and off. Throws InputError, one sentence, where there is no such choice or value.
+  // Sets the setting of that name: "show", "tone", "exposure", "lux", "log", "low", "isolines", "wires", ...;
+  // switches take on and off. Throws InputError, one sentence, where there is no such setting or value.
   void set(std::string_view name, const std::string& value);
 
   bool operator==(const Look&) const = default;
 };
 
-// A number from a script. Throws InputError naming what it is of.
+// Reads a number of a script. Throws InputError that names `of`.
 float script_number(std::string_view of, const std::string& text);
 
 }  // namespace luxel

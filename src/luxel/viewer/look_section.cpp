@@ -43,7 +43,7 @@ void scale_choice(const Viewer& viewer, Look& look) {
   ImGui::Checkbox("logarithmic", &look.logarithmic);
   ImGui::Checkbox("scale by itself", &look.automatic_scale);
   if (look.automatic_scale) {
-    // So that a scale of one's own begins with what is seen.
+    // A manual scale begins with the ends of the current one.
     if (const auto scale = viewer.painter().scale()) look.low = scale->low, look.high = scale->high;
   } else {
     ImGui::InputFloat("from", &look.low, 0.0f, 0.0f, "%.4g");

@@ -17,8 +17,8 @@
 namespace luxel {
 namespace {
 
-constexpr int face_steps = 4;  // of a flat face: so finely its radiance is known from near by
-// Farther away than so many radii all of a body is seen in nearly one direction, and has one radiance.
+constexpr int face_steps = 4;  // of a flat face, for its radiance from near by
+// Distance in radii beyond which a body is seen in nearly one direction and has one radiance.
 constexpr double far = 20.0;
 
 constexpr std::string_view vertex_shader = R"(
@@ -39,7 +39,7 @@ void main() {
 }
 )";
 
-// Where nothing is emitted there is nothing to see.
+// Without emission nothing is visible.
 constexpr std::string_view fragment_shader = R"(
 in vec3 radiance;
 out vec4 pixel;

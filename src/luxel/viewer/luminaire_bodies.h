@@ -17,10 +17,10 @@ class LuminaireBodies {
   LuminaireBodies(const LuminaireBodies&) = delete;
   LuminaireBodies& operator=(const LuminaireBodies&) = delete;
 
-  // The luminaires of these patches as they are dimmed and coloured there. Nothing where it has them already.
+  // Sets the luminaires of these patches, as dimmed and coloured there. No effect if they are set already.
   void set(const std::shared_ptr<const PatchSet>& patches);
-  // Over surfaces, which hide them but where they lie up to 5 mm behind. Paints light, curve_input and grey
-  // show them; the other ones are for values of surfaces.
+  // Draws them over surfaces, which hide them unless they lie up to 5 mm behind. Only paints light,
+  // curve_input and grey show them; the other ones show values of surfaces.
   void draw(const SurfaceView& view);
 
  private:

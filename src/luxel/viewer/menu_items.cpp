@@ -19,7 +19,7 @@ using Path = std::vector<std::string>;
 
 void add_line(Items& items, const std::string& menu) { items.push_back({.path = {menu, ""}}); }
 
-// A choice of what is shown; checked: as it is now.
+// A display choice; checked: its current state.
 void add_switch(Items& items, Path path, const std::string& keys, bool Look::*place, const Look& look) {
   items.push_back({.path = std::move(path),
                    .keys = keys,

@@ -15,16 +15,16 @@
 
 namespace luxel {
 
-// How many patches, vertices or values go to the card in one step: well under a millisecond.
+// Patches, vertices or values that are sent to the card per step: well under a millisecond.
 inline constexpr std::size_t slice = 16'384;
 
-// Vertices and triangles on the card, without T-junctions. Each go_on() is a slice; false where nothing was
-// left to do. Keeps references.
+// Vertices and triangles on the card, without T-junctions. Each go_on() sends a slice; false where nothing
+// was left to do. Keeps references.
 class MeshBuffers {
  public:
-  // As the patches have them; triangles are there to be drawn as they come.
+  // Vertices of the patches; triangles can be drawn as they arrive.
   MeshBuffers(const PatchSet& patches, const std::vector<PatchCut>& cuts);
-  // With a vertex for each that DrawVertices finds, for values.
+  // Vertices of DrawVertices, for values.
   MeshBuffers(const PatchSet& patches, const std::vector<PatchCut>& cuts, const SmoothLight& light);
 
   MeshBuffers(const MeshBuffers&) = delete;
@@ -32,13 +32,13 @@ class MeshBuffers {
 
   bool go_on();
   bool is_done() const { return is_allocated_ && corners_.is_done() && edges_.is_done(); }
-  // Of a mesh for values, when it is done.
+  // Draw vertices of a completed mesh for values.
   const DrawVertices& vertices() const { return *found_; }
 
-  // values: two vec3 a vertex.
+  // values: two vec3 per vertex.
   void take_values(const GlBuffer& values) const;
   void draw() const;
-  // The patches, whose edges are not those of the triangles where these are cut.
+  // Draws the patches, whose edges differ from those of the triangles where patches are cut.
   void draw_patches() const;
 
  private:

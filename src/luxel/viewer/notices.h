@@ -9,16 +9,16 @@
 
 namespace luxel {
 
-// Sentences for the person at the window: short ones on the screen for a few seconds, and errors, each in a
+// Messages of the window: short ones on the screen for a few seconds, and errors, each in a
 // dialog.
 class Notices {
  public:
   void say(std::string sentence);
   void complain(std::string sentence);
-  // Says those of a session's messages that are new since the last call.
+  // Shows the messages of a session that are new since the last call.
   void say_new(const std::vector<Message>& messages);
   void begin_session() { messages_seen_ = 0; }
-  // So many seconds pass.
+  // Advances the time.
   void advance(double seconds);
 
   const std::string& said() const { return said_; }                   // empty: nothing

@@ -18,10 +18,10 @@ namespace luxel {
 // along.
 class Overlays {
  public:
-  // Another scene.
+  // Removes all marks, for another scene.
   void forget();
-  // What the look asks for, of the newest light and the patch that the light_probe looks at. True where the
-  // marks are others than before. Cost: linear where something is asked for anew; a frame where nothing is.
+  // Makes the marks requested by `look`, for the newest light and the patch under the light_probe. Returns
+  // true where the marks have changed. Cost: linear for changed requests, otherwise negligible.
   bool update(const Look& look, const std::shared_ptr<const SessionMesh>& mesh,
               const std::shared_ptr<const SessionLight>& light, const LightProbe& light_probe,
               const std::shared_ptr<const CheckReport>& diagnostics);
@@ -29,7 +29,7 @@ class Overlays {
   std::uint64_t version() const { return version_; }
 
  private:
-  // What the marks were made of.
+  // Inputs of the current marks.
   struct Made {
     bool normals = false, boxes = false, rays = false, samples = false;
     int level = 0;

@@ -171,13 +171,13 @@ void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, cons
   marks_.draw(to_screen, drawn.point_size, true);
 }
 
-// Grey as the surfaces are before there is light.
+// Grey while surfaces have no light.
 void Painter::draw_luminaires(SurfaceView view) {
   if (view.paint == Paint::light && !surfaces_.shows_radiance()) view.paint = Paint::grey;
   luminaires_.draw(view);
 }
 
-// Where there is light to show it by.
+// Draws nothing while there is no light.
 void Painter::draw_sky(const SurfaceView& view, const Space& space) const {
   if (!mesh_ || !mesh_->patches->has_sky() || !light_) return;
   const auto radiance = in_gamut(mesh_->patches->colours().rgb(mesh_->patches->mean_sky()));

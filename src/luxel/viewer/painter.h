@@ -18,7 +18,7 @@
 
 namespace luxel {
 
-// Where the eye is, on what it looks, through which curve.
+// Eye, scene and tone curve of a picture.
 struct Viewpoint {
   Pose pose;
   Space space;
@@ -27,13 +27,13 @@ struct Viewpoint {
   float aspect = 1.0f;  // of the picture
 };
 
-// What pictures are drawn into.
+// Target of drawing.
 struct Canvas {
   DrawnFrame frame;
-  std::unique_ptr<LocalTone> local;  // once it was needed
+  std::unique_ptr<LocalTone> local;  // made on first use
 };
 
-// One part of a picture, and how fine it is drawn.
+// A part of a picture, and its resolution.
 struct DrawnPart {
   PicturePart part;
   EdgeSmoothing edges;
@@ -41,23 +41,23 @@ struct DrawnPart {
   Tile all = {};     // the whole picture that the part is of, see shifted_tile()
 };
 
-// Brings what is looked at to the graphics card, as it was chosen to be seen, and draws it.
+// Uploads the scene to the graphics card in the chosen display, and draws it.
 class Painter {
  public:
-  // scene: its number; another one is another scene. difference: from a second solution, or null.
+  // scene: its number, which differs between scenes. difference: from a second solution, or null.
   void update(std::uint64_t scene, const std::shared_ptr<const SessionMesh>& mesh,
               const std::shared_ptr<const SessionLight>& light, const Look& look,
               const std::shared_ptr<const LightDifference>& difference);
-  // For about so many seconds. True where everything is there and shown.
+  // Uploads for about this many seconds. Returns true where everything is uploaded and shown.
   bool upload(double seconds);
 
-  // Into the canvas, to be resolved there.
+  // Draws into the canvas, which is then resolved.
   void draw(Canvas& canvas, const Look& look, const Viewpoint& from, const DrawnPart& drawn);
 
-  // What no frame should wait for later, see Surfaces.
+  // Compiles programs in advance, see Surfaces.
   void try_programs() const { surfaces_.try_programs(); }
   void set_marks(const Marks& marks) { marks_.set(marks); }
-  // How false colours are to be read now; nothing where there are none.
+  // The scale of the current false colours; nothing where there are none.
   std::optional<ValueScale> scale() const { return scale_; }
 
  private:
@@ -80,7 +80,7 @@ class Painter {
 
   std::uint64_t light_number_ = 0;
   std::optional<VertexValue> vertex_value_;
-  // What side values were asked for last.
+  // The last request for side values.
   struct Sides {
     Show show = Show::light;
     bool lux = false;
@@ -94,7 +94,7 @@ class Painter {
   };
   BackgroundTask<FoundValues> values_;
   std::shared_ptr<const std::vector<float>> side_values_;
-  // What the scale was made for.
+  // Inputs of the current scale.
   struct Scaled {
     Show show = Show::light;
     bool lux = false, logarithmic = false, automatic = false;

@@ -16,8 +16,8 @@ void files_section(Viewer& viewer);
 void views_section(Viewer& viewer);
 
 void key_line(const Viewer& viewer);    // what the keys do, at the bottom, and what was reported last
-void key_card(const Viewer& viewer);    // all keys, where they are asked for
-void about_card(const Viewer& viewer);  // version and licence, where they are asked for
+void key_card(const Viewer& viewer);    // all keys, on request
+void about_card(const Viewer& viewer);  // version and licence, on request
 void legend(const Viewer& viewer);
 void probe_card(const Viewer& viewer);
 void profile_card(Viewer& viewer);

@@ -12,7 +12,7 @@
 namespace luxel {
 
 // A picture of any size, also one larger than any framebuffer: drawn tile by tile, four samples per pixel,
-// between frames, then put together and written in a thread of its own. Needs the painter's context.
+// between frames, then assembled and written in a thread of its own. Needs the painter's context.
 class PictureMaker {
  public:
   static constexpr int max_side = 16'384;  // pixels
@@ -25,16 +25,16 @@ class PictureMaker {
   const std::filesystem::path& file() const { return file_; }
   ScreenSize size() const { return size_; }
   const Look& look() const { return look_; }
-  // From here on the painter must not change, and this is the curve.
+  // Begins with this curve; afterwards the painter must not change.
   void begin(const ToneCurve& tone);
   bool has_begun() const { return has_begun_; }
   bool is_drawn() const { return next_ == count_; }
   double done() const { return static_cast<double>(next_) / static_cast<double>(count_); }  // of drawing
 
-  // Once it has begun: draws for about so many seconds, a part of a tile at least. True once the file is
-  // there. Throws DeviceError where it cannot be drawn or written.
+  // Once begun: draws for about this many seconds, at least a part of a tile. True once the file is written.
+  // Throws DeviceError where it cannot be drawn or written.
   bool go_on(Painter& painter, double seconds);
-  // The same, but returns once the file is there.
+  // Draws the rest; returns once the file is written.
   void finish(Painter& painter);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-// Which way is up, and two directions on the level that angles are counted from; all unit.
+// The up direction, and two horizontal directions from which angles are counted; all unit.
 struct Space {
   explicit Space(const Vec3& its_up = Vec3(0.0f, 1.0f, 0.0f));
   Vec3 up, ahead, right;
@@ -31,22 +31,22 @@ struct Axes {
 };
 Axes axes(const Pose& pose, const Space& space);
 
-// A camera's pose: its roll is lost. And a camera with that pose that looks at what is `distance` (m) away.
+// Pose of a camera, without its roll; and a camera of a pose, with its target at `distance` (m).
 Pose pose_of(const Camera& camera, const Space& space);
 Camera camera_of(const Pose& pose, const Space& space, float distance = 1.0f);
 
 // Each movement gives the new pose.
 Pose look(Pose pose, float turn, float pitch);                                      // radians
 Pose fly(Pose pose, const Space& space, const Vec3& right_up_ahead, float metres);  // the way may be 0
-// Around a point, which stays where it is on the screen.
+// Turns around a point, which stays at its place on the screen.
 Pose orbit(const Pose& pose, const Space& space, const Vec3& pivot, float turn, float pitch);
 // Scales the distance to the point by this factor; the point stays where it is on the screen.
 Pose approach(Pose pose, const Vec3& point, float factor);
 // Looks at the point from `distance` (m), in the direction it has from here.
 Pose focus(const Pose& pose, const Space& space, const Vec3& point, float distance);
-// All of a box from a corner above it, where nothing better is known.
+// Shows all of a box from above a corner; the fallback for scenes without a better view.
 Pose overview(const Bounds& box, const Space& space, float aspect, float vertical_fov = 50.0f);
-// On the way from one pose to another, share 0 to 1, the shorter way round.
+// Interpolates between two poses, fraction 0 to 1, turning the shorter way.
 Pose between(const Pose& from, const Pose& to, float fraction);
 
 // The ray of a pixel: origin and unit direction. x, y: in [-1, 1] from the left and from the bottom.
@@ -60,8 +60,8 @@ struct Tile {
   float left = -1.0f, right = 1.0f, bottom = -1.0f, top = 1.0f;
 };
 
-// From the world (m) to clip space. The near plane lies before what is in the box, however near: depth is
-// shared out between the eye's distance and the far end of the box.
+// From the world (m) to clip space. The near plane lies halfway to the box, or at 1e-4 of the far plane where
+// that is more; the far plane lies behind the box.
 Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float aspect, const Tile& tile = {});
 
 }  // namespace luxel

@@ -8,12 +8,12 @@
 namespace luxel {
 
 // The files that were opened last, the newest first; in a file of their own, one path per line, so that the
-// next window has them too. Where that cannot be read or written they last as long as the window.
+// next window has them too. Without access to that file they last as long as the window.
 class RecentFiles {
  public:
   static constexpr std::size_t max_files = 10;
 
-  // Nothing: not stored.
+  // An empty path: not stored.
   explicit RecentFiles(std::optional<std::filesystem::path> store);
 
   const std::vector<std::filesystem::path>& files() const { return files_; }
@@ -27,8 +27,8 @@ class RecentFiles {
   std::vector<std::filesystem::path> files_;
 };
 
-// Where they are stored: luxel/recent-files in XDG_STATE_HOME, or else in .local/state of the home folder.
-// Nothing where neither is known.
+// Returns the file that stores them: luxel/recent-files in XDG_STATE_HOME, or else in .local/state of the
+// home folder. Nothing where neither is known.
 std::optional<std::filesystem::path> recent_files_path();
 
 }  // namespace luxel

@@ -84,7 +84,7 @@ class WindowLoop {
     return next ? std::clamp(*next - seconds_since(last_), 0.0, longest) : longest;
   }
 
-  // Whether a frame would show something new though nobody did anything.
+  // Whether a frame would show something new without user input.
   bool is_due() const {
     if (is_playing() || hidden_) return true;
     const auto next = viewer_.next_frame();
@@ -97,7 +97,7 @@ class WindowLoop {
            (player_ && settings_.off_screen && player_->is_done());
   }
 
-  // The camera's movements begin with an event: the time before it is none of theirs.
+  // The camera's movements begin with an event; the time before it does not count.
   void frame(bool by_event) {
     const double since = std::min(seconds_since(last_), by_event ? 0.05 : 0.3);
     last_ = Clock::now();

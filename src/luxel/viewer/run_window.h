@@ -16,7 +16,7 @@ namespace luxel {
 
 struct WindowSettings {
   std::filesystem::path file = {};  // scene or solution; empty: one is to be dropped on the window
-  // How a file is read and solved: the one above, and those that are dropped.
+  // Returns the settings of a session for a file: the one above, or a dropped one.
   std::function<SessionSettings(const std::filesystem::path&)> live = {};
   ScreenSize size = {};
   float pixel_ratio = 1.0f;                    // off screen: pixels per unit
@@ -27,18 +27,18 @@ struct WindowSettings {
   ToneOptions tone = {};
   std::optional<std::filesystem::path> compare = {};  // a second solution
   std::optional<std::filesystem::path> save = {};     // the light, when the window closes
-  // Where the names of the files opened last are stored; nothing: nowhere.
+  // File that stores the names of recent files; nothing: they are not stored.
   std::optional<std::filesystem::path> recent = {};
 
-  // Off screen: no window; what the script does, or else a picture when the light is solved.
+  // Runs without a window: the script, or else a picture when the light is solved.
   bool off_screen = false;
   std::optional<std::filesystem::path> snapshot = {};  // taken at the end
-  std::optional<Script> script = {};                   // done as if by a person, in a window too
+  std::optional<Script> script = {};                   // executed as user input, in a window too
   std::string version = {};                            // of the program, to be shown
-  std::function<bool()> is_interrupted = {};           // asked between frames
+  std::function<bool()> is_interrupted = {};           // polled between frames
 };
 
-// How the frames were: for the benchmark.
+// Times of the frames, for the benchmark.
 struct WindowReport {
   std::vector<double> frame_seconds;          // each, from events to the finished picture
   std::vector<double> solving_frame_seconds;  // those of them while light was being solved

@@ -14,7 +14,7 @@ class SceneRenderer {
  public:
   explicit SceneRenderer(Screen& screen) : screen_(screen) {}
 
-  // What a frame shows. While it stays, edges get smoother, and then frames may wait.
+  // Contents of a frame. While they are the same, edges become smoother; then frames may be skipped.
   struct Shown {
     std::uint64_t scene = 0;
     Pose pose = {};
@@ -28,15 +28,15 @@ class SceneRenderer {
   const Painter& painter() const { return painter_; }
   bool is_software() const { return driver_.is_software; }  // a processor draws
 
-  // Brings to the graphics card what the painter was given, for about so many seconds.
+  // Uploads the painter's data to the graphics card for about this many seconds.
   void upload(double seconds) { is_uploaded_ = painter_.upload(seconds); }
-  // While a picture is drawn nothing newer is brought.
+  // Suspends uploads while a picture is drawn.
   void hold_upload() { is_uploaded_ = true; }
   bool is_uploaded() const { return is_uploaded_; }  // all of it
 
-  // is_dragging: something is drawn by hand over the scene. fine: smooth edges whatever they cost.
+  // is_dragging: something is drawn by hand over the scene. fine: smooth edges at any cost.
   void draw(const Shown& now, const Look& look, const Viewpoint& from, bool is_dragging, bool fine);
-  // How long the frame took as it was seen, s.
+  // Records the visible duration of the frame, s.
   void note_frame(double seconds);
   // Edges are as smooth as they get: another frame would be the same.
   bool is_smooth() const { return unchanged_frames_ > (is_software() ? frames_until_smooth : 0); }
@@ -56,8 +56,8 @@ class SceneRenderer {
   Shown shown_;
   ScreenSize size_;
   int unchanged_frames_ = 0;      // since the scene or the view changed
-  std::uint64_t slow_scene_ = 0;  // whose frames took too long
-  std::size_t coarseness_ = 0;    // and what they are drawn by while something moves
+  std::uint64_t slow_scene_ = 0;  // with frames that took too long
+  std::size_t coarseness_ = 0;    // their antialiasing while something moves
   int joined_ = 0;                // rough pictures joined into the one that is seen
   double frame_seconds_ = 0.0;    // lately
 };

@@ -16,13 +16,13 @@ struct ScreenSize {
   bool empty() const { return width <= 0 || height <= 0; }
 };
 
-// Where a part of a picture lies in another: pixels from the left and from the bottom.
+// Offset of a part of a picture: pixels from the left and from the bottom.
 struct PixelOffset {
   int left = 0, bottom = 0;
 };
 
-// Where pictures are shown, with an OpenGL 3.3 core context that is current on the thread that made it: a
-// window, or nothing but memory. All calls from that thread.
+// Display of pictures, with an OpenGL 3.3 core context that is current on the thread that made it: a window
+// or memory. All calls from that thread.
 class Screen {
  public:
   virtual ~Screen() = default;
@@ -33,21 +33,21 @@ class Screen {
 
   // Returns the events since the last call. Waits up to this many seconds for one; 0: does not wait.
   virtual std::vector<Event> poll(double seconds) = 0;
-  // While captured the cursor is hidden, and moves without end.
+  // While captured the cursor is hidden, and its movement is unlimited.
   virtual void capture_cursor(bool captured) = 0;
-  // Whether it has the person's eye now; pictures of a hidden window need not be made.
+  // Whether it is visible; pictures of a hidden window need not be made.
   virtual bool is_shown() const = 0;
   virtual void set_size(ScreenSize size) = 0;
   virtual void set_full_screen(bool full) = 0;
   virtual bool is_full_screen() const = 0;
   virtual void set_title(const std::string& title) = 0;
-  // Copies the current read framebuffer to where it is seen, and waits for the screen's next turn.
+  // Copies the current read framebuffer to the display, and waits for its next refresh.
   virtual void present() = 0;
   virtual std::string clipboard() const = 0;
   virtual void set_clipboard(const std::string& text) = 0;
 };
 
-// Both throw DeviceError, one sentence, where it cannot be had: no display, no driver, or none that knows
+// Both throw DeviceError, one sentence, where the screen is not available: no display, no driver, or no
 // OpenGL 3.3. text_scale: as Screen::text_scale(); 0: that of the display.
 //
 // A window: at most as large as the display has room for, which the size is increased for where pixels are
@@ -56,8 +56,8 @@ std::unique_ptr<Screen> open_window(const std::string& title, ScreenSize size, f
 // pixel_ratio: pixels per unit.
 std::unique_ptr<Screen> open_off_screen(ScreenSize size, float pixel_ratio = 1.0f, float text_scale = 0.0f);
 
-// The driver that draws, as it calls itself, and whether it draws on the processor: then a frame takes
-// milliseconds, and fewer are better.
+// Name and version of the driver, and whether it draws on the processor: then a frame takes milliseconds, and
+// fewer frames are better.
 struct Driver {
   std::string name, version;
   bool is_software = false;

@@ -16,11 +16,11 @@ class ScriptPlayer {
   ScriptPlayer(const Script& script, Viewer& viewer, Screen& screen)
       : script_(script), viewer_(viewer), screen_(screen) {}
 
-  // What comes before the next frame. Throws InputError, FILE:LINE: sentence, where something cannot be done
-  // or is not as the script expects.
+  // Executes the actions before the next frame. Throws InputError, FILE:LINE: sentence, where something
+  // cannot be done or is not as the script expects.
   void advance();
   bool is_done() const { return next_ == script_.actions.size() && !waits_; }
-  // The next frame is to be looked at: smooth edges, and all that was put out.
+  // Whether the next frame is compared or saved: with smooth edges and all published data.
   bool wants_fine() const { return wants_fine_; }
 
  private:
@@ -41,7 +41,7 @@ class ScriptPlayer {
   Viewer& viewer_;
   Screen& screen_;
   std::size_t next_ = 0;
-  std::function<bool()> waits_;  // until it says so
+  std::function<bool()> waits_;  // until it returns true
   bool wants_fine_ = false, has_drawn_ = false;
 };
 

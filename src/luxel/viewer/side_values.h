@@ -17,7 +17,7 @@ std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, con
 
 // Whether the numbers change with the light.
 bool is_of_light(Show show);
-// Of the legend: "lux", "W/m²", "m", "%", ... and a heading.
+// Unit and heading of the legend: "lux", "W/m²", "m", "%", ...
 const char* unit_of(Show show, bool lux);
 const char* heading_of(Show show);
 

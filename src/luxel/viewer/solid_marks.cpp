@@ -19,7 +19,7 @@ constexpr std::size_t max_solids = 500;   // 1,100 segments each
 constexpr std::size_t meridian_step = 2;  // columns: every 30 degrees
 constexpr std::size_t parallel_step = 6;  // rows: every 15 degrees
 
-// As bright as lines are, whatever the lamp is dimmed to.
+// As bright as other lines, for any dimming of the lamp.
 Vec3 ink_of(const Vec3& colour) {
   const auto largest = std::max({colour.r, colour.g, colour.b});
   return largest > 0.0f ? colour / largest * Vec3(1.0f, 0.85f, 0.55f) : Vec3(0.2f);

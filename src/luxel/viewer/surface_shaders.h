@@ -33,8 +33,8 @@ void main() {
 }
 )";
 
-// The tone curves of image/tone.cpp; the tests hold them against each other. Stands before the fragment
-// shaders that show radiance. Defines: LOCAL, or INPUT for what the local operator measures.
+// The tone curves of image/tone.cpp; tests compare the two. Stands before the fragment shaders that show
+// radiance. Defines: LOCAL, or INPUT for what the local operator measures.
 inline constexpr std::string_view tone_shader = R"(
 uniform int curve;  // 0: linear, 1: Reinhard, 2: neutral
 uniform float tone_scale, white, brightest;

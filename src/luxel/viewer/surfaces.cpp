@@ -56,7 +56,7 @@ int curve_number(ToneOperator op) {
 
 struct Surfaces::State {
   std::shared_ptr<const PatchSet> patches;
-  // Where the patches are cut. Found in a thread of its own, before anything of them is drawn.
+  // The cuts of the patches, found in a thread of their own before the patches are drawn.
   struct Cuts {
     std::shared_ptr<const PatchSet> patches;  // that they are of
     std::vector<PatchCut> cuts;
@@ -114,7 +114,7 @@ void Surfaces::set_side_values(std::shared_ptr<const std::vector<float>> values)
   s.coming_side_values = std::move(values);
 }
 
-// Waits up to this many seconds for where the patches are cut.
+// Waits up to this many seconds for the cuts of the patches.
 bool Surfaces::State::has_cuts(double seconds) {
   if (cuts) return true;
   if (!finding.is_busy()) finding.start([of = patches] { return Cuts{of, cut_at_hanging_vertices(*of)}; });

@@ -14,13 +14,13 @@
 
 namespace luxel {
 
-// How surfaces are painted. Surfaces without a solution are drawn grey.
+// Painting of surfaces. Surfaces without a solution are drawn grey.
 enum class Paint {
-  grey,         // 0.6, a little darker where the surface turns away, so that shapes are seen
+  grey,         // 0.6, darker where the surface turns away, so that shapes are visible
   light,        // through the tone curve
-  curve_input,  // the luminance that the tone curve takes: what LocalTone looks at
-  smooth,       // false colour of what the vertices show (VertexValue lux or watts)
-  patches,      // false colour of one value a patch side
+  curve_input,  // the luminance before the tone curve: the input of LocalTone
+  smooth,       // false colour of the vertex values (VertexValue lux or watts)
+  patches,      // false colour of one value per patch side
   sides         // blue fronts, red backs
 };
 
@@ -29,7 +29,7 @@ struct SurfaceView {
   Vec3 eye = Vec3(0.0f);         // m
   Paint paint = Paint::grey;
   ToneCurve tone = {};  // light
-  // Of reinhard_local: the light around each pixel, and where what is drawn lies in it. Null: as reinhard.
+  // For reinhard_local: light around each pixel, and the offset of the drawn part in it. Null: as reinhard.
   const LocalTone* local = nullptr;
   PixelOffset from = {};
   ValueScale scale = {};  // smooth, patches
@@ -41,9 +41,9 @@ class GlProgram;
 // Sets the uniforms of tone_shader, of the program in use.
 void set_tone(const GlProgram& program, const SurfaceView& view);
 
-// The patches on the graphics card, both sides. Whatever it is given goes there in slices, so that no frame
-// waits; the old is drawn until the new is whole. Needs the context that it was made in. Keeps what it is
-// given.
+// The patches on the graphics card, both sides. New data are uploaded in slices, so that no frame
+// waits; the old data are drawn until the new ones are complete. Needs the context that it was made in.
+// Keeps its input alive.
 class Surfaces {
  public:
   Surfaces();
@@ -51,10 +51,10 @@ class Surfaces {
   Surfaces(const Surfaces&) = delete;
   Surfaces& operator=(const Surfaces&) = delete;
 
-  // Other patches: what was there is gone, and these are drawn grey as far as they have come.
+  // Replaces the patches; the new ones are drawn grey as they arrive.
   void set_mesh(std::shared_ptr<const PatchSet> patches);
-  // A newer light of these patches, or another of its values. lit: the patches with the materials as they are
-  // lit. Takes the place of one that waits its turn. All lights of a mesh have the same smooth vertices.
+  // Sets a newer light of these patches, or another of its values. lit: the patches with their lit materials.
+  // Replaces a light that waits. All lights of a mesh have the same smooth vertices.
   void set_light(std::shared_ptr<const PatchSet> lit, std::shared_ptr<const SmoothLight> light,
                  VertexValue what);
   // [2 * patch + 1 for the back]; NaN is drawn grey.
@@ -62,10 +62,10 @@ class Surfaces {
 
   // Continues for about this many seconds. Returns true where nothing is left to do.
   bool upload(double seconds);
-  // What is drawn now: none of it before it is whole.
+  // The data that are drawn now; incomplete data are not drawn.
   bool has_light() const;
   bool has_side_values() const;
-  bool shows_radiance() const;  // what Paint::light needs, else it is grey
+  bool shows_radiance() const;  // needed by Paint::light, which is grey otherwise
 
   void draw(const SurfaceView& view);
   // Draws nothing visible, grey and as light: drivers compile a program when it is first drawn by, and that

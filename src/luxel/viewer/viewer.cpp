@@ -91,7 +91,7 @@ void Viewer::update_view(double seconds) {
     queries.has_requested_diagnostics = true;
     queries.diagnostics = session.snapshot().diagnostics;
   }
-  // While a picture is drawn, its data and the view of it stay unchanged.
+  // While a picture is drawn, its data and its view stay unchanged.
   if (is_drawing_picture()) return;
   const auto& seen = seen_look();
   auto& painter = renderer_.painter();

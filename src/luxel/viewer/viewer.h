@@ -36,15 +36,15 @@ struct LightControls {
   std::shared_ptr<const PatchSet> patches;  // that the mixer is of
 };
 
-// What was asked about the scene that is shown.
+// Queries about the displayed scene.
 struct SceneQueries {
   bool has_requested_diagnostics = false;
   std::shared_ptr<const CheckReport> diagnostics;  // null until they are found
   std::filesystem::path compared_with;             // a solution; empty: none
 };
 
-// The window: everything that is in it, and what a frame does. Its parts are open to the panels and to
-// scripts, which do what a person could do with them.
+// The window: its contents and the work of a frame. Its parts are accessible to the panels and to scripts,
+// which can do the same as a user.
 class Viewer {
  public:
   // Keeps references.
@@ -53,35 +53,35 @@ class Viewer {
   Viewer& operator=(const Viewer&) = delete;
 
   void handle(const Event& event);
-  // One frame, after so many seconds. fine: smooth edges whatever they cost.
+  // Draws one frame, `seconds` after the last. fine: smooth edges at any cost.
   void frame(double seconds, bool fine);
-  // How long the frame took as it was seen, s.
+  // Records the visible duration of the frame, s.
   void note_frame(double seconds) { renderer_.note_frame(seconds); }
   // The last frame's pixels.
   Image snapshot() const { return renderer_.snapshot(); }
 
   // ---- What a person can do ----
   void open(const std::filesystem::path& file) { session.open(file); }
-  // Dropped on the window, one path per line: the first scene or solution among them.
+  // Opens the first scene or solution among files dropped on the window, one path per line.
   void drop(const std::string& files);
   void relight();  // as the mixer is set
-  // The lamps and colours before the last change, and after the one undone last. Where there is none,
-  // nothing.
+  // Restore the lamps and colours before the last change, and after the last undone one. No effect
+  // where there is none.
   void undo_light();
   void redo_light();
   void switch_lamp(std::size_t group);  // off, or on as the scene has it
   void reset_light();                   // as the scene has it
   void change_exposure(int steps);      // quarters of a stop
   void toggle_pause();
-  // Tile by tile between frames, once all that was published is seen; until it is drawn, newer light and
-  // other choices of what to show wait. One at a time.
+  // Draws the picture tile by tile between frames, once all published data are shown; until then, newer light
+  // and other display settings wait. One at a time.
   void save_picture(const std::filesystem::path& file, ScreenSize size);
   void continue_picture(bool to_the_end);  // else for a part of a frame
   void save_solution(const std::filesystem::path& file);
   void export_glb(const std::filesystem::path& file);
   void solve_by(Method method);
   void compare(const std::filesystem::path& file);  // the light with a second solution
-  void show_bounces(std::optional<int> count);      // the light after so many; nothing: all of it
+  void show_bounces(std::optional<int> count);      // the light after `count`; nothing: all of it
   void toggle_flying();
   void toggle_full_screen();
   void go_to_file_view(std::size_t number);  // below file_views()
@@ -96,11 +96,11 @@ class Viewer {
   // ---- What there is to wait for ----
   bool is_closing() const { return is_closing_; }
   bool has_view() const { return home_.is_known(); }
-  // All that was published is seen, and nothing moves.
+  // Whether all published data are shown and nothing moves.
   bool is_at_rest() const;
-  // Seconds from the last frame to the next one that is worth drawing, unless an event comes: 0 while
-  // something moves, a quarter of a second or more while the light is solved for a camera that stands still.
-  // Nothing: another frame would be the same.
+  // Seconds from the last frame to the next useful one, unless an event comes: 0 while something moves, a
+  // quarter of a second or more while the light is solved for a camera that stands still. Nothing: another
+  // frame would be the same.
   std::optional<double> next_frame() const;
   const PictureMaker* picture() const { return picture_.get(); }  // that is being made, or null
 

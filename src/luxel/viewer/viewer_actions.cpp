@@ -95,7 +95,7 @@ void Viewer::toggle_pause() {
 
 // ---- Lamps and colours ----
 
-// Light whose lamps are not known apart waits for the panel's button, as after a slider was moved.
+// Light that is not stored per lamp group waits for the panel's button, as after a moved slider.
 void Viewer::set_light(const LightMixer& mixer) {
   light.mixer = mixer;
   if (session.has_scene() && session.status().can_relight) relight();

@@ -3,7 +3,7 @@
 
 #include "luxel/viewer/viewer.h"
 
-// What each key does, but for those of the camera.
+// The actions of all keys except those of the camera.
 
 namespace luxel {
 namespace {

@@ -22,7 +22,7 @@ std::string complaint() {
 
 bool is_version_missing(int code) { return code == GLFW_VERSION_UNAVAILABLE || code == GLFW_API_UNAVAILABLE; }
 
-// The scale that GTK's programs are set to where the desktop gives GLFW none.
+// The scale set for GTK programs where the desktop gives GLFW none.
 float scale_of_environment() {
   const char* text = std::getenv("GDK_SCALE");
   const float scale = text == nullptr ? 1.0f : std::strtof(text, nullptr);
@@ -34,7 +34,7 @@ struct Place {
   ScreenSize size;
 };
 
-// Where a hidden window goes: in the middle of the display, with its frame within the part that is free of
+// Place of a hidden window: in the middle of the display, with its frame within the part that is free of
 // bars, and no larger than that.
 Place place_for(GLFWwindow* window, ScreenSize wanted) {
   auto* const monitor = glfwGetPrimaryMonitor();
@@ -226,7 +226,7 @@ void WindowScreen::listen() {
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int width, int height) {
     add(window, {.kind = Event::Kind::resize, .at = Vec2(width, height)});
   });
-  // What was drawn may be lost: it is drawn again.
+  // The picture may be lost, so it is drawn again.
   glfwSetWindowRefreshCallback(window_,
                                [](GLFWwindow* window) { add(window, {.kind = Event::Kind::expose}); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int has_focus) {

@@ -19,7 +19,7 @@ std::vector<float> solved(const test::RandomMatrix& matrix, int threads = 0) {
   return radiosity;
 }
 
-// Of B = E + rho F B, over B.
+// Residual of B = E + rho F B, relative to B.
 double worst_residual(const test::RandomMatrix& matrix, const std::vector<float>& radiosity) {
   std::vector<float> gathered(radiosity.size());
   const Context context;

@@ -117,7 +117,7 @@ TEST(GaussSeidel, solves_what_elimination_solves_with_any_number_of_parts) {
     for (const std::size_t parts : {1u, 2u, 8u, 1000u}) {
       const auto solved = solve(room, {.parts = parts});
       EXPECT_TRUE(solved.report.converged);
-      // The distance asked for is estimated from the changes.
+      // The requested distance is estimated from the changes.
       EXPECT_LT(distance(room, solved), 5e-6) << most << ", " << parts << " parts";
     }
   }

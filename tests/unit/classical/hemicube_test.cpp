@@ -26,7 +26,7 @@ double sum_of(const FormFactorRow& row) {
       [](double sum, const auto& entry) { return sum + static_cast<double>(entry.factor); });
 }
 
-// Of each material's fronts and of its backs, whose name gets " back".
+// Sums of the factors of each material's fronts, and of its backs under its name and " back".
 std::map<std::string, double> by_material(const PatchSet& patches, const FormFactorRow& row) {
   std::map<std::string, double> sums;
   for (const auto& entry : row.entries)

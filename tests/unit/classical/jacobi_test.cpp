@@ -45,7 +45,7 @@ TEST(Jacobi, converges_to_the_solution) {
   for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(light.radiosity[i] / exact[i], 1.0, 1e-6) << i;
 }
 
-// What comes from outside is light of the first step, as that of lamps is.
+// Light from outside belongs to the first step, as does that of lamps.
 TEST(Jacobi, light_from_outside_is_as_good_as_lamps_that_send_it) {
   const test::RandomMatrix matrix(60);
   const Context context;
@@ -105,7 +105,7 @@ TEST(Jacobi, that_is_stopped_keeps_the_last_whole_step) {
   const test::RandomMatrix matrix(60);
   int asked = 0;
   const auto stopped = iterate(matrix, {}, 1, [&](const Progress&) {
-    return ++asked == 6 ? Next::stop : Next::go_on;  // four times per step: in the midst of the second
+    return ++asked == 6 ? Next::stop : Next::go_on;  // four polls per step: in the middle of the second
   });
   EXPECT_EQ(stopped.report.end, JacobiEnd::stopped);
   EXPECT_EQ(stopped.report.unshot_fraction.size(), 1u);

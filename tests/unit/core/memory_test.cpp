@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is free, read from folders that stand for /proc and /sys. Limits of the test's own process hold too:
-// they are far above these numbers.
+// Free memory, read from folders in place of /proc and /sys. Limits of the test's own process apply too: they
+// are far above these numbers.
 #include "luxel/core/memory.h"
 
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exported files in their compressed forms: what Luxel reads back is what the plain file shows.
+// Exported files in their compressed forms: Luxel reads back the contents of the plain file.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using namespace test;
 
 constexpr double half_step = 0.5 * 0x1p-12;  // of a mesh of 4 to 8 m in 15 bits
 
-// small_room() without the extension that Luxel does not know, which keeps a file from being packed.
+// small_room() without the extension that is unknown to Luxel, which prevents packing.
 SmallGltf known_room() {
   auto gltf = small_room();
   const std::string unknown = R"(,"FREE_wind"])";

@@ -23,8 +23,8 @@ namespace {
 
 using namespace test;
 
-// What a reader of the file looks up at places of its triangles is there to less than `texel` / 2. Returns
-// the area that has a page.
+// Expects that a reader's lookups at places of the file's triangles are right to less than `texel` / 2.
+// Returns the area that has a page.
 double expect_places(GltfFile& file, const std::vector<Image>& pages, int page_size, double texel) {
   double area = 0.0;
   for_triangles(file, [&](const GltfPart& part, const std::array<Vertex, 3>& triangle) {
@@ -82,7 +82,7 @@ double sum_of_areas(const PatchSet& patches) {
   return sum;
 }
 
-// Where two triangles meet they have the same corners along their edge: nothing shows through between them.
+// Adjacent triangles have the same corners along their edge, so that there are no gaps between them.
 TEST_F(ExportRoundTripPages, triangles_that_are_not_cut_take_the_points_of_those_that_are) {
   files_.write("room.glb", parted_room().glb());
   solve("room.glb", 0.2f);
@@ -120,7 +120,7 @@ TEST_F(ExportRoundTripPages, triangles_that_are_not_cut_take_the_points_of_those
     }
 }
 
-// Fronts and backs that were written lie on each other exactly, so that they are sheets again.
+// Exported fronts and backs coincide exactly, so that they are read as sheets again.
 TEST_F(ExportRoundTripPages, what_was_written_can_be_solved_again) {
   files_.write("room.glb", parted_room().glb());
   solve("room.glb", 0.2f);
@@ -227,7 +227,7 @@ TEST_F(ExportRoundTripPages, what_has_no_material_gets_the_grey_that_it_was_solv
     EXPECT_EQ(base["baseColorFactor"][c].number(), scene_.materials[0].reflectance[static_cast<int>(c)]);
 }
 
-// What Luxel solved has no gloss. A file's own is its author's, but where it would take from the light.
+// Surfaces solved by Luxel have no gloss. A file's own gloss is kept unless it would reduce the light.
 TEST_F(ExportRoundTripPages, gloss_takes_nothing_off_the_light) {
   const auto gloss_after = [&](const std::string& name, TargetApplication program) {
     solve(name, 0.3f);
@@ -245,7 +245,7 @@ TEST_F(ExportRoundTripPages, gloss_takes_nothing_off_the_light) {
   files_.write("room.glb", small_room().glb());
   EXPECT_EQ(gloss_after("room.glb", TargetApplication::any), 1.0);
   EXPECT_EQ(gloss_after("room.glb", TargetApplication::three), 0.0);
-  // Shadeless, and nothing else that would say how light comes back.
+  // Shadeless, without other extensions that describe reflection.
   solve("bare.glb", 0.3f);
   cut();
   EXPECT_EQ(lit().root()["materials"][0]["extensions"].keys(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF files with light on them: what they said stays, and every vertex has the light of its place.
+// glTF files with light on them: their contents are preserved, and every vertex has the light of its place.
 #include "luxel/export/export_round_trip.h"
 
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ TEST_F(ExportRoundTrip, luminaires_that_were_added_to_the_scene_are_left_out) {
   EXPECT_EQ(triangles(), without);
   uncut();
   EXPECT_EQ(triangles(), without);
-  // One triangle more, which nobody added, is another scene.
+  // A scene with one more triangle is another scene.
   scene_.added_triangles = 1;
   EXPECT_THROW(uncut(), MismatchError);
 }
@@ -169,8 +169,8 @@ TEST_F(ExportRoundTrip, a_picture_that_is_missing_stays_so) {
   EXPECT_EQ(lit().root()["images"][0]["uri"].text(), "lost.png");
 }
 
-// A vertex array of many of which few are used, and an array that is too short for it.
-// What Luxel does not read may be wrong too: a sentence that names it, or left as it is.
+// A large vertex array of which few vertices are used, and an array that is too short for it. Data that Luxel
+// does not read may be wrong too: they are named in an error, or left as they are.
 TEST_F(ExportRoundTrip, damage_in_parts_that_nobody_reads_is_answered) {
   const auto refusal = [&](const SmallGltf& gltf) -> std::string {
     files_.write("room.gltf", gltf.text());
@@ -263,7 +263,7 @@ TEST_F(ExportRoundTrip, the_back_turns_its_normals_and_the_front_is_seen_from_th
   EXPECT_FALSE(file.object(primitives[0]["material"], "materials")["doubleSided"].truth(true));
 }
 
-// However its ending is written: what is read as glTF is round_trip as glTF.
+// Any spelling of the ending: a file that is read as glTF is exported by the round trip as glTF.
 TEST_F(ExportRoundTrip, a_file_is_kept_however_its_ending_is_written) {
   for (const auto* name : {"room.Glb", "room.GLB", "room.gLb"}) {
     files_.write(name, small_room().glb());
@@ -282,7 +282,7 @@ TEST_F(ExportRoundTrip, other_formats_become_what_they_would_be_as_gltf) {
   solve("room.obj", 0.3f);
   uncut();
   auto file = lit();
-  // Where a surface has few patches, smooth light holds slopes back by some 1e-4 of the light.
+  // On surfaces with few patches, smooth light flattens slopes by some 1e-4 of the light.
   expect_light_of_place(file, scene_, 2e-3f);
   std::vector<std::string> names;
   for (const auto& part : drawn_parts(file, placed_nodes(file)).parts)

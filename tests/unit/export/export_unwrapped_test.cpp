@@ -21,7 +21,7 @@ using namespace test;
 
 using ExportUnwrapped = ExportRoundTripPages;
 
-// Of each vertex of an OBJ file its place and its coordinates, and the triangles.
+// Place and coordinates of each vertex of an OBJ file, and the triangles.
 struct ReadObj {
   std::vector<Vec3d> places;
   std::vector<Vec2> uvs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers a page carries; what it shows of them is tested in tests/web.
+// The numbers of a page; tests/web tests their display.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -44,7 +44,7 @@ LitPatches square() {
   return lit;
 }
 
-// Its light times so much.
+// Its light times a factor.
 GroupLight times(const LitPatches& lit, float front, float back) {
   GroupLight group{lit.solution, make_smooth_light(lit.patches, lit.solution)};
   for (auto& h : group.light.irradiance.front) h *= front;
@@ -170,7 +170,7 @@ TEST(PageData, a_vertex_within_an_edge_divides_it) {
     EXPECT_NEAR(page.unit * value_of(page.halves[3 * v]), 2.0f, 2e-3f);
 }
 
-// A triangle with a texture of two columns, 0.8 and 0.2 of what its material reflects at most.
+// A triangle with a texture of two columns, 0.8 and 0.2 of the maximum reflectance of its material.
 LitPatches textured() {
   LitPatches lit;
   const auto raster = std::make_shared<Raster>(Raster{2, 1, {}, {Vec3(0.8f), Vec3(0.2f)}});

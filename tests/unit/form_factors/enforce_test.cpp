@@ -11,7 +11,7 @@
 namespace luxel {
 namespace {
 
-// Full rows of so many elements; diagonal entries of 0 are left out.
+// Full rows of the elements; diagonal entries of 0 are left out.
 ViewFactors table(const std::vector<double>& area, const std::vector<std::vector<double>>& rows,
                   double rays = 1000.0) {
   std::vector<std::string> names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two patches and what stands between: shafts, shadows, and rooms whose rows must sum to one.
+// Two patches and the occluders between them: shafts, shadows, and rooms whose rows must sum to one.
 #include "luxel/form_factors/form_factor.h"
 
 #include <array>
@@ -25,7 +25,7 @@ namespace {
 using Triangle = std::array<Vec3d, 3>;
 using Screens = std::vector<OccludingPolygon>;
 
-// A scene as it comes, with all that asks for its factors.
+// An uncut scene, with the input of its factors.
 struct Asked {
   Context context{1};
   PatchSet patches;
@@ -153,8 +153,8 @@ TEST(FormFactors, a_cube_has_its_two_textbook_factors) {
   EXPECT_NEAR(adjacent.value, 0.20004377607540316, 1e-12);
 }
 
-// Whoever does not see the upper square sees the shield instead, where that covers enough of it; of a wide
-// shield nothing gets past but over its boundary, and of none, all.
+// Points that do not see the upper square see the shield instead, if it covers enough of the square. Nothing
+// passes a wide shield except beyond its boundary; without a shield everything passes.
 TEST(FormFactors, a_shield_takes_away_what_it_hides) {
   const auto open = 0.19982489569838746;
   const Asked none(shielded(0.001f)), half(shielded(0.5f)), full(shielded(1.0f)), wide(shielded(3.0f));
@@ -215,7 +215,7 @@ TEST(FormFactors, rows_of_a_room_with_a_block_sum_to_one) {
   }
 }
 
-// The ways to see past many patches are others; the answer is the same.
+// Visibility past many patches uses other methods; the result is the same.
 TEST(FormFactors, shadow_rays_and_exact_shadows_agree) {
   const Asked asked(shielded(0.5f));
   const std::vector<Vec3d> lower = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},

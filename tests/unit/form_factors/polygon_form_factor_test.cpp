@@ -148,7 +148,8 @@ TEST(PolygonFormFactor, squares_hinged_at_any_angle_are_those_of_the_catalogue) 
   EXPECT_NEAR(hinged(60), 0.370905321150, 1e-12);
   EXPECT_NEAR(hinged(120), 0.086615001118, 1e-12);
   EXPECT_NEAR(hinged(150), 0.021345325413, 1e-12);
-  // Folded flat, one sees nothing but the other; unfolded, nothing: as the square of what is left of pi.
+  // Folded flat, each sees only the other; unfolded, the factor vanishes as the square of the remaining angle
+  // to pi.
   EXPECT_NEAR(hinged(1e-4), 1.0, 3e-6);
   EXPECT_NEAR(hinged(179.99) / hinged(179.9), 0.01, 1e-7);
 }
@@ -191,7 +192,7 @@ TEST(PolygonFormFactor, a_meshed_sphere_tends_to_the_sphere) {
     const auto e = 5e-4;
     const Polygon plate = {{-e, -e, 0}, {e, -e, 0}, {e, e, 0}, {-e, e, 0}};
     double sum = 0.0;
-    // What is convex hides nothing of its own fronts that the plate's every point sees: the plate is small.
+    // A convex body does not hide fronts that all points of the plate see, since the plate is small.
     for (int ring = 0; ring < rings; ++ring)
       for (int k = 0; k < 2 * rings; ++k) {
         const Polygon quad = {at(ring, k), at(ring + 1, k), at(ring + 1, k + 1), at(ring, k + 1)};
@@ -259,7 +260,7 @@ TEST(PolygonFormFactor, far_away_keeps_its_digits) {
 }
 
 TEST(PolygonFormFactor, what_is_behind_neither_gives_nor_gets) {
-  // A wall that goes through the floor: only its upper half counts.
+  // A wall that passes through the floor: only its upper half counts.
   EXPECT_NEAR(polygon_form_factor(floor_square, upright(-1, 1, 0, 1)), 0.20004377607540316, tight);
   // Each through the plane of the other.
   const auto wide = level(-1, 1, 0, 1, 0, true);

@@ -41,7 +41,7 @@ Image read_bytes(const std::string& bytes, const std::string& ending) {
   return read_image(file);
 }
 
-// What is said about the bytes, or nothing where they were read.
+// The error about the bytes; empty where they were read.
 std::string complaint(const std::string& bytes, const std::string& ending) {
   try {
     read_bytes(bytes, ending);
@@ -104,7 +104,7 @@ TEST(ReadImage, a_png_damaged_at_any_byte_is_an_error) {
     }
 }
 
-// These formats carry no checksum: a wrong pixel cannot be told, but nothing breaks and nothing is NaN.
+// These formats have no checksum: a wrong pixel cannot be detected, but there is no crash and no NaN.
 TEST(ReadImage, a_damaged_exr_or_hdr_is_an_error_or_a_picture) {
   for (const std::string ending : {".exr", ".hdr"}) {
     const auto bytes = bytes_of(ending);

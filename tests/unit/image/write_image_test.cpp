@@ -83,7 +83,7 @@ TEST(WritePng, what_cannot_be_shown_is_clamped) {
   EXPECT_EQ(back.pixels, (std::vector{Vec3(0.0f), Vec3(1.0f), Vec3(0.0f), Vec3(1.0f, 0.0f, 0.0f)}));
 }
 
-// The monitor is asked at least every million codes, and then there is no file.
+// The monitor is polled at least every million codes; after its stop there is no file.
 TEST(WriteImage, can_be_stopped_on_the_way) {
   const Image image(2000, 700, Vec3(0.5f));
   for (const bool as_png : {true, false}) {

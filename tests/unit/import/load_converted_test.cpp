@@ -38,7 +38,7 @@ const Material& material_of(const Scene& scene, const std::string& name) {
   return scene.materials.front();
 }
 
-// Where a corner of the first triangle lies on the picture.
+// Place of a corner of the first triangle on the picture.
 Vec2 placed(const Scene& scene, std::size_t corner) {
   const auto& use = material_of(scene, "wall").textures.reflectance;
   return use ? use->place(scene.uv_sets.at(use->uv_set)[0][corner]) : Vec2(-1.0f);

@@ -70,7 +70,8 @@ map_Ke -clamp on shade.png
 Tr 0.9
 )";
 
-// True where the file is a sound scene, false where it is refused in one sentence; all else fails the test.
+// Returns true where the file is a sound scene, false where it is refused in one sentence; anything else
+// fails the test.
 bool is_answered(SceneFiles& files) {
   try {
     check_scene(files.load("room.obj"));
@@ -90,7 +91,7 @@ class Dice {
   std::uint32_t state_ = 2017;
 };
 
-// One to four bytes changed, doubled or taken out, mostly for those that mean something to the format.
+// Changes, doubles or removes one to four bytes, mostly using bytes with a meaning in the format.
 std::string damage(std::string text, Dice& dice) {
   static const std::string tongue = "0123456789.-+e/# \\\r\n\tvfnagouKsdmtl\x01\xFF*\"";
   for (auto times = 1 + dice.below(4); times > 0; --times) {

@@ -19,7 +19,7 @@ class LoadGltfDamaged : public testing::Test {
     return files_.refusal("room.gltf");
   }
   std::string refusal(const SmallGltf& gltf) { return refusal(gltf.text()); }
-  // Of one triangle whose JSON has one part replaced.
+  // The error for a file of one triangle whose JSON has one part replaced.
   std::string refusal_with(const std::string& part, const std::string& by) {
     auto text = indexed().text();
     const auto at = text.find(part);

@@ -160,7 +160,7 @@ TEST_F(LoadGltfMaterials, metal_in_a_picture_lowers_bright_base_colours_place_by
   picture("b.tga", 2, 1, {{0, 0, 0, 255}, {0, 0, 255, 255}});  // blue: none, all
   const auto scene = load(
       R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":1}}})");
-  // They do not lie alike (the second clamps), so the mean is taken: half of it is no metal.
+  // Their placements differ (the second clamps), so the mean is used: half of it is not metallic.
   expect_near(scene.materials[0].reflectance, Vec3(0.5f));
   EXPECT_EQ(scene.textures.size(), 1u);
 

@@ -248,7 +248,7 @@ TEST(LoadObj, materials_no_face_uses_do_not_appear) {
   EXPECT_EQ(files.load_text(square + "usemtl a\nusemtl b\nf 1 2 3\n").materials.size(), 1u);
 }
 
-// Where a vertex is in the file.
+// Place of a vertex in the file.
 Vec3d in_file(const Scene& scene, std::size_t vertex) {
   return scene.origin + Vec3d(scene.positions[vertex]);
 }

@@ -64,7 +64,7 @@ TEST(Weld, thins_a_chain_out_and_moves_nothing_farther_than_asked) {
   EXPECT_EQ(weld_points(points, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
   EXPECT_THROW(weld_points(points, -1.0), InputError);
   EXPECT_THROW(weld_points(points, INFINITY), InputError);
-  // Cells beyond counting: far away, and a distance that no float there can tell.
+  // Cell numbers out of range: far away, with a distance below the float resolution there.
   const std::vector<Vec3> far = {{1e12f, 0, 0}, {1e12f, 1e-9f, 0}, {-1e12f, 0, 0}};
   EXPECT_EQ(weld_points(far, 1e-8), (std::vector<std::uint32_t>{0, 0, 2}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene names is read from its own folder alone, unless the user allows more.
+// Files named by a scene are read from its own folder only, unless the user allows more.
 #include "luxel/import/scene_folder.h"
 
 #include <filesystem>
@@ -104,7 +104,7 @@ TEST(SceneFolder, of_OBJ_holds_its_MTL_files_and_textures) {
       << files.all_warnings();
   EXPECT_NEAR(files.load("room/room.obj", allowed).materials[0].reflectance.r, 0.98f, 1e-6f);
 
-  // Of a whole path on another machine the file of that name in the folder is meant.
+  // A full path of another machine stands for the file of that name in the folder.
   write_white(files.path("room/white.png"));
   const auto scene = files.load("room/room.obj");
   EXPECT_NEAR(scene.materials[0].reflectance.r, 0.98f, 1e-6f);

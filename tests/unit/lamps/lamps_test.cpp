@@ -137,7 +137,8 @@ TEST(LampSample, density_and_samples_agree_with_the_closed_form) {
   }
 }
 
-// Equal shares of the numbers go to equal solid angles: the moments of the direction, not only its cosine.
+// Equal intervals of the random numbers cover equal solid angles: tests moments of the direction, not only
+// its cosine.
 TEST(LampSample, directions_are_uniform_in_solid_angle) {
   const auto lamp = lamp_of({0, 0, 2}, {0.3f, 1.5f, 2.2f}, {1, 0.2f, 1.7f});
   const Vec3d x(0.3, 0.5, 1.8);

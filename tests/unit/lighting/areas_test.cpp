@@ -78,7 +78,8 @@ TEST(Areas, emergency_areas_are_direct_and_have_the_limits_of_EN_1838) {
   EXPECT_EQ(all[1].polygon[2], Vec3d(8, 5, 0));
 }
 
-// The whole table is read, names are unique, every row has a source, and rows have what planes can judge.
+// The whole table is read, names are unique, every row has a source, and planes can judge the requirements of
+// each row.
 TEST(Requirements, are_a_table_with_sources) {
   const RequirementTable table;
   EXPECT_GE(table.all().size(), 20u);

@@ -66,7 +66,7 @@ TEST(ColourRendering, is_judged_by_the_least_luminaire) {
   EXPECT_EQ(silent.note, "the file panel.ldt does not state it");
   EXPECT_EQ(judge_colour_rendering(with_luminaires({{"70", 1.0f}, {"", 1.0f}}), 80).compliance,
             Compliance::not_met);
-  // 1B is 80 to 89, which does not tell about 85.
+  // 1B is 80 to 89, which does not decide about 85.
   EXPECT_EQ(judge_colour_rendering(with_luminaires({{"1B", 1.0f}}), 85).compliance, Compliance::not_known);
   EXPECT_EQ(judge_colour_rendering({}, 80).compliance, Compliance::not_known);
 }

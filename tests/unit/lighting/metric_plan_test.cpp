@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans of daylight: what they show, and that they can be read.
+// Contents and legibility of daylight plans.
 #include "luxel/lighting/metric_plan.h"
 
 #include <regex>
@@ -128,7 +128,7 @@ TEST(MetricPlan, several_plans_are_one_picture_or_one_each) {
   const auto each = metric_plan_svgs(ground(), {metric(), metric()});
   ASSERT_EQ(each.size(), 2u);
   for (const auto& svg : each) EXPECT_TRUE(svg.starts_with("<svg xmlns"));
-  // A long room has one per row.
+  // For a long room there is one plan per row.
   auto lengthy = ground();
   lengthy.grid = rectangular_grid({0, 0, 0}, {12, 0, 0}, {0, 3, 0}, 4, 3);
   EXPECT_TRUE(is_wide_plan(lengthy.grid));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's disc behind a straight edge: what is seen of it is a segment of a circle.
+// The sun's disc behind a straight edge: its visible part is a segment of a circle.
 //
 // Risk. The seed is fixed. Plain random rays would have a root mean square error of 0.126 of the disc over
 // these points, and stratified ones have less; with other seeds the sum over 400 points would reach a limit
@@ -22,7 +22,7 @@ namespace {
 constexpr double away = 10.0, half_disc = 0.5 * sun_diameter * std::numbers::pi / 180.0;  // m, radians
 constexpr std::size_t count = 400;
 
-// Of a disc of radius 1, the part beyond a line at this distance from its centre.
+// Part of a disc of radius 1 beyond a line at this distance from its centre.
 double part_beyond(double line) {
   if (line >= 1.0) return 0.0;
   if (line <= -1.0) return 1.0;

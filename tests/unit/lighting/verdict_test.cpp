@@ -66,7 +66,7 @@ TEST(GridFigures, without_errors_are_exact) {
   }
 }
 
-// An error that all points have in common, in proportion, moves the mean and not the uniformity.
+// A proportional error common to all points affects the mean, not the uniformity.
 TEST(GridFigures, common_errors_cancel_in_the_uniformity) {
   GridSamples samples{{300, 500, 400}, {0, 0, 0}, 7.0, {}, {0, 0, 0}, 0.0};
   for (const double factor : {0.98, 1.0, 1.02, 0.99})

@@ -34,7 +34,7 @@ std::map<Edge, int> directed_edges(const PatchSet& patches) {
   return uses;
 }
 
-// How long the contacts are that go this way and of which both ends fit, m.
+// Total length of contacts in this direction whose ends both fit, m.
 double length_of_contacts(
     const PatchSet& patches, const Vec3& into,
     const std::function<bool(const Vec3&)>& fits = [](const Vec3&) { return true; }) {
@@ -47,7 +47,7 @@ double length_of_contacts(
   return sum;
 }
 
-// What every cut must keep.
+// Invariants of every cut.
 void expect_sound(const Scene& scene, const PatchOptions& options, const PatchSet& patches) {
   auto without = options;
   without.contacts = false;

@@ -30,7 +30,7 @@ Scene board_above_floor(float gap) {
   return scene.scene();
 }
 
-// Of the floor, m²: hidden by the board as seen from above, and in patches that lie half below it.
+// Areas of the floor, m²: hidden by the board as seen from above, and in patches that lie half below it.
 struct FloorAreas {
   double hidden = 0.0, crossed = 0.0;
 };

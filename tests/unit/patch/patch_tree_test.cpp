@@ -123,7 +123,7 @@ TEST(PatchTree, regions_of_a_box_lie_in_one_wall_each) {
   }
 }
 
-// What is flat bends gently: the normals of a region stay near one another, and the region is thin.
+// Regions of flat surfaces: the normals of a region are similar, and the region is thin.
 TEST(PatchTree, parts_a_sphere_into_sheets_that_bend_gently) {
   const auto patches = cut(truth::sphere(60, 0.8f), no_max_edge);
   const auto tree = make_patch_tree(patches, Context(2));

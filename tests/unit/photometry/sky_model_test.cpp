@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CIE's skies against closed forms, published ratios and integrals made in another way.
+// The CIE's skies against closed forms, published ratios and independent integrals.
 #include "luxel/photometry/sky_model.h"
 
 #include <cmath>
@@ -33,7 +33,7 @@ struct Ratio {
   double at_60, at_30;  // illuminance of the ground over the zenith's luminance, by elevation of the sun
 };
 
-// Integrated apart from this program to the digits that are here.
+// Integrated by another program to the digits given here.
 constexpr Ratio ratios[] = {{1, 2.44954, 2.44954},  {2, 2.08602, 2.55658},  {3, 2.76999, 2.76999},
                             {4, 2.31542, 2.89015},  {5, 3.14159, 3.14159},  {6, 2.58416, 3.27783},
                             {8, 2.32838, 4.12308},  {9, 3.45932, 4.55275},  {10, 3.17026, 5.14491},

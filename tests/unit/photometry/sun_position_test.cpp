@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun against a published position and against what geometry demands.
+// The sun against a published position and against geometric identities.
 #include "luxel/photometry/sun_position.h"
 
 #include <cmath>
@@ -53,8 +53,8 @@ TEST(SunPosition, culminates_at_the_declination_of_the_day) {
   }
 }
 
-// At the moment of the equinox the sun is over the equator, whatever the place: the sine of the elevation at
-// the poles is 0, less the parallax.
+// At the moment of the equinox the sun is over the equator, independent of the place: the sine of the
+// elevation at the poles is 0, less the parallax.
 TEST(SunPosition, is_over_the_equator_at_the_equinox) {
   // Times of the almanac, to the minute.
   for (const char* moment :

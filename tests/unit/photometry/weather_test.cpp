@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weather files of known light: what their stamps, time zones and missing values mean.
+// Weather files of known light: the meaning of their time stamps, time zones and missing values.
 #include "luxel/photometry/weather.h"
 
 #include <algorithm>
@@ -133,7 +133,7 @@ TEST(Epw, has_missing_values_as_nothing) {
   EXPECT_EQ(mean_dew_point(gap, 11), 10.0);
 }
 
-// A program that knew no illuminances: 0 or 9999 everywhere.
+// A file of a program without illuminances: 0 or 9999 everywhere.
 TEST(Epw, has_no_illuminances_where_all_are_equal) {
   auto text = made_epw({.has_illuminances = false});
   for (auto at = text.find("999999,999999,999999"); at != std::string::npos;

@@ -82,7 +82,7 @@ TEST(CompareSolutions, scores_against_both_error_bars) {
   EXPECT_NEAR(far.mean_z2, 18.0, 1e-9) << "six errors off is as much as counts";
 }
 
-// Many places, each a little too bright: no z-score shows it, the mean does.
+// Many places, each slightly too bright: no single z-score detects it, the mean does.
 TEST(ComparePictures, do_not_agree_where_noise_cannot_explain_the_bias) {
   const Image a(30, 30, Vec3(1.0f));
   const Image error(30, 30, Vec3(0.03f));

@@ -106,7 +106,7 @@ TEST_F(DefaultLightTest, a_solid_gets_a_sky_that_gives_the_stated_illuminance) {
 }
 
 TEST_F(DefaultLightTest, a_closed_room_gets_one_luminaire_that_faces_down_from_the_middle_of_its_ceiling) {
-  // The desk's inside is no room.
+  // The inside of the desk does not count as a room.
   const auto added =
       light(Boxes().add({}, room, Facing::inwards).add({1, 0.01f, 1}, {1, 0.75f, 0.6f}, Facing::outwards));
   ASSERT_EQ(added.kind, DefaultLightKind::ceiling_luminaires) << added.as_text();

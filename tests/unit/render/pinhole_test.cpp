@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the rays of a pixel pass through it.
+// Places at which the rays of a pixel pass through it.
 #include "luxel/render/pinhole.h"
 
 #include <cmath>

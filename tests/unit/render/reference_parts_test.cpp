@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What path tracing is made of.
+// The parts of path tracing.
 #include <cmath>
 #include <vector>
 

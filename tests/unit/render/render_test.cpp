@@ -24,7 +24,7 @@ Image picture(const LitPatches& lit, const Camera& camera, const RenderOptions& 
   return render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera, options, context);
 }
 
-// A lit box open to nobody, with the eye inside.
+// A closed lit box, with the eye inside.
 LitPatches lit_box(float reflectance = 0.5f, float irradiance = 3.0f) {
   LitPatches lit({plain_material("wall", reflectance)});
   test::add_box(lit, Vec3(-1.0f), Vec3(1.0f), test::Facing::inwards, irradiance);

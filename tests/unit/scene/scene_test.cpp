@@ -10,7 +10,7 @@
 namespace luxel {
 namespace {
 
-// Two triangles of a unit square in the plane z = 0, the second one a lamp, and a vertex nobody uses.
+// Two triangles of a unit square in the plane z = 0, the second one a lamp, and an unused vertex.
 Scene square() {
   Scene scene;
   scene.source = "square.obj";

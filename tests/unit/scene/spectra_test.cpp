@@ -75,7 +75,7 @@ TEST(Wavebands, widths_add_up_to_the_range_and_means_to_the_whole_spectrum) {
   for (std::size_t i = 0; i < bands.size(); ++i)
     power += bands[i].width * mean_around(bands, i, line, Beyond::zero);
   EXPECT_NEAR(power, 2.0, 1e-12);
-  // What jumps to zero at its end, and what holds on.
+  // Spectra that jump to zero at their end, and spectra that continue.
   const Spectrum step({{420.0, 3.0}, {480.0, 3.0}});
   double inside = 0.0;
   double everywhere = 0.0;
@@ -112,7 +112,7 @@ TEST(BandColours, a_line_at_555_nm_gives_683_lumens_per_watt) {
   EXPECT_NEAR(BandColours(bands).lumens(light), 683.0, 0.5);
 }
 
-// What runs linearly between the wavelengths has the same colour at any of them that hold its samples.
+// A piecewise linear spectrum has the same colour for any wavelengths that include its samples.
 TEST(BandColours, colours_do_not_depend_on_how_finely_a_linear_spectrum_is_cut) {
   const Spectrum lamp({{400.0, 0.0}, {500.0, 8.0}, {600.0, 15.6}, {700.0, 18.4}});
   const auto of = [&](double w) { return lamp.at(w, Beyond::zero); };

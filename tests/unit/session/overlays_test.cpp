@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a window reads off a mesh and its light, held against light written down by hand.
+// Data that a window reads from a mesh and its light, compared with light written by hand.
 #include <algorithm>
 #include <cmath>
 

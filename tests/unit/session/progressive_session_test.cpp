@@ -68,7 +68,7 @@ TEST(ProgressiveSession, says_in_a_sentence_what_is_wrong_with_a_file) {
   EXPECT_EQ(broken.snapshot().status.errors, 2u);
 }
 
-// What waits to be sent on, of what lamps emit.
+// Unshot light over the emission of lamps.
 double unshot_fraction(const SessionLight& light) {
   const auto& patches = *light.mesh.patches;
   double unshot = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stays while a session changes its method, its lamps and colours; its clock; what is answered while
-// the solver continues.
+// State that persists while a session changes its method, lamps and colours; its clock; and queries while the
+// solver continues.
 #include <algorithm>
 #include <chrono>
 #include <thread>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are not what they should be. Where HDF5 itself is needed to make one, it is used plainly.
+// Damaged and wrong files. Where HDF5 itself is needed to make one, it is used directly.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -36,7 +36,7 @@ void put(const fs::path& path, std::string_view bytes) {
 
 class DamagedSolution : public testing::Test {
  protected:
-  // What reading says; nothing where it reads the file as it was.
+  // The error of reading; empty where the file reads as it was.
   std::string complaint() const {
     try {
       const auto found = read_solution(path_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What several processes do together, with threads in their place: which rows each does, and that nobody can
-// tell from the numbers.
+// Cooperation of several processes, simulated by threads: the rows of each, and results that do not depend on
+// the division.
 #include <chrono>
 #include <numeric>
 #include <optional>
@@ -108,7 +108,7 @@ class RanksTest : public testing::Test {
   Tracer tracer_{patches_, one_};
 };
 
-// The second rank sleeps whenever its monitor is asked, a hundred times as long as its rays take.
+// The second rank sleeps whenever its monitor is polled, a hundred times as long as its rays take.
 TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
   auto alone = make({});
   for (int round = 0; round < 3; ++round) alone.double_rays(all_receivers(alone), 1, one_);
@@ -149,7 +149,7 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
   });
 }
 
-// Each rank holds the arrivals at its own rows, whoever sent the rays, and all get the sums of all.
+// Each rank holds the arrivals at its own rows from rays of all ranks, and all ranks get the total sums.
 TEST_F(RanksTest, rows_that_count_both_ways_have_the_bits_of_one_rank) {
   for (const bool is_streamed : {false, true}) {
     const auto prepare = [&](HitStore& hits) {
@@ -178,8 +178,8 @@ TEST_F(RanksTest, rows_that_count_both_ways_have_the_bits_of_one_rank) {
   }
 }
 
-// Nothing is known of the pace at first: half, a quarter and a quarter of each rank's pieces. Then a rank
-// that was late with the first part does nothing of the last.
+// The pace is unknown at first: half, a quarter and a quarter of each rank's work units. Then a rank that was
+// late with the first part gets none of the last.
 TEST_F(RanksTest, the_last_part_goes_to_who_was_done_with_the_first) {
   const auto sides = all_gather_sides(patches_, make_patch_tree(patches_, one_));
   const std::vector<double> more(sides.size(), 8.0);

@@ -31,7 +31,7 @@ Scene shadowed_floor() {
   return b.scene();
 }
 
-// Of the floor's front at a place, by a fine grid on the lamp.
+// Irradiance of the floor's front at a place, by a fine grid on the lamp.
 double irradiance_at(const Vec3& place, const Tracer& tracer) {
   constexpr int n = 24;
   double sum = 0.0;
@@ -86,7 +86,7 @@ TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {
   EXPECT_LE(report.mesh_error, 0.04);
   const Tracer tracer(patches, context);
   const auto error = true_error(patches, tracer, context);
-  // What is stated bounds the truth where light jumps, and where it is smooth is above it.
+  // The stated error bounds the true one where light jumps, and exceeds it where light is smooth.
   EXPECT_LE(error, 1.15 * report.mesh_error);
   EXPECT_GE(error, 0.4 * report.mesh_error);
 

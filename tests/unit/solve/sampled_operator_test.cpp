@@ -40,7 +40,7 @@ std::vector<float> some_light(const HitStore& hits, std::size_t bands) {
   return light;
 }
 
-// All that an operator computes, one after the other.
+// All results of an operator, in sequence.
 std::vector<float> everything(const PatchSet& patches, const HitStore& hits, const Context& context) {
   const auto bands = patches.band_count();
   const SampledOperator transport(patches, hits, {}, context);

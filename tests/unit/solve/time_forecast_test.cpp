@@ -44,7 +44,7 @@ const std::vector<Recorded> recorded{
 };
 
 struct Judged {
-  double worst_ratio = 1.0;  // of the time left to the true one, either way, from a tenth of the way to 0.95
+  double worst_ratio = 1.0;  // of the time left to the true one, or inverse, from a tenth of the way to 0.95
   double max_fall = 0.0;     // of the fraction done
   double last = 0.0;         // fraction done at the end
 };
@@ -174,7 +174,7 @@ TEST(TimeForecast, stands_while_it_grows) {
   run.answer(0.03);
   run.sample();
   const auto done = run.forecast().done(run.seconds(), 4.0);
-  run.answer(0.1);  // it was luck
+  run.answer(0.1);  // it was chance
   run.sample();
   EXPECT_EQ(run.forecast().done(run.seconds(), 8.0), done);
 }

@@ -99,7 +99,7 @@ TEST(LightmapCharts, backs_are_laid_out_where_light_fell_and_then_all_of_their_p
     EXPECT_EQ(charts.of_side[2 * p + 1] != none, patches.material_of(p).name == "one");
 }
 
-// Nothing sees it, so it needs no chart of its own, nor a cut of the floor's triangles.
+// It is invisible, so it needs neither a separate chart nor a cut of the floor's triangles.
 TEST(LightmapCharts, the_floor_under_a_small_box_is_on_the_chart_of_the_floor) {
   truth::SceneBuilder b;
   add_room(b, {0, 0, 0}, {4, 4, 3}, 0.5f);

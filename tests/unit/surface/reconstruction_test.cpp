@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the smooth light makes of the means of patches: linear fields, jumps, extremes, noise.
+// Smooth light from the means of patches: linear fields, jumps, extremes, noise.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -103,7 +103,7 @@ TEST(Reconstruction, light_linear_along_a_bent_sheet_is_met_along_it) {
     EXPECT_NEAR(light.irradiance.front[3 * s], 2.0 + arc(Vec3d(lit.patches.vertices[light.vertex[s]])), 0.01);
 }
 
-// At a border one cannot quite tell a step from a slope: two in a hundred of it.
+// At a border a step cannot be fully distinguished from a slope: error of two per cent of it.
 TEST(Reconstruction, a_step_makes_no_new_extremes_to_speak_of) {
   const Lattice lattice;
   for (const double turn : {0.0, 0.3, 0.9}) {

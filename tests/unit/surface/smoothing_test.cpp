@@ -86,8 +86,8 @@ double true_squared_error(const Floor& f, const std::vector<std::vector<float>>&
   return sum;
 }
 
-// A field that one fit to the whole floor can be: so many numbers per band, each of the variance of a mean
-// over 8 replicates. So the error is that of so many of the patches.
+// A field that one fit to the whole floor can represent: its number of coefficients per band, each with the
+// variance of a mean over 8 replicates. So the error is that of as many patches.
 void expect_noise_of(double numbers, const Field& field) {
   const Floor f;
   constexpr int runs = 200;
@@ -111,9 +111,9 @@ void expect_noise_of(double numbers, const Field& field) {
             statistics::chi_square_lower_limit(degrees_of_freedom) / degrees_of_freedom);
   EXPECT_LT(total_squared_error / expected,
             2.0 * statistics::chi_square_limit(degrees_of_freedom) / degrees_of_freedom);
-  // The spread has seven times the degrees_of_freedom of the error: what their ratio varies by.
+  // The spread has seven times the degrees of freedom of the error: what their ratio varies by.
   EXPECT_NEAR(spread / total_squared_error, 1.0, 5.0 * std::sqrt(2.0 / degrees_of_freedom * 8.0 / 7.0));
-  // There is no bias to find; what was found is noise, and what the choice of fits makes of it.
+  // There is no bias; the stated bias is noise and the effect of choosing among fits.
   EXPECT_NEAR(bias / total_squared_error, 0.0, 0.3);
 }
 
@@ -226,7 +226,7 @@ TEST(Smoothing, does_with_one_band_what_it_does_with_three_alike) {
       ASSERT_NEAR(smoothed.values[r][s], expected.values[r][3 * s], 1e-4f);
 }
 
-// The mean over the floor by area is what each replicate says, whatever was smoothed.
+// The area-weighted mean over the floor in each replicate is preserved by smoothing.
 TEST(Smoothing, keeps_the_mean_over_a_surface) {
   const Floor f;
   const auto given = noisy(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What panes let through of the light along rays.
+// Transmittance of panes along rays.
 #include "luxel/trace/panes.h"
 
 #include <cmath>

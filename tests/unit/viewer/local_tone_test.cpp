@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reinhard's local operator as the graphics card does it, off screen, held against the processor's on the
+// Reinhard's local operator as the graphics card does it, off screen, compared with the processor's on the
 // same radiance.
 #include "luxel/viewer/local_tone.h"
 
@@ -22,7 +22,7 @@ namespace {
 constexpr ScreenSize squares{125, 63};
 constexpr ScreenSize size{250, 126};
 
-// What arrives at a square, W/m²: a dim room with some grain, a window a hundred times as bright, a lamp.
+// Irradiance of a square, W/m²: a dim room with some grain, a window a hundred times as bright, a lamp.
 float irradiance_at(int x, int y) {
   const float grain = 0.8f + 0.4f * static_cast<float>((x * 37 + y * 101) % 17) / 16.0f;
   if (x >= 70 && x < 100 && y >= 20 && y < 50) return 300.0f * (x % 10 == 0 ? 0.1f : grain);
@@ -30,7 +30,7 @@ float irradiance_at(int x, int y) {
   return (0.2f + 4.0f * static_cast<float>(x) / 125.0f) * grain;
 }
 
-// They fill the screen where nothing projects them.
+// They fill the screen without a projection.
 test::LitPatches sheet() {
   test::LitPatches lit({test::plain_material("paper", 0.8f)});
   for (int y = 0; y < squares.height; ++y)
@@ -69,7 +69,7 @@ class LocalToneOnACard : public test::OffScreen {
     }
   }
 
-  // Of the whole picture, or of a part that has the margin it needs.
+  // Light of the whole picture, or of a part with the necessary margin.
   Image draw(const ToneCurve& curve, const PicturePart& part = {size, {}, size}) {
     const auto around = with_margin(part, LocalTone::reach);
     const auto to_screen = [](const PicturePart& what) {
@@ -110,10 +110,10 @@ double mean(const std::vector<int>& codes) {
   return std::accumulate(codes.begin(), codes.end(), 0.0) / static_cast<double>(codes.size());
 }
 
-// The blurs of scales 0 to 3 are the processor's; wider ones are near. So a pixel is held against the light
-// of another scale only where contrast is about the least that counts, epsilon (level + V), and each scale
-// passed by then changes V by no more than that: together from scale 3 on, whose level is 2^phi key / 1.6^6
-// and falls by 1.6^2 with each, by epsilon (1.64 level + 5 V). What is seen is L / (1 + V).
+// The blurs of scales 0 to 3 are the processor's; wider ones are near. So a pixel uses the light of another
+// scale only where contrast is about the minimum that counts, epsilon (level + V), and each scale passed by
+// then changes V by no more than that: together from scale 3 on, whose level is 2^phi key / 1.6^6 and falls
+// by 1.6^2 with each, by epsilon (1.64 level + 5 V). What is seen is L / (1 + V).
 double max_change(double V, double key) {
   const double level = 256.0 * key / std::pow(1.6, 6.0);
   return 0.05 * (1.64 * level + 5.0 * V) / (1.0 + V);

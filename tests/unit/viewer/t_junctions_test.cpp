@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn of a mesh with T-junctions: no background between its patches, and the light as before.
+// Drawing of a mesh with T-junctions: no background between its patches, and unchanged light.
 #include <cmath>
 #include <memory>
 
@@ -59,8 +59,8 @@ class TJunctions : public test::OffScreen {
     surfaces_ = std::make_unique<Surfaces>();
     surfaces_->set_mesh(patches_);
   }
-  // How many pixels show the background. The disc's border is between 0.40 and 0.5 m from the middle; the
-  // ring has gaps beyond its corners.
+  // Number of pixels that show the background. The disc's border is between 0.40 and 0.5 m from the middle;
+  // the ring has gaps beyond its corners.
   int holes(Paint paint) {
     while (!surfaces_->upload(1.0)) {
     }

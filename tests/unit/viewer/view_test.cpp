@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras as pure movements; then what the graphics card draws off screen, held against the same arithmetic
-// on the processor.
+// Cameras as pure movements; then pictures that the graphics card draws off screen, compared with the same
+// arithmetic on the processor.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the menus need and no card: a history of changes, recent files, a list of a folder, a font.
+// Parts of the menus that need no graphics card: a history of changes, recent files, a list of a folder, a
+// font.
 #include <filesystem>
 #include <fstream>
 
@@ -25,7 +26,7 @@ TEST(EditHistory, changes_are_undone_and_redone_in_order) {
   EXPECT_EQ(history.undo(), 1);
   EXPECT_FALSE(history.can_undo());
   EXPECT_EQ(history.redo(), 2);
-  history.note(5);  // what was undone is gone
+  history.note(5);  // undone states are gone
   EXPECT_FALSE(history.can_redo());
   EXPECT_EQ(history.undo(), 2);
   for (int i = 10; i < 1000; ++i) history.note(i);

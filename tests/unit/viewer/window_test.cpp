@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What needs no card: scripts, choices by name, and what keys and the mouse do to the view.
+// Parts that need no graphics card: scripts, settings by name, and control of the view by keys and mouse.
 #include <gtest/gtest.h>
 
 #include "luxel/core/error.h"
@@ -204,7 +204,7 @@ TEST_F(DrawnLine, lies_on_the_scene_while_its_plot_is_there) {
   EXPECT_GT(overlays_.marks().segments.size(), 100u);
   for (const auto& mark : overlays_.marks().segments) EXPECT_NEAR(mark.place.z, 0.0f, 1e-5f);
   const auto before = overlays_.marks().segments.front().place;
-  // One looks at something else, from elsewhere: it stays where it lies.
+  // The line stays at its place while the probe and the view change.
   light_probe_.look_at(*mesh_, nullptr, {.eye = Vec3(1, 1, 1), .pitch = -steepest}, space, 1.0f, Vec2(0.1f));
   frame();
   ASSERT_FALSE(overlays_.marks().segments.empty());
