@@ -21,8 +21,11 @@ if(LUXEL_SANITIZE)
                                                -Wno-maybe-uninitialized)  # gcc 12 reports std::optional falsely then
   target_link_options(luxel_flags INTERFACE -fsanitize=${LUXEL_SANITIZE})
 endif()
-if(LUXEL_SANITIZE MATCHES "thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(luxel_flags INTERFACE -Wno-tsan)  # gcc: fences are not followed; the suppressions explain where
+if(LUXEL_SANITIZE MATCHES "thread")
+  target_compile_definitions(luxel_flags INTERFACE LUXEL_PLAIN_THREADS)  # see src/luxel/core/thread_pool.h
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(luxel_flags INTERFACE -Wno-tsan)  # gcc: fences are not followed; the suppressions explain where
+  endif()
 endif()
 
 if(LUXEL_COVERAGE)

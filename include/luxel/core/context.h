@@ -12,6 +12,7 @@
 namespace luxel {
 
 class Ranks;
+class ThreadPool;
 
 struct ContextOptions {
   int threads = 0;  ///< 0: every core the process may use. Fewer run where the system starts no more
@@ -64,8 +65,7 @@ class Context {
   void run(const std::function<void()>& body) const;
 
  private:
-  struct Threads;
-  std::shared_ptr<const Threads> threads_;
+  std::shared_ptr<const ThreadPool> threads_;
   const Ranks* ranks_;
   LogSink log_;
   Monitor monitor_;

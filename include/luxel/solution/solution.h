@@ -42,7 +42,7 @@ struct Solution {
   SideValues irradiance;  ///< W/m²
   SideValues radiosity;   ///< W/m²
   /// Standard error of the irradiance of each side, from the spread of independent replicates and the
-  /// estimated bias of sharing; widened like Student's t for few replicates, so that 1.96 of them contain the
+  /// estimated bias of smoothing; widened like Student's t for few replicates, so that 1.96 of them contain the
   /// true value in 95 of 100 cases. Dense: maximum deviation due to the errors of the form factors. Empty
   /// where the method gives none.
   SideValues standard_error;  ///< W/m²

@@ -5,40 +5,18 @@
 #include <memory>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "luxel/core/ranks.h"
-#include "luxel/core/startable_threads.h"
+#include "luxel/core/thread_pool.h"
 
 namespace luxel {
 
-struct Context::Threads {
-  // Starts as many of the wanted threads as possible.
-  explicit Threads(int wanted) : arena(startable_threads(wanted)) {
-    const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    const auto started = static_cast<std::size_t>(arena.max_concurrency());
-    // More threads than cores are allowed (a test uses seven on two), but TBB must be configured for it. The
-    // lowest of several live controls applies, so none is created where none is needed: here, and where TBB
-    // would start threads of its own that cannot be started.
-    if (started > most || arena.max_concurrency() < wanted)
-      control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, started);
-  }
-  std::unique_ptr<tbb::global_control> control;
-  mutable tbb::task_arena arena;
-};
-
 Context::Context(ContextOptions options)
-    : threads_(std::make_shared<const Threads>(options.threads > 0 ? options.threads
-                                                                   : tbb::info::default_concurrency())),
+    : threads_(std::make_shared<const ThreadPool>(options.threads)),
       ranks_(options.ranks && options.ranks->size() > 1 ? options.ranks : nullptr),
       log_(std::move(options.log)),
       monitor_(std::move(options.monitor)) {}
 
-int Context::threads() const { return threads_->arena.max_concurrency(); }
+int Context::threads() const { return threads_->size(); }
 
 Context Context::with_log(LogSink log) const {
   auto context = *this;
@@ -64,20 +42,12 @@ void Context::for_chunks(std::size_t count, std::size_t grain,
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const auto chunks = (count + grain - 1) / grain;
-  const auto run_chunks = [&](const tbb::blocked_range<std::size_t>& range) {
-    for (auto chunk = range.begin(); chunk != range.end(); ++chunk)
-      body(chunk * grain, std::min(count, (chunk + 1) * grain), tbb::this_task_arena::current_thread_index());
-  };
-  // simple_partitioner: the automatic one hands out long ranges and reacts late to a stop. isolate: a thread
-  // that waits for an inner loop starts no other chunk of the outer one.
-  threads_->arena.execute([&] {
-    tbb::this_task_arena::isolate([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1), run_chunks, tbb::simple_partitioner());
-    });
+  threads_->for_each(chunks, [&](std::size_t chunk, int thread) {
+    body(chunk * grain, std::min(count, (chunk + 1) * grain), thread);
   });
 }
 
-void Context::run(const std::function<void()>& body) const { threads_->arena.execute(body); }
+void Context::run(const std::function<void()>& body) const { threads_->run(body); }
 
 double ordered_sum(const Context& context, std::size_t count,
                    const std::function<double(std::size_t)>& term) {

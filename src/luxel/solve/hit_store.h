@@ -135,12 +135,12 @@ class HitStore {
     return has_panes() ? tinted((has_portals() ? 2 : 1) * sky_patches(), 0) : in_panes();
   }
 
-  // Calls body(receiver, element hit) for every ray of one replicate whose receiver lies in that block; of
-  // several processes, for this one's blocks alone.
   std::size_t blocks() const { return block_begins_.size() - 1; }
   // Block k is the receivers [block_begins()[k], block_begins()[k + 1]).
   std::span<const std::uint32_t> block_begins() const { return block_begins_; }
   bool is_mine(std::uint32_t receiver) const { return partition_.is_mine(sides_.position[receiver]); }
+  // Calls body(receiver, element hit) for every ray of one replicate whose receiver lies in that block; of
+  // several processes, for this one's blocks alone.
   template <typename Body>
   void for_each_hit(std::uint32_t replicate, std::size_t block, Body body) const {
     for_each_round(

@@ -23,7 +23,7 @@ struct Spread {
   double total_squared_error =
       0.0;  // sum of area * variance of the mean, and of area * squared bias if that is above 0
   double total_squared_bias = 0.0;   // the second part of it
-  double degrees_of_freedom = 0.0;   // degrees of, of the variance
+  double degrees_of_freedom = 0.0;   // of the variance
   double total_squared_light = 0.0;  // sum of area * mean²
 };
 

@@ -45,9 +45,9 @@ float sky_radiance(const PatchSet& patches);
 // The error that can be seen from each view: the root mean square, over the directions that meet a surface in
 // the focus, of
 //
-//     e = s / (L + 0.05 a),   a = mean over directions of min(L, 10 median L), at least 0.1 of the median of
-//     a
-//                             over all views
+//     e = s / (L + 0.05 a),
+//     a = mean over directions of min(L, 10 median L),
+//         at least 0.1 of the median of a over all views
 //
 // with L the radiance of the side met and s its standard error. a is the level that an eye adapts to; it
 // includes sky and lamps. The floor keeps a dark cavity with a leak from dominating the error.
